@@ -1,0 +1,39 @@
+#include "hiac/base/parallel.hpp"
+
+#include <algorithm>
+
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+
+namespace hiac {
+
+void parallel_for(std::size_t count, std::size_t grain,
+                  const std::function<void(IndexRange)>& body) {
+  if (count == 0) return;
+  const std::size_t step = std::max<std::size_t>(grain, 1);
+  const std::size_t chunks = (count + step - 1) / step;
+  oneapi::tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
+    body({chunk * step, std::min(count, (chunk + 1) * step)});
+  });
+}
+
+struct ThreadLimit::Control {
+  oneapi::tbb::global_control control;
+};
+
+ThreadLimit::ThreadLimit(unsigned threads)
+    : control_(threads == 0 ? nullptr
+                            : new Control{oneapi::tbb::global_control(
+                                  oneapi::tbb::global_control::max_allowed_parallelism, threads)}) {}
+
+ThreadLimit::~ThreadLimit() { delete control_; }
+
+unsigned thread_count() {
+  const auto limit = oneapi::tbb::global_control::active_value(
+      oneapi::tbb::global_control::max_allowed_parallelism);
+  return static_cast<unsigned>(std::max<std::size_t>(1, limit));
+}
+
+}  // namespace hiac

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace hiac {
+
+/// Half-open range of indices.
+struct IndexRange {
+  std::size_t begin;
+  std::size_t end;
+};
+
+/// Calls `body` on disjoint ranges that together cover [0, count), from any number of threads.
+/// The ranges are multiples of `grain` long except the last; results must not depend on how they
+/// are dealt out. An exception thrown by `body` is rethrown here.
+void parallel_for(std::size_t count, std::size_t grain,
+                  const std::function<void(IndexRange)>& body);
+
+/// Bounds the number of threads that parallel_for uses for as long as the object lives.
+/// 0 means one for every core that the process may use.
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(unsigned threads);
+  ~ThreadLimit();
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+ private:
+  struct Control;
+  Control* control_;
+};
+
+/// Number of threads that parallel_for may use now.
+unsigned thread_count();
+
+}  // namespace hiac

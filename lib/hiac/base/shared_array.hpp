@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace hiac {
+
+/// An immutable array that shares its storage: the elements of a vector that it took over, or a
+/// part of a file mapped into memory. Copying it copies no element. The storage lives as long as
+/// the last SharedArray that looks into it.
+template <typename T>
+class SharedArray {
+ public:
+  SharedArray() = default;
+
+  /// Takes the vector's elements over.
+  SharedArray(std::vector<T>&& elements) {  // NOLINT(google-explicit-constructor): a value is a value
+    auto owner = std::make_shared<const std::vector<T>>(std::move(elements));
+    view_ = std::span<const T>(*owner);
+    owner_ = std::move(owner);
+  }
+
+  /// Looks at `view`, whose storage `owner` keeps alive.
+  SharedArray(std::span<const T> view, std::shared_ptr<const void> owner)
+      : view_(view), owner_(std::move(owner)) {}
+
+  [[nodiscard]] std::span<const T> view() const { return view_; }
+  operator std::span<const T>() const { return view_; }  // NOLINT(google-explicit-constructor)
+  [[nodiscard]] const T* data() const { return view_.data(); }
+  [[nodiscard]] std::size_t size() const { return view_.size(); }
+  [[nodiscard]] bool empty() const { return view_.empty(); }
+  const T& operator[](std::size_t i) const { return view_[i]; }
+  [[nodiscard]] auto begin() const { return view_.begin(); }
+  [[nodiscard]] auto end() const { return view_.end(); }
+
+ private:
+  std::span<const T> view_;
+  std::shared_ptr<const void> owner_;
+};
+
+}  // namespace hiac

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hiac/mesh/zoo_mesh.hpp"
+
+namespace hiac {
+
+/// A chunk that this library's mesh part does not interpret: an order, say. Kept, in order, so that
+/// tools can pass it on.
+struct ExtraChunk {
+  std::string type;               ///< up to 8 characters
+  SharedArray<std::uint8_t> payload;
+};
+
+/// What one zoo container holds.
+struct ZooFile {
+  ZooMesh mesh;
+  std::vector<ExtraChunk> extras;
+};
+
+/// Reads a zoo container by memory map: arrays look into the file. Checks magic, version, every
+/// size against what is there, checksums, the end chunk, and the mesh's invariants.
+/// Throws InputError naming the file, what was expected and what was found.
+ZooFile read_zoo_file(const std::string& path);
+
+/// Reads a zoo container from an open file descriptor (a pipe) to its end chunk. Memory grows with
+/// what arrives, never with what a header announces. `subject` names the stream in errors.
+ZooFile read_zoo_stream(int descriptor, const std::string& subject);
+
+/// Writes a container front to back; never seeks. Throws InputError when the write fails.
+void write_zoo_stream(int descriptor, const ZooFile& file, const std::string& subject);
+
+/// Writes to a temporary name beside `path`, then renames: `path` is whole or untouched.
+void write_zoo_file(const std::string& path, const ZooFile& file);
+
+}  // namespace hiac

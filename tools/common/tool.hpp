@@ -1,0 +1,78 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+namespace hiac::tools {
+
+/// What every tool has in common (the conventions of the command line).
+struct CommonOptions {
+  bool quiet = false;
+  bool verbose = false;
+  unsigned threads = 0;  ///< 0: all cores
+  std::string json;      ///< file for the run's facts, "-" for stdout, empty for none
+};
+
+/// One run of one tool: options, log lines, stage timings, facts for --json, and the translation of
+/// exceptions into one line on stderr and an exit code.
+///
+///     int main(int argc, char** argv) {
+///       Tool tool("hiac-x", "What it does.", "examples ...");
+///       std::string input;
+///       tool.app().add_option("INPUT", input, "...");
+///       return tool.run(argc, argv, [&] { ... work, throwing hiac::Error ... });
+///     }
+class Tool {
+ public:
+  /// `examples` is shown at the end of --help, one command a line.
+  Tool(std::string name, const std::string& description, const std::string& examples);
+
+  CLI::App& app() { return app_; }
+  [[nodiscard]] const CommonOptions& common() const { return common_; }
+  nlohmann::ordered_json& facts() { return facts_; }
+
+  /// Parses, works, reports. Returns the process's exit code; never throws.
+  int run(int argc, char** argv, const std::function<void()>& work);
+
+  /// A line on stderr unless --quiet.
+  void note(const std::string& line) const;
+  /// A line on stderr with --verbose.
+  void detail(const std::string& line) const;
+  /// A line on stderr unless --quiet, also kept among the facts' "warnings".
+  void warn(const std::string& line);
+
+  /// Times `stage`, notes its seconds among the facts, and returns what it returns.
+  template <typename Stage>
+  auto timed(const std::string& name, Stage&& stage) {
+    const StageClock clock(*this, name);
+    return std::forward<Stage>(stage)();
+  }
+
+ private:
+  class StageClock {
+   public:
+    StageClock(Tool& tool, std::string name);
+    ~StageClock();
+    StageClock(const StageClock&) = delete;
+    StageClock& operator=(const StageClock&) = delete;
+
+   private:
+    Tool& tool_;
+    std::string name_;
+    double start_;
+  };
+
+  void write_facts(int exit_code, double seconds);
+
+  std::string name_;
+  CLI::App app_;
+  CommonOptions common_;
+  nlohmann::ordered_json facts_;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace hiac::tools
