@@ -1,0 +1,86 @@
+#include "hiac/base/output_file.hpp"
+
+#include <atomic>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <mutex>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "hiac/base/error.hpp"
+
+namespace hiac {
+namespace {
+
+// Names of the temporary files that exist now. A signal handler may only read what is lock-free
+// and may only call what is async-signal-safe: a fixed table of atomic pointers, and unlink.
+constexpr std::size_t kSlots = 64;
+std::array<std::atomic<const char*>, kSlots> open_files{};
+
+extern "C" void remove_temporaries_and_die(int signal_number) {
+  for (auto& slot : open_files) {
+    const char* name = slot.load();
+    if (name != nullptr) unlink(name);
+  }
+  std::signal(signal_number, SIG_DFL);
+  std::raise(signal_number);
+}
+
+void install_handlers() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) {
+      struct sigaction old {};
+      if (sigaction(signal_number, nullptr, &old) == 0 && old.sa_handler == SIG_IGN) continue;
+      struct sigaction action {};
+      action.sa_handler = remove_temporaries_and_die;
+      sigaction(signal_number, &action, nullptr);
+    }
+  });
+}
+
+std::size_t claim_slot(const char* name) {
+  for (std::size_t i = 0; i < kSlots; ++i) {
+    const char* expected = nullptr;
+    if (open_files[i].compare_exchange_strong(expected, name)) return i;
+  }
+  return kSlots;  // more files at once than the handler can clean up: still correct without signals
+}
+
+}  // namespace
+
+OutputFile::OutputFile(std::string path) : path_(std::move(path)), slot_(kSlots) {
+  install_handlers();
+  std::string name = path_ + ".XXXXXX";
+  const int descriptor = mkstemp(name.data());
+  if (descriptor < 0)
+    throw InputError(path_, std::string("cannot be written (") + std::strerror(errno) + ")");
+  const mode_t mask = umask(0);
+  umask(mask);
+  fchmod(descriptor, 0666 & ~mask);
+  close(descriptor);
+  temporary_ = std::move(name);
+  slot_ = claim_slot(temporary_.c_str());
+}
+
+OutputFile::~OutputFile() {
+  if (temporary_.empty()) return;
+  unlink(temporary_.c_str());
+  if (slot_ < kSlots) open_files[slot_].store(nullptr);
+}
+
+void OutputFile::commit() {
+  if (std::rename(temporary_.c_str(), path_.c_str()) != 0)
+    throw InputError(path_, std::string("cannot be written (") + std::strerror(errno) + ")");
+  if (slot_ < kSlots) open_files[slot_].store(nullptr);
+  temporary_.clear();
+}
+
+}  // namespace hiac

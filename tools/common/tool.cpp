@@ -1,0 +1,143 @@
+#include "tools/common/tool.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <new>
+#include <utility>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include "hiac/base/error.hpp"
+#include "hiac/base/output_file.hpp"
+#include "hiac/base/parallel.hpp"
+#include "tools/common/version.hpp"
+
+namespace hiac::tools {
+namespace {
+
+double seconds_now() {
+  using Clock = std::chrono::steady_clock;
+  return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+}
+
+std::uint64_t peak_memory_bytes() {
+  struct rusage usage {};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+// A message is one line whatever a library put into it.
+std::string one_line(std::string text) {
+  for (char& c : text)
+    if (c == '\n' || c == '\r') c = ' ';
+  return text;
+}
+
+}  // namespace
+
+Tool::Tool(std::string name, const std::string& description, const std::string& examples)
+    : name_(std::move(name)), app_(description, name_) {
+  app_.set_version_flag("--version", name_ + " " + version_text());
+  app_.footer("Examples:\n" + examples +
+              "\n\nExit codes: 0 done, 1 the input fails the judgement, 2 wrong usage,\n"
+              "3 unreadable input or output that cannot be written, 4 anything else.");
+  app_.add_flag("-q,--quiet", common_.quiet, "Print errors alone");
+  app_.add_flag("-v,--verbose", common_.verbose, "Print what is done, stage by stage");
+  app_.add_option("--threads", common_.threads, "Number of threads (0: all cores)")
+      ->check(CLI::Range(0U, 4096U))
+      ->capture_default_str();
+  app_.add_option("--json", common_.json,
+                  "Write the run's facts (counts, seconds, memory) to FILE; - is stdout")
+      ->type_name("FILE");
+}
+
+int Tool::run(int argc, char** argv, const std::function<void()>& work) {
+  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error of write(), with its message
+  try {
+    app_.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    std::cout << app_.help();
+    return 0;
+  } catch (const CLI::CallForVersion& version) {
+    std::cout << version.what() << '\n';
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    std::cerr << name_ << ": " << one_line(error.what()) << " (see " << name_ << " --help)\n";
+    return static_cast<int>(ExitCode::usage);
+  }
+  const double start = seconds_now();
+  auto exit_code = ExitCode::done;
+  std::string message;
+  try {
+    const ThreadLimit limit(common_.threads);
+    facts_["tool"] = name_;
+    facts_["version"] = version_text();
+    work();
+  } catch (const Error& error) {
+    exit_code = error.exit_code();
+    message = error.what();
+  } catch (const std::bad_alloc&) {
+    exit_code = ExitCode::internal;
+    message = "out of memory";
+  } catch (const std::exception& error) {
+    exit_code = ExitCode::internal;
+    message = error.what();
+  }
+  if (exit_code != ExitCode::done) {
+    std::cerr << name_ << ": " << one_line(message) << '\n';
+    facts_["error"] = message;
+  }
+  try {
+    write_facts(static_cast<int>(exit_code), seconds_now() - start);
+  } catch (const Error& error) {
+    std::cerr << name_ << ": " << one_line(error.what()) << '\n';
+    if (exit_code == ExitCode::done) exit_code = error.exit_code();
+  }
+  return static_cast<int>(exit_code);
+}
+
+void Tool::note(const std::string& line) const {
+  if (!common_.quiet) std::cerr << name_ << ": " << line << '\n';
+}
+
+void Tool::detail(const std::string& line) const {
+  if (common_.verbose && !common_.quiet) std::cerr << name_ << ": " << line << '\n';
+}
+
+void Tool::warn(const std::string& line) {
+  warnings_.push_back(line);
+  note("warning: " + line);
+}
+
+void Tool::write_facts(int exit_code, double seconds) {
+  if (common_.json.empty()) return;
+  facts_["warnings"] = warnings_;
+  facts_["exit_code"] = exit_code;
+  facts_["seconds"]["total"] = seconds;
+  facts_["peak_memory_bytes"] = peak_memory_bytes();
+  const std::string text = facts_.dump(2) + "\n";
+  if (common_.json == "-") {
+    std::cout << text << std::flush;
+    return;
+  }
+  OutputFile file(common_.json);
+  std::ofstream out(file.temporary_path());
+  out << text << std::flush;
+  if (!out) throw InputError(common_.json, "cannot be written");
+  file.commit();
+}
+
+Tool::StageClock::StageClock(Tool& tool, std::string name)
+    : tool_(tool), name_(std::move(name)), start_(seconds_now()) {}
+
+Tool::StageClock::~StageClock() {
+  const double seconds = seconds_now() - start_;
+  tool_.facts_["seconds"][name_] = seconds;
+  tool_.detail(name_ + ": " + std::to_string(seconds) + " s");
+}
+
+}  // namespace hiac::tools
