@@ -4,7 +4,8 @@
 
 namespace hiac::tools {
 
-/// The version of hiac and, in brackets, those of the libraries that this build stands on: one line.
+/// The version of hiac and, in brackets, those of the libraries that this build stands on: one
+/// line.
 std::string version_text();
 
 }  // namespace hiac::tools

@@ -7,11 +7,11 @@ namespace hiac {
 
 /// Exit codes of every tool (and the only meaning that they have).
 enum class ExitCode : int {
-  done = 0,      ///< the work was done
-  judgement = 1, ///< the input was read and judged, and fails the judgement
-  usage = 2,     ///< wrong options or arguments
-  input = 3,     ///< unreadable or malformed input, or output that cannot be written
-  internal = 4   ///< anything else (out of memory, a defect)
+  done = 0,       ///< the work was done
+  judgement = 1,  ///< the input was read and judged, and fails the judgement
+  usage = 2,      ///< wrong options or arguments
+  input = 3,      ///< unreadable or malformed input, or output that cannot be written
+  internal = 4    ///< anything else (out of memory, a defect)
 };
 
 /// Base of the errors that hiac throws. `what()` is one line without the tool's name, in the form

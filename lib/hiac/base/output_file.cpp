@@ -1,7 +1,7 @@
 #include "hiac/base/output_file.hpp"
 
-#include <atomic>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>

@@ -26,7 +26,8 @@ struct ThreadLimit::Control {
 ThreadLimit::ThreadLimit(unsigned threads)
     : control_(threads == 0 ? nullptr
                             : new Control{oneapi::tbb::global_control(
-                                  oneapi::tbb::global_control::max_allowed_parallelism, threads)}) {}
+                                  oneapi::tbb::global_control::max_allowed_parallelism, threads)}) {
+}
 
 ThreadLimit::~ThreadLimit() { delete control_; }
 

@@ -68,8 +68,8 @@ class PiecewiseLinear {
 
   /// The interval that holds s.
   [[nodiscard]] std::size_t interval_of(double s) const {
-    return static_cast<std::size_t>(
-        std::upper_bound(breakpoints_.begin(), breakpoints_.end(), s) - breakpoints_.begin());
+    return static_cast<std::size_t>(std::upper_bound(breakpoints_.begin(), breakpoints_.end(), s) -
+                                    breakpoints_.begin());
   }
 
   /// The function's value at s.

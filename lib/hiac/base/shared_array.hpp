@@ -17,7 +17,8 @@ class SharedArray {
   SharedArray() = default;
 
   /// Takes the vector's elements over.
-  SharedArray(std::vector<T>&& elements) {  // NOLINT(google-explicit-constructor): a value is a value
+  SharedArray(
+      std::vector<T>&& elements) {  // NOLINT(google-explicit-constructor): a value is a value
     auto owner = std::make_shared<const std::vector<T>>(std::move(elements));
     view_ = std::span<const T>(*owner);
     owner_ = std::move(owner);

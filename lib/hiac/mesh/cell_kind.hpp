@@ -25,11 +25,21 @@ enum class CellOrder : std::uint8_t { linear = 1, quadratic = 2, cubic = 3 };
 /// The fifteen kinds: shape and order. The value is what the zoo container stores:
 /// 3 * shape + order - 1.
 enum class CellKind : std::uint8_t {
-  tetrahedron4, tetrahedron10, tetrahedron20,
-  pyramid5, pyramid13, pyramid21,
-  prism6, prism15, prism24,
-  wedge7, wedge18, wedge29,
-  brick8, brick20, brick32
+  tetrahedron4,
+  tetrahedron10,
+  tetrahedron20,
+  pyramid5,
+  pyramid13,
+  pyramid21,
+  prism6,
+  prism15,
+  prism24,
+  wedge7,
+  wedge18,
+  wedge29,
+  brick8,
+  brick20,
+  brick32
 };
 inline constexpr std::size_t kKindCount = 15;
 
