@@ -1,0 +1,60 @@
+#include "hiac/geometry/predicates.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "hiac/geometry/exact_determinant.hpp"
+
+namespace hiac {
+namespace {
+
+struct Filtered {
+  double determinant;
+  double permanent;
+};
+
+// det[u, v, w] by cofactors, and the same sum of absolute values.
+Filtered determinant(const std::array<double, 3>& u, const std::array<double, 3>& v,
+                     const std::array<double, 3>& w) {
+  const double vw_x1 = v[1] * w[2], vw_x2 = v[2] * w[1];
+  const double vw_y1 = v[2] * w[0], vw_y2 = v[0] * w[2];
+  const double vw_z1 = v[0] * w[1], vw_z2 = v[1] * w[0];
+  return {u[0] * (vw_x1 - vw_x2) + u[1] * (vw_y1 - vw_y2) + u[2] * (vw_z1 - vw_z2),
+          std::abs(u[0]) * (std::abs(vw_x1) + std::abs(vw_x2)) +
+              std::abs(u[1]) * (std::abs(vw_y1) + std::abs(vw_y2)) +
+              std::abs(u[2]) * (std::abs(vw_z1) + std::abs(vw_z2))};
+}
+
+// Shewchuk's bound A for a determinant of rounded differences; eps is half an ulp of 1.
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon() / 2;
+constexpr double kErrorBound = (7.0 + 56.0 * kEpsilon) * kEpsilon;
+// Below this the products may have lost bits to underflow, which the bound does not cover.
+constexpr double kUnderflowGuard = 1e-270;
+
+// The sign, or 2 when the filter cannot tell. Not-a-number and overflow end there as well.
+int filtered_sign(const Filtered& f) {
+  if (f.permanent > kUnderflowGuard && std::abs(f.determinant) > kErrorBound * f.permanent)
+    return f.determinant > 0 ? 1 : -1;
+  return 2;
+}
+
+std::array<double, 3> difference(Point3 a, Point3 b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+}  // namespace
+
+int orientation(Point3 a, Point3 b, Point3 c, Point3 d) {
+  const int sign =
+      filtered_sign(determinant(difference(b, a), difference(c, a), difference(d, a)));
+  return sign != 2 ? sign : exact_orientation(a, b, c, d);
+}
+
+int orientation_towards(Point3 a, Point3 b, Point3 c, Point3 v) {
+  const int sign =
+      filtered_sign(determinant(difference(b, a), difference(c, a), {v[0], v[1], v[2]}));
+  return sign != 2 ? sign : exact_orientation_towards(a, b, c, v);
+}
+
+}  // namespace hiac
