@@ -1,0 +1,18 @@
+#pragma once
+
+#include <span>
+
+#include "hiac/order/behind_relation.hpp"
+#include "hiac/order/visibility_order.hpp"
+
+namespace hiac {
+
+/// Topological order of the strongly connected components of a relation, front to back.
+///
+/// Cells outside and upstream of cycles are peeled off by in-degree (A. B. Kahn, "Topological
+/// Sorting of Large Networks", 1962); what a cycle holds back goes through R. Tarjan, "Depth-First
+/// Search and Linear Graph Algorithms", 1972. Linear in cells and faces.
+VisibilityOrder order_of_components(const BehindRelation& relation,
+                                    std::span<const CellId> neighbors);
+
+}  // namespace hiac

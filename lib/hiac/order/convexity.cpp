@@ -1,0 +1,103 @@
+#include "hiac/order/convexity.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <tuple>
+#include <vector>
+
+#include "hiac/geometry/predicates.hpp"
+
+namespace hiac {
+namespace {
+
+struct BoundaryFace {
+  std::array<NodeId, 4> nodes;  // a triangle repeats its last node
+  int inside;                   // orientation of a point of the cell against nodes 0, 1, 2
+};
+
+struct BoundaryEdge {
+  NodeId low, high;
+  std::uint32_t face;
+
+  bool operator<(const BoundaryEdge& other) const {
+    return std::tie(low, high, face) < std::tie(other.low, other.high, other.face);
+  }
+  [[nodiscard]] bool same_edge(const BoundaryEdge& other) const {
+    return low == other.low && high == other.high;
+  }
+};
+
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+  }
+  std::uint32_t find(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::uint32_t a, std::uint32_t b) { parent_[find(a)] = find(b); }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+std::vector<BoundaryFace> boundary_faces(const ZooMesh& mesh, const FaceAdjacency& adjacency) {
+  std::vector<BoundaryFace> boundary;
+  std::size_t slot = 0;
+  for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {
+    const auto nodes = mesh.cell_nodes(cell);
+    for (const ShapeFace& face : topology_of(mesh.kinds[cell]).faces) {
+      if (adjacency.neighbors[slot++] != kNoCell) continue;
+      BoundaryFace b{};
+      for (std::size_t k = 0; k < 4; ++k)
+        b.nodes[k] = nodes[face.corners[std::min<std::size_t>(k, face.corner_count - 1U)]];
+      for (std::size_t k = 0; k < corner_count(mesh.kinds[cell]) && b.inside == 0; ++k)
+        b.inside = orientation(mesh.position(b.nodes[0]), mesh.position(b.nodes[1]),
+                               mesh.position(b.nodes[2]), mesh.position(nodes[k]));
+      boundary.push_back(b);
+    }
+  }
+  return boundary;
+}
+
+// Every corner of `face` lies inside the plane of `plane` or on it.
+bool within(const ZooMesh& mesh, const BoundaryFace& plane, const BoundaryFace& face) {
+  return std::ranges::all_of(face.nodes, [&](NodeId node) {
+    const int side = orientation(mesh.position(plane.nodes[0]), mesh.position(plane.nodes[1]),
+                                 mesh.position(plane.nodes[2]), mesh.position(node));
+    return side == 0 || side == plane.inside;
+  });
+}
+
+}  // namespace
+
+bool boundary_is_convex(const ZooMesh& mesh, const FaceAdjacency& adjacency) {
+  const auto faces = boundary_faces(mesh, adjacency);
+  std::vector<BoundaryEdge> edges;
+  for (std::uint32_t f = 0; f < faces.size(); ++f) {
+    if (faces[f].inside == 0) return false;  // a cell without volume: nothing is certain
+    if (!within(mesh, faces[f], faces[f])) return false;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const NodeId a = faces[f].nodes[k], b = faces[f].nodes[(k + 1) % 4];
+      if (a != b) edges.push_back({std::min(a, b), std::max(a, b), f});
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  DisjointSets surfaces(faces.size());
+  for (std::size_t e = 0; e < edges.size(); e += 2) {
+    const bool pair = e + 1 < edges.size() && edges[e].same_edge(edges[e + 1]);
+    const bool more = e + 2 < edges.size() && edges[e].same_edge(edges[e + 2]);
+    if (!pair || more) return false;
+    const BoundaryFace& f = faces[edges[e].face];
+    const BoundaryFace& g = faces[edges[e + 1].face];
+    if (!within(mesh, f, g) || !within(mesh, g, f)) return false;
+    surfaces.join(edges[e].face, edges[e + 1].face);
+  }
+  for (std::uint32_t f = 1; f < faces.size(); ++f)
+    if (surfaces.find(f) != surfaces.find(0)) return false;
+  return true;
+}
+
+}  // namespace hiac

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hiac/geometry/view.hpp"
+#include "hiac/mesh/zoo_mesh.hpp"
+
+namespace hiac {
+
+/// A visibility cycle, or cells whose order is not known: a run of VisibilityOrder::cells that the
+/// renderer must order pixel by pixel.
+struct CellGroup {
+  std::uint32_t first;  ///< index into VisibilityOrder::cells
+  std::uint32_t count;  ///< at least 2
+
+  bool operator==(const CellGroup&) const = default;
+};
+
+/// Every cell of a mesh once, front to back: a sequence of groups, those of one cell left implicit.
+/// A cell of an earlier group is never behind a cell of a later one on any ray.
+struct VisibilityOrder {
+  SharedArray<CellId> cells;
+  SharedArray<CellGroup> groups;  ///< those of several cells, by ascending `first`, disjoint
+  std::string algorithm;          ///< the name that hiac-sort knows it by
+};
+
+/// What was met while ordering.
+struct OrderStatistics {
+  std::uint64_t shared_faces = 0;
+  std::uint64_t unmatched_faces = 0;
+  std::uint64_t both_ways = 0;      ///< shared faces with arrows both ways
+  std::uint64_t cells_in_groups = 0;
+  std::uint64_t largest_group = 1;
+  bool convex = false;              ///< no ray can leave the mesh and enter it again
+};
+
+struct OrderResult {
+  VisibilityOrder order;
+  OrderStatistics statistics;
+};
+
+/// The exact visibility order of a mesh for a view: the relation across shared faces, its strongly
+/// connected components, and a topological order of those (front to back). Where a ray could leave
+/// the mesh and enter it again (the boundary is not convex), the cells become one group, which is
+/// always right. `planarity` is the deviation, relative to the size of a face, below which a
+/// quadrilateral counts as planar. The result does not depend on the number of threads.
+OrderResult exact_order(const ZooMesh& mesh, const FaceAdjacency& adjacency, const View& view,
+                        double planarity);
+
+}  // namespace hiac
