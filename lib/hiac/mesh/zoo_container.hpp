@@ -13,7 +13,7 @@ namespace hiac {
 /// A chunk that this library's mesh part does not interpret: an order, say. Kept, in order, so that
 /// tools can pass it on.
 struct ExtraChunk {
-  std::string type;               ///< up to 8 characters
+  std::string type;  ///< up to 8 characters
   SharedArray<std::uint8_t> payload;
 };
 
