@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hiac {
+
+/// An image of named channels in double precision.
+///
+/// Values are interleaved: channel c of pixel (x, y) is values()[(y * width + x) * channels + c],
+/// x from the left, y from the top (row 0 is the top row). "R" "G" "B" "A", where present, are
+/// linear and premultiplied by alpha = 1 - transparency; further channels ("depth", "error",
+/// "order" ...) are plain numbers.
+class Image {
+ public:
+  Image() = default;
+
+  /// All values 0. Channel names are not empty and distinct; throws std::invalid_argument.
+  Image(std::size_t width, std::size_t height, std::vector<std::string> channels);
+
+  /// Takes the values over; throws std::invalid_argument also when their number does not fit.
+  Image(std::size_t width, std::size_t height, std::vector<std::string> channels,
+        std::vector<double> values);
+
+  [[nodiscard]] std::size_t width() const { return width_; }
+  [[nodiscard]] std::size_t height() const { return height_; }
+  [[nodiscard]] std::size_t channel_count() const { return channels_.size(); }
+  [[nodiscard]] std::span<const std::string> channels() const { return channels_; }
+  [[nodiscard]] std::optional<std::size_t> channel_index(std::string_view name) const;
+
+  [[nodiscard]] std::span<double> values() { return values_; }
+  [[nodiscard]] std::span<const double> values() const { return values_; }
+
+  /// All channels of one pixel.
+  [[nodiscard]] std::span<double> pixel(std::size_t x, std::size_t y) {
+    return values().subspan((y * width_ + x) * channels_.size(), channels_.size());
+  }
+  [[nodiscard]] std::span<const double> pixel(std::size_t x, std::size_t y) const {
+    return values().subspan((y * width_ + x) * channels_.size(), channels_.size());
+  }
+
+  double& at(std::size_t x, std::size_t y, std::size_t channel) { return pixel(x, y)[channel]; }
+  [[nodiscard]] double at(std::size_t x, std::size_t y, std::size_t channel) const {
+    return pixel(x, y)[channel];
+  }
+
+ private:
+  std::size_t width_ = 0;
+  std::size_t height_ = 0;
+  std::vector<std::string> channels_;
+  std::vector<double> values_;
+};
+
+/// The channels of a rendered image, in this order, before any further ones.
+std::vector<std::string> rgba_channels();
+
+}  // namespace hiac

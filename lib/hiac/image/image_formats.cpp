@@ -1,0 +1,80 @@
+#include "hiac/image/image_formats.hpp"
+
+#include <cerrno>
+#include <cstring>
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include "hiac/base/error.hpp"
+
+namespace hiac {
+
+FileHandle open_to_read(const std::string& path) {
+  FileHandle file(std::fopen(path.c_str(), "rb"));
+  if (!file) throw InputError(path, fmt::format("cannot be opened ({})", std::strerror(errno)));
+  return file;
+}
+
+std::uint64_t remaining_bytes(std::FILE* file, const std::string& path) {
+  struct stat status {};
+  if (fstat(fileno(file), &status) != 0 || !S_ISREG(status.st_mode))
+    throw InputError(path, "not a regular file (an image is read from a file, not from a pipe)");
+  const long here = std::ftell(file);
+  return static_cast<std::uint64_t>(status.st_size) - static_cast<std::uint64_t>(here);
+}
+
+void read_exactly(std::FILE* file, std::span<std::byte> into, const std::string& path) {
+  const std::size_t got = std::fread(into.data(), 1, into.size(), file);
+  if (got == into.size()) return;
+  if (std::ferror(file) != 0)
+    throw InputError(path, fmt::format("cannot be read ({})", std::strerror(errno)));
+  throw InputError(path, fmt::format("the file ends too early (expected {} more bytes, found {})",
+                                     into.size(), got));
+}
+
+FileWriter::FileWriter(const std::string& path)
+    : path_(path), output_(path), file_(std::fopen(output_.temporary_path().c_str(), "wb")) {
+  if (!file_) throw InputError(path_, fmt::format("cannot be written ({})", std::strerror(errno)));
+}
+
+void FileWriter::write(std::span<const std::byte> bytes) {
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size())
+    throw InputError(path_, fmt::format("cannot be written ({})", std::strerror(errno)));
+}
+
+void FileWriter::close() {
+  const bool failed_before = std::ferror(file_.get()) != 0;
+  if (std::fclose(file_.release()) != 0 || failed_before)
+    throw InputError(path_, fmt::format("cannot be written ({})", std::strerror(errno)));
+}
+
+void require_sane_size(std::uint64_t width, std::uint64_t height, std::uint64_t channels,
+                       const std::string& path) {
+  constexpr std::uint64_t kMaxSide = 65536;
+  constexpr std::uint64_t kMaxChannels = 1024;
+  const bool sane = width > 0 && height > 0 && channels > 0 && width <= kMaxSide &&
+                    height <= kMaxSide && channels <= kMaxChannels;
+  if (!sane)
+    throw InputError(path, fmt::format("impossible image size (expected 1 to {} pixels a side and "
+                                       "1 to {} channels, found {} x {} with {} channels)",
+                                       kMaxSide, kMaxChannels, width, height, channels));
+}
+
+std::vector<std::string> default_channel_names(std::size_t count) {
+  switch (count) {
+    case 1:
+      return {"Y"};
+    case 2:
+      return {"Y", "A"};
+    case 3:
+      return {"R", "G", "B"};
+    default:
+      break;
+  }
+  std::vector<std::string> names = rgba_channels();
+  for (std::size_t c = names.size(); c < count; ++c) names.push_back(fmt::format("channel{}", c));
+  return names;
+}
+
+}  // namespace hiac

@@ -1,0 +1,69 @@
+#include "hiac/image/image_io.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "hiac/base/error.hpp"
+#include "hiac/image/image_formats.hpp"
+
+namespace hiac {
+namespace {
+
+using Writer = void (*)(const std::string&, const Image&, const WriteOptions&);
+using Reader = ImageFile (*)(const std::string&, std::size_t width);
+
+struct Format {
+  const char* extension;
+  Writer write;
+  Reader read;
+};
+
+constexpr Format kFormats[] = {
+    {".exr", write_exr, [](const std::string& path, std::size_t) { return read_exr(path); }},
+    {".npy",
+     [](const std::string& path, const Image& image, const WriteOptions&) {
+       write_npy(path, image);
+     },
+     [](const std::string& path, std::size_t) {
+       return ImageFile{read_npy(path), {}};
+     }},
+    {".f32",
+     [](const std::string& path, const Image& image, const WriteOptions&) {
+       write_f32(path, image);
+     },
+     [](const std::string& path, std::size_t width) {
+       return ImageFile{read_f32(path, width), {}};
+     }},
+    {".png", write_png, [](const std::string& path, std::size_t) { return read_png(path); }},
+};
+
+const Format& format_of(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::string known;
+  for (const Format& format : kFormats) {
+    if (extension == format.extension) return format;
+    known += fmt::format("{}{}", known.empty() ? "" : " ", format.extension);
+  }
+  throw UsageError(
+      fmt::format("{}: not an image format that is known (expected one of {}, found {})", path,
+                  known, extension.empty() ? "no extension" : extension));
+}
+
+}  // namespace
+
+void write_image(const std::string& path, const Image& image, const WriteOptions& options) {
+  format_of(path).write(path, image, options);
+}
+
+void require_known_image_extension(const std::string& path) { format_of(path); }
+
+ImageFile read_image(const std::string& path, std::size_t width) {
+  return format_of(path).read(path, width);
+}
+
+}  // namespace hiac

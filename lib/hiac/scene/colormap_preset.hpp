@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hiac/base/piecewise_linear.hpp"
+
+namespace hiac {
+
+/// The colour space in which a preset interpolates, as VTK's vtkColorTransferFunction defines it.
+enum class ColorSpace : std::uint8_t { rgb, hsv, hsv_wrapped, lab, diverging, step };
+
+/// A ParaView colour-map preset: colours at scalars, and how to interpolate between them.
+struct ColormapPreset {
+  struct Node {
+    double scalar;
+    std::array<double, 3> rgb;  ///< in [0, 1]
+  };
+
+  std::string name;
+  ColorSpace space = ColorSpace::rgb;
+  std::vector<Node> nodes;  ///< at least one, scalars not decreasing
+};
+
+/// Reads a preset file: JSON (one map or a list of maps; commas before a closing bracket are
+/// tolerated, as ParaView users have such files) or XML (<ColorMap> elements with <Point>
+/// elements). Of several maps the one called `name`, else the first. Throws InputError naming the
+/// file: unreadable, malformed, no such map, a map of indexed colours, a colour space that is not
+/// known.
+ColormapPreset read_colormap_preset(const std::string& path,
+                                    const std::optional<std::string>& name = std::nullopt);
+
+/// The colour at a scalar between the nodes' first and last; constant outside.
+std::array<double, 3> preset_color(const ColormapPreset& preset, double scalar);
+
+/// A preset as a piecewise-linear function.
+struct LinearizedPreset {
+  std::vector<PiecewiseLinear<3>::Point> points;
+  double bound;  ///< proven: no channel is further than this from the preset's colour anywhere
+};
+
+/// Stretches the preset's scalars to [low, high] and subdivides between its nodes until the error
+/// of every channel is proven to be at most `tolerance` (RGB and step maps need no subdivision).
+/// Throws std::invalid_argument unless low < high and tolerance > 0.
+LinearizedPreset linearize(const ColormapPreset& preset, double low, double high, double tolerance);
+
+}  // namespace hiac

@@ -1,0 +1,168 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hiac/base/piecewise_linear.hpp"
+
+namespace hiac {
+
+/// Value types of an image specification: everything that decides a picture but the mesh.
+///
+/// Colours are linear RGB, not negative, of order 1 but free to exceed it. Lengths are in the
+/// mesh's world units. Member initializers are the defaults of a specification file; every
+/// `operator==` compares to the bit.
+
+using Color = std::array<double, 3>;
+
+/// Largest number of pixels along one side of an image, and in all.
+inline constexpr std::uint32_t kMaxImageSide = 65536;
+inline constexpr std::uint64_t kMaxImagePixels = std::uint64_t{1} << 30;
+
+/// Pixel (i, j), i from the left, j from the top, is sampled at its centre.
+struct ImageSize {
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+
+  bool operator==(const ImageSize&) const = default;
+};
+
+enum class Projection : std::uint8_t { perspective, orthographic };
+
+/// A right-handed camera: at the image's centre one looks from `eye` to `look_at`, `up` points up.
+struct Camera {
+  Projection projection = Projection::perspective;
+  std::array<double, 3> eye{};
+  std::array<double, 3> look_at{};  ///< differs from `eye`
+  std::array<double, 3> up{};       ///< any length, not parallel to the view direction
+  double fov = 0;     ///< perspective: the image's vertical angle, degrees, inside (0, 180)
+  double height = 0;  ///< orthographic: the image's vertical extent, world units, positive
+  /// Near and far plane: distances from the eye plane along the view direction, near < far; near is
+  /// not negative in perspective, far may be infinite. None: all that is in front of the eye
+  /// (perspective), everything (orthographic).
+  std::optional<std::array<double, 2>> clip;
+
+  bool operator==(const Camera&) const = default;
+};
+
+/// Williams-Max: a glow of colour kappa times the extinction (dI/dt = kappa tau - tau I);
+/// Wilhelms-Van Gelder: a glow of its own per unit of length (dI/dt = g - tau I).
+enum class Glow : std::uint8_t { chromaticity, emission };
+
+/// A piecewise-linear function of one scalar field of the mesh.
+template <std::size_t N>
+struct TransferFunction {
+  using Point = typename PiecewiseLinear<N>::Point;
+
+  std::string field;          ///< as scalar_field accepts it: "pressure", "velocity:magnitude"
+  std::vector<Point> points;  ///< at least one, scalars not decreasing
+
+  [[nodiscard]] PiecewiseLinear<N> function() const { return PiecewiseLinear<N>(points); }
+
+  friend bool operator==(const TransferFunction& a, const TransferFunction& b) {
+    const auto same = [](const Point& p, const Point& q) {
+      return p.scalar == q.scalar && p.value == q.value;
+    };
+    return a.field == b.field &&
+           std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(), same);
+  }
+};
+
+/// Colour by scalar: chromaticity, or emission per world unit of length (Glow).
+using ColorTransfer = TransferFunction<3>;
+/// Extinction coefficient per world unit of length by scalar; not negative.
+using ExtinctionTransfer = TransferFunction<1>;
+
+/// Without `color` the volume does not glow; without `extinction` it does not absorb.
+struct Volume {
+  Glow glow = Glow::chromaticity;
+  std::optional<ColorTransfer> color;
+  std::optional<ExtinctionTransfer> extinction;
+
+  bool operator==(const Volume&) const = default;
+};
+
+/// The surface on which a field has one value.
+struct Isosurface {
+  std::string field;
+  double value = 0;
+  Color color{1, 1, 1};
+  /// Seen face-on, in [0, 1]; at an angle it is 1 - (1 - opacity)^(1/|n.v|).
+  double opacity = 1;
+  double ambient = 0.2;
+  double diffuse = 0.7;
+  double specular = 0.3;
+  double shininess = 30;
+
+  bool operator==(const Isosurface&) const = default;
+};
+
+/// A light infinitely far away.
+struct Light {
+  /// Towards the light, any length but 0; none: a headlight, from where the eye is.
+  std::optional<std::array<double, 3>> direction;
+  Color color{1, 1, 1};
+
+  bool operator==(const Light&) const = default;
+};
+
+enum class BackgroundPattern : std::uint8_t { solid, checker, grid, gradient };
+
+/// What is composited behind everything.
+struct Background {
+  BackgroundPattern pattern = BackgroundPattern::solid;
+  Color color{0, 0, 0};   ///< solid; one field of the checker; between the grid's lines; top
+  Color color2{0, 0, 0};  ///< other fields of the checker; the grid's lines; bottom
+  double size = 32;       ///< checker and grid: pixels along a field's side
+
+  bool operator==(const Background&) const = default;
+};
+
+/// How radiance along a ray is integrated (Williams, Max, Stein 1998, section 4).
+enum class Integration : std::uint8_t { exact, gauss5, approximate, approximate_unsliced };
+
+/// How a field is interpolated in cells that are not simplices: by the finite element's shape
+/// functions, or by the paper's monomials in world coordinates (section 3).
+enum class Interpolation : std::uint8_t { isoparametric, polynomial };
+
+struct RenderSettings {
+  Integration integration = Integration::exact;
+  Interpolation interpolation = Interpolation::isoparametric;
+  /// Absolute error allowed per pixel and channel, for images whose colours are of order 1.
+  double tolerance = 1e-9;
+  /// Cells that cover fewer pixel centres are splatted (section 5.3); 0: none.
+  std::uint32_t splat_below = 0;
+  /// A quadrilateral face whose deviation from a plane is below this times its size is planar.
+  double planarity = 1e-10;
+
+  bool operator==(const RenderSettings&) const = default;
+};
+
+/// One image specification.
+struct Scene {
+  ImageSize image;
+  Camera camera;
+  Volume volume;
+  std::vector<Isosurface> isosurfaces;
+  std::vector<Light> lights{Light{}};  ///< a white headlight where a file names none
+  Background background;
+  RenderSettings render;
+
+  bool operator==(const Scene&) const = default;
+};
+
+/// look_at - eye, each component rounded once, not normalised: the one view direction that ordering
+/// and rendering share.
+std::array<double, 3> view_direction(const Camera& camera);
+
+/// 128 bits, 32 hexadecimal digits, over what decides a visibility order: the projection and, in
+/// perspective, the eye; orthographic, the view direction whatever its length. Two cameras with one
+/// hash order every mesh alike.
+std::string camera_hash(const Camera& camera);
+
+}  // namespace hiac

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+
+#include "hiac/scene/scene.hpp"
+#include "hiac/scene/spec_key.hpp"
+
+namespace hiac {
+
+/// The keys of each table of a specification, in the order in which they are read and written.
+std::span<const SpecKey<ImageSize>> image_keys();
+std::span<const SpecKey<Camera>> camera_keys();
+std::span<const SpecKey<ExtinctionTransfer>> extinction_keys();
+std::span<const SpecKey<Volume>> volume_keys();
+std::span<const SpecKey<Isosurface>> isosurface_keys();
+std::span<const SpecKey<Light>> light_keys();
+std::span<const SpecKey<Background>> background_keys();
+std::span<const SpecKey<RenderSettings>> render_keys();
+
+/// The tables themselves.
+std::span<const SpecKey<Scene>> scene_keys();
+
+}  // namespace hiac

@@ -1,0 +1,35 @@
+#include "hiac/scene/scene_parser.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include "hiac/base/error.hpp"
+#include "hiac/scene/scene_keys.hpp"
+#include "hiac/scene/spec_override.hpp"
+#include "hiac/scene/spec_text.hpp"
+#include "hiac/scene/spec_value.hpp"
+
+namespace hiac {
+
+ParsedScene parse_scene(std::string_view text, const std::string& subject,
+                        const std::string& folder, std::span<const Override> overrides) {
+  toml::table document = parse_toml(text, subject);
+  SpecContext context{subject, folder, {}, {}};
+  for (const Override& option : overrides)
+    context.overrides.push_back(apply_override(document, option));
+  ParsedScene parsed;
+  read_keys(SpecValue(document, "", context), scene_keys(), parsed.scene);
+  parsed.notes = std::move(context.notes);
+  return parsed;
+}
+
+ParsedScene read_scene(const std::string& path, std::span<const Override> overrides) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  return parse_scene(read_text_file(path), path, folder, overrides);
+}
+
+}  // namespace hiac

@@ -1,0 +1,53 @@
+#include "hiac/scene/scene_writer.hpp"
+
+#include <fmt/format.h>
+
+#include "hiac/scene/color_source.hpp"
+#include "hiac/scene/scene_keys.hpp"
+
+namespace hiac {
+namespace {
+
+/// The keys of one table; with comments also the names of those that are left out.
+template <typename T>
+std::string keys_text(std::span<const SpecKey<T>> keys, const T& from, Comments comments) {
+  std::string text;
+  for (const SpecKey<T>& key : keys) {
+    if (key.meaning.empty()) continue;  // a table, written on its own
+    const std::optional<std::string> value = key.write != nullptr ? key.write(from) : std::nullopt;
+    const bool explain = comments == Comments::explain;
+    if (!value && explain) text += fmt::format("# {} =  # {}\n", key.name, key.meaning);
+    if (!value) continue;
+    const bool long_value = value->find('\n') != std::string::npos;
+    if (explain && long_value) text += fmt::format("# {}\n", key.meaning);
+    text += fmt::format("{} = {}", key.name, *value);
+    if (explain && !long_value) text += fmt::format("  # {}", key.meaning);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string to_toml(const Scene& scene, Comments comments) {
+  std::string text = "[image]\n" + keys_text(image_keys(), scene.image, comments);
+  text += "\n[camera]\n" + keys_text(camera_keys(), scene.camera, comments);
+  text += "\n[volume]\n" + keys_text(volume_keys(), scene.volume, comments);
+  if (scene.volume.color) {
+    ColorSource source;
+    source.transfer = *scene.volume.color;
+    text += "\n[volume.color]\n" + keys_text(color_keys(), source, comments);
+  }
+  if (scene.volume.extinction)
+    text += "\n[volume.extinction]\n" +
+            keys_text(extinction_keys(), *scene.volume.extinction, comments);
+  for (const Isosurface& surface : scene.isosurfaces)
+    text += "\n[[isosurface]]\n" + keys_text(isosurface_keys(), surface, comments);
+  for (const Light& light : scene.lights)
+    text += "\n[[light]]\n" + keys_text(light_keys(), light, comments);
+  text += "\n[background]\n" + keys_text(background_keys(), scene.background, comments);
+  text += "\n[render]\n" + keys_text(render_keys(), scene.render, comments);
+  return text;
+}
+
+}  // namespace hiac

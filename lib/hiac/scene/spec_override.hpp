@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include <toml++/toml.h>
+
+#include "hiac/scene/spec_value.hpp"
+
+namespace hiac {
+
+/// Applies KEY=VALUE to a specification's table: replaces the value, adds it, or (empty VALUE)
+/// removes the key. Throws UsageError naming the option when it is malformed or its path does not
+/// lead anywhere.
+AppliedOverride apply_override(toml::table& document, const std::string& option);
+
+}  // namespace hiac

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <toml++/toml.h>
+
+namespace hiac {
+
+/// One override that was applied: the key's path and the option as the user wrote it.
+struct AppliedOverride {
+  std::string path;
+  std::string option;
+};
+
+/// Where a specification comes from, as its errors name it, and what reading it has to say.
+struct SpecContext {
+  std::string subject;
+  std::string folder;
+  std::vector<AppliedOverride> overrides;
+  std::vector<std::string> notes;
+
+  /// The override that set the key `path`, a part of it or a table around it, or none.
+  [[nodiscard]] const AppliedOverride* override_of(std::string_view path) const;
+
+  /// Throws UsageError naming the option where an override is to blame, else InputError naming
+  /// file, line (where `line` is not 0) and key.
+  [[noreturn]] void fail(const std::string& path, std::uint32_t line,
+                         const std::string& what) const;
+};
+
+/// One value of a specification with its key's path; its readers throw through SpecContext::fail.
+class SpecValue {
+ public:
+  SpecValue(const toml::node& node, std::string path, SpecContext& context)
+      : node_(&node), path_(std::move(path)), context_(&context) {}
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+  [[nodiscard]] SpecContext& context() const { return *context_; }
+  [[noreturn]] void fail(const std::string& what) const;
+
+  /// A number, integer or float; `inf` only where allowed, never NaN.
+  [[nodiscard]] double number() const;
+  [[nodiscard]] double number_or_infinity() const;
+  [[nodiscard]] double positive() const;
+  [[nodiscard]] double at_least(double smallest) const;
+  [[nodiscard]] double inside(double low, double high) const;  ///< low <= value <= high
+  /// A whole number from `low` to `high`.
+  [[nodiscard]] std::uint32_t whole(std::uint32_t low, std::uint32_t high) const;
+  /// A string that is not empty.
+  [[nodiscard]] std::string text() const;
+  [[nodiscard]] std::array<double, 3> triple() const;
+  /// Red, green, blue, none negative.
+  [[nodiscard]] std::array<double, 3> color() const;
+  /// A list of exactly `count` values (any number where it is 0). The elements carry this value's
+  /// path: messages name the key as a whole.
+  [[nodiscard]] std::vector<SpecValue> list(std::size_t count = 0) const;
+
+  /// A table, whose keys have paths below this one's.
+  [[nodiscard]] const toml::table& table() const;
+  /// The value below a key of this table, if there.
+  [[nodiscard]] const toml::node* find(std::string_view key) const;
+  [[nodiscard]] bool has(std::string_view key) const { return find(key) != nullptr; }
+  [[nodiscard]] std::string path_of(std::string_view key) const;
+  /// The value of a key of this table that is there.
+  [[nodiscard]] SpecValue child(std::string_view key) const;
+  /// Throws for a key of this table, there or not.
+  [[noreturn]] void fail_at(std::string_view key, const std::string& what) const;
+  /// The tables of a list of tables; element i has the path `path.i`.
+  [[nodiscard]] std::vector<SpecValue> tables() const;
+
+  /// The entry of `names` with this string; throws listing them.
+  template <typename E>
+  [[nodiscard]] E name_of(std::span<const std::pair<std::string_view, E>> names) const {
+    const std::string found = text();
+    std::string known;
+    for (const auto& [name, value] : names) {
+      if (name == found) return value;
+      known += (known.empty() ? "" : ", ") + std::string(name);
+    }
+    fail_name(found, known);
+  }
+
+ private:
+  [[noreturn]] void fail_kind(const char* expected) const;
+  [[noreturn]] void fail_name(const std::string& found, const std::string& known) const;
+
+  const toml::node* node_;
+  std::string path_;
+  SpecContext* context_;
+};
+
+}  // namespace hiac
