@@ -69,6 +69,14 @@ using ShapeEdge = std::array<std::uint8_t, 2>;
 ///     prism         0 1 2 one triangle, 3 4 5 the other
 ///     brick         0 1 2 3 the bottom, 4 5 6 7 the top
 ///     wedge         the brick whose edge 6-7 is collapsed into node 6
+///
+/// A cell is positively oriented when its faces, as listed here, turn counter-clockwise seen from
+/// outside. For the tetrahedron, the pyramid and the brick that is the right-hand rule: the normal
+/// of 0 1 2 points into the cell. **The prism is the other way round**: the normal of 0 1 2 points
+/// out of it, away from 3 4 5. That is how VTK documents its wedge, lists its faces and stores it
+/// in files, although VTK's own parametric coordinates of that cell are then left-handed.
+///
+/// Edges and faces are listed in VTK's order.
 struct ShapeTopology {
   std::string_view name;
   std::size_t corner_count;
@@ -76,15 +84,82 @@ struct ShapeTopology {
   std::span<const ShapeFace> faces;
 };
 
+/// The tables behind topology_of.
+namespace shape_tables {
+
+inline constexpr std::array<ShapeEdge, 6> kTetrahedronEdges{
+    {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
+inline constexpr std::array<ShapeFace, 4> kTetrahedronFaces{
+    {{3, {0, 1, 3}}, {3, {1, 2, 3}}, {3, {2, 0, 3}}, {3, {0, 2, 1}}}};
+
+inline constexpr std::array<ShapeEdge, 8> kPyramidEdges{
+    {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4}, {1, 4}, {2, 4}, {3, 4}}};
+inline constexpr std::array<ShapeFace, 5> kPyramidFaces{
+    {{4, {0, 3, 2, 1}}, {3, {0, 1, 4}}, {3, {1, 2, 4}}, {3, {2, 3, 4}}, {3, {3, 0, 4}}}};
+
+inline constexpr std::array<ShapeEdge, 9> kPrismEdges{
+    {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}}};
+inline constexpr std::array<ShapeFace, 5> kPrismFaces{
+    {{3, {0, 1, 2}}, {3, {3, 5, 4}}, {4, {0, 3, 4, 1}}, {4, {1, 4, 5, 2}}, {4, {2, 5, 3, 0}}}};
+
+inline constexpr std::array<ShapeEdge, 11> kWedgeEdges{
+    {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 6}}};
+inline constexpr std::array<ShapeFace, 6> kWedgeFaces{{{4, {0, 4, 6, 3}},
+                                                       {4, {1, 2, 6, 5}},
+                                                       {4, {0, 1, 5, 4}},
+                                                       {3, {3, 6, 2}},
+                                                       {4, {0, 3, 2, 1}},
+                                                       {3, {4, 5, 6}}}};
+
+inline constexpr std::array<ShapeEdge, 12> kBrickEdges{{{0, 1},
+                                                        {1, 2},
+                                                        {2, 3},
+                                                        {3, 0},
+                                                        {4, 5},
+                                                        {5, 6},
+                                                        {6, 7},
+                                                        {7, 4},
+                                                        {0, 4},
+                                                        {1, 5},
+                                                        {2, 6},
+                                                        {3, 7}}};
+inline constexpr std::array<ShapeFace, 6> kBrickFaces{{{4, {0, 4, 7, 3}},
+                                                       {4, {1, 2, 6, 5}},
+                                                       {4, {0, 1, 5, 4}},
+                                                       {4, {3, 7, 6, 2}},
+                                                       {4, {0, 3, 2, 1}},
+                                                       {4, {4, 5, 6, 7}}}};
+
+inline constexpr std::array<ShapeTopology, kShapeCount> kTopologies{
+    {{"tetrahedron", 4, kTetrahedronEdges, kTetrahedronFaces},
+     {"pyramid", 5, kPyramidEdges, kPyramidFaces},
+     {"prism", 6, kPrismEdges, kPrismFaces},
+     {"wedge", 7, kWedgeEdges, kWedgeFaces},
+     {"brick", 8, kBrickEdges, kBrickFaces}}};
+
+}  // namespace shape_tables
+
 /// The topology of a shape. A table; throws nothing.
-const ShapeTopology& topology_of(CellShape shape);
-inline const ShapeTopology& topology_of(CellKind kind) { return topology_of(shape_of(kind)); }
+constexpr const ShapeTopology& topology_of(CellShape shape) {
+  return shape_tables::kTopologies[static_cast<std::size_t>(shape)];
+}
+constexpr const ShapeTopology& topology_of(CellKind kind) { return topology_of(shape_of(kind)); }
+
+constexpr std::size_t corner_count(CellKind kind) { return topology_of(kind).corner_count; }
+constexpr std::size_t edge_count(CellKind kind) { return topology_of(kind).edges.size(); }
+constexpr std::size_t face_count(CellKind kind) { return topology_of(kind).faces.size(); }
 
 /// Number of nodes: the corners, then (order - 1) on every edge in the edges' order, each edge
-/// from its first corner to its second, then the face centres (cubic tetrahedron alone).
-std::size_t node_count(CellKind kind);
-inline std::size_t corner_count(CellKind kind) { return topology_of(kind).corner_count; }
-inline std::size_t face_count(CellKind kind) { return topology_of(kind).faces.size(); }
+/// from its first corner to its second, then the face centres (cubic tetrahedron alone) in the
+/// faces' order.
+constexpr std::size_t node_count(CellKind kind) {
+  const std::size_t per_edge = static_cast<std::size_t>(order_of(kind)) - 1;
+  const std::size_t on_faces = kind == CellKind::tetrahedron20 ? face_count(kind) : 0;
+  return corner_count(kind) + per_edge * edge_count(kind) + on_faces;
+}
+
+/// Whether `value` is a kind's number: what has to be asked of a byte that came from outside.
+constexpr bool is_kind(std::uint8_t value) { return value < kKindCount; }
 
 /// "tetrahedron4", "brick20", ...
 std::string_view kind_name(CellKind kind);

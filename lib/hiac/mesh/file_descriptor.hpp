@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+
+namespace hiac {
+
+/// An open file descriptor that is closed with the object.
+class FileDescriptor {
+ public:
+  explicit FileDescriptor(int number) : number_(number) {}
+  ~FileDescriptor();
+  FileDescriptor(FileDescriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  FileDescriptor(const FileDescriptor&) = delete;
+  FileDescriptor& operator=(const FileDescriptor&) = delete;
+
+  [[nodiscard]] int number() const { return number_; }
+  /// Closes it now. Throws InputError when the system reports that data was lost.
+  void close(const std::string& subject);
+
+ private:
+  int number_;
+};
+
+/// Opens a file to be read. Throws InputError.
+FileDescriptor open_to_read(const std::string& path);
+
+/// Reads until `buffer` is full or the stream ends; returns how much was read. Throws InputError.
+std::size_t read_fully(int descriptor, std::span<std::uint8_t> buffer, const std::string& subject);
+
+/// Writes all of `bytes`. Throws InputError, also when nobody reads the pipe any more.
+void write_fully(int descriptor, std::span<const std::uint8_t> bytes, const std::string& subject);
+
+}  // namespace hiac

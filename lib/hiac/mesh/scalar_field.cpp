@@ -1,0 +1,118 @@
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "hiac/base/error.hpp"
+#include "hiac/base/parallel.hpp"
+#include "hiac/mesh/zoo_mesh.hpp"
+
+namespace hiac {
+namespace {
+
+constexpr std::size_t kGrain = 1 << 14;
+constexpr std::string_view kMagnitude = "magnitude";
+
+/// The names of a vector's or a symmetric tensor's components; none for other counts.
+std::span<const std::string_view> component_names(std::uint32_t components) {
+  static constexpr std::array<std::string_view, 3> kVector{"x", "y", "z"};
+  static constexpr std::array<std::string_view, 6> kTensor{"xx", "yy", "zz", "xy", "yz", "xz"};
+  if (components == 2 || components == 3) return std::span(kVector).first(components);
+  if (components == 6) return kTensor;
+  return {};
+}
+
+/// The component that `suffix` names, by letter or by number.
+std::optional<std::uint32_t> component_of(std::string_view suffix, std::uint32_t components) {
+  const auto names = component_names(components);
+  for (std::uint32_t c = 0; c < names.size(); ++c)
+    if (names[c] == suffix) return c;
+  std::uint32_t number = 0;
+  const auto [end, error] = std::from_chars(suffix.data(), suffix.data() + suffix.size(), number);
+  if (error != std::errc() || end != suffix.data() + suffix.size() || number >= components)
+    return std::nullopt;
+  return number;
+}
+
+/// One number a tuple of `field`: `reduce(tuple)`.
+template <typename Reduce>
+Field reduced(const Field& field, const std::string& name, const Reduce& reduce) {
+  const auto values = field.values.view();
+  const std::size_t width = field.components;
+  std::vector<double> result(values.size() / width);
+  parallel_for(result.size(), kGrain, [&](IndexRange range) {
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      result[i] = reduce(values.subspan(i * width, width));
+  });
+  return {name, field.unit, field.location, 1, SharedArray<double>(std::move(result))};
+}
+
+Field magnitude(const Field& field, const std::string& name) {
+  return reduced(field, name, [](std::span<const double> tuple) {
+    double length = std::abs(tuple[0]);
+    // hypot: squares of large and of tiny values would overflow and vanish
+    for (std::size_t c = 1; c < tuple.size(); ++c) length = std::hypot(length, tuple[c]);
+    return length;
+  });
+}
+
+/// The field that is called exactly `name`, or none.
+const Field* find_field(const ZooMesh& mesh, std::string_view name) {
+  const Field* found = nullptr;
+  for (const Field& field : mesh.fields) {
+    if (field.name != name) continue;
+    if (found != nullptr)
+      throw UsageError(
+          fmt::format("field '{}': the name is ambiguous (one field expected, several "
+                      "found: rename one when converting)",
+                      name));
+    found = &field;
+  }
+  return found;
+}
+
+[[noreturn]] void refuse(const ZooMesh& mesh, const std::string& reference) {
+  const std::vector<std::string> names = scalar_field_names(mesh);
+  throw UsageError(
+      names.empty()
+          ? fmt::format("field '{}': there is no such field (the mesh has none)", reference)
+          : fmt::format("field '{}': there is no such scalar field (expected one of "
+                        "{})",
+                        reference, fmt::join(names, ", ")));
+}
+
+}  // namespace
+
+std::vector<std::string> scalar_field_names(const ZooMesh& mesh) {
+  std::vector<std::string> names;
+  for (const Field& field : mesh.fields) {
+    if (field.components == 1) {
+      names.push_back(field.name);
+      continue;
+    }
+    const auto components = component_names(field.components);
+    for (std::uint32_t c = 0; c < field.components; ++c)
+      names.push_back(components.empty() ? fmt::format("{}:{}", field.name, c)
+                                         : fmt::format("{}:{}", field.name, components[c]));
+    names.push_back(fmt::format("{}:{}", field.name, kMagnitude));
+  }
+  return names;
+}
+
+Field scalar_field(const ZooMesh& mesh, const std::string& reference) {
+  // a whole name first: names may hold colons
+  if (const Field* field = find_field(mesh, reference); field != nullptr && field->components == 1)
+    return *field;
+  const std::size_t colon = reference.rfind(':');
+  if (colon == std::string::npos) refuse(mesh, reference);
+  const std::string_view suffix = std::string_view(reference).substr(colon + 1);
+  const Field* field = find_field(mesh, std::string_view(reference).substr(0, colon));
+  if (field == nullptr) refuse(mesh, reference);
+  if (suffix == kMagnitude) return magnitude(*field, reference);
+  const auto component = component_of(suffix, field->components);
+  if (!component) refuse(mesh, reference);
+  return reduced(*field, reference, [c = *component](auto tuple) { return tuple[c]; });
+}
+
+}  // namespace hiac

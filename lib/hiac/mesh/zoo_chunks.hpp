@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hiac/mesh/zoo_container.hpp"
+#include "hiac/mesh/zoo_layout.hpp"
+
+namespace hiac {
+
+/// One chunk as read, its header checked, its payload's checksum not yet.
+struct RawChunk {
+  std::string type;
+  SharedArray<std::uint8_t> payload;  ///< begins at a multiple of zoo_layout::kAlignment in memory
+  std::uint64_t checksum;
+};
+
+/// Throws InputError unless `header` begins a container of a version that can be read.
+void check_file_header(const zoo_layout::FileHeader& header, const std::string& subject);
+
+/// The chunk's type. Throws InputError unless the header's checksum, type and zeros are right.
+/// `number` counts the file's chunks from 0, for errors.
+std::string check_chunk_header(const zoo_layout::ChunkHeader& header, std::size_t number,
+                               const std::string& subject);
+
+/// Makes a mesh of the chunks before and including the end chunk: checks payloads against their
+/// checksums (in parallel), which chunks there are, every size, and the mesh's invariants.
+/// Throws InputError.
+ZooFile assemble_zoo(const std::vector<RawChunk>& chunks, const std::string& subject);
+
+}  // namespace hiac

@@ -1,0 +1,105 @@
+#include "hiac/render/projection.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "hiac/base/parallel.hpp"
+
+namespace hiac {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+Vector minus(std::span<const double, 3> a, std::span<const double, 3> b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Vector normalized(const Vector& v) {
+  const double length = std::hypot(v[0], v[1], v[2]);
+  return {v[0] / length, v[1] / length, v[2] / length};
+}
+
+// Beyond this many pixels from the centre a projected coordinate has lost too many digits to be
+// scan converted (an ulp is then 3e-11 pixels); such nodes, close to the eye plane, count as not
+// projectable, and their cells are met by their rays in world space.
+constexpr double kFarthestPixel = 131072;
+
+}  // namespace
+
+Projector::Projector(const Camera& camera, ImageSize size)
+    : perspective_(camera.projection == Projection::perspective),
+      anchor_(perspective_ ? camera.eye : camera.look_at),
+      forward_(normalized(view_direction(camera))),
+      center_x_(size.width / 2.0),
+      center_y_(size.height / 2.0),
+      near_(perspective_ ? 0 : -std::numeric_limits<double>::infinity()),
+      far_(std::numeric_limits<double>::infinity()) {
+  right_ = normalized(cross(forward_, camera.up));
+  up_ = cross(right_, forward_);
+  const double half = size.height / 2.0;
+  scale_ = perspective_ ? half / std::tan(camera.fov * (std::numbers::pi / 360))
+                        : size.height / camera.height;
+  if (camera.clip) {
+    const Vector to_eye = view_direction(camera);
+    const double offset = perspective_ ? 0 : std::hypot(to_eye[0], to_eye[1], to_eye[2]);
+    near_ = (*camera.clip)[0] - offset;
+    far_ = (*camera.clip)[1] - offset;
+  }
+}
+
+Vector Projector::camera_coordinates(std::span<const double, 3> point) const {
+  const Vector v = minus(point, anchor_);
+  return {dot(v, right_), dot(v, up_), dot(v, forward_)};
+}
+
+bool Projector::project(std::span<const double, 3> point, ProjectedNode& node) const {
+  const Vector c = camera_coordinates(point);
+  if (!perspective_) {
+    node = {center_x_ + scale_ * c[0], center_y_ - scale_ * c[1], c[2]};
+    return true;
+  }
+  const double reciprocal = 1 / c[2];
+  const double dx = scale_ * (c[0] * reciprocal), dy = scale_ * (c[1] * reciprocal);
+  node = {center_x_ + dx, center_y_ - dy, -reciprocal};
+  return c[2] > 0 && std::abs(dx) < kFarthestPixel && std::abs(dy) < kFarthestPixel;
+}
+
+double Projector::parameter(std::span<const double, 3> point) const {
+  return dot(minus(point, anchor_), forward_);
+}
+
+Vector Projector::origin(double x, double y) const {
+  if (perspective_) return anchor_;
+  const double a = (x - center_x_) / scale_, b = (center_y_ - y) / scale_;
+  return {anchor_[0] + a * right_[0] + b * up_[0], anchor_[1] + a * right_[1] + b * up_[1],
+          anchor_[2] + a * right_[2] + b * up_[2]};
+}
+
+Vector Projector::direction(double x, double y) const {
+  if (!perspective_) return forward_;
+  const double a = (x - center_x_) / scale_, b = (center_y_ - y) / scale_;
+  return {forward_[0] + a * right_[0] + b * up_[0], forward_[1] + a * right_[1] + b * up_[1],
+          forward_[2] + a * right_[2] + b * up_[2]};
+}
+
+double Projector::ray_scale(double x, double y) const {
+  if (!perspective_) return 1;
+  const double a = (x - center_x_) / scale_, b = (center_y_ - y) / scale_;
+  return std::sqrt(a * a + b * b + 1);  // section 5.1: the slanted distance
+}
+
+std::vector<ProjectedNode> project_nodes(const ZooMesh& mesh, const Projector& projector) {
+  std::vector<ProjectedNode> nodes(mesh.node_count());
+  parallel_for(nodes.size(), std::size_t{1} << 14, [&](IndexRange range) {
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      if (!projector.project(mesh.position(static_cast<NodeId>(i)), nodes[i]))
+        nodes[i].depth = std::numeric_limits<double>::quiet_NaN();
+  });
+  return nodes;
+}
+
+}  // namespace hiac

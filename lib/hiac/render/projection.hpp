@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "hiac/mesh/zoo_mesh.hpp"
+#include "hiac/scene/scene.hpp"
+
+namespace hiac {
+
+/// A node as the scan converter sees it.
+///
+/// `x`, `y`: pixel coordinates, x to the right, y down, the centre of pixel (i, j) at
+/// (i + 0.5, j + 0.5). `depth`: affine on the projection of every plane and increasing along rays:
+/// the ray parameter t itself in orthographic, -1 / t in perspective.
+struct ProjectedNode {
+  double x, y, depth;
+};
+
+/// The map from world to screen, and the rays of pixels back into the world (sections 4, 5.1).
+///
+/// The ray through the screen point (x, y) is origin(x, y) + t direction(x, y). The parameter t is
+/// the distance from the eye plane along the view direction in perspective, and from the plane
+/// through `look_at` in orthographic (where the eye's distance would only cost digits).
+class Projector {
+ public:
+  /// Throws InputError when the camera cannot be (which the scene's parser has excluded).
+  Projector(const Camera& camera, ImageSize size);
+
+  [[nodiscard]] bool perspective() const { return perspective_; }
+  /// Range of t that z-clipping leaves; in perspective never below 0.
+  [[nodiscard]] double near() const { return near_; }
+  [[nodiscard]] double far() const { return far_; }
+
+  /// False when the point cannot be projected: it lies beside or behind the eye.
+  bool project(std::span<const double, 3> point, ProjectedNode& node) const;
+  /// The ray parameter of the plane parallel to the screen through a point.
+  [[nodiscard]] double parameter(std::span<const double, 3> point) const;
+  /// Camera coordinates (right, up, forward), relative to the eye or, orthographic, look_at.
+  [[nodiscard]] std::array<double, 3> camera_coordinates(std::span<const double, 3> point) const;
+
+  [[nodiscard]] std::array<double, 3> origin(double x, double y) const;
+  [[nodiscard]] std::array<double, 3> direction(double x, double y) const;
+  /// World length per unit of t on the ray through (x, y).
+  [[nodiscard]] double ray_scale(double x, double y) const;
+
+ private:
+  bool perspective_;
+  std::array<double, 3> anchor_;  // the eye, or look_at
+  std::array<double, 3> right_, up_, forward_;
+  double scale_;  // pixels per unit of x / z, or per world unit
+  double center_x_, center_y_;
+  double near_, far_;
+};
+
+/// All nodes of a mesh. Nodes that cannot be projected have depth NaN.
+std::vector<ProjectedNode> project_nodes(const ZooMesh& mesh, const Projector& projector);
+
+}  // namespace hiac

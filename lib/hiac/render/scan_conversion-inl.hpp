@@ -1,0 +1,234 @@
+// Scan conversion of linear tetrahedra, compiled once for every instruction set.
+// Include from a file that Highway's foreach_target.h compiles repeatedly.
+
+#if defined(HIAC_RENDER_SCAN_CONVERSION_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef HIAC_RENDER_SCAN_CONVERSION_INL
+#undef HIAC_RENDER_SCAN_CONVERSION_INL
+#else
+#define HIAC_RENDER_SCAN_CONVERSION_INL
+#endif
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include <hwy/highway.h>
+
+#include "hiac/render/frame.hpp"
+#include "hiac/render/tile.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace hiac::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// A projected tetrahedron with its corners in ascending order of node id, so that everything
+// computed for an edge or a face is computed alike, to the bit, for every cell around it.
+struct ProjectedTetrahedron {
+  HWY_ALIGN double x[4], y[4], depth[4];
+  HWY_ALIGN double color[4], extinction[4];
+};
+
+// The faces of a tetrahedron as corner numbers: a base and two others, ascending.
+inline constexpr std::array<std::array<int, 3>, 4> kTetrahedronFaces{
+    {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}};
+inline constexpr std::array<std::array<int, 2>, 6> kTetrahedronEdges{
+    {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+// The edges of each face, as indices into kTetrahedronEdges.
+inline constexpr std::array<std::array<int, 3>, 4> kTetrahedronFaceEdges{
+    {{0, 1, 3}, {0, 2, 4}, {1, 2, 5}, {3, 4, 5}}};
+
+// Affine functions over the screen for the four faces at once (index: face). With dx = x - base_x
+// and dy = y - base_y the barycentric coordinates of a point of the face are
+//     lambda_s = cx dx + cy dy,   lambda_m = gx dx + gy dy - h lambda_s,
+// Gaussian elimination with complete pivoting: the point that they describe is off (x, y) by
+// rounding of the coordinates alone, however thin the projected face. A quantity q is then
+// q0 + lambda_m qm + lambda_s qs.
+struct FacePlanes {
+  HWY_ALIGN double base_x[4], base_y[4];
+  HWY_ALIGN double cx[4], cy[4], gx[4], gy[4], h[4];
+  struct Quantity {
+    HWY_ALIGN double q0[4], qm[4], qs[4];
+  };
+  Quantity depth, color, extinction;
+};
+
+// The pixels that each face covers, row by row: columns first <= x < last.
+struct FaceRuns {
+  int row_begin, row_end;  // rows of the image
+  static constexpr std::size_t kRows = kTileHeight + 16;
+  HWY_ALIGN double first[4][kRows], last[4][kRows];
+  HWY_ALIGN double span_first[kRows], span_last[kRows];
+};
+
+HWY_INLINE int first_center_at_or_after(double coordinate, int low, int high) {
+  // ceil(coordinate - 1/2), clamped before the conversion
+  const double clamped = std::min(std::max(coordinate - 0.5, static_cast<double>(low)),
+                                  static_cast<double>(high));
+  return static_cast<int>(__builtin_ceil(clamped));
+}
+
+// Where rows of pixel centres cross the six edges, and from that the runs of the four faces.
+//
+// On a row, an edge is crossed when one end lies on or above the row and the other strictly below
+// it (y runs down: the centre counts as moved down by an infinitesimal amount); the first centre
+// right of the crossing, or on it, starts or ends a run. No fused operations: the scalar twin for
+// other cells (cell_runs.cpp) must find the same crossings on every machine.
+HWY_INLINE bool scan_faces(const ProjectedTetrahedron& t, const TileRect& tile, FaceRuns& runs) {
+  const auto [y_low, y_high] = std::minmax({t.y[0], t.y[1], t.y[2], t.y[3]});
+  runs.row_begin = first_center_at_or_after(y_low, tile.y0, tile.y1);
+  runs.row_end = first_center_at_or_after(y_high, tile.y0, tile.y1);
+  if (runs.row_begin >= runs.row_end) return false;
+
+  const hn::CappedTag<double, 8> d;
+  using V = hn::Vec<decltype(d)>;
+  const std::size_t lanes = hn::Lanes(d);
+  HWY_ALIGN double slope[8];
+  for (std::size_t e = 0; e < 6; ++e) {
+    const auto [i, j] = kTetrahedronEdges[e];
+    slope[e] = (t.x[j] - t.x[i]) / (t.y[j] - t.y[i]);
+  }
+  const V left = hn::Set(d, tile.x0), right = hn::Set(d, tile.x1);
+  const V never_first = hn::Set(d, tile.x1 + 1.0), never_last = hn::Set(d, tile.x0 - 1.0);
+  const V half = hn::Set(d, 0.5);
+  const int rows = runs.row_end - runs.row_begin;
+  for (int r = 0; r < rows; r += static_cast<int>(lanes)) {
+    const V center = hn::Add(hn::Iota(d, runs.row_begin + r), half);
+    V first[6], last[6];
+    for (std::size_t e = 0; e < 6; ++e) {
+      const auto [i, j] = kTetrahedronEdges[e];
+      const auto i_above = hn::Le(hn::Set(d, t.y[i]), center);
+      const auto j_above = hn::Le(hn::Set(d, t.y[j]), center);
+      const auto crossed = hn::Xor(i_above, j_above);
+      const V dy = hn::Sub(center, hn::Set(d, t.y[i]));
+      const V crossing = hn::Add(hn::Set(d, t.x[i]), hn::Mul(dy, hn::Set(d, slope[e])));
+      // clamped to the tile; a crossing that is not a number is not used
+      const V column =
+          hn::Ceil(hn::Min(hn::Max(hn::Sub(crossing, half), left), right));
+      first[e] = hn::IfThenElse(crossed, column, never_first);
+      last[e] = hn::IfThenElse(crossed, column, never_last);
+    }
+    V span_first = never_first, span_last = never_last;
+    for (std::size_t f = 0; f < 4; ++f) {
+      const auto [a, b, c] = kTetrahedronFaceEdges[f];
+      const V face_first = hn::Min(hn::Min(first[a], first[b]), first[c]);
+      const V face_last = hn::Max(hn::Max(last[a], last[b]), last[c]);
+      hn::StoreU(face_first, d, runs.first[f] + r);
+      hn::StoreU(face_last, d, runs.last[f] + r);
+      span_first = hn::Min(span_first, face_first);
+      span_last = hn::Max(span_last, face_last);
+    }
+    hn::StoreU(span_first, d, runs.span_first + r);
+    hn::StoreU(span_last, d, runs.span_last + r);
+  }
+  return true;
+}
+
+// Fills one quantity of the face planes from its values at the corners.
+template <class D, class M>
+HWY_INLINE void set_quantity(D d, const double* corner, std::size_t f, M swapped,
+                             FacePlanes::Quantity& quantity) {
+  HWY_ALIGN double base[4], one[4], two[4];
+  for (std::size_t k = 0; k < hn::Lanes(d); ++k) {
+    base[k] = corner[kTetrahedronFaces[f + k][0]];
+    one[k] = corner[kTetrahedronFaces[f + k][1]];
+    two[k] = corner[kTetrahedronFaces[f + k][2]];
+  }
+  const auto q0 = hn::Load(d, base);
+  const auto q1 = hn::Sub(hn::Load(d, one), q0), q2 = hn::Sub(hn::Load(d, two), q0);
+  hn::Store(q0, d, quantity.q0 + f);
+  hn::Store(hn::IfThenElse(swapped, q2, q1), d, quantity.qm + f);
+  hn::Store(hn::IfThenElse(swapped, q1, q2), d, quantity.qs + f);
+}
+
+HWY_INLINE void set_face_planes(const ProjectedTetrahedron& t, bool with_color,
+                                FacePlanes& planes) {
+  const hn::CappedTag<double, 4> d;
+  const auto one = hn::Set(d, 1.0), zero = hn::Zero(d);
+  for (std::size_t f = 0; f < 4; f += hn::Lanes(d)) {
+    HWY_ALIGN double corner[6][4];
+    for (std::size_t k = 0; k < hn::Lanes(d); ++k)
+      for (std::size_t c = 0; c < 3; ++c) {
+        corner[2 * c][k] = t.x[kTetrahedronFaces[f + k][c]];
+        corner[2 * c + 1][k] = t.y[kTetrahedronFaces[f + k][c]];
+      }
+    const auto base_x = hn::Load(d, corner[0]), base_y = hn::Load(d, corner[1]);
+    const auto x1 = hn::Sub(hn::Load(d, corner[2]), base_x);
+    const auto y1 = hn::Sub(hn::Load(d, corner[3]), base_y);
+    const auto x2 = hn::Sub(hn::Load(d, corner[4]), base_x);
+    const auto y2 = hn::Sub(hn::Load(d, corner[5]), base_y);
+    // column pivot: edge m has the largest entry, s is the other
+    const auto swapped = hn::Lt(hn::Max(hn::Abs(x1), hn::Abs(y1)),
+                                hn::Max(hn::Abs(x2), hn::Abs(y2)));
+    const auto mx = hn::IfThenElse(swapped, x2, x1), my = hn::IfThenElse(swapped, y2, y1);
+    const auto sx = hn::IfThenElse(swapped, x1, x2), sy = hn::IfThenElse(swapped, y1, y2);
+    // row pivot: p is the coordinate of the largest entry, q the other
+    const auto y_pivot = hn::Lt(hn::Abs(mx), hn::Abs(my));
+    const auto mp = hn::IfThenElse(y_pivot, my, mx), mq = hn::IfThenElse(y_pivot, mx, my);
+    const auto sp = hn::IfThenElse(y_pivot, sy, sx), sq = hn::IfThenElse(y_pivot, sx, sy);
+    const auto inverse_mp = hn::Div(one, mp);
+    const auto l = hn::Mul(mq, inverse_mp);
+    const auto inverse_u = hn::Div(one, hn::NegMulAdd(l, sp, sq));
+    const auto cp = hn::Neg(hn::Mul(l, inverse_u));
+    hn::Store(base_x, d, planes.base_x + f);
+    hn::Store(base_y, d, planes.base_y + f);
+    hn::Store(hn::IfThenElse(y_pivot, inverse_u, cp), d, planes.cx + f);
+    hn::Store(hn::IfThenElse(y_pivot, cp, inverse_u), d, planes.cy + f);
+    hn::Store(hn::IfThenElse(y_pivot, zero, inverse_mp), d, planes.gx + f);
+    hn::Store(hn::IfThenElse(y_pivot, inverse_mp, zero), d, planes.gy + f);
+    hn::Store(hn::Mul(sp, inverse_mp), d, planes.h + f);
+    set_quantity(d, t.depth, f, swapped, planes.depth);
+    set_quantity(d, t.extinction, f, swapped, planes.extinction);
+    if (with_color) set_quantity(d, t.color, f, swapped, planes.color);
+  }
+}
+
+// Where the rays of a row of pixels enter and leave the cell, and the fields there.
+template <class V>
+struct EntryAndExit {
+  V front, back;  // depth; front > back where the ray misses the cell
+  V front_color, back_color, front_extinction, back_extinction;
+};
+
+template <bool kSeparateFields, class D, class V = hn::Vec<D>>
+HWY_INLINE EntryAndExit<V> entry_and_exit(D d, const FacePlanes& planes, const FaceRuns& runs,
+                                          int row, V pixel) {
+  const std::size_t r = static_cast<std::size_t>(row - runs.row_begin);
+  const V x = hn::Add(pixel, hn::Set(d, 0.5));
+  EntryAndExit<V> e;
+  e.front = hn::Inf(d);
+  e.back = hn::Neg(hn::Inf(d));
+  e.front_color = e.back_color = e.front_extinction = e.back_extinction = hn::Zero(d);
+  for (std::size_t f = 0; f < 4; ++f) {
+    const double dy = row + 0.5 - planes.base_y[f];
+    const V dx = hn::Sub(x, hn::Set(d, planes.base_x[f]));
+    const V s = hn::MulAdd(dx, hn::Set(d, planes.cx[f]), hn::Set(d, planes.cy[f] * dy));
+    const V m = hn::NegMulAdd(
+        hn::Set(d, planes.h[f]), s,
+        hn::MulAdd(dx, hn::Set(d, planes.gx[f]), hn::Set(d, planes.gy[f] * dy)));
+    const auto at = [&](const FacePlanes::Quantity& q) {
+      return hn::MulAdd(s, hn::Set(d, q.qs[f]),
+                        hn::MulAdd(m, hn::Set(d, q.qm[f]), hn::Set(d, q.q0[f])));
+    };
+    const auto covered = hn::And(hn::Ge(pixel, hn::Set(d, runs.first[f][r])),
+                                 hn::Lt(pixel, hn::Set(d, runs.last[f][r])));
+    const V depth = at(planes.depth), extinction = at(planes.extinction);
+    const auto in_front = hn::And(covered, hn::Lt(depth, e.front));
+    const auto behind = hn::And(covered, hn::Gt(depth, e.back));
+    e.front = hn::IfThenElse(in_front, depth, e.front);
+    e.back = hn::IfThenElse(behind, depth, e.back);
+    e.front_extinction = hn::IfThenElse(in_front, extinction, e.front_extinction);
+    e.back_extinction = hn::IfThenElse(behind, extinction, e.back_extinction);
+    if constexpr (kSeparateFields) {
+      const V color = at(planes.color);
+      e.front_color = hn::IfThenElse(in_front, color, e.front_color);
+      e.back_color = hn::IfThenElse(behind, color, e.back_color);
+    }
+  }
+  return e;
+}
+
+}  // namespace hiac::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hiac/mesh/zoo_mesh.hpp"
+#include "hiac/scene/scene.hpp"
+
+namespace hiac {
+
+/// A piecewise-linear function laid out for vector gathers: on interval k, between lower[k] and
+/// upper[k], channel c is value[c][k] + slope[c][k] (s - anchor[k]).
+template <std::size_t N>
+struct TransferTable {
+  std::vector<double> lower, upper, anchor;
+  std::array<std::vector<double>, N> value, slope;
+
+  [[nodiscard]] std::size_t intervals() const { return anchor.size(); }
+};
+
+/// The volume's optics by scalar: colour (chromaticity or emission) and extinction. When both
+/// depend on the same field their intervals are the same, cut at the breakpoints of either.
+struct OpticsTables {
+  TransferTable<3> color;
+  TransferTable<1> extinction;
+  bool same_field = true;
+  bool emission = false;
+  /// Largest colour component that the colour function takes anywhere.
+  double largest_color = 0;
+  /// For every interval of its table: whether the function is zero on all of it.
+  std::vector<std::uint8_t> no_color, no_extinction;
+};
+
+OpticsTables make_optics_tables(const Volume& volume);
+
+/// For one scalar: how many breakpoints lie below it, and how many do not lie above it. Equal, the
+/// scalar is inside an interval, and both are that interval's number.
+struct ScalarIntervals {
+  std::uint16_t low, high;
+};
+
+/// The intervals of every value of a scalar field. `table` has at most 65535 breakpoints.
+template <std::size_t N>
+std::vector<ScalarIntervals> classify_values(std::span<const double> values,
+                                             const TransferTable<N>& table);
+
+}  // namespace hiac
