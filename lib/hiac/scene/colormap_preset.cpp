@@ -1,0 +1,277 @@
+// Interpolation of ParaView's colour maps, and their approximation by piecewise-linear RGB.
+// Based on: K. Moreland, "Diverging Color Maps for Scientific Visualization", ISVC 2009, and the
+// definitions of vtkColorTransferFunction.
+
+#include "hiac/scene/colormap_preset.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "hiac/scene/color_space.hpp"
+
+namespace hiac {
+namespace {
+
+using std::numbers::pi;
+using Point = PiecewiseLinear<3>::Point;
+
+/// A stretch of a colour map: coordinates of a colour space that run straight from `from` (t = 0)
+/// to `to` (t = 1).
+struct ColorPath {
+  ColorSpace space;
+  double begin;  ///< scalars that it covers, begin < end
+  double end;
+  Triple from;
+  Triple to;
+};
+
+template <typename T>
+std::array<T, 3> color_at(const ColorPath& path, const T& t) {
+  std::array<T, 3> at;
+  for (std::size_t c = 0; c < 3; ++c) at[c] = T(path.from[c]) + t * T(path.to[c] - path.from[c]);
+  switch (path.space) {
+    case ColorSpace::lab:
+      return lab_to_rgb(at);
+    case ColorSpace::diverging:
+      return msh_to_rgb(at);
+    case ColorSpace::hsv:
+    case ColorSpace::hsv_wrapped:
+      return hsv_to_rgb(at);
+    default:
+      return at;
+  }
+}
+
+// From nodes to paths ---------------------------------------------------------------------------
+
+/// The hue with which a colour without saturation should start, so that the path to a saturated one
+/// turns no further than Moreland allows.
+double adjusted_hue(const Triple& msh, double unsaturated_magnitude) {
+  if (msh[0] >= unsaturated_magnitude - 0.1) return msh[2];
+  const double spin = msh[1] *
+                      std::sqrt(unsaturated_magnitude * unsaturated_magnitude - msh[0] * msh[0]) /
+                      (msh[0] * std::sin(msh[1]));
+  return msh[2] > -0.3 * pi ? msh[2] + spin : msh[2] - spin;
+}
+
+/// Between 0 and pi.
+double angle_between(double a, double b) {
+  const double difference = std::fmod(std::fabs(a - b), 2 * pi);
+  return difference > pi ? 2 * pi - difference : difference;
+}
+
+constexpr double kUnsaturated = 0.05;
+
+ColorPath diverging_path(double begin, double end, Triple from, Triple to) {
+  if (from[1] < kUnsaturated && to[1] > kUnsaturated)
+    from[2] = adjusted_hue(to, from[0]);
+  else if (to[1] < kUnsaturated && from[1] > kUnsaturated)
+    to[2] = adjusted_hue(from, to[0]);
+  return {ColorSpace::diverging, begin, end, from, to};
+}
+
+/// Two saturated colours of different hue get white, or a brighter grey, between them.
+void append_diverging(const ColormapPreset::Node& a, const ColormapPreset::Node& b,
+                      std::vector<ColorPath>& paths) {
+  const Triple from = lab_to_msh(rgb_to_lab(a.rgb));
+  const Triple to = lab_to_msh(rgb_to_lab(b.rgb));
+  const bool distinct =
+      from[1] > kUnsaturated && to[1] > kUnsaturated && angle_between(from[2], to[2]) > 0.33 * pi;
+  if (!distinct) {
+    paths.push_back(diverging_path(a.scalar, b.scalar, from, to));
+    return;
+  }
+  const Triple middle{std::max({88.0, from[0], to[0]}), 0, 0};
+  const double half = 0.5 * (a.scalar + b.scalar);
+  paths.push_back(diverging_path(a.scalar, half, from, middle));
+  paths.push_back(diverging_path(half, b.scalar, middle, to));
+}
+
+ColorPath hsv_path(const ColormapPreset::Node& a, const ColormapPreset::Node& b, bool wrapped) {
+  Triple from = rgb_to_hsv(a.rgb);
+  Triple to = rgb_to_hsv(b.rgb);
+  if (wrapped && std::fabs(from[0] - to[0]) > 0.5) {
+    if (from[0] > to[0])
+      from[0] -= 1;
+    else
+      to[0] -= 1;
+  }
+  return {ColorSpace::hsv, a.scalar, b.scalar, from, to};
+}
+
+/// The paths between neighbouring nodes, in order; none where two nodes make a step.
+std::vector<ColorPath> paths_of(const ColormapPreset& preset) {
+  std::vector<ColorPath> paths;
+  for (std::size_t i = 0; i + 1 < preset.nodes.size(); ++i) {
+    const auto& a = preset.nodes[i];
+    const auto& b = preset.nodes[i + 1];
+    if (!(a.scalar < b.scalar)) continue;
+    switch (preset.space) {
+      case ColorSpace::rgb:
+        paths.push_back({ColorSpace::rgb, a.scalar, b.scalar, a.rgb, b.rgb});
+        break;
+      case ColorSpace::step:  // an interval has the colour of its upper end
+        paths.push_back({ColorSpace::step, a.scalar, b.scalar, b.rgb, b.rgb});
+        break;
+      case ColorSpace::lab:
+        paths.push_back(
+            {ColorSpace::lab, a.scalar, b.scalar, rgb_to_lab(a.rgb), rgb_to_lab(b.rgb)});
+        break;
+      case ColorSpace::hsv:
+      case ColorSpace::hsv_wrapped:
+        paths.push_back(hsv_path(a, b, preset.space == ColorSpace::hsv_wrapped));
+        break;
+      case ColorSpace::diverging:
+        append_diverging(a, b, paths);
+        break;
+    }
+  }
+  return paths;
+}
+
+// Straight lines in place of paths ----------------------------------------------------------------
+
+/// A straight line in RGB over the part [t0, t1] of a path.
+struct Chord {
+  double t0;
+  double t1;
+  Triple from;
+  Triple to;
+};
+
+/// Covers what rounding adds to bounds evaluated in double precision: some hundred operations on
+/// numbers up to 1e2 whose errors slopes of at most 13 (sRGB near black) carry on.
+constexpr double kRoundingMargin = 1e-11;
+
+/// A bound of |path - chord| over [t0, t1], a part of the chord's extent: the smaller one of plain
+/// interval arithmetic and, where the path is continuous, the mean value form.
+double difference_bound(const ColorPath& path, const Chord& chord, double t0, double t1) {
+  const std::array<Range, 3> whole = color_at(path, Range({t0, t1}, {1, 1}));
+  const double middle = 0.5 * (t0 + t1);
+  const Triple center = color_at(path, middle);
+  double bound = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double slope = (chord.to[c] - chord.from[c]) / (chord.t1 - chord.t0);
+    const auto line = [&](double t) { return chord.from[c] + slope * (t - chord.t0); };
+    const auto [low, high] = std::minmax({line(t0), line(t1)});
+    double channel = (whole[c].value + Interval{-high, -low}).largest();
+    if (whole[c].continuous) {
+      const double steepest = (whole[c].slope + Interval{-slope, -slope}).largest();
+      channel = std::min(channel, std::fabs(center[c] - line(middle)) + 0.5 * (t1 - t0) * steepest);
+    }
+    bound = std::max(bound, channel);
+  }
+  return bound + kRoundingMargin;
+}
+
+/// Where the definitions of CIELAB and sRGB switch formulas they jump, by less than 2e-6: parts
+/// this short are not divided further.
+constexpr double kShortest = 1e-12;
+
+/// A bound of |path - chord| over [t0, t1], by bisection until it is within the tolerance; larger
+/// than the tolerance when the chord fails.
+double proven_bound(const ColorPath& path, const Chord& chord, double t0, double t1,
+                    double tolerance) {
+  const double bound = difference_bound(path, chord, t0, t1);
+  if (bound <= tolerance || t1 - t0 < kShortest) return bound;
+  const double middle = 0.5 * (t0 + t1);
+  const double position = (middle - chord.t0) / (chord.t1 - chord.t0);
+  const Triple color = color_at(path, middle);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double line = chord.from[c] + position * (chord.to[c] - chord.from[c]);
+    if (std::fabs(color[c] - line) > tolerance) return bound;
+  }
+  const double left = proven_bound(path, chord, t0, middle, tolerance);
+  if (left > tolerance) return left;
+  return std::max(left, proven_bound(path, chord, middle, t1, tolerance));
+}
+
+/// Appends the points of chords that follow the path from chord.t0 to chord.t1, the last one
+/// included, the first one not; returns the bound that they reach.
+double append_chords(const ColorPath& path, const Chord& chord, double tolerance,
+                     std::vector<Point>& points) {
+  const double bound = proven_bound(path, chord, chord.t0, chord.t1, tolerance);
+  if (bound <= tolerance || chord.t1 - chord.t0 < kShortest) {
+    points.push_back({path.begin + chord.t1 * (path.end - path.begin), chord.to});
+    return bound;
+  }
+  const double middle = 0.5 * (chord.t0 + chord.t1);
+  const Triple color = color_at(path, middle);
+  const double left = append_chords(path, {chord.t0, middle, chord.from, color}, tolerance, points);
+  const double right = append_chords(path, {middle, chord.t1, color, chord.to}, tolerance, points);
+  return std::max(left, right);
+}
+
+bool same_color(const Triple& a, const Triple& b) {
+  constexpr double kSame = 1e-12;  // what conversions there and back leave
+  for (std::size_t c = 0; c < 3; ++c)
+    if (std::fabs(a[c] - b[c]) > kSame) return false;
+  return true;
+}
+
+bool is_straight(ColorSpace space) { return space == ColorSpace::rgb || space == ColorSpace::step; }
+
+/// Appends a point unless it repeats the last one.
+void append_distinct(std::vector<Point>& points, const Point& point) {
+  if (points.empty() || points.back().scalar != point.scalar ||
+      !same_color(points.back().value, point.value))
+    points.push_back(point);
+}
+
+/// The colours below the first node and above the last: those of the nodes, but where a path begins
+/// or ends there, its own, which the conversions there and back make a little different.
+std::array<Triple, 2> outer_colors(const ColormapPreset& preset,
+                                   const std::vector<ColorPath>& paths) {
+  const auto& first = preset.nodes.front();
+  const auto& last = preset.nodes.back();
+  std::array<Triple, 2> colors{first.rgb, last.rgb};
+  if (paths.empty() || preset.space == ColorSpace::step) return colors;
+  if (preset.nodes[1].scalar > first.scalar) colors[0] = color_at(paths.front(), 0.0);
+  if (preset.nodes[preset.nodes.size() - 2].scalar < last.scalar)
+    colors[1] = color_at(paths.back(), 1.0);
+  return colors;
+}
+
+}  // namespace
+
+std::array<double, 3> preset_color(const ColormapPreset& preset, double scalar) {
+  const std::vector<ColorPath> paths = paths_of(preset);
+  const auto [below, above] = outer_colors(preset, paths);
+  if (scalar < preset.nodes.front().scalar) return below;
+  const auto after = std::upper_bound(paths.begin(), paths.end(), scalar,
+                                      [](double s, const ColorPath& p) { return s < p.end; });
+  if (after == paths.end()) return above;
+  return color_at(*after, (scalar - after->begin) / (after->end - after->begin));
+}
+
+LinearizedPreset linearize(const ColormapPreset& preset, double low, double high,
+                           double tolerance) {
+  if (!(low < high) || !(tolerance > 0))
+    throw std::invalid_argument("a colour map's range must grow and its tolerance be positive");
+  const std::vector<ColorPath> paths = paths_of(preset);
+  const auto [below, above] = outer_colors(preset, paths);
+  LinearizedPreset result{{{preset.nodes.front().scalar, below}}, 0};
+  std::vector<Point>& points = result.points;
+  for (const ColorPath& path : paths) {
+    const Triple end = color_at(path, 1.0);
+    append_distinct(points, {path.begin, color_at(path, 0.0)});
+    if (is_straight(path.space)) {
+      points.push_back({path.end, end});
+    } else {
+      const Chord whole{0, 1, points.back().value, end};
+      result.bound = std::max(result.bound, append_chords(path, whole, tolerance, points));
+    }
+  }
+  append_distinct(points, {preset.nodes.back().scalar, above});
+  const double first = preset.nodes.front().scalar;
+  const double extent = preset.nodes.back().scalar - first;
+  for (Point& point : points) {
+    const double position = extent > 0 ? (point.scalar - first) / extent : 0;
+    point.scalar = (1 - position) * low + position * high;
+  }
+  return result;
+}
+
+}  // namespace hiac
