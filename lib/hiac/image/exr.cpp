@@ -131,7 +131,7 @@ void write_exr(const std::string& path, const Image& image, const WriteOptions& 
 }
 
 ImageFile read_exr(const std::string& path) {
-  remaining_bytes(open_to_read(path).get(), path);  // there, and a regular file
+  remaining_bytes(open_image_file(path).get(), path);  // there, and a regular file
   try {
     Imf::InputFile file(path.c_str());
     ImageFile read{read_lines(file, path), {}};

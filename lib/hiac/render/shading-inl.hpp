@@ -142,12 +142,12 @@ HWY_INLINE void composite_piece(D d, V length, V tau_front, V tau_back, const V 
     const auto weights = linear_piece_emission(d, b, a);
     front_weight = hn::Mul(weights.front, length);
     back_weight = hn::Mul(weights.back, length);
-    zeta = weights.zeta;
+    zeta = weights.transparency;
   } else {
     const auto weights = linear_piece_weights(d, b, a);
     front_weight = weights.front;
     back_weight = weights.back;
-    zeta = weights.zeta;
+    zeta = weights.transparency;
   }
   const V visible = hn::IfThenElseZero(active, sum.transparency);
   const V wf = hn::Mul(visible, front_weight), wb = hn::Mul(visible, back_weight);
