@@ -1,0 +1,99 @@
+// The engine alone and the order, on random Delaunay tetrahedra of the unit cube: the view and
+// transfer functions of the comparison with other renderers.
+
+#include <map>
+
+#include <benchmark/benchmark.h>
+
+#include "hiac/mesh/face_adjacency.hpp"
+#include "hiac/order/visibility_order.hpp"
+#include "hiac/render/engine.hpp"
+#include "tests/support/meshes.hpp"
+
+namespace hiac {
+namespace {
+
+Scene parallel_scene(std::uint32_t side) {
+  Scene scene;
+  scene.image = {side, side};
+  scene.camera.projection = Projection::orthographic;
+  scene.camera.eye = {3.1, 2.3, 2.7};
+  scene.camera.look_at = {0.5, 0.5, 0.5};
+  scene.camera.up = {0, 0, 1};
+  scene.camera.height = 1.75;
+  scene.camera.fov = 27;
+  scene.volume.color = ColorTransfer{"f",
+                                     {{0.0, {0.1, 0.2, 0.9}},
+                                      {0.35, {0.2, 0.9, 0.3}},
+                                      {0.6, {0.95, 0.8, 0.1}},
+                                      {1, {0.9, 0.1, 0.1}}}};
+  scene.volume.extinction = ExtinctionTransfer{
+      "f", {{0.0, {0.2}}, {0.25, {0.6}}, {0.45, {4}}, {0.55, {0.5}}, {0.8, {6}}, {1, {1}}}};
+  return scene;
+}
+
+// About 6.1 tetrahedra a point.
+const ZooMesh& mesh_of(std::int64_t points) {
+  static std::map<std::int64_t, ZooMesh> meshes;
+  auto& mesh = meshes[points];
+  if (mesh.cell_count() == 0) {
+    mesh = test::random_delaunay(static_cast<std::size_t>(points), 1);
+    test::add_node_field(mesh, "f", test::smooth_field);
+    mesh.adjacency = build_face_adjacency(mesh);
+  }
+  return mesh;
+}
+
+OrderResult order_of(const ZooMesh& mesh, const Scene& scene) {
+  return exact_order(mesh, *mesh.adjacency,
+                     {scene.camera.projection == Projection::perspective, scene.camera.eye,
+                      view_direction(scene.camera)},
+                     scene.render.planarity);
+}
+
+void engine(benchmark::State& state, Projection projection) {
+  const ZooMesh& mesh = mesh_of(state.range(0));
+  Scene scene = parallel_scene(static_cast<std::uint32_t>(state.range(1)));
+  scene.camera.projection = projection;
+  const VisibilityOrder order = order_of(mesh, scene).order;
+  std::uint64_t segments = 0;
+  for (auto _ : state) {
+    const RenderResult result = render(mesh, order, scene, false);
+    segments += result.statistics.segments;
+    state.counters["prepare_s"] = result.statistics.prepare_seconds;
+  }
+  state.counters["cells"] = static_cast<double>(mesh.cell_count());
+  state.counters["segments/s"] =
+      benchmark::Counter(static_cast<double>(segments), benchmark::Counter::kIsRate);
+}
+
+void adjacency(benchmark::State& state) {
+  const ZooMesh& mesh = mesh_of(state.range(0));
+  for (auto _ : state) benchmark::DoNotOptimize(build_face_adjacency(mesh));
+  state.counters["cells"] = static_cast<double>(mesh.cell_count());
+}
+
+void order(benchmark::State& state) {
+  const ZooMesh& mesh = mesh_of(state.range(0));
+  const Scene scene = parallel_scene(100);
+  for (auto _ : state) benchmark::DoNotOptimize(order_of(mesh, scene));
+  state.counters["cells"] = static_cast<double>(mesh.cell_count());
+}
+
+BENCHMARK_CAPTURE(engine, orthographic, Projection::orthographic)
+    ->ArgNames({"points", "side"})
+    ->Args({1600, 1000})
+    ->Args({26000, 1000})
+    ->Args({85000, 1000})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(engine, perspective, Projection::perspective)
+    ->ArgNames({"points", "side"})
+    ->Args({85000, 1000})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK(adjacency)->Arg(85000)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(order)->Arg(85000)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+}  // namespace
+}  // namespace hiac
