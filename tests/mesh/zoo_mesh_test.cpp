@@ -76,9 +76,9 @@ TEST(Validate, NamesTheNodeThatIsNotFinite) {
 TEST(Validate, NamesTheFieldOfTheWrongSize) {
   ZooMesh mesh = samples::one_of_each_kind();
   mesh.fields[1].components = 2;
-  EXPECT_THAT(complaint_about(mesh), HasSubstr("field 'velocity': wrong number of values"));
+  EXPECT_THAT(complaint_about(mesh), HasSubstr("field \"velocity\": wrong number of values"));
   mesh.fields[1].components = 0;
-  EXPECT_THAT(complaint_about(mesh), HasSubstr("field 'velocity': no components"));
+  EXPECT_THAT(complaint_about(mesh), HasSubstr("field \"velocity\": no components"));
 }
 
 TEST(Validate, AcceptsValuesThatAreNotNumbers) {

@@ -32,11 +32,10 @@ namespace {
 /// A number with its gradient: forward differentiation.
 template <typename Real>
 struct Dual {
-  Real value{};
-  std::array<Real, 3> gradient{};
+  Real value;
+  std::array<Real, 3> gradient;
 
-  Dual() = default;
-  Dual(Real constant) : value(constant) {}  // NOLINT(google-explicit-constructor): a constant
+  Dual() = default;  // leaves it unset: arrays of these are filled at once
   Dual(Real v, const std::array<Real, 3>& g) : value(v), gradient(g) {}
 
   friend Dual operator+(const Dual& a, const Dual& b) {
@@ -48,12 +47,32 @@ struct Dual {
   friend Dual operator*(const Dual& a, const Dual& b) {
     return {a.value * b.value, combine(b.value, a.gradient, a.value, b.gradient)};
   }
+  friend Dual operator-(const Dual& a) { return Real(-1) * a; }
+  friend Dual operator-(Real a, const Dual& b) {
+    return {a - b.value, {-b.gradient[0], -b.gradient[1], -b.gradient[2]}};
+  }
+  friend Dual operator-(const Dual& a, Real b) { return {a.value - b, a.gradient}; }
+  friend Dual operator*(Real a, const Dual& b) {
+    return {a * b.value, {a * b.gradient[0], a * b.gradient[1], a * b.gradient[2]}};
+  }
 
   static std::array<Real, 3> combine(Real s, const std::array<Real, 3>& a, Real t,
                                      const std::array<Real, 3>& b) {
     return {s * a[0] + t * b[0], s * a[1] + t * b[1], s * a[2] + t * b[2]};
   }
 };
+
+/// The type of a number's constants.
+template <typename T>
+struct ConstantsOf {
+  using Type = T;
+};
+template <typename Real>
+struct ConstantsOf<Dual<Real>> {
+  using Type = Real;
+};
+template <typename T>
+using Constant = typename ConstantsOf<T>::Type;
 
 /// The gradient of a function of three numbers, by its three partial derivatives.
 template <typename Real>
@@ -102,7 +121,8 @@ struct EdgeBubble {
   T difference;
 };
 
-/// What steps 1 and 2 give for one shape. Edges in the shape's order.
+/// What steps 1 and 2 give for one shape. Edges in the shape's order; left unset when not asked
+/// for.
 template <typename T, std::size_t Corners, std::size_t Edges>
 struct Basis {
   std::array<T, Corners> corners;
@@ -113,9 +133,11 @@ template <typename T>
 using Point = std::array<T, 3>;
 
 template <typename T>
-Basis<T, 4, 6> tetrahedron_basis(const Point<T>& r) {
-  const std::array<T, 4> n{T(1) - r[0] - r[1] - r[2], r[0], r[1], r[2]};
-  Basis<T, 4, 6> basis{n, {}};
+Basis<T, 4, 6> tetrahedron_basis(const Point<T>& r, bool with_edges) {
+  const std::array<T, 4> n{Constant<T>(1) - r[0] - r[1] - r[2], r[0], r[1], r[2]};
+  Basis<T, 4, 6> basis;
+  basis.corners = n;
+  if (!with_edges) return basis;
   for (std::size_t e = 0; e < 6; ++e) {
     const auto [a, b] = shape_tables::kTetrahedronEdges[e];
     basis.edges[e] = {n[a] * n[b], n[a] - n[b]};
@@ -124,33 +146,39 @@ Basis<T, 4, 6> tetrahedron_basis(const Point<T>& r) {
 }
 
 template <typename T>
-Basis<T, 5, 8> pyramid_basis(const Point<T>& r) {
+Basis<T, 5, 8> pyramid_basis(const Point<T>& r, bool with_edges) {
   const auto& [x, y, z] = r;
-  const T w = T(1) - z;
+  const T w = Constant<T>(1) - z;
   const T q = product_over(x, y, w);
-  const std::array<T, 5> n{w - x - y + q, x - q, q, y - q, z};
+  Basis<T, 5, 8> basis;
+  basis.corners = {w - x - y + q, x - q, q, y - q, z};
+  if (!with_edges) return basis;
+  const auto& n = basis.corners;
   const T along_x = w - x - x;  // difference from x = 0 to x = w
   const T along_y = w - y - y;
-  return {n,
-          {{{x * n[0], along_x},
-            {y * n[1], along_y},
-            {x * n[3], T(0) - along_x},
-            {y * n[0], T(0) - along_y},
-            {z * n[0], n[0] - z},
-            {z * n[1], n[1] - z},
-            {z * n[2], n[2] - z},
-            {z * n[3], n[3] - z}}}};
+  basis.edges = {{{x * n[0], along_x},
+                  {y * n[1], along_y},
+                  {x * n[3], -along_x},
+                  {y * n[0], -along_y},
+                  {z * n[0], n[0] - z},
+                  {z * n[1], n[1] - z},
+                  {z * n[2], n[2] - z},
+                  {z * n[3], n[3] - z}}};
+  return basis;
 }
 
 template <typename T>
-Basis<T, 6, 9> prism_basis(const Point<T>& r) {
-  const std::array<T, 3> l{T(1) - r[0] - r[1], r[1], r[0]};
+Basis<T, 6, 9> prism_basis(const Point<T>& r, bool with_edges) {
+  const std::array<T, 3> l{Constant<T>(1) - r[0] - r[1], r[1], r[0]};
   const T& top = r[2];
-  const T bottom = T(1) - top;
+  const T bottom = Constant<T>(1) - top;
   Basis<T, 6, 9> basis;
   for (std::size_t i = 0; i < 3; ++i) {
     basis.corners[i] = l[i] * bottom;
     basis.corners[i + 3] = l[i] * top;
+  }
+  if (!with_edges) return basis;
+  for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
     const T bubble = l[i] * l[j];
     const T difference = l[i] - l[j];
@@ -164,45 +192,52 @@ Basis<T, 6, 9> prism_basis(const Point<T>& r) {
 /// With w = 2 - y - z and xi = x / w the coordinate of the brick: t = xi (1-y), s = xi (1-z), and
 /// everything is a polynomial of x, y, z and t.
 template <typename T>
-Basis<T, 7, 11> wedge_basis(const Point<T>& r) {
+Basis<T, 7, 11> wedge_basis(const Point<T>& r, bool with_edges) {
   const auto& [x, y, z] = r;
-  const T p = T(1) - y;
-  const T q = T(1) - z;
+  const T p = Constant<T>(1) - y;
+  const T q = Constant<T>(1) - z;
   const T t = share_of(x, p, q);
   const T s = x - t;
   const T t0 = p - t;  // (1 - xi) (1 - y)
   const T s0 = q - s;  // (1 - xi) (1 - z)
   const T yz = y * z;
-  const std::array<T, 7> n{t0 * q, t * q, y * s, y * s0, z * t0, z * t, yz};
+  Basis<T, 7, 11> basis;
+  basis.corners = {t0 * q, t * q, y * s, y * s0, z * t0, z * t, yz};
+  if (!with_edges) return basis;
+  const auto& n = basis.corners;
   const T along_y = p - y;
   const T along_z = q - z;
   // (1 - 2 xi) (p + q - p q), which is 1 - 2 xi on both faces of edge (0,1) and smooth at node 6
-  const T along_x = p + q - p * q - T(2) * (x - t * q);
-  return {n,
-          {{{t * s0, along_x},
-            {y * n[1], along_y},
-            {y * s * s0, s - s0},
-            {y * n[0], T(0) - along_y},
-            {z * t * t0, t0 - t},
-            {yz * t, t - y},
-            {yz * t0, y - t0},
-            {z * n[0], along_z},
-            {z * n[1], along_z},
-            {yz * s, s - z},
-            {yz * s0, s0 - z}}}};
+  const T along_x = p + q - p * q - Constant<T>(2) * (x - t * q);
+  basis.edges = {{{t * s0, along_x},
+                  {y * n[1], along_y},
+                  {y * s * s0, s - s0},
+                  {y * n[0], -along_y},
+                  {z * t * t0, t0 - t},
+                  {yz * t, t - y},
+                  {yz * t0, y - t0},
+                  {z * n[0], along_z},
+                  {z * n[1], along_z},
+                  {yz * s, s - z},
+                  {yz * s0, s0 - z}}};
+  return basis;
 }
 
 template <typename T>
-Basis<T, 8, 12> brick_basis(const Point<T>& r) {
+Basis<T, 8, 12> brick_basis(const Point<T>& r, bool with_edges) {
   // the reference coordinates of the corners are 0 or 1: factor[axis][coordinate]
-  const std::array<std::array<T, 2>, 3> factor{
-      {{T(1) - r[0], r[0]}, {T(1) - r[1], r[1]}, {T(1) - r[2], r[2]}}};
+  const std::array<std::array<T, 2>, 3> factor{{{Constant<T>(1) - r[0], r[0]},
+                                                {Constant<T>(1) - r[1], r[1]},
+                                                {Constant<T>(1) - r[2], r[2]}}};
   static constexpr std::array<std::array<std::uint8_t, 3>, 8> kCorners{
       {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
   Basis<T, 8, 12> basis;
-  for (std::size_t c = 0; c < 8; ++c)
-    basis.corners[c] =
-        factor[0][kCorners[c][0]] * factor[1][kCorners[c][1]] * factor[2][kCorners[c][2]];
+  for (std::size_t c = 0; c < 4; ++c) {
+    const T column = factor[0][kCorners[c][0]] * factor[1][kCorners[c][1]];
+    basis.corners[c] = column * factor[2][0];
+    basis.corners[c + 4] = column * factor[2][1];
+  }
+  if (!with_edges) return basis;
   for (std::size_t e = 0; e < 12; ++e) {
     const auto [a, b] = shape_tables::kBrickEdges[e];
     std::size_t axis = 0;
@@ -225,17 +260,17 @@ void assemble(const Basis<T, Corners, Edges>& basis, CellOrder order,
     T& a = values[edges[e][0]];
     T& b = values[edges[e][1]];
     if (order == CellOrder::quadratic) {
-      const T half = T(2) * bubble;
+      const T half = Constant<T>(2) * bubble;
       a = a - half;
       b = b - half;
       values[Corners + e] = half + half;
     } else {
       // 9/4 B (1 +- 3 D); two thirds of the one and one third of the other: 9/4 B (1 +- D)
-      const T even = T(2.25) * bubble;
+      const T even = Constant<T>(2.25) * bubble;
       const T odd = even * difference;
       a = a - even - odd;
       b = b - even + odd;
-      const T triple = T(3) * odd;
+      const T triple = Constant<T>(3) * odd;
       values[Corners + 2 * e] = even + triple;
       values[Corners + 2 * e + 1] = even - triple;
     }
@@ -245,18 +280,19 @@ void assemble(const Basis<T, Corners, Edges>& basis, CellOrder order,
 /// All of P3, (15): Lagrange's functions in barycentric coordinates.
 template <typename T>
 void cubic_tetrahedron(const Point<T>& r, std::span<T> values) {
-  const std::array<T, 4> l{T(1) - r[0] - r[1] - r[2], r[0], r[1], r[2]};
+  const std::array<T, 4> l{Constant<T>(1) - r[0] - r[1] - r[2], r[0], r[1], r[2]};
   for (std::size_t c = 0; c < 4; ++c)
-    values[c] = T(0.5) * l[c] * (T(3) * l[c] - T(1)) * (T(3) * l[c] - T(2));
+    values[c] = Constant<T>(0.5) * l[c] * (Constant<T>(3) * l[c] - Constant<T>(1)) *
+                (Constant<T>(3) * l[c] - Constant<T>(2));
   for (std::size_t e = 0; e < 6; ++e) {
     const auto [a, b] = shape_tables::kTetrahedronEdges[e];
-    const T bubble = T(4.5) * l[a] * l[b];
-    values[4 + 2 * e] = bubble * (T(3) * l[a] - T(1));
-    values[5 + 2 * e] = bubble * (T(3) * l[b] - T(1));
+    const T bubble = Constant<T>(4.5) * l[a] * l[b];
+    values[4 + 2 * e] = bubble * (Constant<T>(3) * l[a] - Constant<T>(1));
+    values[5 + 2 * e] = bubble * (Constant<T>(3) * l[b] - Constant<T>(1));
   }
   for (std::size_t f = 0; f < 4; ++f) {
     const auto& corners = shape_tables::kTetrahedronFaces[f].corners;
-    values[16 + f] = T(27) * l[corners[0]] * l[corners[1]] * l[corners[2]];
+    values[16 + f] = Constant<T>(27) * l[corners[0]] * l[corners[1]] * l[corners[2]];
   }
 }
 
@@ -267,15 +303,16 @@ void evaluate(CellKind kind, const Point<T>& r, std::span<T> values) {
   switch (shape_of(kind)) {
     case CellShape::tetrahedron:
       if (order == CellOrder::cubic) return cubic_tetrahedron(r, values);
-      return assemble(tetrahedron_basis(r), order, kTetrahedronEdges, values);
+      return assemble(tetrahedron_basis(r, order != CellOrder::linear), order, kTetrahedronEdges,
+                      values);
     case CellShape::pyramid:
-      return assemble(pyramid_basis(r), order, kPyramidEdges, values);
+      return assemble(pyramid_basis(r, order != CellOrder::linear), order, kPyramidEdges, values);
     case CellShape::prism:
-      return assemble(prism_basis(r), order, kPrismEdges, values);
+      return assemble(prism_basis(r, order != CellOrder::linear), order, kPrismEdges, values);
     case CellShape::wedge:
-      return assemble(wedge_basis(r), order, kWedgeEdges, values);
+      return assemble(wedge_basis(r, order != CellOrder::linear), order, kWedgeEdges, values);
     case CellShape::brick:
-      return assemble(brick_basis(r), order, kBrickEdges, values);
+      return assemble(brick_basis(r, order != CellOrder::linear), order, kBrickEdges, values);
   }
 }
 
