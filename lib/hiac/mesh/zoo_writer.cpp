@@ -1,17 +1,13 @@
-#include <atomic>
-#include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <memory>
+#include <new>
 #include <stdexcept>
-#include <system_error>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 #include <xxhash.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/mesh/atomic_file.hpp"
 #include "hiac/mesh/file_descriptor.hpp"
 #include "hiac/mesh/zoo_container.hpp"
 #include "hiac/mesh/zoo_layout.hpp"
@@ -122,47 +118,6 @@ void write_adjacency(ChunkWriter& writer, const FaceAdjacency& adjacency) {
   writer.write(kFaceAdjacency, bytes_of_value(header), bytes_of(adjacency.neighbors.view()));
 }
 
-/// The path that a written file has to replace: a symbolic link stays one.
-std::string replaced_path(const std::string& path) {
-  std::error_code ignored;
-  const auto target = std::filesystem::canonical(path, ignored);
-  return ignored ? path : target.string();
-}
-
-FileDescriptor create_new(const std::string& temporary, const std::string& path) {
-  const int number = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (number < 0)
-    throw InputError(path,
-                     fmt::format("cannot be created ({})", std::generic_category().message(errno)));
-  return FileDescriptor(number);
-}
-
-/// A name beside `path` that no other writer of this machine uses now.
-std::string temporary_beside(const std::string& path) {
-  static std::atomic<unsigned> count = 0;
-  return fmt::format("{}.{}-{}.part", path, ::getpid(), count++);
-}
-
-/// Removes the file with the object unless it was kept.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(std::string path) : path_(std::move(path)) {}
-  ~TemporaryFile() {
-    if (!path_.empty()) ::unlink(path_.c_str());
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  void rename_to(const std::string& path) {
-    if (::rename(path_.c_str(), path.c_str()) != 0)
-      throw InputError(
-          path, fmt::format("cannot be replaced ({})", std::generic_category().message(errno)));
-    path_.clear();
-  }
-
- private:
-  std::string path_;
-};
-
 }  // namespace
 
 void write_zoo_stream(int descriptor, const ZooFile& file, const std::string& subject) {
@@ -184,24 +139,7 @@ void write_zoo_stream(int descriptor, const ZooFile& file, const std::string& su
 }
 
 void write_zoo_file(const std::string& path, const ZooFile& file) {
-  const std::string target = replaced_path(path);
-  if (std::filesystem::exists(target) && !std::filesystem::is_regular_file(target)) {
-    // a pipe or a device: nothing to rename over
-    const int number = ::open(target.c_str(), O_WRONLY | O_CLOEXEC);
-    if (number < 0)
-      throw InputError(path, fmt::format("cannot be opened to be written ({})",
-                                         std::generic_category().message(errno)));
-    FileDescriptor output(number);
-    write_zoo_stream(output.number(), file, path);
-    output.close(path);
-    return;
-  }
-  const std::string name = temporary_beside(target);
-  FileDescriptor output = create_new(name, path);
-  TemporaryFile temporary(name);
-  write_zoo_stream(output.number(), file, path);
-  output.close(path);
-  temporary.rename_to(target);
+  write_atomically(path, [&](int descriptor) { write_zoo_stream(descriptor, file, path); });
 }
 
 }  // namespace hiac
