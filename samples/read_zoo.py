@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints what a zoo container holds: read_zoo.py MESH.zoo (layout: lib/hiac/mesh/zoo-container.md)."""
+"""Prints what MESH.zoo holds: read_zoo.py MESH.zoo (lib/hiac/mesh/zoo-container.md)."""
 import struct
 import sys
 from collections import Counter
