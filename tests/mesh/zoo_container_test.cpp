@@ -1,11 +1,14 @@
 #include "hiac/mesh/zoo_container.hpp"
 
+#include <csignal>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <thread>
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "hiac/base/error.hpp"
@@ -167,6 +170,70 @@ TEST_F(ZooContainer, NoticesEveryByteThatIsFlipped) {
     write_bytes(path("flipped"), flipped);
     EXPECT_NE(complaint([&] { read_zoo_file(path("flipped")); }), "") << at;
   }
+}
+
+/// What `command` prints, or nothing when it fails.
+std::optional<std::string> output_of(const std::string& command) {
+  std::FILE* pipe = ::popen(command.c_str(), "r");
+  std::string output;
+  for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) output += static_cast<char>(c);
+  return ::pclose(pipe) == 0 ? std::optional(output) : std::nullopt;
+}
+
+// The layout's text is enough for a reader in another language.
+TEST_F(ZooContainer, PythonSampleReadsIt) {
+  std::string python;
+  for (const std::string candidate : {"python3", "/usr/bin/python3"})
+    if (python.empty() && output_of(candidate + " -c 'import numpy' 2>&1")) python = candidate;
+  if (python.empty()) GTEST_SKIP() << "no python3 with numpy";
+  write_zoo_file(path("a.zoo"), sample_file());
+  EXPECT_EQ(output_of(python + " " HIAC_SOURCE_FOLDER "/samples/read_zoo.py " + path("a.zoo")),
+            "15 cells, 232 nodes\n"
+            "tetrahedron4 1\ntetrahedron10 1\ntetrahedron20 1\n"
+            "pyramid5 1\npyramid13 1\npyramid21 1\n"
+            "prism6 1\nprism15 1\nprism24 1\n"
+            "wedge7 1\nwedge18 1\nwedge29 1\n"
+            "brick8 1\nbrick20 1\nbrick32 1\n"
+            "field temperature [K] on nodes, 1 components, -3.5 to 227.5\n"
+            "field velocity [m/s] on nodes, 3 components, -3.5 to 691.5\n"
+            "field stress [] on cells, 6 components, -3.5 to 85.5\n"
+            "field damage [] on corners, 1 components, -3.5 to 227.5\n");
+}
+
+TEST_F(ZooContainer, WritesToADeviceWithoutReplacingIt) {
+  write_zoo_file("/dev/null", sample_file());
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST_F(ZooContainer, WritesThroughASymbolicLink) {
+  fs::create_symlink("target.zoo", path("link.zoo"));
+  write_bytes(path("target.zoo"), "old");
+  write_zoo_file(path("link.zoo"), sample_file());
+  EXPECT_TRUE(fs::is_symlink(path("link.zoo")));
+  expect_equal(read_zoo_file(path("target.zoo")), sample_file());
+}
+
+TEST_F(ZooContainer, ReadsANamedPipe) {
+  ASSERT_EQ(::mkfifo(path("pipe.zoo").c_str(), 0600), 0);
+  std::thread writer([&] { write_zoo_file(path("pipe.zoo"), sample_file()); });
+  const ZooFile read = read_zoo_file(path("pipe.zoo"));
+  writer.join();
+  expect_equal(read, sample_file());
+}
+
+TEST_F(ZooContainer, StreamIsReadToItsEndChunkAndNoFurther) {
+  write_zoo_file(path("a.zoo"), sample_file());
+  write_bytes(path("two.zoo"), read_bytes(path("a.zoo")) + read_bytes(path("a.zoo")));
+  const int descriptor = ::open(path("two.zoo").c_str(), O_RDONLY);
+  for (int i = 0; i < 2; ++i) expect_equal(read_zoo_stream(descriptor, "two"), sample_file());
+  ::close(descriptor);
+}
+
+TEST_F(ZooContainer, ReportsAFolderThatCannotBeWritten) {
+  EXPECT_THAT(complaint([&] { write_zoo_file(path("none/a.zoo"), sample_file()); }),
+              HasSubstr("a.zoo: cannot be created (No such file"));
+  EXPECT_THAT(complaint([&] { write_zoo_file("/dev/full", sample_file()); }),
+              HasSubstr("/dev/full: cannot be written (No space left"));
 }
 
 TEST_F(ZooContainer, ReportsAPipeThatNobodyReads) {

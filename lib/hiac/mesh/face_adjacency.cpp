@@ -69,6 +69,11 @@ void for_each_face(const ZooMesh& mesh, const Visit& visit) {
 struct Buckets {
   std::vector<Entry> entries;
   std::vector<std::uint64_t> ends;
+
+  std::span<Entry> operator[](std::size_t node) {
+    const std::uint64_t begin = node == 0 ? 0 : ends[node - 1];
+    return std::span(entries).subspan(begin, ends[node] - begin);
+  }
 };
 
 Buckets fill_buckets(const ZooMesh& mesh, std::uint64_t faces) {
@@ -150,10 +155,8 @@ FaceAdjacency build_face_adjacency(const ZooMesh& mesh) {
   parallel_for(mesh.node_count(), kNodeGrain, [&](IndexRange range) {
     BucketMatcher matcher(mesh, offsets, neighbors);
     std::uint64_t found = 0;
-    for (std::size_t node = range.begin; node < range.end; ++node) {
-      const std::uint64_t begin = node == 0 ? 0 : buckets.ends[node - 1];
-      found += matcher.match(std::span(buckets.entries).subspan(begin, buckets.ends[node] - begin));
-    }
+    for (std::size_t node = range.begin; node < range.end; ++node)
+      found += matcher.match(buckets[node]);
     overshared.fetch_add(found, std::memory_order_relaxed);
   });
   return {SharedArray<CellId>(std::move(neighbors)), overshared};

@@ -150,7 +150,7 @@ Field read_field(const RawChunk& chunk, const std::string& subject) {
   field.name = reader.take_text(header.name_bytes, "name");
   field.unit = reader.take_text(header.unit_bytes, "unit");
   if (header.location > static_cast<std::uint32_t>(FieldLocation::corner))
-    throw InputError(subject, fmt::format("field '{}': unknown location (below 3 expected, {} "
+    throw InputError(subject, fmt::format("field {:?}: unknown location (below 3 expected, {} "
                                           "found)",
                                           field.name, header.location));
   field.location = static_cast<FieldLocation>(header.location);

@@ -25,7 +25,9 @@ struct ZooFile {
 
 /// Reads a zoo container by memory map: arrays look into the file. Checks magic, version, every
 /// size against what is there, checksums, the end chunk, and the mesh's invariants.
-/// Throws InputError naming the file, what was expected and what was found.
+/// Throws InputError naming the file, what was expected and what was found. A file that is replaced
+/// afterwards keeps its old content here; it must not be shortened or overwritten in place. A pipe
+/// or a device is read as a stream.
 ZooFile read_zoo_file(const std::string& path);
 
 /// Reads a zoo container from an open file descriptor (a pipe) to its end chunk. Memory grows with
@@ -35,7 +37,8 @@ ZooFile read_zoo_stream(int descriptor, const std::string& subject);
 /// Writes a container front to back; never seeks. Throws InputError when the write fails.
 void write_zoo_stream(int descriptor, const ZooFile& file, const std::string& subject);
 
-/// Writes to a temporary name beside `path`, then renames: `path` is whole or untouched.
+/// Writes a file beside `path`, then renames it (see write_atomically): `path` is whole or
+/// untouched.
 void write_zoo_file(const std::string& path, const ZooFile& file);
 
 /// The extra chunks of a container alone, whether it holds a mesh or not. Checks what read_zoo_file

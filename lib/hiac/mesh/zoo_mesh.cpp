@@ -1,13 +1,10 @@
 #include "hiac/mesh/zoo_mesh.hpp"
 
 #include <bit>
-#include <cmath>
+#include <new>
 
 #include <fmt/format.h>
 #include <xxhash.h>
-
-#include "hiac/base/error.hpp"
-#include "hiac/base/parallel.hpp"
 
 namespace hiac {
 namespace {

@@ -126,16 +126,16 @@ std::size_t tuple_count(const ZooMesh& mesh, FieldLocation location) {
 void validate_field(const ZooMesh& mesh, const Field& field, const std::string& subject) {
   const std::size_t tuples = tuple_count(mesh, field.location);
   if (tuples == kNone)
-    throw InputError(subject, fmt::format("field '{}': unknown location (below 3 expected, {} "
+    throw InputError(subject, fmt::format("field {:?}: unknown location (below 3 expected, {} "
                                           "found)",
                                           field.name, static_cast<unsigned>(field.location)));
   if (field.components == 0)
-    throw InputError(subject, fmt::format("field '{}': no components (1 or more expected, 0 found)",
+    throw InputError(subject, fmt::format("field {:?}: no components (1 or more expected, 0 found)",
                                           field.name));
   const std::size_t values = field.values.size();
   // by division, since a product could overflow
   if (values % field.components != 0 || values / field.components != tuples)
-    throw InputError(subject, fmt::format("field '{}': wrong number of values ({} x {} expected, "
+    throw InputError(subject, fmt::format("field {:?}: wrong number of values ({} x {} expected, "
                                           "{} found)",
                                           field.name, tuples, field.components, values));
 }

@@ -1,15 +1,13 @@
 #include <cstring>
-#include <filesystem>
-#include <functional>
 #include <memory>
+#include <new>
 #include <stdexcept>
-#include <system_error>
 
 #include <fmt/format.h>
 #include <xxhash.h>
 
 #include "hiac/base/error.hpp"
-#include "hiac/base/output_file.hpp"
+#include "hiac/mesh/atomic_file.hpp"
 #include "hiac/mesh/file_descriptor.hpp"
 #include "hiac/mesh/zoo_container.hpp"
 #include "hiac/mesh/zoo_layout.hpp"
@@ -126,24 +124,6 @@ void check_extras(const std::vector<ExtraChunk>& extras) {
       throw std::invalid_argument(fmt::format("'{}' cannot be an extra chunk's type", extra.type));
 }
 
-/// Lets `write` fill a file that takes the name `path` when it is whole. Pipes and devices, over
-/// which nothing can be renamed, are written to directly.
-void write_whole(const std::string& path, const std::function<void(int)>& write) {
-  std::error_code ignored;
-  const auto status = std::filesystem::status(path, ignored);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    FileDescriptor output = open_to_write(path);
-    write(output.number());
-    output.close(path);
-    return;
-  }
-  OutputFile file(path);
-  FileDescriptor output = open_to_write(file.temporary_path());
-  write(output.number());
-  output.close(path);
-  file.commit();
-}
-
 }  // namespace
 
 void write_zoo_stream(int descriptor, const ZooFile& file, const std::string& subject) {
@@ -163,12 +143,12 @@ void write_zoo_stream(int descriptor, const ZooFile& file, const std::string& su
 }
 
 void write_zoo_file(const std::string& path, const ZooFile& file) {
-  write_whole(path, [&](int descriptor) { write_zoo_stream(descriptor, file, path); });
+  write_atomically(path, [&](int descriptor) { write_zoo_stream(descriptor, file, path); });
 }
 
 void write_extra_chunks(const std::string& path, const std::vector<ExtraChunk>& extras) {
   check_extras(extras);
-  write_whole(path, [&](int descriptor) {
+  write_atomically(path, [&](int descriptor) {
     ChunkWriter writer(descriptor, path);
     for (const ExtraChunk& extra : extras) writer.write(extra.type, extra.payload);
     writer.write_end();
