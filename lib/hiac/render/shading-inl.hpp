@@ -47,8 +47,8 @@ class IntervalReader {
   }
   // The table's function of channel c at the scalars of a piece's two ends.
   template <std::size_t N>
-  HWY_INLINE void ends(const TransferTable<N>& table, std::size_t c, V front, V back,
-                       V& at_front, V& at_back) const {
+  HWY_INLINE void ends(const TransferTable<N>& table, std::size_t c, V front, V back, V& at_front,
+                       V& at_back) const {
     const V anchor = (*this)(table.anchor), value = (*this)(table.value[c]);
     const V slope = (*this)(table.slope[c]);
     at_front = hn::MulAdd(slope, hn::Sub(front, anchor), value);
