@@ -12,6 +12,8 @@
 namespace hiac {
 namespace {
 
+using namespace image_files;
+
 using Writer = void (*)(const std::string&, const Image&, const WriteOptions&);
 using Reader = ImageFile (*)(const std::string&, std::size_t width);
 
@@ -57,7 +59,9 @@ const Format& format_of(const std::string& path) {
 }  // namespace
 
 void write_image(const std::string& path, const Image& image, const WriteOptions& options) {
-  format_of(path).write(path, image, options);
+  const Format& format = format_of(path);
+  if (image.values().empty()) throw UsageError(path + ": an image without pixels");
+  format.write(path, image, options);
 }
 
 void require_known_image_extension(const std::string& path) { format_of(path); }
