@@ -7,7 +7,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <mutex>
+#include <system_error>
 #include <utility>
 
 #include <fcntl.h>
@@ -58,6 +60,10 @@ std::size_t claim_slot(const char* name) {
 
 OutputFile::OutputFile(std::string path) : path_(std::move(path)), slot_(kSlots) {
   install_handlers();
+  // a symbolic link stays one: what it points to is replaced
+  std::error_code not_there;
+  const auto target = std::filesystem::canonical(path_, not_there);
+  if (!not_there) path_ = target.string();
   std::string name = path_ + ".XXXXXX";
   const int descriptor = mkstemp(name.data());
   if (descriptor < 0)

@@ -29,7 +29,6 @@ class SharedArray {
       : view_(view), owner_(std::move(owner)) {}
 
   [[nodiscard]] std::span<const T> view() const { return view_; }
-  operator std::span<const T>() const { return view_; }  // NOLINT(google-explicit-constructor)
   [[nodiscard]] const T* data() const { return view_.data(); }
   [[nodiscard]] std::size_t size() const { return view_.size(); }
   [[nodiscard]] bool empty() const { return view_.empty(); }

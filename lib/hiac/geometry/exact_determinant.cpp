@@ -20,8 +20,7 @@ ExactVector exact_difference(std::span<const double, 3> p, std::span<const doubl
 
 int sign_of_determinant(const ExactVector& u, const ExactVector& v, const ExactVector& w) {
   const Exact determinant = u[0] * (v[1] * w[2] - v[2] * w[1]) +
-                            u[1] * (v[2] * w[0] - v[0] * w[2]) +
-                            u[2] * (v[0] * w[1] - v[1] * w[0]);
+                            u[1] * (v[2] * w[0] - v[0] * w[2]) + u[2] * (v[0] * w[1] - v[1] * w[0]);
   return static_cast<int>(CGAL::sign(determinant));
 }
 

@@ -46,8 +46,7 @@ std::array<double, 3> difference(Point3 a, Point3 b) {
 }  // namespace
 
 int orientation(Point3 a, Point3 b, Point3 c, Point3 d) {
-  const int sign =
-      filtered_sign(determinant(difference(b, a), difference(c, a), difference(d, a)));
+  const int sign = filtered_sign(determinant(difference(b, a), difference(c, a), difference(d, a)));
   return sign != 2 ? sign : exact_orientation(a, b, c, d);
 }
 

@@ -102,7 +102,7 @@ std::string read_name(std::FILE* file, const std::string& path) {
 /// Walks over the attributes of the headers, because OpenEXR takes the memory that an attribute
 /// announces before it reads it. Returns the file's length.
 std::uint64_t require_sane_headers(const std::string& path) {
-  const FileHandle file = open_to_read(path);
+  const FileHandle file = open_image_file(path);
   const std::uint64_t file_bytes = remaining_bytes(file.get(), path);
   std::array<std::uint32_t, 2> start{};  // magic number, version with flags
   read_exactly(file.get(), std::as_writable_bytes(std::span(start)), path);

@@ -21,7 +21,7 @@ std::string channel_path(const std::string& path, std::string channel) {
 }
 
 std::vector<float> read_plane(const std::string& path) {
-  const FileHandle file = open_to_read(path);
+  const FileHandle file = open_image_file(path);
   const std::uint64_t bytes = remaining_bytes(file.get(), path);
   if (bytes == 0 || bytes % sizeof(float) != 0)
     throw InputError(path, fmt::format("wrong length (expected a multiple of {} bytes, found {})",

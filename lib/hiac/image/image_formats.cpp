@@ -10,7 +10,7 @@
 
 namespace hiac::image_files {
 
-FileHandle open_to_read(const std::string& path) {
+FileHandle open_image_file(const std::string& path) {
   FileHandle file(std::fopen(path.c_str(), "rb"));
   if (!file) throw InputError(path, fmt::format("cannot be opened ({})", std::strerror(errno)));
   return file;

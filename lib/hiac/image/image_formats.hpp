@@ -41,7 +41,7 @@ struct FileCloser {
 using FileHandle = std::unique_ptr<std::FILE, FileCloser>;
 
 /// Opens a file to read. Throws InputError naming it.
-FileHandle open_to_read(const std::string& path);
+FileHandle open_image_file(const std::string& path);
 
 /// Bytes from the current position to the end of a file that can seek; throws InputError for
 /// others.

@@ -153,7 +153,7 @@ void write_npy(const std::string& path, const Image& image) {
 }
 
 Image read_npy(const std::string& path) {
-  const FileHandle file = open_to_read(path);
+  const FileHandle file = open_image_file(path);
   NpyHeader header = read_header(file.get(), path);
   if (header.shape.size() == 2) header.shape.push_back(1);
   if (header.shape.size() != 3)

@@ -238,7 +238,7 @@ void write_png(const std::string& path, const Image& image, const WriteOptions& 
 }
 
 ImageFile read_png(const std::string& path) {
-  const FileHandle file = open_to_read(path);
+  const FileHandle file = open_image_file(path);
   const std::uint64_t file_bytes = remaining_bytes(file.get(), path);
   const auto malformed = [&](const PngHandle& handle) {
     return InputError(path, fmt::format("not a readable PNG file ({})", handle.complaint()));

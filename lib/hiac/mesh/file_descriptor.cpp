@@ -44,6 +44,12 @@ FileDescriptor open_to_read(const std::string& path) {
   return FileDescriptor(number);
 }
 
+FileDescriptor open_to_write(const std::string& path) {
+  const int number = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (number < 0) throw InputError(path, fmt::format("cannot be written ({})", reason(errno)));
+  return FileDescriptor(number);
+}
+
 std::size_t read_fully(int descriptor, std::span<std::uint8_t> buffer, const std::string& subject) {
   std::size_t filled = 0;
   while (filled < buffer.size()) {

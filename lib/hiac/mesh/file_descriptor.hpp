@@ -28,6 +28,9 @@ class FileDescriptor {
 /// Opens a file to be read. Throws InputError.
 FileDescriptor open_to_read(const std::string& path);
 
+/// Opens an existing file, pipe or device to be written from its beginning. Throws InputError.
+FileDescriptor open_to_write(const std::string& path);
+
 /// Reads until `buffer` is full or the stream ends; returns how much was read. Throws InputError.
 std::size_t read_fully(int descriptor, std::span<std::uint8_t> buffer, const std::string& subject);
 

@@ -199,10 +199,19 @@ std::string check_chunk_header(const ChunkHeader& header, std::size_t number,
   return type;
 }
 
-ZooFile assemble_zoo(const std::vector<RawChunk>& chunks, const std::string& subject) {
+std::vector<ExtraChunk> extra_chunks(const std::vector<RawChunk>& chunks,
+                                     const std::string& subject) {
   check_payloads(chunks, subject);
   check_end(chunks, subject);
+  std::vector<ExtraChunk> extras;
+  for (const RawChunk& chunk : chunks)
+    if (!is_known(chunk.type)) extras.push_back({chunk.type, chunk.payload});
+  return extras;
+}
+
+ZooFile assemble_zoo(const std::vector<RawChunk>& chunks, const std::string& subject) {
   ZooFile file;
+  file.extras = extra_chunks(chunks, subject);
   ZooMesh& mesh = file.mesh;
   mesh.kinds = read_array<CellKind>(chunks, kKinds, subject);
   mesh.elems = read_array<std::uint64_t>(chunks, kElems, subject);
@@ -212,10 +221,8 @@ ZooFile assemble_zoo(const std::vector<RawChunk>& chunks, const std::string& sub
     mesh.metadata = read_metadata(*meta, subject);
   if (const RawChunk* adjacency = single(chunks, kFaceAdjacency, false, subject))
     mesh.adjacency = read_adjacency(*adjacency, subject);
-  for (const RawChunk& chunk : chunks) {
+  for (const RawChunk& chunk : chunks)
     if (chunk.type == kField) mesh.fields.push_back(read_field(chunk, subject));
-    if (!is_known(chunk.type)) file.extras.push_back({chunk.type, chunk.payload});
-  }
   validate(mesh, subject);
   return file;
 }

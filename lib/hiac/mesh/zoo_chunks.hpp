@@ -29,4 +29,9 @@ std::string check_chunk_header(const zoo_layout::ChunkHeader& header, std::size_
 /// Throws InputError.
 ZooFile assemble_zoo(const std::vector<RawChunk>& chunks, const std::string& subject);
 
+/// The chunks that this library's mesh part does not interpret, all payloads and the end chunk
+/// checked. Throws InputError.
+std::vector<ExtraChunk> extra_chunks(const std::vector<RawChunk>& chunks,
+                                     const std::string& subject);
+
 }  // namespace hiac

@@ -38,4 +38,11 @@ void write_zoo_stream(int descriptor, const ZooFile& file, const std::string& su
 /// Writes to a temporary name beside `path`, then renames: `path` is whole or untouched.
 void write_zoo_file(const std::string& path, const ZooFile& file);
 
+/// The extra chunks of a container alone, whether it holds a mesh or not. Checks what read_zoo_file
+/// checks of the container, and nothing of a mesh. Throws InputError.
+std::vector<ExtraChunk> read_extra_chunks(const std::string& path);
+
+/// Writes a container that holds extra chunks and no mesh; whole or not at all.
+void write_extra_chunks(const std::string& path, const std::vector<ExtraChunk>& extras);
+
 }  // namespace hiac

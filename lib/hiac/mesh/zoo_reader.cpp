@@ -147,22 +147,8 @@ std::vector<RawChunk> chunks_of(const std::shared_ptr<const FileMapping>& mappin
   return chunks;
 }
 
-}  // namespace
-
-ZooFile read_zoo_file(const std::string& path) {
-  const FileDescriptor file = open_to_read(path);
-  struct stat status {};
-  if (::fstat(file.number(), &status) != 0) throw InputError(path, "cannot be examined");
-  if (S_ISDIR(status.st_mode)) throw InputError(path, "is a directory (a file expected)");
-  // pipes and devices have no size and cannot be mapped
-  if (!S_ISREG(status.st_mode)) return read_zoo_stream(file.number(), path);
-  const auto size = static_cast<std::size_t>(status.st_size);
-  if (size == 0) refuse_early_end(path, "the end of its header", sizeof(FileHeader), 0);
-  return assemble_zoo(
-      chunks_of(std::make_shared<const FileMapping>(file.number(), size, path), path), path);
-}
-
-ZooFile read_zoo_stream(int descriptor, const std::string& subject) {
+/// Reads chunk after chunk as they arrive.
+std::vector<RawChunk> chunks_of_stream(int descriptor, const std::string& subject) {
   check_file_header(read_header<FileHeader>(descriptor, subject, "the end of its header"), subject);
   std::vector<RawChunk> chunks;
   do {
@@ -178,7 +164,32 @@ ZooFile read_zoo_stream(int descriptor, const std::string& subject) {
                        std::make_shared<SharedArray<std::uint8_t>>(padded)},
                       header.payload_checksum});
   } while (chunks.back().type != kEnd);
-  return assemble_zoo(chunks, subject);
+  return chunks;
+}
+
+/// The chunks of a container in a file, or of whatever else the path opens (a pipe, a device).
+std::vector<RawChunk> chunks_of_path(const std::string& path) {
+  const FileDescriptor file = open_to_read(path);
+  struct stat status {};
+  if (::fstat(file.number(), &status) != 0) throw InputError(path, "cannot be examined");
+  if (S_ISDIR(status.st_mode)) throw InputError(path, "is a directory (a file expected)");
+  // pipes and devices have no size and cannot be mapped
+  if (!S_ISREG(status.st_mode)) return chunks_of_stream(file.number(), path);
+  const auto size = static_cast<std::size_t>(status.st_size);
+  if (size == 0) refuse_early_end(path, "the end of its header", sizeof(FileHeader), 0);
+  return chunks_of(std::make_shared<const FileMapping>(file.number(), size, path), path);
+}
+
+}  // namespace
+
+ZooFile read_zoo_file(const std::string& path) { return assemble_zoo(chunks_of_path(path), path); }
+
+ZooFile read_zoo_stream(int descriptor, const std::string& subject) {
+  return assemble_zoo(chunks_of_stream(descriptor, subject), subject);
+}
+
+std::vector<ExtraChunk> read_extra_chunks(const std::string& path) {
+  return extra_chunks(chunks_of_path(path), path);
 }
 
 }  // namespace hiac

@@ -1,17 +1,15 @@
-#include <atomic>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <system_error>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 #include <xxhash.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/base/output_file.hpp"
 #include "hiac/mesh/file_descriptor.hpp"
 #include "hiac/mesh/zoo_container.hpp"
 #include "hiac/mesh/zoo_layout.hpp"
@@ -122,55 +120,36 @@ void write_adjacency(ChunkWriter& writer, const FaceAdjacency& adjacency) {
   writer.write(kFaceAdjacency, bytes_of_value(header), bytes_of(adjacency.neighbors.view()));
 }
 
-/// The path that a written file has to replace: a symbolic link stays one.
-std::string replaced_path(const std::string& path) {
+void check_extras(const std::vector<ExtraChunk>& extras) {
+  for (const ExtraChunk& extra : extras)
+    if (!is_type(extra.type) || is_known(extra.type))
+      throw std::invalid_argument(fmt::format("'{}' cannot be an extra chunk's type", extra.type));
+}
+
+/// Lets `write` fill a file that takes the name `path` when it is whole. Pipes and devices, over
+/// which nothing can be renamed, are written to directly.
+void write_whole(const std::string& path, const std::function<void(int)>& write) {
   std::error_code ignored;
-  const auto target = std::filesystem::canonical(path, ignored);
-  return ignored ? path : target.string();
-}
-
-FileDescriptor create_new(const std::string& temporary, const std::string& path) {
-  const int number = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (number < 0)
-    throw InputError(path,
-                     fmt::format("cannot be created ({})", std::generic_category().message(errno)));
-  return FileDescriptor(number);
-}
-
-/// A name beside `path` that no other writer of this machine uses now.
-std::string temporary_beside(const std::string& path) {
-  static std::atomic<unsigned> count = 0;
-  return fmt::format("{}.{}-{}.part", path, ::getpid(), count++);
-}
-
-/// Removes the file with the object unless it was kept.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(std::string path) : path_(std::move(path)) {}
-  ~TemporaryFile() {
-    if (!path_.empty()) ::unlink(path_.c_str());
+  const auto status = std::filesystem::status(path, ignored);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    FileDescriptor output = open_to_write(path);
+    write(output.number());
+    output.close(path);
+    return;
   }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  void rename_to(const std::string& path) {
-    if (::rename(path_.c_str(), path.c_str()) != 0)
-      throw InputError(
-          path, fmt::format("cannot be replaced ({})", std::generic_category().message(errno)));
-    path_.clear();
-  }
-
- private:
-  std::string path_;
-};
+  OutputFile file(path);
+  FileDescriptor output = open_to_write(file.temporary_path());
+  write(output.number());
+  output.close(path);
+  file.commit();
+}
 
 }  // namespace
 
 void write_zoo_stream(int descriptor, const ZooFile& file, const std::string& subject) {
   const ZooMesh& mesh = file.mesh;
   validate(mesh, subject);
-  for (const ExtraChunk& extra : file.extras)
-    if (!is_type(extra.type) || is_known(extra.type))
-      throw std::invalid_argument(fmt::format("'{}' cannot be an extra chunk's type", extra.type));
+  check_extras(file.extras);
   ChunkWriter writer(descriptor, subject);
   write_metadata(writer, mesh, subject);
   writer.write(kKinds, bytes_of(mesh.kinds.view()));
@@ -184,24 +163,16 @@ void write_zoo_stream(int descriptor, const ZooFile& file, const std::string& su
 }
 
 void write_zoo_file(const std::string& path, const ZooFile& file) {
-  const std::string target = replaced_path(path);
-  if (std::filesystem::exists(target) && !std::filesystem::is_regular_file(target)) {
-    // a pipe or a device: nothing to rename over
-    const int number = ::open(target.c_str(), O_WRONLY | O_CLOEXEC);
-    if (number < 0)
-      throw InputError(path, fmt::format("cannot be opened to be written ({})",
-                                         std::generic_category().message(errno)));
-    FileDescriptor output(number);
-    write_zoo_stream(output.number(), file, path);
-    output.close(path);
-    return;
-  }
-  const std::string name = temporary_beside(target);
-  FileDescriptor output = create_new(name, path);
-  TemporaryFile temporary(name);
-  write_zoo_stream(output.number(), file, path);
-  output.close(path);
-  temporary.rename_to(target);
+  write_whole(path, [&](int descriptor) { write_zoo_stream(descriptor, file, path); });
+}
+
+void write_extra_chunks(const std::string& path, const std::vector<ExtraChunk>& extras) {
+  check_extras(extras);
+  write_whole(path, [&](int descriptor) {
+    ChunkWriter writer(descriptor, path);
+    for (const ExtraChunk& extra : extras) writer.write(extra.type, extra.payload);
+    writer.write_end();
+  });
 }
 
 }  // namespace hiac

@@ -160,8 +160,7 @@ BehindRelation shared_face_relation(const ZooMesh& mesh, const FaceAdjacency& ad
         continue;
       }
       for (std::size_t f = 0; f < faces.size(); ++f)
-        if (neighbors[f] != kNoCell)
-          arrows[f] = face_arrows(mesh, cell, faces[f], view, planarity);
+        if (neighbors[f] != kNoCell) arrows[f] = face_arrows(mesh, cell, faces[f], view, planarity);
     }
   });
   relation.arrows.assign(said.size(), kNoArrow);

@@ -12,10 +12,10 @@ namespace hiac {
 /// Arrows of the behind-relation across one face of a cell, as seen from that cell. A viewing ray
 /// meets a cell before another one that lies behind it.
 enum FaceArrows : std::uint8_t {
-  kNoArrow = 0,           ///< no ray crosses the face: it is seen edge-on, or has no neighbour
-  kNeighborFirst = 1,     ///< rays come from the neighbour into this cell
-  kCellFirst = 2,         ///< rays go from this cell into the neighbour
-  kBothWays = 3           ///< rays may cross either way: undecidable, or the cells overlap
+  kNoArrow = 0,        ///< no ray crosses the face: it is seen edge-on, or has no neighbour
+  kNeighborFirst = 1,  ///< rays come from the neighbour into this cell
+  kCellFirst = 2,      ///< rays go from this cell into the neighbour
+  kBothWays = 3        ///< rays may cross either way: undecidable, or the cells overlap
 };
 
 /// The relation across shared faces, for every face of every cell in the numbering of

@@ -30,10 +30,10 @@ struct VisibilityOrder {
 struct OrderStatistics {
   std::uint64_t shared_faces = 0;
   std::uint64_t unmatched_faces = 0;
-  std::uint64_t both_ways = 0;      ///< shared faces with arrows both ways
+  std::uint64_t both_ways = 0;  ///< shared faces with arrows both ways
   std::uint64_t cells_in_groups = 0;
   std::uint64_t largest_group = 1;
-  bool convex = false;              ///< no ray can leave the mesh and enter it again
+  bool convex = false;  ///< no ray can leave the mesh and enter it again
 };
 
 struct OrderResult {

@@ -2,21 +2,21 @@
 // Include from a file that Highway's foreach_target.h compiles repeatedly.
 
 #if defined(HIAC_RENDER_SCAN_CONVERSION_INL) == defined(HWY_TARGET_TOGGLE)
-#ifdef HIAC_RENDER_SCAN_CONVERSION_INL
-#undef HIAC_RENDER_SCAN_CONVERSION_INL
-#else
-#define HIAC_RENDER_SCAN_CONVERSION_INL
-#endif
+#  ifdef HIAC_RENDER_SCAN_CONVERSION_INL
+#    undef HIAC_RENDER_SCAN_CONVERSION_INL
+#  else
+#    define HIAC_RENDER_SCAN_CONVERSION_INL
+#  endif
 
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <span>
+#  include <algorithm>
+#  include <array>
+#  include <cstdint>
+#  include <span>
 
-#include <hwy/highway.h>
+#  include <hwy/highway.h>
 
-#include "hiac/render/frame.hpp"
-#include "hiac/render/tile.hpp"
+#  include "hiac/render/frame.hpp"
+#  include "hiac/render/tile.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
@@ -63,8 +63,8 @@ struct FaceRuns {
 
 HWY_INLINE int first_center_at_or_after(double coordinate, int low, int high) {
   // ceil(coordinate - 1/2), clamped before the conversion
-  const double clamped = std::min(std::max(coordinate - 0.5, static_cast<double>(low)),
-                                  static_cast<double>(high));
+  const double clamped =
+      std::min(std::max(coordinate - 0.5, static_cast<double>(low)), static_cast<double>(high));
   return static_cast<int>(__builtin_ceil(clamped));
 }
 
@@ -103,8 +103,7 @@ HWY_INLINE bool scan_faces(const ProjectedTetrahedron& t, const TileRect& tile, 
       const V dy = hn::Sub(center, hn::Set(d, t.y[i]));
       const V crossing = hn::Add(hn::Set(d, t.x[i]), hn::Mul(dy, hn::Set(d, slope[e])));
       // clamped to the tile; a crossing that is not a number is not used
-      const V column =
-          hn::Ceil(hn::Min(hn::Max(hn::Sub(crossing, half), left), right));
+      const V column = hn::Ceil(hn::Min(hn::Max(hn::Sub(crossing, half), left), right));
       first[e] = hn::IfThenElse(crossed, column, never_first);
       last[e] = hn::IfThenElse(crossed, column, never_last);
     }
@@ -158,8 +157,8 @@ HWY_INLINE void set_face_planes(const ProjectedTetrahedron& t, bool with_color,
     const auto x2 = hn::Sub(hn::Load(d, corner[4]), base_x);
     const auto y2 = hn::Sub(hn::Load(d, corner[5]), base_y);
     // column pivot: edge m has the largest entry, s is the other
-    const auto swapped = hn::Lt(hn::Max(hn::Abs(x1), hn::Abs(y1)),
-                                hn::Max(hn::Abs(x2), hn::Abs(y2)));
+    const auto swapped =
+        hn::Lt(hn::Max(hn::Abs(x1), hn::Abs(y1)), hn::Max(hn::Abs(x2), hn::Abs(y2)));
     const auto mx = hn::IfThenElse(swapped, x2, x1), my = hn::IfThenElse(swapped, y2, y1);
     const auto sx = hn::IfThenElse(swapped, x1, x2), sy = hn::IfThenElse(swapped, y1, y2);
     // row pivot: p is the coordinate of the largest entry, q the other
@@ -203,9 +202,9 @@ HWY_INLINE EntryAndExit<V> entry_and_exit(D d, const FacePlanes& planes, const F
     const double dy = row + 0.5 - planes.base_y[f];
     const V dx = hn::Sub(x, hn::Set(d, planes.base_x[f]));
     const V s = hn::MulAdd(dx, hn::Set(d, planes.cx[f]), hn::Set(d, planes.cy[f] * dy));
-    const V m = hn::NegMulAdd(
-        hn::Set(d, planes.h[f]), s,
-        hn::MulAdd(dx, hn::Set(d, planes.gx[f]), hn::Set(d, planes.gy[f] * dy)));
+    const V m =
+        hn::NegMulAdd(hn::Set(d, planes.h[f]), s,
+                      hn::MulAdd(dx, hn::Set(d, planes.gx[f]), hn::Set(d, planes.gy[f] * dy)));
     const auto at = [&](const FacePlanes::Quantity& q) {
       return hn::MulAdd(s, hn::Set(d, q.qs[f]),
                         hn::MulAdd(m, hn::Set(d, q.qm[f]), hn::Set(d, q.q0[f])));

@@ -56,8 +56,7 @@ std::vector<std::uint8_t> zero_intervals(const TransferTable<N>& table) {
 
 OpticsTables make_optics_tables(const Volume& volume) {
   const auto color = volume.color ? volume.color->function() : PiecewiseLinear<3>();
-  const auto extinction =
-      volume.extinction ? volume.extinction->function() : PiecewiseLinear<1>();
+  const auto extinction = volume.extinction ? volume.extinction->function() : PiecewiseLinear<1>();
   OpticsTables tables;
   tables.emission = volume.glow == Glow::emission;
   tables.same_field =

@@ -1,0 +1,191 @@
+// Linear pieces in vector registers, for files that Highway compiles once per instruction set
+// (include after hwy/foreach_target.h). Scalar counterpart and definitions: linear_piece.hpp;
+// method: linear_piece_series.hpp. The accuracy stated there holds here too. A lane's result
+// depends on that lane's b and a alone, whatever the other lanes hold.
+#if defined(HIAC_OPTICS_LINEAR_PIECE_INL_HPP) == defined(HWY_TARGET_TOGGLE)
+#  ifdef HIAC_OPTICS_LINEAR_PIECE_INL_HPP
+#    undef HIAC_OPTICS_LINEAR_PIECE_INL_HPP
+#  else
+#    define HIAC_OPTICS_LINEAR_PIECE_INL_HPP
+#  endif
+
+#  include <cstddef>
+
+#  include "hiac/optics/linear_piece.hpp"
+#  include "hiac/optics/linear_piece_series.hpp"
+#  include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace hiac {
+namespace HWY_NAMESPACE {
+
+/// LinearPieceWeights of a vector of pieces.
+template <class V>
+struct PieceWeights {
+  V transparency;
+  V front;
+  V back;
+};
+
+namespace linear_piece_detail {
+
+namespace hn = hwy::HWY_NAMESPACE;
+namespace series = ::hiac::linear_piece_series;
+
+/// sum_{k' >= k} kRho[j][k'] sigma2^{k' - k} (Horner, unrolled).
+template <class Kind, std::size_t j, std::size_t k, class D, class V>
+HWY_INLINE V rho_row(D d, V sigma2) {
+  const V c = hn::Set(d, Kind::kRho[j][k]);
+  if constexpr (k + 1 == Kind::rho_terms(j)) {
+    return c;
+  } else {
+    return hn::MulAdd(rho_row<Kind, j, k + 1>(d, sigma2), sigma2, c);
+  }
+}
+
+/// sum_{j' >= j} delta^{j' - j} rho_row(j').
+template <class Kind, std::size_t j, class D, class V>
+HWY_INLINE V rho_from(D d, V delta, V sigma2) {
+  const V row = rho_row<Kind, j, 0>(d, sigma2);
+  if constexpr (j + 1 == Kind::delta_terms()) {
+    return row;
+  } else {
+    return hn::MulAdd(rho_from<Kind, j + 1>(d, delta, sigma2), delta, row);
+  }
+}
+
+template <class Kind, std::size_t k, class D, class V>
+HWY_INLINE V sinhc_from(D d, V sigma2) {
+  const V c = hn::Set(d, Kind::kSinhc[k]);
+  if constexpr (k + 1 == Kind::sinhc_terms()) {
+    return c;
+  } else {
+    return hn::MulAdd(sinhc_from<Kind, k + 1>(d, sigma2), sigma2, c);
+  }
+}
+
+/// Values of the series; the names are those of linear_piece_series.hpp.
+template <class V>
+struct SeriesValues {
+  V h;
+  V s;
+  V sinh_sigma;
+  V bend;  ///< sigma^2 kappa - delta rho
+  V rho;
+};
+
+template <class Kind, class D, class V>
+HWY_INLINE SeriesValues<V> series_values(D d, V b, V a) {
+  const V quarter = hn::Set(d, 0.25);
+  const V sigma = hn::Mul(quarter, hn::Add(a, b));
+  const V delta = hn::Mul(quarter, hn::Sub(a, b));
+  const V sigma2 = hn::Mul(sigma, sigma);
+  const V kappa = rho_row<Kind, 0, 0>(d, sigma2);
+  const V rho = hn::MulAdd(rho_from<Kind, 1>(d, delta, sigma2), delta, kappa);
+  const V s = sinhc_from<Kind, 0>(d, sigma2);
+  const V sinh_sigma = hn::Mul(sigma, s);
+  const V sigma2_kappa = hn::Mul(sigma2, kappa);
+  const V cosh_sigma = hn::Add(s, sigma2_kappa);
+  V h;
+  if constexpr (Kind::kSigma <= 0.5) {
+    h = hn::Sub(cosh_sigma, sinh_sigma);  // loses less than half a digit, and needs no division
+  } else {
+    h = hn::Div(hn::Set(d, 1.0), hn::Add(cosh_sigma, sinh_sigma));
+  }
+  return {h, s, sinh_sigma, hn::NegMulAdd(delta, rho, sigma2_kappa), rho};
+}
+
+/// Chromaticity glow: what linear_piece_weights computes.
+struct Chromaticity {
+  template <class Kind, class D, class V>
+  static HWY_INLINE PieceWeights<V> evaluate(D d, V b, V a) {
+    const SeriesValues<V> v = series_values<Kind>(d, b, a);
+    return {hn::Mul(v.h, v.h), hn::Mul(v.h, hn::Add(v.sinh_sigma, v.bend)),
+            hn::Mul(v.h, hn::Sub(v.sinh_sigma, v.bend))};
+  }
+  static LinearPieceWeights scalar(double b, double a) {
+    return ::hiac::linear_piece_weights(b, a);
+  }
+};
+
+/// Emission glow: what linear_piece_emission computes.
+struct Emission {
+  template <class Kind, class D, class V>
+  static HWY_INLINE PieceWeights<V> evaluate(D d, V b, V a) {
+    const SeriesValues<V> v = series_values<Kind>(d, b, a);
+    const V half = hn::Set(d, 0.5);
+    const V half_h = hn::Mul(half, v.h);
+    const V half_rho = hn::Mul(half, v.rho);
+    return {hn::Mul(v.h, v.h), hn::Mul(half_h, hn::MulAdd(a, half_rho, v.s)),
+            hn::Mul(half_h, hn::NegMulAdd(b, half_rho, v.s))};
+  }
+  static LinearPieceWeights scalar(double b, double a) {
+    return ::hiac::linear_piece_emission(b, a);
+  }
+};
+
+/// Replaces the lanes of w that hold thick pieces, by the scalar evaluation.
+template <class Glow, class D, class V>
+HWY_NOINLINE void patch_thick_lanes(D d, V b, V a, PieceWeights<V>& w) {
+  constexpr std::size_t kMaxLanes = hn::MaxLanes(d);
+  HWY_ALIGN double b_lanes[kMaxLanes];
+  HWY_ALIGN double a_lanes[kMaxLanes];
+  HWY_ALIGN double transparency[kMaxLanes];
+  HWY_ALIGN double front[kMaxLanes];
+  HWY_ALIGN double back[kMaxLanes];
+  hn::Store(b, d, b_lanes);
+  hn::Store(a, d, a_lanes);
+  hn::Store(w.transparency, d, transparency);
+  hn::Store(w.front, d, front);
+  hn::Store(w.back, d, back);
+  for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
+    if (!(0.25 * (a_lanes[i] + b_lanes[i]) > series::MediumSeries::kSigma)) continue;
+    const LinearPieceWeights exact = Glow::scalar(b_lanes[i], a_lanes[i]);
+    transparency[i] = exact.transparency;
+    front[i] = exact.front;
+    back[i] = exact.back;
+  }
+  w = {hn::Load(d, transparency), hn::Load(d, front), hn::Load(d, back)};
+}
+
+/// Lanes that are not all thin: the medium series, thick lanes patched, thin lanes by their own.
+template <class Glow, class D, class V>
+HWY_NOINLINE PieceWeights<V> mixed_lanes(D d, V b, V a, PieceWeights<V> thin_weights) {
+  const V sigma = hn::Mul(hn::Set(d, 0.25), hn::Add(a, b));
+  const auto thin = hn::Le(sigma, hn::Set(d, series::ThinSeries::kSigma));
+  const auto thick = hn::Gt(sigma, hn::Set(d, series::MediumSeries::kSigma));
+  PieceWeights<V> w = Glow::template evaluate<series::MediumSeries>(d, b, a);
+  w = {hn::IfThenElse(thin, thin_weights.transparency, w.transparency),
+       hn::IfThenElse(thin, thin_weights.front, w.front),
+       hn::IfThenElse(thin, thin_weights.back, w.back)};
+  if (!hn::AllFalse(d, thick)) patch_thick_lanes<Glow>(d, b, a, w);
+  return w;
+}
+
+template <class Glow, class D, class V>
+HWY_INLINE PieceWeights<V> evaluate(D d, V b, V a) {
+  const PieceWeights<V> w = Glow::template evaluate<series::ThinSeries>(d, b, a);
+  const V sigma = hn::Mul(hn::Set(d, 0.25), hn::Add(a, b));
+  if (HWY_LIKELY(hn::AllTrue(d, hn::Le(sigma, hn::Set(d, series::ThinSeries::kSigma))))) return w;
+  return mixed_lanes<Glow>(d, b, a, w);
+}
+
+}  // namespace linear_piece_detail
+
+/// Transparency, 1 - Psi and Psi - zeta of the pieces (b, a), a vector of doubles each.
+template <class D, class V>
+HWY_INLINE PieceWeights<V> linear_piece_weights(D d, V b, V a) {
+  return linear_piece_detail::evaluate<linear_piece_detail::Chromaticity>(d, b, a);
+}
+
+/// Transparency, Psi - Psi_1 and Psi_1 of the pieces (b, a), a vector of doubles each.
+template <class D, class V>
+HWY_INLINE PieceWeights<V> linear_piece_emission(D d, V b, V a) {
+  return linear_piece_detail::evaluate<linear_piece_detail::Emission>(d, b, a);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace hiac
+HWY_AFTER_NAMESPACE();
+
+#endif  // the per-target include guard

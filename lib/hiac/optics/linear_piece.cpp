@@ -1,0 +1,109 @@
+// Based on: P. L. Williams, N. L. Max, C. M. Stein, "A High Accuracy Volume Renderer for
+// Unstructured Data", IEEE TVCG 4(1), 1998, equation (8) and appendix B.
+//
+// Pieces of optical depth up to 4 use the series of linear_piece_series.hpp. Beyond, zeta < 0.02
+// and the closed forms do not cancel: with q = |a - b|, r = sqrt(2 q), x_b = b / r, x_a = a / r,
+// the integrals over [0, 1] are those over [0, inf) less zeta times those from the back onwards.
+#include "hiac/optics/linear_piece.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "hiac/optics/linear_piece_series.hpp"
+#include "hiac/optics/special_functions.hpp"
+
+namespace hiac {
+namespace {
+
+namespace series = linear_piece_series;
+
+constexpr double kSqrtPi = 1 / std::numbers::inv_sqrtpi;
+
+/// Values of the series at one (b, a); the names are those of linear_piece_series.hpp.
+struct SeriesValues {
+  double h;
+  double s;
+  double sinh_sigma;
+  double bend;  ///< sigma^2 kappa - delta rho
+  double rho;
+};
+
+template <class Kind>
+SeriesValues series_values(double b, double a) {
+  const double sigma = 0.25 * (a + b);
+  const double delta = 0.25 * (a - b);
+  const double sigma2 = sigma * sigma;
+  double rho = 0;
+  double kappa = 0;
+  for (std::size_t j = Kind::delta_terms(); j-- > 0;) {
+    kappa = 0;  // after the loop: the part of rho without delta
+    for (std::size_t k = Kind::rho_terms(j); k-- > 0;) kappa = kappa * sigma2 + Kind::kRho[j][k];
+    rho = rho * delta + kappa;
+  }
+  double s = 0;
+  for (std::size_t k = Kind::sinhc_terms(); k-- > 0;) s = s * sigma2 + Kind::kSinhc[k];
+  const double sinh_sigma = sigma * s;
+  const double cosh_sigma = s + sigma2 * kappa;
+  return {1 / (cosh_sigma + sinh_sigma), s, sinh_sigma, sigma2 * kappa - delta * rho, rho};
+}
+
+/// exp(-(a + b) / 2), the rounding error of the sum included.
+double thick_transparency(double b, double a) {
+  const double sum = a + b;
+  const double part = sum - a;
+  const double error = (a - (sum - part)) + (b - part);
+  return std::exp(-0.5 * sum) * (1 - 0.5 * error);
+}
+
+double thick_psi(double b, double a, double zeta) {
+  if (a == b) return (1 - zeta) / a;
+  const double q = std::abs(a - b);
+  const double r = std::sqrt(2 * q);
+  if (a > b) return kSqrtPi / r * (erfcx(b / r) - zeta * erfcx(a / r));
+  return 2 / r * (dawson(b / r) - zeta * dawson(a / r));
+}
+
+double thick_psi1(double b, double a, double zeta) {
+  if (a == b) return (1 - zeta * (1 + a)) / a / a;
+  const double q = std::abs(a - b);
+  const double r = std::sqrt(2 * q);
+  const double x_b = b / r;
+  const double x_a = a / r;
+  if (a > b) return kSqrtPi / q * (ierfcx(x_b) - zeta * (ierfcx(x_a) + 0.5 * r * erfcx(x_a)));
+  return (zeta * (dawson_derivative(x_a) - r * dawson(x_a)) - dawson_derivative(x_b)) / q;
+}
+
+LinearPieceWeights weights_of(const SeriesValues& v) {
+  return {v.h * v.h, v.h * (v.sinh_sigma + v.bend), v.h * (v.sinh_sigma - v.bend)};
+}
+
+LinearPieceWeights emission_of(const SeriesValues& v, double b, double a) {
+  const double half_h = 0.5 * v.h;
+  return {v.h * v.h, half_h * (v.s + 0.5 * a * v.rho), half_h * (v.s - 0.5 * b * v.rho)};
+}
+
+}  // namespace
+
+LinearPieceWeights linear_piece_weights(double b, double a) {
+  const double sigma = 0.25 * (a + b);
+  if (sigma <= series::ThinSeries::kSigma)
+    return weights_of(series_values<series::ThinSeries>(b, a));
+  if (sigma <= series::MediumSeries::kSigma)
+    return weights_of(series_values<series::MediumSeries>(b, a));
+  const double zeta = thick_transparency(b, a);
+  const double psi = thick_psi(b, a, zeta);
+  return {zeta, 1 - psi, psi - zeta};
+}
+
+LinearPieceWeights linear_piece_emission(double b, double a) {
+  const double sigma = 0.25 * (a + b);
+  if (sigma <= series::ThinSeries::kSigma)
+    return emission_of(series_values<series::ThinSeries>(b, a), b, a);
+  if (sigma <= series::MediumSeries::kSigma)
+    return emission_of(series_values<series::MediumSeries>(b, a), b, a);
+  const double zeta = thick_transparency(b, a);
+  const double psi1 = thick_psi1(b, a, zeta);
+  return {zeta, thick_psi(b, a, zeta) - psi1, psi1};
+}
+
+}  // namespace hiac

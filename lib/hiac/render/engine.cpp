@@ -1,0 +1,257 @@
+#include "hiac/render/engine.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "hiac/base/error.hpp"
+#include "hiac/base/parallel.hpp"
+#include "hiac/render/background.hpp"
+#include "hiac/render/frame.hpp"
+#include "hiac/render/general_cells.hpp"
+#include "hiac/render/tetrahedron_kernel.hpp"
+#include "hiac/render/tile.hpp"
+#include "hiac/render/tile_bins.hpp"
+
+namespace hiac {
+namespace {
+
+// Segments may begin this much before the one in front of them ended, relative to the depth of the
+// mesh: faces computed by different routes differ by rounding.
+constexpr double kWitnessTolerance = 1e-9;
+
+// Between two looks at whether a tile's pixels are all opaque.
+constexpr std::size_t kCellsPerLook = 256;
+
+double seconds_now() {
+  using Clock = std::chrono::steady_clock;
+  return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+}
+
+double depth_of_mesh(const ZooMesh& mesh, const Projector& projector) {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (NodeId node = 0; node < mesh.node_count(); ++node) {
+    const double t = projector.parameter(mesh.position(node));
+    least = std::min(least, t);
+    most = std::max(most, t);
+  }
+  return mesh.node_count() == 0 ? 0 : most - least;
+}
+
+template <std::size_t N>
+FrameField frame_field(const ZooMesh& mesh, const std::string& name,
+                       const TransferTable<N>& table) {
+  Field field = scalar_field(mesh, name);
+  FrameField result{field.values, {}, field.location};
+  result.intervals = classify_values(result.values.view(), table);
+  return result;
+}
+
+FrameField zero_field(const ZooMesh& mesh) {
+  FrameField zero{std::vector<double>(mesh.cell_count(), 0.0), {}, FieldLocation::cell};
+  zero.intervals.assign(mesh.cell_count(), {0, 0});
+  return zero;
+}
+
+Frame make_frame(const ZooMesh& mesh, const Scene& scene, const Projector& projector) {
+  Frame frame{.mesh = mesh,
+              .projector = projector,
+              .nodes = project_nodes(mesh, projector),
+              .optics = make_optics_tables(scene.volume),
+              .color = {},
+              .extinction = {}};
+  const auto& color = scene.volume.color;
+  const auto& extinction = scene.volume.extinction;
+  if (extinction)
+    frame.extinction = frame_field(mesh, extinction->field, frame.optics.extinction);
+  else if (color)
+    frame.extinction = frame_field(mesh, color->field, frame.optics.extinction);
+  else
+    frame.extinction = zero_field(mesh);
+  if (!frame.optics.same_field) frame.color = frame_field(mesh, color->field, frame.optics.color);
+  frame.tolerance = scene.render.tolerance;
+  frame.witness_tolerance = kWitnessTolerance * depth_of_mesh(mesh, projector);
+  // What lies behind a transparency T adds at most T times the largest colour to a pixel and T to
+  // its alpha. Emission has no such bound: it grows with the length of the ray.
+  frame.least_transparency =
+      frame.optics.emission ? 0
+                            : scene.render.tolerance / std::max(1.0, frame.optics.largest_color);
+  return frame;
+}
+
+bool all_opaque(const TileBuffer& buffer, const TileRect& tile, double least) {
+  for (int y = tile.y0; y < tile.y1; ++y) {
+    const double* row =
+        buffer.transparency.data() + static_cast<std::size_t>(y - tile.y0) * kTileStride;
+    for (int x = 0; x < tile.x1 - tile.x0; ++x)
+      if (row[x] > least) return false;
+  }
+  return true;
+}
+
+// Renders one tile from its cells.
+class TileRenderer {
+ public:
+  TileRenderer(const Frame& frame, const VisibilityOrder& order, const TileRect& tile)
+      : frame_(frame), order_(order), tile_(tile) {
+    buffer_.reset(tile, frame.projector);
+  }
+
+  void render(std::span<const std::uint32_t> ranks) {
+    std::size_t begin = 0;
+    while (begin < ranks.size()) {
+      const CellGroup* group = group_of(ranks[begin]);
+      const std::uint32_t stop =
+          group != nullptr ? group->first + group->count : next_group_first(ranks[begin]);
+      std::size_t end = begin;
+      while (end < ranks.size() && ranks[end] < stop &&
+             (group != nullptr || end - begin < kCellsPerLook))
+        ++end;
+      segments_.clear();
+      SegmentList* list = group != nullptr ? &segments_ : nullptr;
+      render_run(ranks.subspan(begin, end - begin), list);
+      if (group != nullptr) composite_sorted(segments_, frame_.witness_tolerance, buffer_, counts_);
+      if (all_opaque(buffer_, tile_, frame_.least_transparency)) return;
+      begin = end;
+    }
+  }
+
+  [[nodiscard]] const TileBuffer& buffer() const { return buffer_; }
+  [[nodiscard]] const TileCounts& counts() const { return counts_; }
+
+ private:
+  // The last group that starts at or before a rank.
+  [[nodiscard]] auto group_after(std::uint32_t rank) const {
+    return std::upper_bound(order_.groups.begin(), order_.groups.end(), rank,
+                            [](std::uint32_t r, const CellGroup& g) { return r < g.first; });
+  }
+  [[nodiscard]] const CellGroup* group_of(std::uint32_t rank) const {
+    const auto after = group_after(rank);
+    if (after == order_.groups.begin()) return nullptr;
+    const CellGroup& group = *(after - 1);
+    return rank < group.first + group.count ? &group : nullptr;
+  }
+  [[nodiscard]] std::uint32_t next_group_first(std::uint32_t rank) const {
+    const auto after = group_after(rank);
+    return after == order_.groups.end() ? std::numeric_limits<std::uint32_t>::max() : after->first;
+  }
+
+  [[nodiscard]] bool for_kernel(CellId cell) const {
+    if (frame_.mesh.kinds[cell] != CellKind::tetrahedron4) return false;
+    const auto nodes = frame_.mesh.cell_nodes(cell);
+    return std::ranges::none_of(nodes,
+                                [&](NodeId node) { return std::isnan(frame_.nodes[node].depth); });
+  }
+
+  void render_run(std::span<const std::uint32_t> ranks, SegmentList* group) {
+    std::size_t begin = 0;
+    while (begin < ranks.size()) {
+      const bool kernel = for_kernel(order_.cells[ranks[begin]]);
+      cells_.clear();
+      while (begin < ranks.size() && for_kernel(order_.cells[ranks[begin]]) == kernel)
+        cells_.push_back(order_.cells[ranks[begin++]]);
+      const auto draw = kernel ? render_tetrahedra : render_general_cells;
+      draw(frame_, cells_, tile_, buffer_, group, counts_);
+    }
+  }
+
+  const Frame& frame_;
+  const VisibilityOrder& order_;
+  TileRect tile_;
+  TileBuffer buffer_;
+  SegmentList segments_;
+  std::vector<CellId> cells_;
+  TileCounts counts_;
+};
+
+// What a tile leaves behind besides its pixels.
+struct TileSummary {
+  TileCounts counts;
+  double optical_depth_sum = 0, optical_depth_most = 0;
+  std::uint64_t covered = 0;
+};
+
+TileSummary write_tile(const TileBuffer& buffer, const TileRect& tile, const Scene& scene,
+                       bool with_background, Image& image) {
+  TileSummary summary;
+  for (int y = tile.y0; y < tile.y1; ++y) {
+    for (int x = tile.x0; x < tile.x1; ++x) {
+      const std::size_t at = static_cast<std::size_t>(y - tile.y0) * kTileStride +
+                             static_cast<std::size_t>(x - tile.x0);
+      const auto column = static_cast<std::uint32_t>(x), row = static_cast<std::uint32_t>(y);
+      const double transparency = buffer.transparency[at];
+      const auto pixel = image.pixel(column, row);
+      const Color behind =
+          with_background ? background_at(scene.background, scene.image, column, row) : Color{};
+      pixel[0] = buffer.red[at] + transparency * behind[0];
+      pixel[1] = buffer.green[at] + transparency * behind[1];
+      pixel[2] = buffer.blue[at] + transparency * behind[2];
+      pixel[3] = 1 - transparency;
+      if (buffer.last[at] == -std::numeric_limits<double>::infinity()) continue;
+      const double depth = -std::log(std::max(transparency, std::numeric_limits<double>::min()));
+      summary.optical_depth_sum += depth;
+      summary.optical_depth_most = std::max(summary.optical_depth_most, depth);
+      ++summary.covered;
+    }
+  }
+  return summary;
+}
+
+}  // namespace
+
+void check_renderable(const ZooMesh& mesh, const Scene& scene) {
+  if (!scene.isosurfaces.empty())
+    throw InputError("key `isosurface`: isosurfaces are not drawn by this version");
+  if (scene.render.integration != Integration::exact)
+    throw InputError("key `render.integration`: this version integrates \"exact\" alone");
+  if (scene.render.interpolation != Interpolation::isoparametric)
+    throw InputError(
+        "key `render.interpolation`: this version interpolates \"isoparametric\" alone");
+  if (scene.render.splat_below != 0)
+    throw InputError("key `render.splat_below`: this version does not splat (expected 0)");
+  for (CellId cell = 0; cell < mesh.cell_count(); ++cell)
+    if (order_of(mesh.kinds[cell]) != CellOrder::linear)
+      throw InputError("cell " + std::to_string(cell) + " is a " +
+                       std::string(kind_name(mesh.kinds[cell])) +
+                       ": this version draws linear cells alone (convert with --corners-only to "
+                       "neglect the nodes between corners)");
+}
+
+RenderResult render(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
+                    bool with_background) {
+  const double start = seconds_now();
+  const Projector projector(scene.camera, scene.image);
+  const Frame frame = make_frame(mesh, scene, projector);
+  const TileBins bins = bin_cells(frame, order, scene.image);
+  RenderResult result{Image(scene.image.width, scene.image.height, rgba_channels()), {}};
+  const double prepared = seconds_now();
+
+  std::vector<TileSummary> summaries(bins.tiles.size());
+  parallel_for(bins.tiles.size(), 1, [&](IndexRange range) {
+    const std::size_t tile = range.begin;
+    TileRenderer renderer(frame, order, bins.tiles[tile]);
+    renderer.render(bins.cells_of(tile));
+    summaries[tile] =
+        write_tile(renderer.buffer(), bins.tiles[tile], scene, with_background, result.image);
+    summaries[tile].counts = renderer.counts();
+  });
+
+  RenderStatistics& statistics = result.statistics;
+  for (const TileSummary& summary : summaries) {
+    statistics.segments += summary.counts.segments;
+    statistics.violations += summary.counts.violations;
+    statistics.covered_pixels += summary.covered;
+    statistics.mean_optical_depth += summary.optical_depth_sum;
+    statistics.largest_optical_depth =
+        std::max(statistics.largest_optical_depth, summary.optical_depth_most);
+  }
+  if (statistics.covered_pixels > 0)
+    statistics.mean_optical_depth /= static_cast<double>(statistics.covered_pixels);
+  statistics.prepare_seconds = prepared - start;
+  statistics.tile_seconds = seconds_now() - prepared;
+  return result;
+}
+
+}  // namespace hiac

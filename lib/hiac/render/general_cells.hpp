@@ -1,0 +1,17 @@
+#pragma once
+
+#include <span>
+
+#include "hiac/render/frame.hpp"
+#include "hiac/render/tile.hpp"
+
+namespace hiac {
+
+/// Renders what the tetrahedron kernel does not: linear pyramids, prisms, wedges and bricks with
+/// planar faces, and cells of every linear kind that reach beside or behind the eye. Same order,
+/// same watertight scan conversion, same compositing; the field along a ray is the isoparametric
+/// interpolant.
+void render_general_cells(const Frame& frame, std::span<const CellId> cells, const TileRect& tile,
+                          TileBuffer& buffer, SegmentList* group, TileCounts& counts);
+
+}  // namespace hiac

@@ -1,0 +1,300 @@
+#include "hiac/render/tetrahedron_kernel.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "hiac/render/tetrahedron_kernel.cpp"
+#include <hwy/foreach_target.h>
+// must come after foreach_target.h
+#include <hwy/highway.h>
+
+#include "hiac/render/scan_conversion-inl.hpp"
+#include "hiac/render/shading-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace hiac::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// A tetrahedron's corners as indices into its nodes, by ascending node id.
+HWY_INLINE std::array<std::size_t, 4> ascending_corners(const NodeId* nodes) {
+  std::array<std::uint64_t, 4> key;
+  for (std::size_t k = 0; k < 4; ++k) key[k] = (static_cast<std::uint64_t>(nodes[k]) << 2) | k;
+  const auto order = [&](std::size_t i, std::size_t j) {
+    const std::uint64_t low = std::min(key[i], key[j]), high = std::max(key[i], key[j]);
+    key[i] = low;
+    key[j] = high;
+  };
+  order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
+  return {key[0] & 3, key[1] & 3, key[2] & 3, key[3] & 3};
+}
+
+// What one cell needs beyond its geometry.
+struct CellScalars {
+  IntervalRange color, extinction;
+  double least_color, most_color, least_extinction, most_extinction;
+
+  [[nodiscard]] bool uniform() const {
+    return color.low == color.high && extinction.low == extinction.high;
+  }
+};
+
+// Loads the corner values of one field; returns the range of intervals that they span.
+HWY_INLINE IntervalRange load_field(const FrameField& field, CellId cell, std::uint64_t first_entry,
+                                    const NodeId* nodes, const std::array<std::size_t, 4>& corner,
+                                    double* values, double& least, double& most) {
+  IntervalRange range{~std::size_t{0}, 0};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::size_t at = field.index(cell, first_entry + corner[k], nodes[corner[k]]);
+    values[k] = field.values[at];
+    range.low = std::min<std::size_t>(range.low, field.intervals[at].low);
+    range.high = std::max<std::size_t>(range.high, field.intervals[at].high);
+  }
+  least = std::min(std::min(values[0], values[1]), std::min(values[2], values[3]));
+  most = std::max(std::max(values[0], values[1]), std::max(values[2], values[3]));
+  return range;
+}
+
+HWY_INLINE bool all_zero(const std::vector<std::uint8_t>& zero, IntervalRange range) {
+  for (std::size_t k = range.low; k <= range.high; ++k)
+    if (zero[k] == 0) return false;
+  return true;
+}
+
+// Renders one kind of scene; the template arguments are what the inner loop must not ask about.
+template <bool kSeparateFields, bool kEmission>
+class TetrahedronRenderer {
+ public:
+  TetrahedronRenderer(const Frame& frame, const TileRect& tile, TileBuffer& buffer,
+                      SegmentList* group, TileCounts& counts)
+      : frame_(frame),
+        tile_(tile),
+        buffer_(buffer),
+        group_(group),
+        counts_(counts),
+        perspective_(frame.projector.perspective()),
+        clipped_(frame.projector.near() > (perspective_ ? 0.0 : -hwy::HighestValue<double>()) ||
+                 frame.projector.far() < hwy::HighestValue<double>()) {}
+
+  HWY_INLINE void render(CellId cell) {
+    CellScalars scalars;
+    if (!load(cell, scalars)) return;
+    if (!scan_faces(corners_, tile_, runs_)) return;
+    set_face_planes(corners_, kSeparateFields, planes_);
+    const auto [nearest, farthest] =
+        std::minmax({corners_.depth[0], corners_.depth[1], corners_.depth[2], corners_.depth[3]});
+    const int lanes = static_cast<int>(hn::Lanes(D()));
+    for (int row = runs_.row_begin; row < runs_.row_end; ++row) {
+      const auto r = static_cast<std::size_t>(row - runs_.row_begin);
+      const int first = static_cast<int>(runs_.span_first[r]);
+      const int last = static_cast<int>(runs_.span_last[r]);
+      for (int x = first; x < last; x += lanes)
+        render_pixels(scalars, row, x, last, nearest, farthest);
+    }
+  }
+
+ private:
+  using D = hn::CappedTag<double, 8>;
+  using V = hn::Vec<D>;
+  using M = hn::Mask<D>;
+
+  HWY_INLINE bool load(CellId cell, CellScalars& scalars) {
+    const std::uint64_t first_entry = frame_.mesh.elems[cell];
+    const NodeId* nodes = frame_.mesh.nodes.data() + first_entry;
+    const auto corner = ascending_corners(nodes);
+    scalars.extinction =
+        load_field(frame_.extinction, cell, first_entry, nodes, corner, corners_.extinction,
+                   scalars.least_extinction, scalars.most_extinction);
+    scalars.color = scalars.extinction;
+    if constexpr (kSeparateFields)
+      scalars.color = load_field(frame_.color, cell, first_entry, nodes, corner, corners_.color,
+                                 scalars.least_color, scalars.most_color);
+    // where nothing absorbs, chromaticity has nothing to colour: the cell is empty space
+    const OpticsTables& optics = frame_.optics;
+    if (all_zero(optics.no_extinction, scalars.extinction) &&
+        (!kEmission || all_zero(optics.no_color, scalars.color)))
+      return false;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const ProjectedNode& node = frame_.nodes[nodes[corner[k]]];
+      corners_.x[k] = node.x;
+      corners_.y[k] = node.y;
+      corners_.depth[k] = node.depth;
+      if (perspective_) {
+        // fields are not affine on the screen, but fields times 1/t are
+        corners_.extinction[k] *= node.depth;
+        if constexpr (kSeparateFields) corners_.color[k] *= node.depth;
+      }
+    }
+    return true;
+  }
+
+  HWY_INLINE void render_pixels(const CellScalars& scalars, int row, int x, int last,
+                                double nearest, double farthest) {
+    const D d;
+    const V pixel = hn::Iota(d, x);
+    EntryAndExit<V> e = entry_and_exit<kSeparateFields>(d, planes_, runs_, row, pixel);
+    const std::size_t at = static_cast<std::size_t>(row - tile_.y0) * kTileStride +
+                           static_cast<std::size_t>(x - tile_.x0);
+    const V behind = hn::LoadU(d, buffer_.transparency.data() + at);
+    M active = hn::And(hn::Lt(pixel, hn::Set(d, last)), hn::Le(e.front, e.back));
+    active = hn::And(active, hn::Gt(behind, hn::Set(d, frame_.least_transparency)));
+    if (hn::AllFalse(d, active)) return;
+    // the corners bound what rounding may do on faces seen edge-on
+    e.front = hn::Min(hn::Max(e.front, hn::Set(d, nearest)), hn::Set(d, farthest));
+    e.back = hn::Min(hn::Max(e.back, hn::Set(d, nearest)), hn::Set(d, farthest));
+    to_ray_parameter(d, e);
+    clamp_fields(d, scalars, e);
+    if (clipped_) clip(d, e, active);
+    V length = hn::Sub(e.back, e.front);
+    if (perspective_) length = hn::Mul(length, hn::LoadU(d, buffer_.ray_scale.data() + at));
+    length = hn::IfThenElseZero(active, length);
+    counts_.segments += hn::CountTrue(d, active);
+
+    const Radiance<V> radiance =
+        scalars.uniform()
+            ? uniform_radiance<kEmission>(d, frame_.optics, scalars.color.low,
+                                          scalars.extinction.low, length, e.front_color,
+                                          e.back_color, e.front_extinction, e.back_extinction)
+            : cut_radiance<kSeparateFields, kEmission>(
+                  d, frame_.optics, scalars.color, scalars.extinction, length, e.front_color,
+                  e.back_color, e.front_extinction, e.back_extinction, active);
+    if (group_ != nullptr)
+      collect(d, at, e, radiance, active);
+    else
+      composite(d, at, e, radiance, active, behind);
+  }
+
+  HWY_INLINE void to_ray_parameter(D d, EntryAndExit<V>& e) const {
+    if (perspective_) {
+      const V minus_one = hn::Set(d, -1.0);
+      const V front = hn::Div(minus_one, e.front), back = hn::Div(minus_one, e.back);
+      e.front_extinction = hn::Neg(hn::Mul(e.front_extinction, front));
+      e.back_extinction = hn::Neg(hn::Mul(e.back_extinction, back));
+      if constexpr (kSeparateFields) {
+        e.front_color = hn::Neg(hn::Mul(e.front_color, front));
+        e.back_color = hn::Neg(hn::Mul(e.back_color, back));
+      }
+      e.front = front;
+      e.back = back;
+    }
+    if constexpr (!kSeparateFields) {
+      e.front_color = e.front_extinction;
+      e.back_color = e.back_extinction;
+    }
+  }
+
+  HWY_INLINE static V clamped(D d, V v, double low, double high) {
+    return hn::Min(hn::Max(v, hn::Set(d, low)), hn::Set(d, high));
+  }
+  HWY_INLINE void clamp_fields(D d, const CellScalars& s, EntryAndExit<V>& e) const {
+    e.front_extinction = clamped(d, e.front_extinction, s.least_extinction, s.most_extinction);
+    e.back_extinction = clamped(d, e.back_extinction, s.least_extinction, s.most_extinction);
+    if constexpr (kSeparateFields) {
+      e.front_color = clamped(d, e.front_color, s.least_color, s.most_color);
+      e.back_color = clamped(d, e.back_color, s.least_color, s.most_color);
+    } else {
+      e.front_color = e.front_extinction;
+      e.back_color = e.back_extinction;
+    }
+  }
+
+  // z-clipping: the segment is restricted to the slab pixel by pixel (section 5.1, scissoring).
+  HWY_INLINE void clip(D d, EntryAndExit<V>& e, M& active) const {
+    const V front = hn::Max(e.front, hn::Set(d, frame_.projector.near()));
+    const V back = hn::Min(e.back, hn::Set(d, frame_.projector.far()));
+    active = hn::And(active, hn::Lt(front, back));
+    const V length = hn::Sub(e.back, e.front);
+    const auto at = [&](V t, V front_value, V back_value) {
+      const V u = hn::Div(hn::Sub(t, e.front), length);
+      const V between = hn::MulAdd(hn::Sub(back_value, front_value), u, front_value);
+      return hn::IfThenElse(hn::Eq(t, e.front), front_value,
+                            hn::IfThenElse(hn::Eq(t, e.back), back_value, between));
+    };
+    const EntryAndExit<V> clipped{front,
+                                  back,
+                                  at(front, e.front_color, e.back_color),
+                                  at(back, e.front_color, e.back_color),
+                                  at(front, e.front_extinction, e.back_extinction),
+                                  at(back, e.front_extinction, e.back_extinction)};
+    e = clipped;
+  }
+
+  HWY_INLINE void composite(D d, std::size_t at, const EntryAndExit<V>& e,
+                            const Radiance<V>& radiance, M active, V behind) {
+    const V last = hn::LoadU(d, buffer_.last.data() + at);
+    const V tolerance = hn::Set(d, frame_.witness_tolerance);
+    const M violated = hn::And(active, hn::Lt(e.front, hn::Sub(last, tolerance)));
+    counts_.violations += hn::CountTrue(d, violated);
+    hn::StoreU(hn::IfThenElse(active, hn::Max(last, e.back), last), d, buffer_.last.data() + at);
+    const V visible = hn::IfThenElseZero(active, behind);
+    const auto add = [&](std::vector<double>& plane, V light) {
+      double* pixels = plane.data() + at;
+      const V sum = hn::LoadU(d, pixels);
+      hn::StoreU(hn::IfThenElse(active, hn::MulAdd(visible, light, sum), sum), d, pixels);
+    };
+    add(buffer_.red, radiance.red);
+    add(buffer_.green, radiance.green);
+    add(buffer_.blue, radiance.blue);
+    hn::StoreU(hn::IfThenElse(active, hn::Mul(behind, radiance.transparency), behind), d,
+               buffer_.transparency.data() + at);
+  }
+
+  void collect(D d, std::size_t at, const EntryAndExit<V>& e, const Radiance<V>& radiance,
+               M active) {
+    HWY_ALIGN double front[8], back[8], red[8], green[8], blue[8], zeta[8], use[8];
+    hn::Store(e.front, d, front);
+    hn::Store(e.back, d, back);
+    hn::Store(radiance.red, d, red);
+    hn::Store(radiance.green, d, green);
+    hn::Store(radiance.blue, d, blue);
+    hn::Store(radiance.transparency, d, zeta);
+    hn::Store(hn::IfThenElseZero(active, hn::Set(d, 1.0)), d, use);
+    for (std::size_t k = 0; k < hn::Lanes(d); ++k)
+      if (use[k] != 0)
+        group_->append(static_cast<std::uint32_t>(at + k), front[k], back[k], red[k], green[k],
+                       blue[k], zeta[k]);
+  }
+
+  const Frame& frame_;
+  const TileRect& tile_;
+  TileBuffer& buffer_;
+  SegmentList* group_;
+  TileCounts& counts_;
+  bool perspective_, clipped_;
+  ProjectedTetrahedron corners_;
+  FacePlanes planes_;
+  FaceRuns runs_;
+};
+
+template <bool kSeparateFields, bool kEmission>
+HWY_NOINLINE void render_all(const Frame& frame, std::span<const CellId> cells,
+                             const TileRect& tile, TileBuffer& buffer, SegmentList* group,
+                             TileCounts& counts) {
+  TetrahedronRenderer<kSeparateFields, kEmission> renderer(frame, tile, buffer, group, counts);
+  for (const CellId cell : cells) renderer.render(cell);
+}
+
+void render_tetrahedra_here(const Frame& frame, std::span<const CellId> cells, const TileRect& tile,
+                            TileBuffer& buffer, SegmentList* group, TileCounts& counts) {
+  const bool separate = !frame.optics.same_field, emission = frame.optics.emission;
+  const auto render = separate ? (emission ? render_all<true, true> : render_all<true, false>)
+                               : (emission ? render_all<false, true> : render_all<false, false>);
+  render(frame, cells, tile, buffer, group, counts);
+}
+
+}  // namespace hiac::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hiac {
+
+HWY_EXPORT(render_tetrahedra_here);
+
+void render_tetrahedra(const Frame& frame, std::span<const CellId> cells, const TileRect& tile,
+                       TileBuffer& buffer, SegmentList* group, TileCounts& counts) {
+  HWY_DYNAMIC_DISPATCH(render_tetrahedra_here)(frame, cells, tile, buffer, group, counts);
+}
+
+}  // namespace hiac
+#endif

@@ -1,0 +1,272 @@
+#include "hiac/optics/linear_piece.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <random>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "arb_oracle.hpp"
+#include "hiac/optics/linear_piece_simd.hpp"
+#include "hwy/highway.h"
+
+namespace hiac {
+namespace {
+
+constexpr double kBound = 1e-14;
+constexpr double kSmallestDenormal = 0x1p-1074;
+constexpr double kLargest = 1e6;
+
+struct Pieces {
+  std::vector<double> b;
+  std::vector<double> a;
+
+  void add(double front, double back) {
+    if (front <= kLargest && back <= kLargest) {
+      b.push_back(front);
+      a.push_back(back);
+    }
+  }
+  void add_both_ways(double x, double y) {
+    add(x, y);
+    add(y, x);
+  }
+};
+
+/// Results of a batch, chromaticity and emission.
+struct Results {
+  std::vector<LinearPieceWeights> weights;
+  std::vector<LinearPieceWeights> emission;
+};
+
+Results by_scalars(const Pieces& pieces) {
+  Results r;
+  for (std::size_t i = 0; i < pieces.b.size(); ++i) {
+    r.weights.push_back(linear_piece_weights(pieces.b[i], pieces.a[i]));
+    r.emission.push_back(linear_piece_emission(pieces.b[i], pieces.a[i]));
+  }
+  return r;
+}
+
+using Batch = void (*)(std::span<const double>, std::span<const double>, const LinearPieceOutput&);
+
+std::vector<LinearPieceWeights> run_batch(Batch batch, std::span<const double> b,
+                                          std::span<const double> a) {
+  std::vector<double> transparency(b.size());
+  std::vector<double> front(b.size());
+  std::vector<double> back(b.size());
+  batch(b, a, {transparency, front, back});
+  std::vector<LinearPieceWeights> r;
+  for (std::size_t i = 0; i < b.size(); ++i) r.push_back({transparency[i], front[i], back[i]});
+  return r;
+}
+
+Results by_batches(const Pieces& pieces) {
+  return {run_batch(linear_piece_weights, pieces.b, pieces.a),
+          run_batch(linear_piece_emission, pieces.b, pieces.a)};
+}
+
+/// Calls f once per instruction set that Highway compiled for and this processor has.
+void for_each_target(const std::function<void(const std::string&)>& f) {
+  for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
+    hwy::SetSupportedTargetsForTest(target);
+    f(hwy::TargetName(target));
+  }
+  hwy::SetSupportedTargetsForTest(0);
+}
+
+/// Error of a value in units of what is allowed: 1e-14 relative, or two smallest denormals.
+double scaled_error(double value, double exact) {
+  const double excess = std::abs(value - exact) - 2 * kSmallestDenormal;
+  if (excess <= 0) return 0;
+  return excess / (kBound * exact);
+}
+
+struct Worst {
+  double error = 0;
+  double b = 0;
+  double a = 0;
+  const char* what = "";
+};
+
+void judge(const Results& results, const Pieces& pieces, const std::vector<test::ExactPiece>& exact,
+           const std::string& who) {
+  Worst worst;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    const auto check = [&](const char* what, double value, double truth) {
+      const double error = scaled_error(value, truth);
+      if (!(error <= worst.error)) worst = {error, pieces.b[i], pieces.a[i], what};
+    };
+    const LinearPieceWeights& w = results.weights[i];
+    const LinearPieceWeights& e = results.emission[i];
+    check("zeta", w.transparency, exact[i].zeta);
+    check("1 - Psi", w.front, exact[i].front);
+    check("Psi - zeta", w.back, exact[i].back);
+    check("1 - zeta", w.front + w.back, exact[i].alpha);
+    check("zeta (emission)", e.transparency, exact[i].zeta);
+    check("Psi - Psi_1", e.front, exact[i].psi0);
+    check("Psi_1", e.back, exact[i].psi1);
+    check("Psi", e.front + e.back, exact[i].psi);
+  }
+  std::printf("%-8s %zu pieces, largest relative error %.1e (%s at b = %.17g, a = %.17g)\n",
+              who.c_str(), exact.size(), worst.error * kBound, worst.what, worst.b, worst.a);
+  EXPECT_LE(worst.error, 1) << who << ": " << worst.what << " at b = " << worst.b
+                            << ", a = " << worst.a;
+}
+
+void expect_exact(const Pieces& pieces) {
+  std::vector<test::ExactPiece> exact;
+  for (std::size_t i = 0; i < pieces.b.size(); ++i)
+    exact.push_back(test::exact_linear_piece(pieces.b[i], pieces.a[i]));
+  judge(by_scalars(pieces), pieces, exact, "scalar");
+  for_each_target([&](const std::string& name) { judge(by_batches(pieces), pieces, exact, name); });
+}
+
+class Random {
+ public:
+  double uniform(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(engine_);
+  }
+  double log_uniform(double low, double high) {
+    return std::exp2(uniform(std::log2(low), std::log2(high)));
+  }
+
+ private:
+  std::mt19937_64 engine_{20240611};
+};
+
+TEST(LinearPiece, IsExactForRendererInput) {
+  Random random;
+  Pieces pieces;
+  for (int i = 0; i < 20000; ++i) pieces.add(random.uniform(0, 0.1), random.uniform(0, 0.1));
+  for (int i = 0; i < 20000; ++i) pieces.add(random.uniform(0, 1), random.uniform(0, 1));
+  expect_exact(pieces);
+}
+
+TEST(LinearPiece, IsExactForModerateNumbers) {
+  Random random;
+  Pieces pieces;
+  for (int i = 0; i < 20000; ++i) pieces.add(random.uniform(0, 10), random.uniform(0, 10));
+  for (int i = 0; i < 30000; ++i)
+    pieces.add(random.log_uniform(1e-9, kLargest), random.log_uniform(1e-9, kLargest));
+  for (int i = 0; i < 10000; ++i) pieces.add(random.uniform(0, 1500), random.uniform(0, 1500));
+  expect_exact(pieces);
+}
+
+TEST(LinearPiece, IsExactDownToDenormals) {
+  Random random;
+  Pieces pieces;
+  for (int i = 0; i < 3000; ++i)
+    pieces.add(random.log_uniform(0x1p-1074, kLargest), random.log_uniform(0x1p-1074, kLargest));
+  for (int i = 0; i < 1000; ++i)
+    pieces.add(random.log_uniform(0x1p-1074, 1e-300), random.log_uniform(0x1p-1074, 1e-300));
+  for (int i = 0; i < 20; ++i)
+    for (int j = 0; j < 20; ++j) pieces.add(i * kSmallestDenormal, j * kSmallestDenormal);
+  expect_exact(pieces);
+}
+
+TEST(LinearPiece, IsExactForNearlyEqualEnds) {
+  Random random;
+  Pieces pieces;
+  for (int i = 0; i < 3000; ++i) {
+    const double x = random.log_uniform(1e-12, kLargest);
+    pieces.add(x, x);
+    pieces.add_both_ways(x, std::nextafter(x, 2 * x));
+    pieces.add_both_ways(x, x * (1 + 0x1p-52 * std::floor(random.uniform(0, 9))));
+    pieces.add_both_ways(x, x * (1 + random.log_uniform(1e-16, 1e-1)));
+  }
+  expect_exact(pieces);
+}
+
+TEST(LinearPiece, IsExactWithAZeroEnd) {
+  Random random;
+  Pieces pieces;
+  pieces.add(0, 0);
+  for (int i = 0; i < 8000; ++i) pieces.add_both_ways(0, random.log_uniform(1e-20, kLargest));
+  for (int i = 0; i < 1000; ++i)
+    pieces.add_both_ways(0, random.log_uniform(kSmallestDenormal, 1e-20));
+  expect_exact(pieces);
+}
+
+/// Where a + b decides between thin (1/2), medium (8) and thick.
+TEST(LinearPiece, IsExactWhereTheMethodChanges) {
+  Random random;
+  Pieces pieces;
+  for (const double sum : {0.5, 8.0})
+    for (int i = 0; i <= 2000; ++i) {
+      const double b = sum * i / 2000;
+      const double a = sum - b;
+      pieces.add(b, a);
+      pieces.add(b, std::nextafter(a, kLargest));
+      pieces.add(b, a > 0 ? std::nextafter(a, 0.0) : 0);
+      pieces.add(b, a * random.uniform(0.99, 1.01));
+    }
+  expect_exact(pieces);
+}
+
+TEST(LinearPiece, IsExactAtTheLimits) {
+  const LinearPieceWeights w = linear_piece_weights(0, 0);
+  EXPECT_EQ(w.transparency, 1);
+  EXPECT_EQ(w.front, 0);
+  EXPECT_EQ(w.back, 0);
+  const LinearPieceWeights e = linear_piece_emission(0, 0);
+  EXPECT_EQ(e.transparency, 1);
+  EXPECT_EQ(e.front, 0.5);
+  EXPECT_EQ(e.back, 0.5);
+}
+
+bool same_bits(const LinearPieceWeights& x, const LinearPieceWeights& y) {
+  return x.transparency == y.transparency && x.front == y.front && x.back == y.back;
+}
+
+TEST(LinearPieceBatch, AnElementDependsOnItsOwnPieceAlone) {
+  Random random;
+  Pieces pieces;
+  for (int i = 0; i < 4000; ++i) {
+    const double largest = i % 3 == 0 ? 0.1 : i % 3 == 1 ? 4 : 100;
+    pieces.add(random.uniform(0, largest), random.uniform(0, largest));
+  }
+  for_each_target([&](const std::string& name) {
+    for (const Batch batch : {Batch{linear_piece_weights}, Batch{linear_piece_emission}}) {
+      const auto together = run_batch(batch, pieces.b, pieces.a);
+      for (std::size_t i = 0; i < together.size(); ++i) {
+        const auto alone = run_batch(batch, {&pieces.b[i], 1}, {&pieces.a[i], 1});
+        ASSERT_TRUE(same_bits(together[i], alone[0])) << name << " element " << i;
+      }
+      for (std::size_t shift = 1; shift < 9; ++shift) {
+        const auto shifted = run_batch(batch, std::span(pieces.b).subspan(shift),
+                                       std::span(pieces.a).subspan(shift));
+        for (std::size_t i = 0; i < shifted.size(); ++i)
+          ASSERT_TRUE(same_bits(together[i + shift], shifted[i])) << name << " element " << i;
+      }
+    }
+  });
+}
+
+TEST(LinearPieceBatch, RefusesSpansOfDifferentLengths) {
+  std::vector<double> two(2);
+  std::vector<double> three(3);
+  EXPECT_THROW(linear_piece_weights(two, three, {two, two, two}), std::invalid_argument);
+  EXPECT_THROW(linear_piece_emission(two, two, {two, three, two}), std::invalid_argument);
+}
+
+/// A segment of length 1 on which the scalar runs from 0 to 1, the extinction is the tent (0, 0)
+/// (0.5, 4) (1, 0) and the colour runs from 0.2 to 0.9: two linear pieces. Integrators that look at
+/// the segment's ends alone see no extinction.
+TEST(LinearPiece, KeepsTheInteriorBreakpointOfATent) {
+  const LinearPieceWeights front = linear_piece_weights(0.0 * 0.5, 4.0 * 0.5);
+  const LinearPieceWeights back = linear_piece_weights(4.0 * 0.5, 0.0 * 0.5);
+  const double radiance = 0.2 * front.front + 0.55 * front.back +
+                          front.transparency * (0.55 * back.front + 0.9 * back.back);
+  const double opacity = 1 - front.transparency * back.transparency;
+  EXPECT_NEAR(radiance, 0.408869, 5e-7);
+  EXPECT_NEAR(opacity, 1 - std::exp(-2), 1e-15);
+}
+
+}  // namespace
+}  // namespace hiac

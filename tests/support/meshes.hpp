@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "hiac/mesh/zoo_mesh.hpp"
+
+namespace hiac::test {
+
+using Position = std::array<double, 3>;
+using ScalarFunction = std::function<double(const Position&)>;
+
+/// One cell to be put into a mesh.
+struct Cell {
+  CellKind kind;
+  std::vector<NodeId> nodes;
+};
+
+ZooMesh make_mesh(const std::vector<Position>& positions, const std::vector<Cell>& cells);
+
+/// Adds a scalar field at the nodes: the function's value there.
+void add_node_field(ZooMesh& mesh, const std::string& name, const ScalarFunction& function);
+
+/// Delaunay tetrahedra of random points of the unit cube, with points on its faces, edges and
+/// corners so that the cube is filled. Slivers included, as Delaunay makes them.
+ZooMesh random_delaunay(std::size_t points, std::uint64_t seed);
+
+/// n^3 cubes of the unit cube; of bricks, or each cut in six tetrahedra around a diagonal, in two
+/// prisms, or in six pyramids.
+enum class Cut { bricks, tetrahedra, prisms, pyramids };
+ZooMesh structured(std::size_t n, Cut cut);
+
+/// A smooth field between 0 and 1 with hills and hollows.
+double smooth_field(const Position& p);
+
+}  // namespace hiac::test
