@@ -7,6 +7,7 @@
 
 #include "hiac/optics/linear_piece.hpp"
 #include "hiac/optics/linear_piece_simd.hpp"
+#include "hiac/optics/polynomial_piece.hpp"
 
 namespace hiac {
 namespace {
@@ -67,6 +68,31 @@ BENCHMARK_CAPTURE(run_batch, emission_to_100, kEmission, 100, 0);
 BENCHMARK_CAPTURE(run_scalar, weights_to_0_1, 0.1);
 BENCHMARK_CAPTURE(run_scalar, weights_to_1, 1);
 BENCHMARK_CAPTURE(run_scalar, weights_to_100, 100);
+
+/// Segments of optical depth about 0.1 whose field crosses about one breakpoint.
+void polynomial_segments(benchmark::State& state, Glow glow) {
+  const auto degree = static_cast<std::size_t>(state.range(0));
+  const std::vector<PiecewiseLinear<3>::Point> color_points{
+      {0, {0, 0, 1}}, {0.5, {1, 1, 1}}, {1, {1, 0, 0}}};
+  const std::vector<PiecewiseLinear<1>::Point> extinction_points{{0, {0}}, {1, {2}}};
+  const PiecewiseLinear<3> color(color_points);
+  const PiecewiseLinear<1> extinction(extinction_points);
+  std::mt19937_64 engine(8);
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::vector<PolynomialSegment> segments;
+  for (int i = 0; i < 256; ++i) {
+    std::vector<double> c(degree + 1);
+    for (double& v : c) v = unit(engine);
+    segments.push_back({BernsteinPolynomial(c), BernsteinPolynomial(c), 0.1});
+  }
+  for (auto _ : state)
+    for (const PolynomialSegment& segment : segments)
+      benchmark::DoNotOptimize(integrate_segment(segment, color, extinction, glow, 1e-9));
+  state.SetItemsProcessed(static_cast<std::int64_t>(segments.size()) * state.iterations());
+}
+
+BENCHMARK_CAPTURE(polynomial_segments, chromaticity, Glow::chromaticity)->Arg(1)->Arg(2)->Arg(4);
+BENCHMARK_CAPTURE(polynomial_segments, emission, Glow::emission)->Arg(2);
 
 }  // namespace
 }  // namespace hiac

@@ -124,50 +124,58 @@ struct Emission {
   }
 };
 
-/// Replaces the lanes of w that hold thick pieces, by the scalar evaluation.
-template <class Glow, class D, class V>
-HWY_NOINLINE void patch_thick_lanes(D d, V b, V a, PieceWeights<V>& w) {
-  constexpr std::size_t kMaxLanes = hn::MaxLanes(d);
-  HWY_ALIGN double b_lanes[kMaxLanes];
-  HWY_ALIGN double a_lanes[kMaxLanes];
-  HWY_ALIGN double transparency[kMaxLanes];
-  HWY_ALIGN double front[kMaxLanes];
-  HWY_ALIGN double back[kMaxLanes];
-  hn::Store(b, d, b_lanes);
-  hn::Store(a, d, a_lanes);
-  hn::Store(w.transparency, d, transparency);
-  hn::Store(w.front, d, front);
-  hn::Store(w.back, d, back);
-  for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
-    if (!(0.25 * (a_lanes[i] + b_lanes[i]) > series::MediumSeries::kSigma)) continue;
-    const LinearPieceWeights exact = Glow::scalar(b_lanes[i], a_lanes[i]);
-    transparency[i] = exact.transparency;
-    front[i] = exact.front;
-    back[i] = exact.back;
-  }
-  w = {hn::Load(d, transparency), hn::Load(d, front), hn::Load(d, back)};
+template <class V, class M>
+HWY_INLINE PieceWeights<V> select(M mask, const PieceWeights<V>& yes, const PieceWeights<V>& no) {
+  return {hn::IfThenElse(mask, yes.transparency, no.transparency),
+          hn::IfThenElse(mask, yes.front, no.front), hn::IfThenElse(mask, yes.back, no.back)};
 }
 
-/// Lanes that are not all thin: the medium series, thick lanes patched, thin lanes by their own.
+/// Overwrites the lanes that hold thick pieces, by the scalar evaluation. `out`: transparency,
+/// front and back, one vector after another.
 template <class Glow, class D, class V>
-HWY_NOINLINE PieceWeights<V> mixed_lanes(D d, V b, V a, PieceWeights<V> thin_weights) {
+HWY_NOINLINE void evaluate_thick_lanes(D d, V b, V a, double* HWY_RESTRICT out) {
+  constexpr std::size_t kLanes = hn::MaxLanes(d);
+  HWY_ALIGN double b_lanes[kLanes];
+  HWY_ALIGN double a_lanes[kLanes];
+  hn::Store(b, d, b_lanes);
+  hn::Store(a, d, a_lanes);
+  for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
+    if (!(0.25 * (a_lanes[i] + b_lanes[i]) > series::MediumSeries::kSigma)) continue;
+    const LinearPieceWeights w = Glow::scalar(b_lanes[i], a_lanes[i]);
+    out[i] = w.transparency;
+    out[kLanes + i] = w.front;
+    out[2 * kLanes + i] = w.back;
+  }
+}
+
+/// Lanes that are not all thin, each by its own method. The result goes through memory (`out`, as
+/// above), so that the caller of the common case keeps its vectors in registers.
+template <class Glow, class D, class V>
+HWY_NOINLINE void evaluate_mixed(D d, V b, V a, double* HWY_RESTRICT out) {
+  constexpr std::size_t kLanes = hn::MaxLanes(d);
   const V sigma = hn::Mul(hn::Set(d, 0.25), hn::Add(a, b));
   const auto thin = hn::Le(sigma, hn::Set(d, series::ThinSeries::kSigma));
+  const auto moderate = hn::Le(sigma, hn::Set(d, series::ModerateSeries::kSigma));
   const auto thick = hn::Gt(sigma, hn::Set(d, series::MediumSeries::kSigma));
-  PieceWeights<V> w = Glow::template evaluate<series::MediumSeries>(d, b, a);
-  w = {hn::IfThenElse(thin, thin_weights.transparency, w.transparency),
-       hn::IfThenElse(thin, thin_weights.front, w.front),
-       hn::IfThenElse(thin, thin_weights.back, w.back)};
-  if (!hn::AllFalse(d, thick)) patch_thick_lanes<Glow>(d, b, a, w);
-  return w;
+  PieceWeights<V> w = select(thin, Glow::template evaluate<series::ThinSeries>(d, b, a),
+                             Glow::template evaluate<series::ModerateSeries>(d, b, a));
+  if (!hn::AllTrue(d, moderate))
+    w = select(moderate, w, Glow::template evaluate<series::MediumSeries>(d, b, a));
+  hn::Store(w.transparency, d, out);
+  hn::Store(w.front, d, out + kLanes);
+  hn::Store(w.back, d, out + 2 * kLanes);
+  if (!hn::AllFalse(d, thick)) evaluate_thick_lanes<Glow>(d, b, a, out);
 }
 
 template <class Glow, class D, class V>
 HWY_INLINE PieceWeights<V> evaluate(D d, V b, V a) {
-  const PieceWeights<V> w = Glow::template evaluate<series::ThinSeries>(d, b, a);
   const V sigma = hn::Mul(hn::Set(d, 0.25), hn::Add(a, b));
-  if (HWY_LIKELY(hn::AllTrue(d, hn::Le(sigma, hn::Set(d, series::ThinSeries::kSigma))))) return w;
-  return mixed_lanes<Glow>(d, b, a, w);
+  if (HWY_LIKELY(hn::AllTrue(d, hn::Le(sigma, hn::Set(d, series::ThinSeries::kSigma)))))
+    return Glow::template evaluate<series::ThinSeries>(d, b, a);
+  constexpr std::size_t kLanes = hn::MaxLanes(d);
+  HWY_ALIGN double out[3 * kLanes];
+  evaluate_mixed<Glow>(d, b, a, out);
+  return {hn::Load(d, out), hn::Load(d, out + kLanes), hn::Load(d, out + 2 * kLanes)};
 }
 
 }  // namespace linear_piece_detail

@@ -29,7 +29,7 @@ struct SeriesValues {
 };
 
 template <class Kind>
-SeriesValues series_values(double b, double a) {
+SeriesValues sum_series(double b, double a) {
   const double sigma = 0.25 * (a + b);
   const double delta = 0.25 * (a - b);
   const double sigma2 = sigma * sigma;
@@ -37,7 +37,7 @@ SeriesValues series_values(double b, double a) {
   double kappa = 0;
   for (std::size_t j = Kind::delta_terms(); j-- > 0;) {
     kappa = 0;  // after the loop: the part of rho without delta
-    for (std::size_t k = Kind::rho_terms(j); k-- > 0;) kappa = kappa * sigma2 + Kind::kRho[j][k];
+    for (std::size_t k = Kind::kRhoTerms[j]; k-- > 0;) kappa = kappa * sigma2 + Kind::kRho[j][k];
     rho = rho * delta + kappa;
   }
   double s = 0;
@@ -45,6 +45,13 @@ SeriesValues series_values(double b, double a) {
   const double sinh_sigma = sigma * s;
   const double cosh_sigma = s + sigma2 * kappa;
   return {1 / (cosh_sigma + sinh_sigma), s, sinh_sigma, sigma2 * kappa - delta * rho, rho};
+}
+
+/// For pieces that are not thick: sigma = (a + b) / 4.
+SeriesValues series_values(double sigma, double b, double a) {
+  if (sigma <= series::ThinSeries::kSigma) return sum_series<series::ThinSeries>(b, a);
+  if (sigma <= series::ModerateSeries::kSigma) return sum_series<series::ModerateSeries>(b, a);
+  return sum_series<series::MediumSeries>(b, a);
 }
 
 /// exp(-(a + b) / 2), the rounding error of the sum included.
@@ -86,10 +93,7 @@ LinearPieceWeights emission_of(const SeriesValues& v, double b, double a) {
 
 LinearPieceWeights linear_piece_weights(double b, double a) {
   const double sigma = 0.25 * (a + b);
-  if (sigma <= series::ThinSeries::kSigma)
-    return weights_of(series_values<series::ThinSeries>(b, a));
-  if (sigma <= series::MediumSeries::kSigma)
-    return weights_of(series_values<series::MediumSeries>(b, a));
+  if (sigma <= series::MediumSeries::kSigma) return weights_of(series_values(sigma, b, a));
   const double zeta = thick_transparency(b, a);
   const double psi = thick_psi(b, a, zeta);
   return {zeta, 1 - psi, psi - zeta};
@@ -97,10 +101,7 @@ LinearPieceWeights linear_piece_weights(double b, double a) {
 
 LinearPieceWeights linear_piece_emission(double b, double a) {
   const double sigma = 0.25 * (a + b);
-  if (sigma <= series::ThinSeries::kSigma)
-    return emission_of(series_values<series::ThinSeries>(b, a), b, a);
-  if (sigma <= series::MediumSeries::kSigma)
-    return emission_of(series_values<series::MediumSeries>(b, a), b, a);
+  if (sigma <= series::MediumSeries::kSigma) return emission_of(series_values(sigma, b, a), b, a);
   const double zeta = thick_transparency(b, a);
   const double psi1 = thick_psi1(b, a, zeta);
   return {zeta, thick_psi(b, a, zeta) - psi1, psi1};

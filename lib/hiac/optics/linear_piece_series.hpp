@@ -83,6 +83,13 @@ struct Series {
     return k;
   }
 
+  /// kRhoTerms[j] = rho_terms(j), for loops.
+  static constexpr auto kRhoTerms = [] {
+    std::array<std::size_t, delta_terms()> table{};
+    for (std::size_t j = 0; j < delta_terms(); ++j) table[j] = rho_terms(j);
+    return table;
+  }();
+
   /// kRho[j][k] = rho_coefficient(j, k), zero where the term is left out.
   static constexpr auto kRho = [] {
     std::array<std::array<double, rho_terms(0)>, delta_terms()> table{};
@@ -98,9 +105,11 @@ struct Series {
   }();
 };
 
-/// Optical depth (a + b) / 2 = 2 sigma up to 1/4: by far the commonest pieces.
-using ThinSeries = Series<1, 8>;
-/// Optical depth up to 4.
+/// Optical depth (a + b) / 2 = 2 sigma up to 1/8: by far the commonest pieces.
+using ThinSeries = Series<1, 16>;
+/// Optical depth up to 1.
+using ModerateSeries = Series<1, 2>;
+/// Optical depth up to 4; beyond, a piece is thick.
 using MediumSeries = Series<2, 1>;
 
 }  // namespace hiac::linear_piece_series

@@ -71,6 +71,9 @@ Frame make_frame(const ZooMesh& mesh, const Scene& scene, const Projector& proje
   else
     frame.extinction = zero_field(mesh);
   if (!frame.optics.same_field) frame.color = frame_field(mesh, color->field, frame.optics.color);
+  frame.only_projectable_tetrahedra =
+      std::ranges::all_of(mesh.kinds, [](CellKind k) { return k == CellKind::tetrahedron4; }) &&
+      std::ranges::none_of(frame.nodes, [](const ProjectedNode& n) { return std::isnan(n.depth); });
   frame.tolerance = scene.render.tolerance;
   frame.witness_tolerance = kWitnessTolerance * depth_of_mesh(mesh, projector);
   // What lies behind a transparency T adds at most T times the largest colour to a pixel and T to
@@ -139,6 +142,7 @@ class TileRenderer {
   }
 
   [[nodiscard]] bool for_kernel(CellId cell) const {
+    if (frame_.only_projectable_tetrahedra) return true;
     if (frame_.mesh.kinds[cell] != CellKind::tetrahedron4) return false;
     const auto nodes = frame_.mesh.cell_nodes(cell);
     return std::ranges::none_of(nodes,

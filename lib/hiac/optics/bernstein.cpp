@@ -1,0 +1,168 @@
+// Based on: R. T. Farouki, "The Bernstein polynomial basis: a centennial retrospective", Computer
+// Aided Geometric Design 29, 2012; L. N. Trefethen, "Approximation Theory and Approximation
+// Practice", 2013, chapters 3 and 8.
+#include "hiac/optics/bernstein.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace hiac {
+namespace {
+
+void check_count(std::size_t count) {
+  if (count == 0 || count > kMaxFieldDegree + 1)
+    throw std::invalid_argument("a field along a ray needs 1 to 17 coefficients");
+}
+
+/// cos(pi i / n) for every degree n: the points of interpolation, and the transform's factors.
+struct CosineTables {
+  std::array<std::array<double, 2 * kMaxFieldDegree>, kMaxFieldDegree + 1> cosine{};
+  CosineTables() {
+    for (std::size_t n = 1; n <= kMaxFieldDegree; ++n)
+      for (std::size_t i = 0; i < 2 * n; ++i) {
+        // about the nearest quarter turn, so that symmetric points are symmetric in rounding too
+        const auto steps = static_cast<double>(n) - 2.0 * static_cast<double>(i);
+        cosine[n][i] = std::sin(std::numbers::pi / 2 * steps / static_cast<double>(n));
+      }
+  }
+};
+
+const CosineTables& cosine_tables() {
+  static const CosineTables tables;
+  return tables;
+}
+
+/// The polynomial of degree n with the values f(cos(pi j / n)), j = 0..n.
+ChebyshevPolynomial interpolant(const PolynomialCoefficients& values, std::size_t n) {
+  ChebyshevPolynomial p;
+  p.degree = n;
+  if (n == 0) {
+    p.c[0] = values[0];
+    return p;
+  }
+  const auto& cosine = cosine_tables().cosine[n];
+  for (std::size_t k = 0; k <= n; ++k) {
+    double sum = 0.5 * (values[0] + (k % 2 == 0 ? values[n] : -values[n]));
+    for (std::size_t j = 1; j < n; ++j) sum += values[j] * cosine[(j * k) % (2 * n)];
+    p.c[k] = sum * (k == 0 || k == n ? 1.0 : 2.0) / static_cast<double>(n);
+  }
+  return p;
+}
+
+/// One degree more for the same function.
+void elevate(PolynomialCoefficients& c, std::size_t degree) {
+  const auto n = static_cast<double>(degree + 1);
+  c[degree + 1] = c[degree];
+  for (std::size_t i = degree; i > 0; --i) {
+    const double part = static_cast<double>(i) / n;
+    c[i] = part * c[i - 1] + (1 - part) * c[i];
+  }
+}
+
+double binomial(std::size_t n, std::size_t k) {
+  double value = 1;
+  for (std::size_t i = 1; i <= k; ++i)
+    value = value * static_cast<double>(n - k + i) / static_cast<double>(i);
+  return value;
+}
+
+}  // namespace
+
+BernsteinPolynomial::BernsteinPolynomial(std::span<const double> coefficients) {
+  check_count(coefficients.size());
+  std::copy(coefficients.begin(), coefficients.end(), c.begin());
+  degree = coefficients.size() - 1;
+}
+
+double evaluate(const BernsteinPolynomial& f, double t) {
+  PolynomialCoefficients c = f.c;
+  const double s = 1 - t;
+  for (std::size_t n = f.degree; n > 0; --n)
+    for (std::size_t i = 0; i < n; ++i) c[i] = s * c[i] + t * c[i + 1];
+  return c[0];
+}
+
+BernsteinHalves halves(const BernsteinPolynomial& f) {
+  BernsteinHalves h;
+  h.front.degree = f.degree;
+  h.back.degree = f.degree;
+  PolynomialCoefficients c = f.c;
+  for (std::size_t n = f.degree;; --n) {
+    h.front.c[f.degree - n] = c[0];
+    h.back.c[n] = c[n];
+    if (n == 0) return h;
+    for (std::size_t i = 0; i < n; ++i) c[i] = 0.5 * (c[i] + c[i + 1]);
+  }
+}
+
+BernsteinPolynomial derivative(const BernsteinPolynomial& f) {
+  BernsteinPolynomial d;
+  if (f.degree == 0) return d;
+  d.degree = f.degree - 1;
+  for (std::size_t i = 0; i < f.degree; ++i)
+    d.c[i] = static_cast<double>(f.degree) * (f.c[i + 1] - f.c[i]);
+  return d;
+}
+
+double evaluate(const ChebyshevPolynomial& f, double x) {
+  double following = 0;
+  double current = 0;
+  for (std::size_t k = f.degree; k > 0; --k) {
+    const double previous = 2 * x * current - following + f.c[k];
+    following = current;
+    current = previous;
+  }
+  return x * current - following + f.c[0];
+}
+
+double ellipse_bound(const ChebyshevPolynomial& f, double rho, std::size_t first) {
+  double sum = 0;
+  double power = 1;
+  double inverse_power = 1;
+  for (std::size_t k = 0; k <= f.degree; ++k) {
+    if (k >= first) sum += std::abs(f.c[k]) * 0.5 * (power + inverse_power);
+    power *= rho;
+    inverse_power /= rho;
+  }
+  return sum;
+}
+
+ChebyshevPolynomial chebyshev_from_bernstein(const BernsteinPolynomial& f) {
+  PolynomialCoefficients values{};
+  const std::size_t n = f.degree;
+  values[0] = f.c[n];
+  for (std::size_t j = 1; j < n; ++j)
+    values[j] = evaluate(f, 0.5 * (1 + cosine_tables().cosine[n][j]));
+  if (n > 0) values[n] = f.c[0];
+  return interpolant(values, n);
+}
+
+BernsteinPolynomial bernstein_from_chebyshev(std::span<const double> coefficients) {
+  check_count(coefficients.size());
+  BernsteinPolynomial f;
+  f.degree = coefficients.size() - 1;
+  for (std::size_t k = 0; k <= f.degree; ++k) {
+    PolynomialCoefficients c{};  // of T_k, whose Bernstein coefficients are ratios of binomials
+    for (std::size_t j = 0; j <= k; ++j)
+      c[j] = ((k - j) % 2 == 0 ? 1 : -1) * binomial(2 * k, 2 * j) / binomial(k, j);
+    for (std::size_t degree = k; degree < f.degree; ++degree) elevate(c, degree);
+    for (std::size_t j = 0; j <= f.degree; ++j) f.c[j] += coefficients[k] * c[j];
+  }
+  return f;
+}
+
+ChebyshevPolynomial restricted(const ChebyshevPolynomial& f, double t0, double t1) {
+  PolynomialCoefficients values{};
+  const std::size_t n = f.degree;
+  const double middle = t0 + t1 - 1;  // in x of f
+  const double half = t1 - t0;
+  for (std::size_t j = 0; j <= n; ++j) {
+    const double x = n == 0 ? 0 : cosine_tables().cosine[n][j];
+    values[j] = evaluate(f, middle + half * x);
+  }
+  return interpolant(values, n);
+}
+
+}  // namespace hiac

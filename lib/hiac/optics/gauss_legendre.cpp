@@ -1,0 +1,64 @@
+#include "hiac/optics/gauss_legendre.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace hiac {
+namespace {
+
+struct Tables {
+  std::array<std::array<double, kMaxGaussNodes>, kMaxGaussNodes + 1> nodes{};
+  std::array<std::array<double, kMaxGaussNodes>, kMaxGaussNodes + 1> weights{};
+};
+
+struct LegendreValue {
+  long double value;
+  long double derivative;
+};
+
+/// P_n(x) and P_n'(x), |x| < 1, by the three-term recurrence.
+LegendreValue legendre(std::size_t n, long double x) {
+  long double previous = 1;
+  long double current = x;
+  for (std::size_t k = 2; k <= n; ++k) {
+    const auto m = static_cast<long double>(k);
+    const long double following = ((2 * m - 1) * x * current - (m - 1) * previous) / m;
+    previous = current;
+    current = following;
+  }
+  return {current, static_cast<long double>(n) * (x * current - previous) / (x * x - 1)};
+}
+
+/// Newton's method from Tricomi's estimate of the i-th largest node.
+long double node(std::size_t n, std::size_t i) {
+  if (2 * i + 1 == n) return 0;
+  long double x = std::cos(std::numbers::pi_v<long double> * (static_cast<long double>(i) + 0.75L) /
+                           (static_cast<long double>(n) + 0.5L));
+  for (int step = 0; step < 8; ++step) {
+    const LegendreValue p = legendre(n, x);
+    x -= p.value / p.derivative;
+  }
+  return x;
+}
+
+Tables build_tables() {
+  Tables t;
+  for (std::size_t n = 1; n <= kMaxGaussNodes; ++n)
+    for (std::size_t i = 0; i < n; ++i) {
+      const long double x = node(n, i);
+      const long double slope = legendre(n, x).derivative;
+      t.nodes[n][n - 1 - i] = static_cast<double>(x);
+      t.weights[n][n - 1 - i] = static_cast<double>(2 / ((1 - x * x) * slope * slope));
+    }
+  return t;
+}
+
+}  // namespace
+
+GaussRule gauss_legendre(std::size_t n) {
+  static const Tables tables = build_tables();
+  return {std::span(tables.nodes[n]).first(n), std::span(tables.weights[n]).first(n)};
+}
+
+}  // namespace hiac

@@ -1,0 +1,11 @@
+#pragma once
+
+namespace hiac {
+
+/// What a volume's colour function means; I is the radiance, t the distance from the eye.
+enum class Glow {
+  chromaticity,  ///< kappa: dI/dt = kappa tau - tau I (Williams and Max)
+  emission       ///< g: dI/dt = g - tau I (Wilhelms and Van Gelder)
+};
+
+}  // namespace hiac

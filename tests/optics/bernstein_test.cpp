@@ -1,0 +1,84 @@
+#include "hiac/optics/bernstein.hpp"
+
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace hiac {
+namespace {
+
+BernsteinPolynomial random_polynomial(std::mt19937_64& engine, std::size_t degree) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<double> c(degree + 1);
+  for (double& v : c) v = uniform(engine);
+  return BernsteinPolynomial(c);
+}
+
+TEST(BernsteinPolynomial, EvaluatesTheBernsteinSum) {
+  const BernsteinPolynomial f(std::vector<double>{3, -1, 4});  // 3(1-t)^2 - 2t(1-t) + 4t^2
+  EXPECT_EQ(evaluate(f, 0), 3);
+  EXPECT_EQ(evaluate(f, 1), 4);
+  EXPECT_DOUBLE_EQ(evaluate(f, 0.25), 3 * 0.5625 - 2 * 0.1875 + 4 * 0.0625);
+}
+
+TEST(BernsteinPolynomial, HalvesAndDerivativeAgreeWithIt) {
+  std::mt19937_64 engine(1);
+  for (std::size_t degree = 0; degree <= kMaxFieldDegree; ++degree) {
+    const BernsteinPolynomial f = random_polynomial(engine, degree);
+    const BernsteinHalves h = halves(f);
+    const BernsteinPolynomial d = derivative(f);
+    for (double t = 0; t <= 1; t += 0.0625) {
+      EXPECT_NEAR(evaluate(h.front, t), evaluate(f, 0.5 * t), 1e-15);
+      EXPECT_NEAR(evaluate(h.back, t), evaluate(f, 0.5 + 0.5 * t), 1e-15);
+      const double step = 1e-5;
+      const double quotient = (evaluate(f, t + step) - evaluate(f, t - step)) / (2 * step);
+      EXPECT_NEAR(evaluate(d, t), quotient, 1e-5);
+    }
+  }
+}
+
+TEST(ChebyshevPolynomial, IsTheSameFunctionAsItsBernsteinForm) {
+  std::mt19937_64 engine(2);
+  for (std::size_t degree = 0; degree <= kMaxFieldDegree; ++degree) {
+    const BernsteinPolynomial f = random_polynomial(engine, degree);
+    const ChebyshevPolynomial g = chebyshev_from_bernstein(f);
+    const BernsteinPolynomial back = bernstein_from_chebyshev({g.c.data(), degree + 1});
+    const double conversion = 1e-15 * std::exp2(static_cast<double>(degree));
+    for (std::size_t i = 0; i <= degree; ++i) EXPECT_NEAR(back.c[i], f.c[i], conversion);
+    for (double t = 0; t <= 1; t += 0.0625)
+      EXPECT_NEAR(evaluate(g, 2 * t - 1), evaluate(f, t), 1e-14) << degree;
+  }
+}
+
+TEST(ChebyshevPolynomial, RestrictionIsTheSameFunctionOnAPart) {
+  std::mt19937_64 engine(3);
+  for (std::size_t degree = 0; degree <= kMaxFieldDegree; ++degree) {
+    const BernsteinPolynomial f = random_polynomial(engine, degree);
+    const ChebyshevPolynomial g = restricted(chebyshev_from_bernstein(f), 0.3, 0.45);
+    for (double x = -1; x <= 1; x += 0.125)
+      EXPECT_NEAR(evaluate(g, x), evaluate(f, 0.375 + 0.075 * x), 1e-14) << degree;
+  }
+}
+
+TEST(ChebyshevPolynomial, EllipseBoundHoldsOnTheRealAxisAndIsSharpForOneTerm) {
+  ChebyshevPolynomial f;
+  f.degree = 3;
+  f.c = {0, 0, 0, 2};
+  const double rho = 2;
+  const double tip = 0.5 * (rho + 1 / rho);  // the ellipse's largest real number
+  EXPECT_NEAR(ellipse_bound(f, rho, 0), evaluate(f, tip), 1e-12);
+  EXPECT_EQ(ellipse_bound(f, rho, 4), 0);
+}
+
+TEST(BernsteinPolynomial, RefusesNoCoefficientsAndTooMany) {
+  EXPECT_THROW(BernsteinPolynomial(std::vector<double>{}), std::invalid_argument);
+  EXPECT_THROW(BernsteinPolynomial(std::vector<double>(kMaxFieldDegree + 2)),
+               std::invalid_argument);
+  EXPECT_THROW(bernstein_from_chebyshev(std::vector<double>{}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace hiac
