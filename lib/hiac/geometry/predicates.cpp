@@ -43,6 +43,15 @@ int filtered_sign(const Filtered& f) {
   return 2;
 }
 
+// Certain zeros of everyday meshes, whose sides lie along the axes: a coordinate in which three
+// vectors all vanish. A difference of doubles is 0 only when they are equal.
+bool shares_zero_coordinate(const std::array<double, 3>& u, const std::array<double, 3>& v,
+                            const std::array<double, 3>& w) {
+  for (std::size_t c = 0; c < 3; ++c)
+    if (u[c] == 0 && v[c] == 0 && w[c] == 0) return true;
+  return false;
+}
+
 std::array<double, 3> difference(Point3 a, Point3 b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
@@ -50,14 +59,18 @@ std::array<double, 3> difference(Point3 a, Point3 b) {
 }  // namespace
 
 int orientation(Point3 a, Point3 b, Point3 c, Point3 d) {
-  const int sign = filtered_sign(determinant(difference(b, a), difference(c, a), difference(d, a)));
-  return sign != 2 ? sign : exact_orientation(a, b, c, d);
+  const auto u = difference(b, a), v = difference(c, a), w = difference(d, a);
+  const int sign = filtered_sign(determinant(u, v, w));
+  if (sign != 2) return sign;
+  return shares_zero_coordinate(u, v, w) ? 0 : exact_orientation(a, b, c, d);
 }
 
 int orientation_towards(Point3 a, Point3 b, Point3 c, Point3 v) {
-  const int sign =
-      filtered_sign(determinant(difference(b, a), difference(c, a), {v[0], v[1], v[2]}));
-  return sign != 2 ? sign : exact_orientation_towards(a, b, c, v);
+  const auto u = difference(b, a), w = difference(c, a);
+  const std::array<double, 3> towards{v[0], v[1], v[2]};
+  const int sign = filtered_sign(determinant(u, w, towards));
+  if (sign != 2) return sign;
+  return shares_zero_coordinate(u, w, towards) ? 0 : exact_orientation_towards(a, b, c, v);
 }
 
 }  // namespace hiac

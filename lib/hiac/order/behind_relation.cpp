@@ -6,6 +6,7 @@
 
 #include "hiac/base/parallel.hpp"
 #include "hiac/geometry/predicates.hpp"
+#include "hiac/order/cell_side.hpp"
 
 namespace hiac {
 namespace {
@@ -20,19 +21,6 @@ int side_of_view(Point3 a, Point3 b, Point3 c, const View& view) {
   return -orientation_towards(a, b, c, Point3(view.direction));
 }
 
-// The first corner of the cell that is off the plane of a, b, c tells the cell's side of it.
-int side_of_cell(const ZooMesh& mesh, std::span<const NodeId> cell_nodes, std::size_t corners,
-                 const ShapeFace& face, Point3 a, Point3 b, Point3 c) {
-  for (std::size_t k = 0; k < corners; ++k) {
-    bool on_face = false;
-    for (std::size_t j = 0; j < face.corner_count; ++j) on_face = on_face || face.corners[j] == k;
-    if (on_face) continue;
-    const int side = orientation(a, b, c, mesh.position(cell_nodes[k]));
-    if (side != 0) return side;
-  }
-  return 0;
-}
-
 std::uint8_t arrows_of_sides(int eye_side, int cell_side) {
   if (eye_side == 0 || cell_side == 0) return kNoArrow;
   return eye_side == cell_side ? kCellFirst : kNeighborFirst;
@@ -40,16 +28,15 @@ std::uint8_t arrows_of_sides(int eye_side, int cell_side) {
 
 // The four-sign rule for a bilinear patch: the sign of (P - e).(P_u x P_v) is bilinear in u, v and
 // so is bounded by its signs at the corners, each the orientation of one corner's triangle.
-std::uint8_t quadrilateral_arrows(const ZooMesh& mesh, std::span<const NodeId> cell_nodes,
-                                  std::size_t corners, const ShapeFace& face, const Corners& p,
-                                  const View& view, double planarity) {
+std::uint8_t quadrilateral_arrows(const ZooMesh& mesh, CellId cell, const ShapeFace& face,
+                                  const Corners& p, const View& view, double planarity) {
   int positive = 0, negative = 0;
   for (std::size_t k = 0; k < 4; ++k) {
     const int s = side_of_view(p[(k + 3) % 4], p[k], p[(k + 1) % 4], view);
     positive += s > 0 ? 1 : 0;
     negative += s < 0 ? 1 : 0;
   }
-  const int cell_side = side_of_cell(mesh, cell_nodes, corners, face, p[0], p[1], p[2]);
+  const int cell_side = side_of_cell(mesh, cell, face);
   if (positive > 0 && negative > 0) {
     if (quadrilateral_deviation(p[0], p[1], p[2], p[3]) > planarity) return kBothWays;
     // planar for this purpose, seen edge-on to within rounding of its coordinates
@@ -61,13 +48,10 @@ std::uint8_t quadrilateral_arrows(const ZooMesh& mesh, std::span<const NodeId> c
 std::uint8_t face_arrows(const ZooMesh& mesh, CellId cell, const ShapeFace& face, const View& view,
                          double planarity) {
   const auto nodes = mesh.cell_nodes(cell);
-  const std::size_t corners = corner_count(mesh.kinds[cell]);
   const auto corner = [&](std::size_t k) { return mesh.position(nodes[face.corners[k]]); };
   const Corners p{corner(0), corner(1), corner(2), corner(face.corner_count == 4 ? 3 : 0)};
-  if (face.corner_count == 4)
-    return quadrilateral_arrows(mesh, nodes, corners, face, p, view, planarity);
-  return arrows_of_sides(side_of_view(p[0], p[1], p[2], view),
-                         side_of_cell(mesh, nodes, corners, face, p[0], p[1], p[2]));
+  if (face.corner_count == 4) return quadrilateral_arrows(mesh, cell, face, p, view, planarity);
+  return arrows_of_sides(side_of_view(p[0], p[1], p[2], view), side_of_cell(mesh, cell, face));
 }
 
 // A tetrahedron needs one orientation for itself, and one a face for the eye.
@@ -91,13 +75,9 @@ std::uint8_t mirrored(std::uint8_t arrows) {
 }
 
 bool has_volume(const ZooMesh& mesh, CellId cell) {
-  const auto nodes = mesh.cell_nodes(cell);
-  const std::size_t corners = corner_count(mesh.kinds[cell]);
-  for (const ShapeFace& face : topology_of(mesh.kinds[cell]).faces) {
-    const auto at = [&](std::size_t k) { return mesh.position(nodes[face.corners[k]]); };
-    if (side_of_cell(mesh, nodes, corners, face, at(0), at(1), at(2)) != 0) return true;
-  }
-  return false;
+  return std::ranges::any_of(topology_of(mesh.kinds[cell]).faces, [&](const ShapeFace& face) {
+    return side_of_cell(mesh, cell, face) != 0;
+  });
 }
 
 // Joins what the two sides of every shared face say.
