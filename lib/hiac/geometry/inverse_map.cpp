@@ -15,11 +15,14 @@ using Matrix = std::array<Point, 3>;  // rows
 // A corner this much of the cell's size off the affine map changes a field by as little as
 // rounding does.
 constexpr double kAffineDeviation = 1e-14;
-// Newton converges quadratically: after a step this short the next would be below rounding.
+// Newton converges quadratically: after a step this short, relative to the distance over which the
+// Jacobian changes, the next would be below rounding.
 constexpr double kLastStep = 1e-9;
 constexpr int kMostIterations = 12;
 // Residuals this much of the cell's size are rounding of the map itself.
 constexpr double kResidualRounding = 16 * std::numeric_limits<double>::epsilon();
+// Less than this is not to be had.
+constexpr double kLeastResidual = std::numeric_limits<double>::epsilon() / 2;
 constexpr double kShortestContinuation = 0x1p-30;
 
 Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -59,6 +62,35 @@ std::array<std::size_t, 3> axis_corners(CellShape shape) {
   return {1, 3, 4};
 }
 
+// Over this distance the Jacobian changes: it depends on direction at a pyramid's apex and a
+// wedge's node 6.
+double jacobian_scale(CellShape shape, const Point& xi) {
+  if (shape == CellShape::pyramid) return std::abs(1 - xi[2]);
+  if (shape == CellShape::wedge) return std::abs(2 - xi[1] - xi[2]);
+  return 1;
+}
+
+// Roots farther outside the reference cell than this belong to other branches of the map.
+constexpr double kMargin = 1e-3;
+
+bool near_reference_cell(CellShape shape, const Point& xi) {
+  const auto& [x, y, z] = xi;
+  if (std::min({x, y, z}) < -kMargin) return false;
+  switch (shape) {
+    case CellShape::tetrahedron:
+      return x + y + z <= 1 + kMargin;
+    case CellShape::pyramid:
+      return std::max(x, y) + z <= 1 + kMargin;
+    case CellShape::prism:
+      return std::max(x + y, z) <= 1 + kMargin;
+    case CellShape::wedge:
+      return std::max(y, z) <= 1 + kMargin && x + y + z <= 2 + kMargin;
+    case CellShape::brick:
+      return std::max({x, y, z}) <= 1 + kMargin;
+  }
+  return false;
+}
+
 }  // namespace
 
 CellMap::CellMap(CellKind kind, std::span<const Point> corners)
@@ -76,8 +108,7 @@ CellMap::CellMap(CellKind kind, std::span<const Point> corners)
   for (std::size_t a = 0; a < 3; ++a) column[a] = (1 / nodes[axis[a]][a]) * corners_[axis[a]];
   affine_ = true;
   for (std::size_t k = 0; k < count_; ++k) {
-    const Point image =
-        nodes[k][0] * column[0] + nodes[k][1] * column[1] + nodes[k][2] * column[2];
+    const Point image = nodes[k][0] * column[0] + nodes[k][1] * column[1] + nodes[k][2] * column[2];
     affine_ = affine_ && largest(corners_[k] - image) <= kAffineDeviation * size_;
   }
   if (!affine_) {
@@ -103,7 +134,8 @@ Point CellMap::reference(const Point& point, const Point& guess) const {
   const Point relative = point - origin_;
   if (affine_) return apply(inverse_, relative);
   Point xi = guess;
-  return newton(relative, xi) ? xi : continued(relative);
+  if (newton(relative, xi) && near_reference_cell(shape_of(kind_), xi)) return xi;
+  return continued(relative);
 }
 
 // Newton's iteration for a point relative to corner 0. False, and xi of no use, where it does not
@@ -124,11 +156,12 @@ bool CellMap::newton(const Point& point, Point& xi) const {
     const double size = largest(residual);
     if (size <= kResidualRounding * size_) before = std::numeric_limits<double>::infinity();
     if (!(size < before)) return false;  // diverges, or is not a number
+    if (size <= kLeastResidual * size_) return true;
     before = size;
     const Point step = apply(inverse_of_columns(column[0], column[1], column[2]), residual);
     if (!std::isfinite(largest(step))) return size <= kResidualRounding * size_;
     xi = xi + step;
-    if (largest(step) <= kLastStep) return true;
+    if (largest(step) <= kLastStep * jacobian_scale(shape_of(kind_), xi)) return true;
   }
   return before <= kResidualRounding * size_;
 }

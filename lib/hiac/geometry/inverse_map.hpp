@@ -12,7 +12,7 @@ namespace hiac {
 ///
 /// Reference coordinates and shape functions are those of shape_functions.hpp. The cell is convex
 /// (either orientation) with planar faces; then the map is one to one and the inverse is found to
-/// rounding at every point of the cell, and as far outside as the map's Jacobian keeps its sign.
+/// rounding at every point of the cell and close to it.
 class CellMap {
  public:
   using Point = std::array<double, 3>;
@@ -29,9 +29,9 @@ class CellMap {
   [[nodiscard]] Point position(const Point& xi) const;
 
   /// The xi with x(xi) = point. An affine map is inverted as a matrix. Any other by Newton's
-  /// iteration from `guess`, or where that does not converge by continuation: the straight line
-  /// from the cell's middle to the point lies inside the cell, and Newton follows it in steps as
-  /// short as it needs.
+  /// iteration from `guess`, or where that does not converge to the cell by continuation: the
+  /// straight line from the cell's middle to the point lies inside the cell, and Newton follows it
+  /// in steps as short as it needs.
   [[nodiscard]] Point reference(const Point& point, const Point& guess) const;
 
   /// A reference point well inside the cell, for a first guess.

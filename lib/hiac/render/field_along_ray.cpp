@@ -58,9 +58,9 @@ class ChebyshevPoints {
 };
 
 const ChebyshevPoints& chebyshev_points(std::size_t n) {
-  static const std::array<ChebyshevPoints, 6> kPoints{
-      ChebyshevPoints(1), ChebyshevPoints(2), ChebyshevPoints(3),
-      ChebyshevPoints(4), ChebyshevPoints(8), ChebyshevPoints(16)};
+  static const std::array<ChebyshevPoints, 6> kPoints{ChebyshevPoints(1), ChebyshevPoints(2),
+                                                      ChebyshevPoints(3), ChebyshevPoints(4),
+                                                      ChebyshevPoints(8), ChebyshevPoints(16)};
   return kPoints[n <= 4 ? n - 1 : n / 8 + 3];
 }
 
@@ -109,14 +109,15 @@ FieldAlongRay::FieldAlongRay(CellKind kind, const CellMap& map, std::span<const 
 
 // Rounding of the ray's points, seen through the field; and of the field itself.
 double FieldAlongRay::rounding(const RayStretch& stretch, const CornerField& field) const {
-  const double point = largest(stretch.origin) +
-                       std::max(std::abs(stretch.front), std::abs(stretch.back)) *
-                           largest(stretch.direction);
+  const double point =
+      largest(stretch.origin) +
+      std::max(std::abs(stretch.front), std::abs(stretch.back)) * largest(stretch.direction);
   return kEpsilon * (4 * std::max(std::abs(field.least), std::abs(field.most)) +
                      8 * point * map_.steepness() * (field.most - field.least));
 }
 
-void FieldAlongRay::evaluate(const CellMap::Point& xi, std::span<double, kMostFields> values) const {
+void FieldAlongRay::evaluate(const CellMap::Point& xi,
+                             std::span<double, kMostFields> values) const {
   std::array<double, CellMap::kMostCorners> shape;
   shape_functions<double>(kind_, xi, shape);
   for (std::size_t f = 0; f < fields_.size(); ++f) {
