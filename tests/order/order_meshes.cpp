@@ -87,35 +87,10 @@ std::vector<NamedView> many_views() {
   return views;
 }
 
-ZooMesh moved(const ZooMesh& mesh, const std::function<Position(const Position&)>& motion) {
-  std::vector<Position> positions = positions_of(mesh);
-  for (Position& p : positions) p = motion(p);
-  return make_mesh(positions, cells_of(mesh));
-}
-
 Position turned(const Position& p) {
   const double s = std::sin(0.7), c = std::cos(0.7), u = std::sin(0.4), v = std::cos(0.4);
   const Position q{c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]};
   return {q[0], v * q[1] - u * q[2], u * q[1] + v * q[2]};
-}
-
-ZooMesh beside(const ZooMesh& a, const ZooMesh& b) {
-  std::vector<Position> positions = positions_of(a);
-  std::vector<Cell> cells = cells_of(a);
-  const auto first = static_cast<NodeId>(positions.size());
-  for (const Position& p : positions_of(b)) positions.push_back(p);
-  for (Cell cell : cells_of(b)) {
-    for (NodeId& node : cell.nodes) node += first;
-    cells.push_back(std::move(cell));
-  }
-  return make_mesh(positions, cells);
-}
-
-ZooMesh without(const ZooMesh& mesh, const std::function<bool(const Position&)>& gone) {
-  const std::vector<Position> positions = positions_of(mesh);
-  std::vector<Cell> cells = cells_of(mesh);
-  std::erase_if(cells, [&](const Cell& cell) { return gone(mean(positions, cell)); });
-  return make_mesh(positions, cells);
 }
 
 ZooMesh torn(const ZooMesh& mesh, double front) {

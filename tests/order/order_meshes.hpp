@@ -23,16 +23,8 @@ NamedView along(std::string name, const Position& direction);
 /// middle planes; along random directions and along the axes.
 std::vector<NamedView> many_views();
 
-/// The mesh with every node moved.
-ZooMesh moved(const ZooMesh& mesh, const std::function<Position(const Position&)>& motion);
 /// Turned by a rotation that no coordinate survives, so that planes hold to rounding alone.
 Position turned(const Position& p);
-
-/// Both meshes beside one another, no node shared.
-ZooMesh beside(const ZooMesh& a, const ZooMesh& b);
-
-/// The mesh without the cells whose corners' mean lies where `gone` says.
-ZooMesh without(const ZooMesh& mesh, const std::function<bool(const Position&)>& gone);
 
 /// The mesh torn along the plane x = 0.5 where z > `front`: the cells on either side have nodes of
 /// their own there, at the same places. (Of a mesh that has that plane, and nodes at z = front.)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 #include <string>
 #include <vector>
@@ -22,6 +23,10 @@ constexpr std::size_t kRays = 100;
 
 OrderResult order_of(const ZooMesh& mesh, const View& view) {
   return exact_order(mesh, build_face_adjacency(mesh), view, kPlanarity);
+}
+
+ZooMesh without(const ZooMesh& mesh, const std::function<bool(const Position&)>& gone) {
+  return keep_cells(mesh, [&](const Position& centroid, CellId) { return !gone(centroid); });
 }
 
 // The order holds along random rays, from everywhere, and no cells are held to be in a cycle.
@@ -182,7 +187,7 @@ TEST(VisibilityOrder, TwoSeparateCubes) {
     const ZooMesh far = moved(structured(2, cut), [](const Position& p) {
       return Position{p[0] + 1.5, p[1] + 0.3, p[2] - 0.2};
     });
-    const ZooMesh mesh = beside(structured(2, cut), far);
+    const ZooMesh mesh = side_by_side(structured(2, cut), far);
     EXPECT_FALSE(order_of(mesh, many_views()[0].view).statistics.convex);
     expect_right_from_everywhere(mesh);
   }
@@ -216,12 +221,12 @@ TEST(VisibilityOrder, SlidingInterfacesAndHangingNodes) {
   for (const Cut cut : {Cut::bricks, Cut::tetrahedra, Cut::prisms}) {
     SCOPED_TRACE(static_cast<int>(cut));
     const ZooMesh left = moved(structured(2, cut), half(0));
-    expect_right_from_everywhere(beside(left, moved(structured(4, cut), half(0.5))));
-    expect_right_from_everywhere(beside(left, moved(structured(3, cut), half(0.5))));
+    expect_right_from_everywhere(side_by_side(left, moved(structured(4, cut), half(0.5))));
+    expect_right_from_everywhere(side_by_side(left, moved(structured(3, cut), half(0.5))));
     const ZooMesh slid = moved(structured(2, cut), [](const Position& p) {
       return Position{0.5 + p[0] / 2, p[1] + 0.17, p[2] - 0.11};
     });
-    expect_right_from_everywhere(beside(left, slid));
+    expect_right_from_everywhere(side_by_side(left, slid));
   }
 }
 

@@ -13,6 +13,7 @@
 #include "hiac/image/image_io.hpp"
 #include "hiac/order/order_file.hpp"
 #include "hiac/render/engine.hpp"
+#include "hiac/render/renderable.hpp"
 #include "hiac/scene/scene_parser.hpp"
 #include "hiac/scene/scene_writer.hpp"
 #include "tools/common/mesh_io.hpp"

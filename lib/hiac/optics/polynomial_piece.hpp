@@ -4,7 +4,7 @@
 
 #include "hiac/base/piecewise_linear.hpp"
 #include "hiac/optics/bernstein.hpp"
-#include "hiac/optics/glow.hpp"
+#include "hiac/base/glow.hpp"
 
 namespace hiac {
 

@@ -75,7 +75,8 @@ Frame make_frame(const ZooMesh& mesh, const Scene& scene, const Projector& proje
       std::ranges::all_of(mesh.kinds, [](CellKind k) { return k == CellKind::tetrahedron4; }) &&
       std::ranges::none_of(frame.nodes, [](const ProjectedNode& n) { return std::isnan(n.depth); });
   frame.tolerance = scene.render.tolerance;
-  frame.witness_tolerance = kWitnessTolerance * depth_of_mesh(mesh, projector);
+  frame.depth = depth_of_mesh(mesh, projector);
+  frame.witness_tolerance = kWitnessTolerance * frame.depth;
   // What lies behind a transparency T adds at most T times the largest colour to a pixel and T to
   // its alpha. Emission has no such bound: it grows with the length of the ray.
   frame.least_transparency =
@@ -204,24 +205,6 @@ TileSummary write_tile(const TileBuffer& buffer, const TileRect& tile, const Sce
 }
 
 }  // namespace
-
-void check_renderable(const ZooMesh& mesh, const Scene& scene) {
-  if (!scene.isosurfaces.empty())
-    throw InputError("key `isosurface`: isosurfaces are not drawn by this version");
-  if (scene.render.integration != Integration::exact)
-    throw InputError("key `render.integration`: this version integrates \"exact\" alone");
-  if (scene.render.interpolation != Interpolation::isoparametric)
-    throw InputError(
-        "key `render.interpolation`: this version interpolates \"isoparametric\" alone");
-  if (scene.render.splat_below != 0)
-    throw InputError("key `render.splat_below`: this version does not splat (expected 0)");
-  for (CellId cell = 0; cell < mesh.cell_count(); ++cell)
-    if (order_of(mesh.kinds[cell]) != CellOrder::linear)
-      throw InputError("cell " + std::to_string(cell) + " is a " +
-                       std::string(kind_name(mesh.kinds[cell])) +
-                       ": this version draws linear cells alone (convert with --corners-only to "
-                       "neglect the nodes between corners)");
-}
 
 RenderResult render(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
                     bool with_background) {

@@ -23,17 +23,13 @@ struct RenderResult {
   RenderStatistics statistics;
 };
 
-/// Throws InputError, naming what it is, when the scene or the mesh holds something that the
-/// engine does not draw: nothing is approximated or left out in silence. Field values that are not
-/// finite are refused as well.
-void check_renderable(const ZooMesh& mesh, const Scene& scene);
-
 /// The accurate engine (Williams, Max, Stein 1998, sections 4 and 5): cells are projected tile by
 /// tile in visibility order, front to back; every pixel centre that a cell covers yields one ray
 /// segment, cut at the breakpoints of the transfer functions, integrated in closed form, and
 /// composited in double precision. Groups of cells are put in order pixel by pixel. The same input
 /// gives the same image, bit for bit, whatever the number of threads.
 ///
+/// Requires what check_renderable (renderable.hpp) lets pass.
 /// `with_background`: composite the scene's background behind the volume.
 RenderResult render(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
                     bool with_background);

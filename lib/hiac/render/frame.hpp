@@ -36,6 +36,7 @@ struct Frame {
   double least_transparency = 0;
   /// Segments may overlap the one before by this much of the ray parameter: rounding.
   double witness_tolerance = 0;
+  double depth = 0;      ///< extent of the mesh in the ray parameter
   double tolerance = 0;  ///< absolute error allowed per pixel and channel
 
   [[nodiscard]] const FrameField& color_field() const {

@@ -81,14 +81,18 @@ Vector Projector::origin(double x, double y) const {
 
 Vector Projector::direction(double x, double y) const {
   if (!perspective_) return forward_;
-  const double a = (x - center_x_) / scale_, b = (center_y_ - y) / scale_;
+  const auto [a, b] = slopes(x, y);
   return {forward_[0] + a * right_[0] + b * up_[0], forward_[1] + a * right_[1] + b * up_[1],
           forward_[2] + a * right_[2] + b * up_[2]};
 }
 
+std::array<double, 2> Projector::slopes(double x, double y) const {
+  return {(x - center_x_) / scale_, (center_y_ - y) / scale_};
+}
+
 double Projector::ray_scale(double x, double y) const {
   if (!perspective_) return 1;
-  const double a = (x - center_x_) / scale_, b = (center_y_ - y) / scale_;
+  const auto [a, b] = slopes(x, y);
   return std::sqrt(a * a + b * b + 1);  // section 5.1: the slanted distance
 }
 

@@ -42,6 +42,8 @@ class Projector {
 
   [[nodiscard]] std::array<double, 3> origin(double x, double y) const;
   [[nodiscard]] std::array<double, 3> direction(double x, double y) const;
+  /// Perspective: the direction's components along right and up, that along forward being 1.
+  [[nodiscard]] std::array<double, 2> slopes(double x, double y) const;
   /// World length per unit of t on the ray through (x, y).
   [[nodiscard]] double ray_scale(double x, double y) const;
 

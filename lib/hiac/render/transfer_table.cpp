@@ -55,9 +55,11 @@ std::vector<std::uint8_t> zero_intervals(const TransferTable<N>& table) {
 }  // namespace
 
 OpticsTables make_optics_tables(const Volume& volume) {
-  const auto color = volume.color ? volume.color->function() : PiecewiseLinear<3>();
-  const auto extinction = volume.extinction ? volume.extinction->function() : PiecewiseLinear<1>();
   OpticsTables tables;
+  if (volume.color) tables.color_function = volume.color->function();
+  if (volume.extinction) tables.extinction_function = volume.extinction->function();
+  const auto& color = tables.color_function;
+  const auto& extinction = tables.extinction_function;
   tables.emission = volume.glow == Glow::emission;
   tables.same_field =
       !volume.color || !volume.extinction || volume.color->field == volume.extinction->field;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "hiac/base/piecewise_linear.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/scene/scene.hpp"
 
@@ -23,6 +24,9 @@ struct TransferTable {
 /// The volume's optics by scalar: colour (chromaticity or emission) and extinction. When both
 /// depend on the same field their intervals are the same, cut at the breakpoints of either.
 struct OpticsTables {
+  /// The functions themselves, with none but their own breakpoints.
+  PiecewiseLinear<3> color_function;
+  PiecewiseLinear<1> extinction_function;
   TransferTable<3> color;
   TransferTable<1> extinction;
   bool same_field = true;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "hiac/base/glow.hpp"
 #include "hiac/base/piecewise_linear.hpp"
 
 namespace hiac {
@@ -49,10 +50,6 @@ struct Camera {
 
   bool operator==(const Camera&) const = default;
 };
-
-/// Williams-Max: a glow of colour kappa times the extinction (dI/dt = kappa tau - tau I);
-/// Wilhelms-Van Gelder: a glow of its own per unit of length (dI/dt = g - tau I).
-enum class Glow : std::uint8_t { chromaticity, emission };
 
 /// A piecewise-linear function of one scalar field of the mesh.
 template <std::size_t N>

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstdint>
+
 namespace hiac {
 
 /// What a volume's colour function means; I is the radiance, t the distance from the eye.
-enum class Glow {
+enum class Glow : std::uint8_t {
   chromaticity,  ///< kappa: dI/dt = kappa tau - tau I (Williams and Max)
   emission       ///< g: dI/dt = g - tau I (Wilhelms and Van Gelder)
 };

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hiac/render/cell_surface.hpp"
+#include "hiac/render/frame.hpp"
+#include "hiac/render/tile.hpp"
+
+namespace hiac {
+
+/// Where the ray of pixel (x, y) enters and leaves a cell: ray parameters, front <= back.
+struct CellCrossing {
+  int x, y;
+  double front, back;
+};
+
+/// Appends the crossings of a convex cell with the rays of a tile's pixels; z-clipping is not
+/// applied. All nodes must be projectable (ProjectedNode).
+///
+/// A pixel belongs to a triangle of the surface by the rule of the tetrahedron kernel
+/// (scan_conversion-inl.hpp), and depths on triangles are computed as there, operation by
+/// operation: on a shared face this and the kernel find the same pixels and the same depths.
+void scan_projected_cell(const Frame& frame, const CellSurface& surface, const TileRect& tile,
+                         std::vector<CellCrossing>& crossings);
+
+/// The same for a cell some of whose nodes are not projectable, in perspective: parts of it lie
+/// beside or behind the eye, and so may the crossings (front and back below 0).
+///
+/// Scan conversion goes on in three dimensions. The plane through the eye and a row of pixel
+/// centres separates the nodes, as the row does on the screen; it cuts triangles in straight
+/// pieces between their edges. In that plane the line through the eye and a pixel centre has edges
+/// on its left and on its right; a triangle is crossed where its two edges lie on different sides.
+/// For an edge with projectable nodes both questions have the answer that the screen gives. So
+/// every line crosses the surfaces of all cells consistently, whatever rounding does, and the tie
+/// break is the same: the pixel is moved right, and then down, by infinitesimal amounts.
+void scan_cell_beside_eye(const Frame& frame, const CellSurface& surface, const TileRect& tile,
+                          std::vector<CellCrossing>& crossings);
+
+}  // namespace hiac

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "hiac/mesh/zoo_mesh.hpp"
+
+namespace hiac {
+
+/// The surface of a linear cell as triangles, in a numbering that all cells around an edge or a
+/// face share: corners by ascending node id. What is computed for an edge or a triangle from its
+/// corners in ascending order is the same, to the bit, in every cell that has it.
+///
+/// Quadrilateral faces are two triangles, split along the diagonal through their smallest node id.
+struct CellSurface {
+  static constexpr std::size_t kMostCorners = 8, kMostEdges = 18, kMostTriangles = 12;
+
+  struct Triangle {
+    std::array<std::uint8_t, 3> corners;  ///< ascending
+    std::array<std::uint8_t, 3> edges;    ///< (0,1), (0,2), (1,2) of its corners
+  };
+
+  std::size_t corner_count = 0, edge_count = 0, triangle_count = 0;
+  std::array<NodeId, kMostCorners> nodes;  ///< ascending
+  std::array<std::array<std::uint8_t, 2>, kMostEdges> edges;  ///< corners, ascending
+  std::array<Triangle, kMostTriangles> triangles;
+};
+
+/// `nodes`: the cell's nodes in their conventional order.
+CellSurface cell_surface(CellKind kind, std::span<const NodeId> nodes);
+
+}  // namespace hiac

@@ -1,0 +1,226 @@
+#include "hiac/render/field_along_ray.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "hiac/mesh/shape_functions.hpp"
+
+namespace hiac {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+// Numbers of intervals between Chebyshev points; each has the points of the one before.
+constexpr std::array<std::size_t, 3> kAdaptiveDegrees{4, 8, 16};
+constexpr std::size_t kMostDegree = kAdaptiveDegrees.back();
+static_assert(kMostDegree <= kMaxFieldDegree);
+
+// A stretch that comes within e of a pyramid's apex needs about log2(1 / e) halvings.
+constexpr int kMostBisections = 40;
+constexpr std::size_t kMostPieces = 96;
+
+// The Chebyshev points x_j = cos(pi j / n) and the transform from values there to coefficients.
+class ChebyshevPoints {
+ public:
+  explicit ChebyshevPoints(std::size_t n) : n_(n) {
+    for (std::size_t i = 0; i <= n; ++i)
+      cosine_[i] = std::cos(std::numbers::pi * static_cast<double>(i) / static_cast<double>(n));
+    // exact where it matters: the ends and the middle
+    if (n % 2 == 0) cosine_[n / 2] = 0;
+  }
+
+  // The j-th point from the front, in [0, 1].
+  [[nodiscard]] double place(std::size_t j) const { return 0.5 - 0.5 * cosine_[j]; }
+
+  // values[j * stride]: at the j-th point from the front.
+  void coefficients(const double* values, std::size_t stride, double* c) const {
+    for (std::size_t k = 0; k <= n_; ++k) {
+      double sum = 0;
+      for (std::size_t j = 0; j <= n_; ++j) {
+        const double weight = j == 0 || j == n_ ? 0.5 : 1;
+        sum += weight * values[j * stride] * cosine((n_ - j) * k);
+      }
+      c[k] = (k == 0 || k == n_ ? 1 : 2) * sum / static_cast<double>(n_);
+    }
+  }
+
+ private:
+  // cos(pi i / n) for any i
+  [[nodiscard]] double cosine(std::size_t i) const {
+    i %= 2 * n_;
+    return cosine_[i <= n_ ? i : 2 * n_ - i];
+  }
+
+  std::size_t n_;
+  std::array<double, kMostDegree + 1> cosine_{};
+};
+
+const ChebyshevPoints& chebyshev_points(std::size_t n) {
+  static const std::array<ChebyshevPoints, 6> kPoints{
+      ChebyshevPoints(1), ChebyshevPoints(2), ChebyshevPoints(3),
+      ChebyshevPoints(4), ChebyshevPoints(8), ChebyshevPoints(16)};
+  return kPoints[n <= 4 ? n - 1 : n / 8 + 3];
+}
+
+// 0 where the field along a line is not a polynomial.
+std::size_t degree_along_lines(CellKind kind) {
+  switch (shape_of(kind)) {
+    case CellShape::tetrahedron:
+      return 1;
+    case CellShape::prism:
+      return 2;
+    case CellShape::brick:
+      return 3;
+    case CellShape::pyramid:
+    case CellShape::wedge:
+      break;
+  }
+  return 0;
+}
+
+double largest(const std::array<double, 3>& v) {
+  return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+}
+
+// The polynomial with these Chebyshev coefficients, without those at the end that are negligible.
+BernsteinPolynomial without_tail(const double* c, std::size_t degree, double negligible) {
+  double dropped = 0;
+  while (degree > 0 && dropped + std::abs(c[degree]) <= negligible)
+    dropped += std::abs(c[degree--]);
+  return bernstein_from_chebyshev({c, degree + 1});
+}
+
+}  // namespace
+
+// Fields and reference points at the Chebyshev points of kMostDegree on one part of a stretch.
+struct FieldAlongRay::Samples {
+  std::array<std::array<double, kMostDegree + 1>, kMostFields> values;
+  std::array<CellMap::Point, kMostDegree + 1> xi;
+  std::size_t stride = 0;  // of the points known; 0: none
+};
+
+FieldAlongRay::FieldAlongRay(CellKind kind, const CellMap& map, std::span<const CornerField> fields)
+    : kind_(kind),
+      map_(map),
+      fields_(fields),
+      exact_degree_(map.affine() ? degree_along_lines(kind) : 0) {}
+
+// Rounding of the ray's points, seen through the field; and of the field itself.
+double FieldAlongRay::rounding(const RayStretch& stretch, const CornerField& field) const {
+  const double point = largest(stretch.origin) +
+                       std::max(std::abs(stretch.front), std::abs(stretch.back)) *
+                           largest(stretch.direction);
+  return kEpsilon * (4 * std::max(std::abs(field.least), std::abs(field.most)) +
+                     8 * point * map_.steepness() * (field.most - field.least));
+}
+
+void FieldAlongRay::evaluate(const CellMap::Point& xi, std::span<double, kMostFields> values) const {
+  std::array<double, CellMap::kMostCorners> shape;
+  shape_functions<double>(kind_, xi, shape);
+  for (std::size_t f = 0; f < fields_.size(); ++f) {
+    const CornerField& field = fields_[f];
+    double value = 0;
+    for (std::size_t k = 0; k < corner_count(kind_); ++k) value += shape[k] * field.values[k];
+    // inside the cell the interpolant lies between its corners' values; where the map has no
+    // inverse (the cell has no volume, the stretch no length) nothing more is known
+    values[f] = std::min(std::max(field.least, value), field.most);
+  }
+}
+
+// Adds the points of a smaller stride to the samples.
+void FieldAlongRay::sample(const RayStretch& stretch, double begin, double end, std::size_t stride,
+                           Samples& samples) const {
+  const ChebyshevPoints& points = chebyshev_points(kMostDegree);
+  for (std::size_t j = 0; j <= kMostDegree; j += stride) {
+    if (samples.stride != 0 && j % samples.stride == 0) continue;
+    CellMap::Point guess = map_.middle();
+    if (samples.stride != 0) {
+      const auto &before = samples.xi[j - stride], &after = samples.xi[j + stride];
+      for (std::size_t a = 0; a < 3; ++a) guess[a] = 0.5 * (before[a] + after[a]);
+    } else if (j > 0) {
+      guess = samples.xi[j - stride];
+    }
+    const double u = begin + (end - begin) * points.place(j);
+    const double t = u >= 1 ? stretch.back : stretch.front + u * (stretch.back - stretch.front);
+    samples.xi[j] = map_.reference(stretch.at(t), guess);
+    std::array<double, kMostFields> values;
+    evaluate(samples.xi[j], values);
+    for (std::size_t f = 0; f < fields_.size(); ++f) samples.values[f][j] = values[f];
+  }
+  samples.stride = stride;
+}
+
+// An affine map takes the ray to a straight line.
+FieldAlongRay::Piece FieldAlongRay::exact(const RayStretch& stretch) const {
+  const ChebyshevPoints& points = chebyshev_points(exact_degree_);
+  const CellMap::Point front = map_.reference(stretch.at(stretch.front), map_.middle());
+  const CellMap::Point back = map_.reference(stretch.at(stretch.back), map_.middle());
+  std::array<std::array<double, kMostDegree + 1>, kMostFields> values;
+  for (std::size_t j = 0; j <= exact_degree_; ++j) {
+    const double u = points.place(j);
+    std::array<double, kMostFields> here;
+    evaluate({front[0] + u * (back[0] - front[0]), front[1] + u * (back[1] - front[1]),
+              front[2] + u * (back[2] - front[2])},
+             here);
+    for (std::size_t f = 0; f < fields_.size(); ++f) values[f][j] = here[f];
+  }
+  Piece piece{0, 1, {}};
+  for (std::size_t f = 0; f < fields_.size(); ++f) {
+    std::array<double, kMostDegree + 1> c;
+    points.coefficients(values[f].data(), 1, c.data());
+    piece.fields[f] = without_tail(c.data(), exact_degree_, 0);
+  }
+  return piece;
+}
+
+void FieldAlongRay::interpolate(const RayStretch& stretch, double begin, double end, int bisections,
+                                std::vector<Piece>& pieces) const {
+  Samples samples;
+  std::array<std::array<double, kMostDegree + 1>, kMostFields> c;
+  std::array<double, kMostFields> negligible;
+  for (std::size_t f = 0; f < fields_.size(); ++f)
+    negligible[f] = std::max(fields_[f].allowed, rounding(stretch, fields_[f]));
+  std::size_t degree = 0;
+  bool resolved = false;
+  for (const std::size_t n : kAdaptiveDegrees) {
+    degree = n;
+    sample(stretch, begin, end, kMostDegree / n, samples);
+    resolved = true;
+    for (std::size_t f = 0; f < fields_.size(); ++f) {
+      chebyshev_points(n).coefficients(samples.values[f].data(), samples.stride, c[f].data());
+      resolved = resolved && std::abs(c[f][n]) + std::abs(c[f][n - 1]) <= negligible[f];
+    }
+    if (resolved) break;
+  }
+  const bool at_last = bisections == kMostBisections || pieces.size() >= kMostPieces;
+  if (!resolved && !at_last) {
+    const double middle = 0.5 * (begin + end);
+    interpolate(stretch, begin, middle, bisections + 1, pieces);
+    interpolate(stretch, middle, end, bisections + 1, pieces);
+    return;
+  }
+  Piece piece{begin, end, {}};
+  for (std::size_t f = 0; f < fields_.size(); ++f)
+    piece.fields[f] = without_tail(c[f].data(), degree, negligible[f]);
+  pieces.push_back(piece);
+}
+
+void FieldAlongRay::along(const RayStretch& stretch, std::vector<Piece>& pieces) const {
+  pieces.clear();
+  const bool constant = std::ranges::all_of(
+      fields_, [](const CornerField& field) { return field.least == field.most; });
+  if (constant) {
+    Piece piece{0, 1, {}};
+    for (std::size_t f = 0; f < fields_.size(); ++f) piece.fields[f].c[0] = fields_[f].least;
+    pieces.push_back(piece);
+    return;
+  }
+  if (exact_degree_ > 0)
+    pieces.push_back(exact(stretch));
+  else
+    interpolate(stretch, 0, 1, 0, pieces);
+}
+
+}  // namespace hiac

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "hiac/geometry/inverse_map.hpp"
+#include "hiac/optics/bernstein.hpp"
+
+namespace hiac {
+
+/// A stretch of the ray origin + t direction, from t = front to t = back.
+struct RayStretch {
+  std::array<double, 3> origin, direction;
+  double front, back;
+
+  [[nodiscard]] std::array<double, 3> at(double t) const {
+    return {origin[0] + t * direction[0], origin[1] + t * direction[1],
+            origin[2] + t * direction[2]};
+  }
+};
+
+/// One scalar field in one linear cell: its values at the corners, and how exactly it is wanted.
+struct CornerField {
+  std::array<double, CellMap::kMostCorners> values;
+  double least, most;  ///< of the values
+  double allowed;      ///< absolute error of the field that is allowed
+};
+
+/// The isoparametric interpolants of up to two fields along a ray through a linear cell, as
+/// polynomials.
+class FieldAlongRay {
+ public:
+  static constexpr std::size_t kMostFields = 2;
+  using Polynomials = std::array<BernsteinPolynomial, kMostFields>;
+
+  /// A part of the stretch, from `begin` to `end` in [0, 1], and the fields on it, each as a
+  /// polynomial on [0, 1].
+  struct Piece {
+    double begin, end;
+    Polynomials fields;
+  };
+
+  /// `fields`: one or two.
+  FieldAlongRay(CellKind kind, const CellMap& map, std::span<const CornerField> fields);
+
+  /// Replaces `pieces` by those of a stretch inside the cell, front to back.
+  ///
+  /// Where the map is affine the fields of tetrahedra, prisms and bricks are polynomials of degree
+  /// 1, 2 and 3, and taken as such. Else they are analytic, and interpolated in Chebyshev points,
+  /// more and more until the last coefficients are below the error allowed or below rounding, and
+  /// on halves of the stretch when too many would be needed (L. N. Trefethen, "Approximation
+  /// Theory and Approximation Practice", 2013, chapters 3 and 8).
+  void along(const RayStretch& stretch, std::vector<Piece>& pieces) const;
+
+ private:
+  struct Samples;
+  void evaluate(const CellMap::Point& xi, std::span<double, kMostFields> values) const;
+  [[nodiscard]] Piece exact(const RayStretch& stretch) const;
+  void sample(const RayStretch& stretch, double begin, double end, std::size_t stride,
+              Samples& samples) const;
+  void interpolate(const RayStretch& stretch, double begin, double end, int bisections,
+                   std::vector<Piece>& pieces) const;
+  [[nodiscard]] double rounding(const RayStretch& stretch, const CornerField& field) const;
+
+  CellKind kind_;
+  const CellMap& map_;
+  std::span<const CornerField> fields_;
+  std::size_t exact_degree_;  // 0: not a polynomial
+};
+
+}  // namespace hiac

@@ -1,0 +1,122 @@
+#include "tests/render/general_meshes.hpp"
+
+#include <random>
+
+#include "hiac/mesh/face_adjacency.hpp"
+
+namespace hiac::test {
+
+ZooMesh moved(const ZooMesh& mesh, const std::function<Position(const Position&)>& move) {
+  ZooMesh result = mesh;
+  std::vector<double> xyz;
+  for (NodeId node = 0; node < mesh.node_count(); ++node) {
+    const auto p = mesh.position(node);
+    const Position q = move({p[0], p[1], p[2]});
+    xyz.insert(xyz.end(), q.begin(), q.end());
+  }
+  result.xyz = std::move(xyz);
+  return result;
+}
+
+Position sheared(const Position& p) {
+  const auto& [x, y, z] = p;
+  return {0.9 * x + 0.35 * y - 0.1 * z, -0.15 * x + 0.8 * y + 0.3 * z, 0.2 * x - 0.25 * y + z};
+}
+
+Position tapered(const Position& p) {
+  const double w = 1 + 0.6 * p[2] - 0.25 * p[0] + 0.3 * p[1];
+  const Position q = sheared(p);
+  return {q[0] / w, q[1] / w, q[2] / w};
+}
+
+ZooMesh two_wedges() {
+  const std::vector<Position> positions{{0, 0, 0}, {1, 0, 0},    {0.5, 1, 0}, {0, 1, 0}, {0, 0, 1},
+                                        {0.5, 0, 1}, {0, 1, 1},  {-1, 0, 0},  {-0.5, 1, 0},
+                                        {-0.5, 0, 1}};
+  return make_mesh(positions, {{CellKind::wedge7, {0, 1, 2, 3, 4, 5, 6}},
+                               {CellKind::wedge7, {0, 7, 9, 4, 3, 8, 6}}});
+}
+
+ZooMesh mixed_columns(std::size_t n) {
+  std::vector<Position> positions;
+  const double h = 1.0 / static_cast<double>(n);
+  for (std::size_t k = 0; k <= 3; ++k)
+    for (std::size_t j = 0; j <= n; ++j)
+      for (std::size_t i = 0; i <= n; ++i)
+        positions.push_back({double(i) * h, double(j) * h, double(k) / 3});
+  const auto node = [n](std::size_t i, std::size_t j, std::size_t k) {
+    return static_cast<NodeId>((k * (n + 1) + j) * (n + 1) + i);
+  };
+  std::vector<Cell> cells;
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::array<NodeId, 8> c{node(i, j, k),         node(i + 1, j, k),
+                                      node(i + 1, j + 1, k), node(i, j + 1, k),
+                                      node(i, j, k + 1),     node(i + 1, j, k + 1),
+                                      node(i + 1, j + 1, k + 1), node(i, j + 1, k + 1)};
+        if (k == 0) {
+          cells.push_back({CellKind::prism6, {c[0], c[2], c[1], c[4], c[6], c[5]}});
+          cells.push_back({CellKind::prism6, {c[0], c[3], c[2], c[4], c[7], c[6]}});
+        } else if (k == 1) {
+          const auto apex = static_cast<NodeId>(positions.size());
+          positions.push_back({(double(i) + 0.5) * h, (double(j) + 0.5) * h, 0.5});
+          cells.push_back({CellKind::tetrahedron4, {c[0], c[1], c[2], apex}});
+          cells.push_back({CellKind::tetrahedron4, {c[0], c[2], c[3], apex}});
+          for (const auto& base : {std::array{7, 6, 5, 4}, std::array{0, 4, 5, 1},
+                                   std::array{1, 5, 6, 2}, std::array{2, 6, 7, 3},
+                                   std::array{3, 7, 4, 0}}) {
+            Cell pyramid{CellKind::pyramid5, {}};
+            for (const int b : base) pyramid.nodes.push_back(c[static_cast<std::size_t>(b)]);
+            pyramid.nodes.push_back(apex);
+            cells.push_back(pyramid);
+          }
+        } else {
+          cells.push_back({CellKind::brick8, {c.begin(), c.end()}});
+        }
+      }
+  return make_mesh(positions, cells);
+}
+
+void add_random_field(ZooMesh& mesh, const std::string& name, FieldLocation location,
+                      std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const std::size_t count = location == FieldLocation::node   ? mesh.node_count()
+                            : location == FieldLocation::cell ? mesh.cell_count()
+                                                              : mesh.nodes.size();
+  std::vector<double> values(count);
+  for (double& value : values) value = unit(random);
+  mesh.fields.push_back({name, "", location, 1, std::move(values)});
+}
+
+Scene cube_scene(Projection projection, std::uint32_t width, std::uint32_t height) {
+  Scene scene;
+  scene.image = {width, height};
+  scene.camera.projection = projection;
+  scene.camera.eye = {3.1, 2.3, 2.7};
+  scene.camera.look_at = {0.45, 0.4, 0.4};
+  scene.camera.up = {0.1, 0, 1};
+  scene.camera.fov = 27;
+  scene.camera.height = 1.75;
+  scene.volume.color = ColorTransfer{
+      "f", {{0.0, {0.1, 0.2, 0.9}}, {0.45, {0.2, 0.9, 0.3}}, {1, {0.9, 0.1, 0.1}}}};
+  scene.volume.extinction = ExtinctionTransfer{"f", {{0.0, {0.2}}, {0.6, {4}}, {1, {1}}}};
+  scene.render.tolerance = 1e-13;
+  return scene;
+}
+
+void make_uniform(Scene& scene) {
+  scene.volume.color->points = {{0, {0.9, 0.5, 0.2}}};
+  scene.volume.extinction->points = {{0, {1.5}}};
+}
+
+RenderResult draw(const ZooMesh& mesh, const Scene& scene) {
+  const View view{scene.camera.projection == Projection::perspective, scene.camera.eye,
+                  view_direction(scene.camera)};
+  const OrderResult sorted =
+      exact_order(mesh, build_face_adjacency(mesh), view, scene.render.planarity);
+  return render(mesh, sorted.order, scene, false);
+}
+
+}  // namespace hiac::test

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "hiac/render/engine.hpp"
+#include "tests/support/meshes.hpp"
+
+namespace hiac::test {
+
+/// The mesh with every node moved.
+ZooMesh moved(const ZooMesh& mesh, const std::function<Position(const Position&)>& move);
+
+/// An affine map, far from orthogonal.
+Position sheared(const Position& p);
+
+/// A projective map of the unit cube: planes stay planes, bricks become frusta and worse.
+Position tapered(const Position& p);
+
+/// Two 7-node wedges that share a quadrilateral face, as large as the unit cube.
+ZooMesh two_wedges();
+
+/// n x n columns of the unit cube: prisms below; above them transition cubes, each two tetrahedra
+/// and five pyramids; above these bricks. Conforming, with every pair of these kinds that can share
+/// a face sharing one.
+ZooMesh mixed_columns(std::size_t n);
+
+/// A field of random numbers in [0, 1].
+void add_random_field(ZooMesh& mesh, const std::string& name, FieldLocation location,
+                      std::uint64_t seed);
+
+/// A scene that looks at the unit cube from outside, with a few bends in its transfer functions of
+/// the field "f", to a tolerance of 1e-13.
+Scene cube_scene(Projection projection, std::uint32_t width, std::uint32_t height);
+
+/// Extinction 1.5 and one colour everywhere.
+void make_uniform(Scene& scene);
+
+/// Sorts and renders.
+RenderResult draw(const ZooMesh& mesh, const Scene& scene);
+
+}  // namespace hiac::test
