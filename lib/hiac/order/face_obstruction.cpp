@@ -33,6 +33,55 @@ bool separated_by_edge(const SeenFace& f, const SeenFace& g, const View& view) {
   return false;
 }
 
+// Whether all of both faces surely lies before one plane through the eye. What rounding could turn
+// counts as not.
+bool in_one_hemisphere(const SeenFace& f, const SeenFace& g, const View& view) {
+  constexpr double kSurely = 1e-9;
+  if (!view.perspective) return true;
+  std::array<std::array<double, 3>, 8> directions;
+  std::array<double, 3> sum{};
+  std::size_t count = 0;
+  for (const SeenFace* face : {&f, &g})
+    for (std::size_t k = 0; k < face->count; ++k) {
+      const Point3 p = face->corner(k);
+      std::array<double, 3> v{p[0] - view.eye[0], p[1] - view.eye[1], p[2] - view.eye[2]};
+      const double length = std::hypot(v[0], v[1], v[2]);
+      for (std::size_t c = 0; c < 3; ++c) sum[c] += v[c] /= length;
+      directions[count++] = v;
+    }
+  return std::all_of(directions.begin(), directions.begin() + static_cast<std::ptrdiff_t>(count),
+                     [&](const std::array<double, 3>& v) {
+                       return v[0] * sum[0] + v[1] * sum[1] + v[2] * sum[2] > kSurely;
+                     });
+}
+
+// The sides of the plane through the eye, a and b on which a face has corners.
+struct Span {
+  bool left = false, right = false;
+};
+
+Span span_of(Point3 a, Point3 b, const SeenFace& face, const View& view) {
+  Span span;
+  for (std::size_t k = 0; k < face.count; ++k) {
+    const int side = side_of_edge(a, b, face.corner(k), view);
+    span.left = span.left || side > 0;
+    span.right = span.right || side < 0;
+  }
+  return span;
+}
+
+// Whether a plane through the eye and a corner of each face has them on different sides. Faces that
+// surround the eye can be apart by such planes alone.
+bool separated_by_corners(const SeenFace& f, const SeenFace& g, const View& view) {
+  for (std::size_t k = 0; k < f.count; ++k)
+    for (std::size_t j = 0; j < g.count; ++j) {
+      const Span of_f = span_of(f.corner(k), g.corner(j), f, view);
+      const Span of_g = span_of(f.corner(k), g.corner(j), g, view);
+      if (of_f.left != of_f.right && of_g.left != of_g.right && of_f.left != of_g.left) return true;
+    }
+  return false;
+}
+
 // How the corners of `face` lie to the plane of `plane`: on the eye's side, beyond, or in it.
 struct Sides {
   bool any_nearer = false, any_beyond = false;
@@ -57,6 +106,7 @@ std::optional<int> nearer_edge(Point3 a, Point3 b, Point3 c, Point3 d, const Vie
   const int c_side = side_of_edge(a, b, c, view), d_side = side_of_edge(a, b, d, view);
   const int a_side = side_of_edge(c, d, a, view), b_side = side_of_edge(c, d, b, view);
   if (c_side * d_side >= 0 || a_side * b_side >= 0) return std::nullopt;
+  if (a_side != d_side) return std::nullopt;  // one passes the other's opposite, behind the eye
   // det[d-c, a-c, eye-c] = a_side: seen from the eye, a lies left of c -> d when it is positive
   return orientation(c, d, a, b) * a_side * -1;
 }
@@ -109,7 +159,8 @@ double depth_in_front(const SeenFace& plane, const SeenFace& face, const View& v
 }  // namespace
 
 bool projections_overlap(const SeenFace& f, const SeenFace& g, const View& view) {
-  return !separated_by_edge(f, g, view) && !separated_by_edge(g, f, view);
+  if (separated_by_edge(f, g, view) || separated_by_edge(g, f, view)) return false;
+  return in_one_hemisphere(f, g, view) || !separated_by_corners(f, g, view);
 }
 
 bool reached_first(const SeenFace& f, const SeenFace& g, const View& view, double slack) {

@@ -20,8 +20,8 @@ struct SeenFace {
 /// True when some viewing ray crosses the inner of both faces.
 ///
 /// Exact: two convex polygons on the sphere of directions are apart when the great circle through
-/// an edge of one of them has them on different sides. The faces must not be seen edge-on, and in
-/// perspective each must lie in a half-space before the eye.
+/// an edge of one of them has them on different sides or, if no hemisphere holds both, one through
+/// a corner of each. The faces must not be seen edge-on.
 bool projections_overlap(const SeenFace& f, const SeenFace& g, const View& view);
 
 /// True when `f` is met no later than `g` by rays that cross both, given that there are such rays

@@ -53,15 +53,14 @@ struct GapFaces {
   std::vector<GapFace> exits, entries;
 };
 
-void add_face(const ZooMesh& mesh, CellId cell, const ShapeFace& face,
-              std::span<const std::uint8_t> corners, const View& view, int cell_side,
-              GapFaces& faces) {
+void add_face(const ZooMesh& mesh, CellId cell, std::span<const std::uint8_t> corners,
+              const View& view, int cell_side, GapFaces& faces) {
   GapFace gap{};
   gap.cell = cell;
   gap.seen.count = corners.size();
   const auto nodes = mesh.cell_nodes(cell);
   for (std::size_t k = 0; k < corners.size(); ++k)
-    gap.seen.corners[k] = mesh.position(nodes[face.corners[corners[k]]]).data();
+    gap.seen.corners[k] = mesh.position(nodes[corners[k]]).data();
   const Point3 a = gap.seen.corner(0), b = gap.seen.corner(1), c = gap.seen.corner(2);
   const int eye = view.perspective ? orientation(a, b, c, Point3(view.eye))
                                    : -orientation_towards(a, b, c, Point3(view.direction));
@@ -76,8 +75,6 @@ void add_face(const ZooMesh& mesh, CellId cell, const ShapeFace& face,
 
 GapFaces find_gap_faces(const ZooMesh& mesh, const FaceAdjacency& adjacency, const View& view,
                         double planarity) {
-  constexpr std::array<std::uint8_t, 4> kAll{0, 1, 2, 3};
-  constexpr std::array<std::uint8_t, 3> kHalf1{0, 1, 2}, kHalf2{0, 2, 3};
   GapFaces faces;
   std::size_t slot = 0;
   for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {
@@ -85,14 +82,16 @@ GapFaces find_gap_faces(const ZooMesh& mesh, const FaceAdjacency& adjacency, con
     for (const ShapeFace& face : topology_of(mesh.kinds[cell]).faces) {
       if (adjacency.neighbors[slot++] != kNoCell) continue;
       const int side = side_of_cell(mesh, cell, face);
-      const auto at = [&](std::size_t k) { return mesh.position(nodes[face.corners[k]]); };
+      const auto c = plane_corners(mesh, cell, face);
+      const auto at = [&](std::size_t k) { return mesh.position(nodes[c[k]]); };
+      const auto first_three = std::span(c).first<3>();
       if (face.corner_count == 3) {
-        add_face(mesh, cell, face, kHalf1, view, side, faces);
+        add_face(mesh, cell, first_three, view, side, faces);
       } else if (quadrilateral_deviation(at(0), at(1), at(2), at(3)) <= planarity) {
-        add_face(mesh, cell, face, kAll, view, side, faces);
+        add_face(mesh, cell, c, view, side, faces);
       } else {
-        add_face(mesh, cell, face, kHalf1, view, side, faces);
-        add_face(mesh, cell, face, kHalf2, view, side, faces);
+        add_face(mesh, cell, first_three, view, side, faces);
+        add_face(mesh, cell, std::array{c[0], c[2], c[3]}, view, side, faces);
       }
     }
   }
