@@ -231,7 +231,7 @@ TEST_F(ZooContainer, StreamIsReadToItsEndChunkAndNoFurther) {
 
 TEST_F(ZooContainer, ReportsAFolderThatCannotBeWritten) {
   EXPECT_THAT(complaint([&] { write_zoo_file(path("none/a.zoo"), sample_file()); }),
-              HasSubstr("a.zoo: cannot be created (No such file"));
+              HasSubstr("a.zoo: cannot be written (No such file"));
   EXPECT_THAT(complaint([&] { write_zoo_file("/dev/full", sample_file()); }),
               HasSubstr("/dev/full: cannot be written (No space left"));
 }

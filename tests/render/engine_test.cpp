@@ -26,9 +26,11 @@ Scene scene_of(Projection projection, std::uint32_t width, std::uint32_t height)
   scene.camera.up = {0, 0, 1};
   scene.camera.fov = 27;
   scene.camera.height = 1.75;
-  scene.volume.color = ColorTransfer{
-      "f",
-      {{0.0, {0.1, 0.2, 0.9}}, {0.35, {0.2, 0.9, 0.3}}, {0.6, {0.95, 0.8, 0.1}}, {1, {0.9, 0.1, 0.1}}}};
+  scene.volume.color = ColorTransfer{"f",
+                                     {{0.0, {0.1, 0.2, 0.9}},
+                                      {0.35, {0.2, 0.9, 0.3}},
+                                      {0.6, {0.95, 0.8, 0.1}},
+                                      {1, {0.9, 0.1, 0.1}}}};
   scene.volume.extinction = ExtinctionTransfer{
       "f", {{0.0, {0.2}}, {0.25, {0.6}}, {0.45, {4}}, {0.55, {0.5}}, {0.8, {6}}, {1, {1}}}};
   scene.render.tolerance = 1e-15;
@@ -61,9 +63,8 @@ double largest_error(const ZooMesh& mesh, const Scene& scene, const Image& image
 ZooMesh delaunay_with_fields(std::size_t points, std::uint64_t seed) {
   ZooMesh mesh = test::random_delaunay(points, seed);
   test::add_node_field(mesh, "f", test::smooth_field);
-  test::add_node_field(mesh, "g", [](const test::Position& p) {
-    return 0.5 * (p[0] * p[0] + p[1] * (1 - p[2]));
-  });
+  test::add_node_field(
+      mesh, "g", [](const test::Position& p) { return 0.5 * (p[0] * p[0] + p[1] * (1 - p[2])); });
   return mesh;
 }
 
@@ -87,13 +88,157 @@ TEST(Engine, DelaunayAgreesWithBruteForce) {
 TEST(Engine, StepsInTransferFunctionsAgreeWithBruteForce) {
   const ZooMesh mesh = delaunay_with_fields(60, 2);
   Scene scene = scene_of(Projection::perspective, 40, 40);
-  scene.volume.color->points = {{0.3, {1, 0, 0}}, {0.3, {0, 1, 0}}, {0.6, {0, 0, 1}},
-                                {0.6, {1, 1, 0}}};
-  scene.volume.extinction->points = {{0.2, {0}}, {0.2, {5}}, {0.4, {0}}, {0.52, {0}},
-                                     {0.52, {9}}, {0.7, {1}}};
+  scene.volume.color->points = {
+      {0.3, {1, 0, 0}}, {0.3, {0, 1, 0}}, {0.6, {0, 0, 1}}, {0.6, {1, 1, 0}}};
+  scene.volume.extinction->points = {{0.2, {0}},  {0.2, {5}},  {0.4, {0}},
+                                     {0.52, {0}}, {0.52, {9}}, {0.7, {1}}};
   EXPECT_LE(largest_error(mesh, scene, draw(mesh, scene).image), 1e-12);
+}
+
+TEST(Engine, ClippingSlabAgreesWithBruteForce) {
+  const ZooMesh mesh = delaunay_with_fields(60, 3);
+  for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
+    Scene scene = scene_of(projection, 40, 40);
+    scene.camera.clip = {{3.3, 3.9}};
+    const RenderResult result = draw(mesh, scene);
+    EXPECT_GT(result.statistics.covered_pixels, 300U);
+    EXPECT_LE(largest_error(mesh, scene, result.image), 1e-12);
+  }
+}
+
+TEST(Engine, CellAndCornerFieldsAgreeWithBruteForce) {
+  ZooMesh mesh = delaunay_with_fields(40, 4);
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::vector<double> by_cell(mesh.cell_count()), by_corner(mesh.nodes.size());
+  for (double& v : by_cell) v = unit(random);
+  for (double& v : by_corner) v = unit(random);
+  mesh.fields.push_back({"c", "", FieldLocation::cell, 1, std::move(by_cell)});
+  mesh.fields.push_back({"k", "", FieldLocation::corner, 1, std::move(by_corner)});
+  Scene scene = scene_of(Projection::perspective, 40, 40);
+  for (const auto& [color, extinction] :
+       {std::pair{"c", "c"}, {"k", "k"}, {"c", "k"}, {"f", "c"}, {"k", "f"}}) {
+    scene.volume.color->field = color;
+    scene.volume.extinction->field = extinction;
+    EXPECT_LE(largest_error(mesh, scene, draw(mesh, scene).image), 1e-12) << color << extinction;
+  }
+}
+
+// Every ray along an axis lies in faces of the lattice or runs through its edges: still, each point
+// of it belongs to exactly one cell.
+TEST(Engine, RaysInFacesAndEdgesMissNothing) {
+  ZooMesh mesh = test::structured(8, Cut::tetrahedra);
+  test::add_node_field(mesh, "f", [](const test::Position&) { return 0.5; });
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const double side : {-1.0, 1.0})
+      for (const std::uint32_t pixels : {8U, 16U, 24U}) {
+        Scene scene = scene_of(Projection::orthographic, pixels, pixels);
+        scene.camera.look_at = {0.5, 0.5, 0.5};
+        scene.camera.eye = scene.camera.look_at;
+        scene.camera.eye[axis] += 3 * side;
+        scene.camera.up = {0, 0, 0};
+        scene.camera.up[(axis + 1) % 3] = 1;
+        // pixel centres on the lattice's planes: the view is moved by half a pixel
+        scene.camera.height = 1;
+        const double half = 0.5 / pixels;
+        for (const std::size_t other : {(axis + 1) % 3, (axis + 2) % 3}) {
+          scene.camera.eye[other] -= half;
+          scene.camera.look_at[other] -= half;
+        }
+        scene.volume.extinction->points = {{0, {2.5}}};
+        scene.volume.color->points = {{0, {1, 1, 1}}};
+        const RenderResult result = draw(mesh, scene);
+        EXPECT_EQ(result.statistics.violations, 0U);
+        const double expected = 1 - std::exp(-2.5);
+        std::size_t covered = 0;
+        for (std::uint32_t y = 0; y < pixels; ++y)
+          for (std::uint32_t x = 0; x < pixels; ++x) {
+            const double alpha = result.image.at(x, y, 3);
+            if (alpha == 0) continue;  // beyond the side that does not own its boundary
+            ++covered;
+            ASSERT_NEAR(alpha, expected, 1e-14) << axis << ' ' << side << ' ' << x << ' ' << y;
+            ASSERT_NEAR(result.image.at(x, y, 0), expected, 1e-14);
+          }
+        EXPECT_GE(covered, (pixels - 1) * (pixels - 1));
+      }
+}
+
+// A row of vectors must not depend on what other pixels share a vector or a tile with it, nor on
+// who draws the tile.
+TEST(Engine, ThreadsDoNotChangeABit) {
+  const ZooMesh mesh = delaunay_with_fields(300, 5);
+  const Scene scene = scene_of(Projection::perspective, 200, 150);
+  std::vector<std::vector<double>> images;
+  for (const unsigned threads : {1U, 2U, 7U}) {
+    const ThreadLimit limit(threads);
+    const RenderResult result = draw(mesh, scene);
+    images.emplace_back(result.image.values().begin(), result.image.values().end());
+  }
+  EXPECT_EQ(std::memcmp(images[0].data(), images[1].data(), images[0].size() * sizeof(double)), 0);
+  EXPECT_EQ(std::memcmp(images[0].data(), images[2].data(), images[0].size() * sizeof(double)), 0);
+}
+
+// Whatever the order inside a group, sorting its segments pixel by pixel puts it right.
+TEST(Engine, GroupsAreOrderedPixelByPixel) {
+  const ZooMesh mesh = delaunay_with_fields(60, 6);
+  const Scene scene = scene_of(Projection::perspective, 48, 48);
+  OrderResult sorted = order_of_scene(mesh, scene);
+  ASSERT_TRUE(sorted.order.groups.empty());
+  std::vector<CellId> cells(sorted.order.cells.begin(), sorted.order.cells.end());
+  std::vector<CellGroup> groups;
+  for (std::uint32_t first = 0; first + 40 < cells.size(); first += 55)
+    groups.push_back({first, 40});
+  for (const CellGroup& g : groups)
+    std::reverse(cells.begin() + g.first, cells.begin() + g.first + g.count);
+  const VisibilityOrder grouped{std::move(cells), std::move(groups), "exact"};
+  const Image expected = render(mesh, sorted.order, scene, false).image;
+  const RenderResult result = render(mesh, grouped, scene, false);
+  EXPECT_EQ(result.statistics.violations, 0U);
+  for (std::size_t i = 0; i < expected.values().size(); ++i)
+    ASSERT_NEAR(result.image.values()[i], expected.values()[i], 1e-14);
+}
+
+// The witness sees an order that is wrong.
+TEST(Engine, WrongOrderIsCounted) {
+  const ZooMesh mesh = delaunay_with_fields(60, 7);
+  const Scene scene = scene_of(Projection::orthographic, 48, 48);
+  const OrderResult sorted = order_of_scene(mesh, scene);
+  std::vector<CellId> cells(sorted.order.cells.begin(), sorted.order.cells.end());
+  std::swap(cells.front(), cells.back());
+  EXPECT_GT(render(mesh, {std::move(cells), {}, "wrong"}, scene, false).statistics.violations, 0U);
+}
+
+// Rays stop once what lies behind could not change the picture by more than the tolerance.
+TEST(Engine, EarlyTerminationStaysWithinTheTolerance) {
+  const ZooMesh mesh = delaunay_with_fields(200, 8);
+  Scene scene = scene_of(Projection::perspective, 64, 64);
+  for (auto& point : scene.volume.extinction->points) point.value[0] *= 40;
+  const RenderResult full = draw(mesh, scene);
+  scene.render.tolerance = 1e-6;
+  const RenderResult stopped = draw(mesh, scene);
+  EXPECT_LT(stopped.statistics.segments, full.statistics.segments);
+  double largest = 0;
+  for (std::size_t i = 0; i < full.image.values().size(); ++i)
+    largest = std::max(largest, std::abs(full.image.values()[i] - stopped.image.values()[i]));
+  EXPECT_GT(largest, 0);
+  EXPECT_LE(largest, 1e-6);
+}
+
+TEST(Engine, BackgroundIsCompositedBehind) {
+  const ZooMesh mesh = delaunay_with_fields(40, 9);
+  Scene scene = scene_of(Projection::perspective, 32, 32);
+  scene.background.color = {0.25, 0.5, 0.75};
+  const OrderResult sorted = order_of_scene(mesh, scene);
+  const Image bare = render(mesh, sorted.order, scene, false).image;
+  const Image whole = render(mesh, sorted.order, scene, true).image;
+  for (std::uint32_t y = 0; y < 32; ++y)
+    for (std::uint32_t x = 0; x < 32; ++x) {
+      ASSERT_EQ(whole.at(x, y, 3), bare.at(x, y, 3));
+      for (std::size_t c = 0; c < 3; ++c)
+        ASSERT_NEAR(whole.at(x, y, c),
+                    bare.at(x, y, c) + (1 - bare.at(x, y, 3)) * scene.background.color[c], 1e-15);
+    }
 }
 
 }  // namespace
 }  // namespace hiac
-

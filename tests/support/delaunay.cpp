@@ -12,8 +12,9 @@ std::vector<std::array<std::uint32_t, 4>> delaunay_tetrahedra(
     const std::vector<std::array<double, 3>>& points) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<std::uint32_t, Kernel>;
-  using Structure = CGAL::Triangulation_data_structure_3<
-      VertexBase, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
+  using Structure =
+      CGAL::Triangulation_data_structure_3<VertexBase,
+                                           CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
   using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, Structure>;
 
   std::vector<std::pair<Kernel::Point_3, std::uint32_t>> numbered;
@@ -23,8 +24,7 @@ std::vector<std::array<std::uint32_t, 4>> delaunay_tetrahedra(
   std::vector<std::array<std::uint32_t, 4>> tetrahedra;
   for (const auto cell : triangulation.finite_cell_handles()) {
     std::array<std::uint32_t, 4> corners;
-    for (int k = 0; k < 4; ++k)
-      corners[static_cast<std::size_t>(k)] = cell->vertex(k)->info();
+    for (int k = 0; k < 4; ++k) corners[static_cast<std::size_t>(k)] = cell->vertex(k)->info();
     tetrahedra.push_back(corners);
   }
   return tetrahedra;

@@ -113,8 +113,9 @@ ZooMesh structured(std::size_t n, Cut cut) {
         cut_into(cells, brick, CellKind::brick8, {{0, 1, 2, 3, 4, 5, 6, 7}});
         break;
       case Cut::tetrahedra:
-        cut_into(cells, brick, CellKind::tetrahedron4,
-                 {{0, 1, 2, 6}, {0, 2, 3, 6}, {0, 3, 7, 6}, {0, 7, 4, 6}, {0, 4, 5, 6}, {0, 5, 1, 6}});
+        cut_into(
+            cells, brick, CellKind::tetrahedron4,
+            {{0, 1, 2, 6}, {0, 2, 3, 6}, {0, 3, 7, 6}, {0, 7, 4, 6}, {0, 4, 5, 6}, {0, 5, 1, 6}});
         break;
       case Cut::prisms:
         cut_into(cells, brick, CellKind::prism6, {{0, 2, 1, 4, 6, 5}, {0, 3, 2, 4, 7, 6}});
@@ -126,14 +127,70 @@ ZooMesh structured(std::size_t n, Cut cut) {
         const auto apex = static_cast<NodeId>(positions.size());
         positions.push_back(center);
         const std::size_t first = cells.size();
-        cut_into(cells, brick, CellKind::pyramid5,
-                 {{0, 1, 2, 3}, {7, 6, 5, 4}, {0, 4, 5, 1}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}});
+        cut_into(
+            cells, brick, CellKind::pyramid5,
+            {{0, 1, 2, 3}, {7, 6, 5, 4}, {0, 4, 5, 1}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 4, 0}});
         for (std::size_t c = first; c < cells.size(); ++c) cells[c].nodes.push_back(apex);
         break;
       }
     }
   }
   return make_mesh(positions, cells);
+}
+
+namespace {
+
+std::vector<Position> positions_of(const ZooMesh& mesh) {
+  std::vector<Position> positions;
+  for (NodeId node = 0; node < mesh.node_count(); ++node) {
+    const auto p = mesh.position(node);
+    positions.push_back({p[0], p[1], p[2]});
+  }
+  return positions;
+}
+
+std::vector<Cell> cells_of(const ZooMesh& mesh) {
+  std::vector<Cell> cells;
+  for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {
+    const auto nodes = mesh.cell_nodes(cell);
+    cells.push_back({mesh.kinds[cell], {nodes.begin(), nodes.end()}});
+  }
+  return cells;
+}
+
+}  // namespace
+
+ZooMesh keep_cells(const ZooMesh& mesh,
+                   const std::function<bool(const Position& centroid, CellId cell)>& keep) {
+  const auto positions = positions_of(mesh);
+  const auto cells = cells_of(mesh);
+  std::vector<Cell> kept;
+  for (CellId cell = 0; cell < cells.size(); ++cell) {
+    Position centroid{};
+    for (const NodeId node : cells[cell].nodes)
+      for (std::size_t c = 0; c < 3; ++c)
+        centroid[c] += positions[node][c] / static_cast<double>(cells[cell].nodes.size());
+    if (keep(centroid, cell)) kept.push_back(cells[cell]);
+  }
+  return make_mesh(positions, kept);
+}
+
+ZooMesh side_by_side(const ZooMesh& a, const ZooMesh& b) {
+  auto positions = positions_of(a);
+  auto cells = cells_of(a);
+  const auto offset = static_cast<NodeId>(positions.size());
+  for (const Position& p : positions_of(b)) positions.push_back(p);
+  for (Cell& cell : cells_of(b)) {
+    for (NodeId& node : cell.nodes) node += offset;
+    cells.push_back(std::move(cell));
+  }
+  return make_mesh(positions, cells);
+}
+
+ZooMesh moved(const ZooMesh& mesh, const std::function<Position(const Position&)>& map) {
+  auto positions = positions_of(mesh);
+  for (Position& p : positions) p = map(p);
+  return make_mesh(positions, cells_of(mesh));
 }
 
 double smooth_field(const Position& p) {

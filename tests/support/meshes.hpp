@@ -33,6 +33,16 @@ ZooMesh random_delaunay(std::size_t points, std::uint64_t seed);
 enum class Cut { bricks, tetrahedra, prisms, pyramids };
 ZooMesh structured(std::size_t n, Cut cut);
 
+/// The cells of a mesh that `keep` wants, by centroid and number; nodes stay as they are.
+ZooMesh keep_cells(const ZooMesh& mesh,
+                   const std::function<bool(const Position& centroid, CellId cell)>& keep);
+
+/// Both meshes in one, sharing no node.
+ZooMesh side_by_side(const ZooMesh& a, const ZooMesh& b);
+
+/// Every position replaced by `map` of it.
+ZooMesh moved(const ZooMesh& mesh, const std::function<Position(const Position&)>& map);
+
 /// A smooth field between 0 and 1 with hills and hollows.
 double smooth_field(const Position& p);
 

@@ -23,6 +23,8 @@ OrderRecord order_mesh(Tool& tool, const ZooMesh& mesh, const Scene& scene) {
                            {"unmatched_faces", s.unmatched_faces},
                            {"arrows_both_ways", s.both_ways},
                            {"convex", s.convex},
+                           {"gap_pairs", s.gap_pairs},
+                           {"gap_arrows", s.gap_arrows},
                            {"groups_of_several_cells", result.order.groups.size()},
                            {"largest_group", s.largest_group},
                            {"cells_in_groups", s.cells_in_groups},

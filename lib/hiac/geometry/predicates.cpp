@@ -12,31 +12,44 @@ namespace {
 struct Filtered {
   double determinant;
   double permanent;
+  double size;  // of u
 };
 
-// det[u, v, w] by cofactors, and the same sum of absolute values.
+// det[u, v, w] by cofactors, the same sum of absolute values, and the sum of |u|.
 Filtered determinant(const std::array<double, 3>& u, const std::array<double, 3>& v,
                      const std::array<double, 3>& w) {
   const double vw_x1 = v[1] * w[2], vw_x2 = v[2] * w[1];
   const double vw_y1 = v[2] * w[0], vw_y2 = v[0] * w[2];
   const double vw_z1 = v[0] * w[1], vw_z2 = v[1] * w[0];
+  const double ux = std::abs(u[0]), uy = std::abs(u[1]), uz = std::abs(u[2]);
   return {u[0] * (vw_x1 - vw_x2) + u[1] * (vw_y1 - vw_y2) + u[2] * (vw_z1 - vw_z2),
-          std::abs(u[0]) * (std::abs(vw_x1) + std::abs(vw_x2)) +
-              std::abs(u[1]) * (std::abs(vw_y1) + std::abs(vw_y2)) +
-              std::abs(u[2]) * (std::abs(vw_z1) + std::abs(vw_z2))};
+          ux * (std::abs(vw_x1) + std::abs(vw_x2)) + uy * (std::abs(vw_y1) + std::abs(vw_y2)) +
+              uz * (std::abs(vw_z1) + std::abs(vw_z2)),
+          ux + uy + uz};
 }
 
 // Shewchuk's bound A for a determinant of rounded differences; eps is half an ulp of 1.
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon() / 2;
 constexpr double kErrorBound = (7.0 + 56.0 * kEpsilon) * kEpsilon;
-// Below this the products may have lost bits to underflow, which the bound does not cover.
-constexpr double kUnderflowGuard = 1e-270;
+// What underflow may add, which that bound leaves out: each product of v and w is off by up to half
+// a denormal number, which u multiplies, and so is each of the last products. The smallest normal
+// number is far more than that.
+constexpr double kUnderflow = std::numeric_limits<double>::min();
 
 // The sign, or 2 when the filter cannot tell. Not-a-number and overflow end there as well.
 int filtered_sign(const Filtered& f) {
-  if (f.permanent > kUnderflowGuard && std::abs(f.determinant) > kErrorBound * f.permanent)
+  if (std::abs(f.determinant) > kErrorBound * f.permanent + kUnderflow * (f.size + 1))
     return f.determinant > 0 ? 1 : -1;
   return 2;
+}
+
+// Certain zeros of everyday meshes, whose sides lie along the axes: a coordinate in which three
+// vectors all vanish. A difference of doubles is 0 only when they are equal.
+bool shares_zero_coordinate(const std::array<double, 3>& u, const std::array<double, 3>& v,
+                            const std::array<double, 3>& w) {
+  for (std::size_t c = 0; c < 3; ++c)
+    if (u[c] == 0 && v[c] == 0 && w[c] == 0) return true;
+  return false;
 }
 
 std::array<double, 3> difference(Point3 a, Point3 b) {
@@ -46,14 +59,18 @@ std::array<double, 3> difference(Point3 a, Point3 b) {
 }  // namespace
 
 int orientation(Point3 a, Point3 b, Point3 c, Point3 d) {
-  const int sign = filtered_sign(determinant(difference(b, a), difference(c, a), difference(d, a)));
-  return sign != 2 ? sign : exact_orientation(a, b, c, d);
+  const auto u = difference(b, a), v = difference(c, a), w = difference(d, a);
+  const int sign = filtered_sign(determinant(u, v, w));
+  if (sign != 2) return sign;
+  return shares_zero_coordinate(u, v, w) ? 0 : exact_orientation(a, b, c, d);
 }
 
 int orientation_towards(Point3 a, Point3 b, Point3 c, Point3 v) {
-  const int sign =
-      filtered_sign(determinant(difference(b, a), difference(c, a), {v[0], v[1], v[2]}));
-  return sign != 2 ? sign : exact_orientation_towards(a, b, c, v);
+  const auto u = difference(b, a), w = difference(c, a);
+  const std::array<double, 3> towards{v[0], v[1], v[2]};
+  const int sign = filtered_sign(determinant(u, w, towards));
+  if (sign != 2) return sign;
+  return shares_zero_coordinate(u, w, towards) ? 0 : exact_orientation_towards(a, b, c, v);
 }
 
 }  // namespace hiac

@@ -15,11 +15,16 @@
 #include "hiac/base/error.hpp"
 #include "hiac/image/image_formats.hpp"
 
-namespace hiac {
+namespace hiac::image_files {
 namespace {
 
-/// Lines converted at a time; ZIP compression takes blocks of 16.
+/// Lines converted at a time, as many as make a block of ZIP compression.
 constexpr std::size_t kBlockLines = 16;
+
+/// Deflate cannot make data smaller than by this factor.
+constexpr std::uint64_t kLargestRatio = 1032;
+/// Up to here memory is taken without asking what the file's length makes likely.
+constexpr std::uint64_t kHarmlessBytes = std::uint64_t{64} << 20;
 
 /// OpenEXR's output through a FileWriter. Its own stream would lose errors of the last bytes, which
 /// are written by a destructor; here they stay with the file and FileWriter::close throws.
@@ -79,6 +84,47 @@ void write_lines(Imf::OutputFile& file, const Image& image) {
   }
 }
 
+// Reading -----------------------------------------------------------------------------------------
+
+constexpr int kMaxSide = 65536;
+constexpr int kMaxTileSide = 4096;
+
+/// A text of at most 255 characters that a zero ends.
+std::string read_name(std::FILE* file, const std::string& path) {
+  std::string name;
+  for (char c = 0; name.size() < 256; name += c) {
+    read_exactly(file, std::as_writable_bytes(std::span(&c, 1)), path);
+    if (c == 0) return name;
+  }
+  throw InputError(path, "malformed OpenEXR header (a name longer than 255 characters)");
+}
+
+/// Walks over the attributes of the headers, because OpenEXR takes the memory that an attribute
+/// announces before it reads it. Returns the file's length.
+std::uint64_t require_sane_headers(const std::string& path) {
+  const FileHandle file = open_image_file(path);
+  const std::uint64_t file_bytes = remaining_bytes(file.get(), path);
+  std::array<std::uint32_t, 2> start{};  // magic number, version with flags
+  read_exactly(file.get(), std::as_writable_bytes(std::span(start)), path);
+  if (start[0] != 20000630) throw InputError(path, "not an OpenEXR file (wrong magic number)");
+  const bool several_parts = (start[1] & 0x1000) != 0;
+  while (true) {
+    bool is_empty = true;
+    while (!read_name(file.get(), path).empty()) {
+      is_empty = false;
+      read_name(file.get(), path);  // the attribute's type
+      std::uint32_t size = 0;
+      read_exactly(file.get(), std::as_writable_bytes(std::span(&size, 1)), path);
+      if (size > remaining_bytes(file.get(), path))
+        throw InputError(path, fmt::format("malformed OpenEXR header (an attribute of {} bytes, "
+                                           "more than the file has)",
+                                           size));
+      std::fseek(file.get(), static_cast<long>(size), SEEK_CUR);
+    }
+    if (is_empty || !several_parts) return file_bytes;
+  }
+}
+
 /// R G B A first, then the others as the file has them (sorted).
 std::vector<std::string> channel_names(const Imf::ChannelList& channels) {
   std::vector<std::string> names;
@@ -92,7 +138,7 @@ std::vector<std::string> channel_names(const Imf::ChannelList& channels) {
 }
 
 /// Memory grows as lines are decoded: a header that announces more than there is costs nothing.
-Image read_lines(Imf::InputFile& file, const std::string& path) {
+Image read_lines(Imf::InputFile& file, std::uint64_t file_bytes, const std::string& path) {
   const Imath::Box2i window = file.header().dataWindow();
   const auto width = std::int64_t{window.max.x} - window.min.x + 1;
   const auto height = std::int64_t{window.max.y} - window.min.y + 1;
@@ -100,6 +146,10 @@ Image read_lines(Imf::InputFile& file, const std::string& path) {
   require_sane_size(width < 0 ? 0 : static_cast<std::uint64_t>(width),
                     height < 0 ? 0 : static_cast<std::uint64_t>(height), names.size(), path);
   const auto columns = static_cast<std::size_t>(width);
+  const std::uint64_t block_bytes = kBlockLines * columns * names.size() * sizeof(float);
+  if (block_bytes > kHarmlessBytes && block_bytes / kLargestRatio > file_bytes)
+    throw InputError(path, fmt::format("{} bytes cannot hold lines of {} pixels with {} channels",
+                                       file_bytes, columns, names.size()));
   std::vector<float> lines(kBlockLines * columns * names.size());
   std::vector<double> values;
   for (std::int64_t y = 0; y < height; y += static_cast<std::int64_t>(kBlockLines)) {
@@ -131,10 +181,12 @@ void write_exr(const std::string& path, const Image& image, const WriteOptions& 
 }
 
 ImageFile read_exr(const std::string& path) {
-  remaining_bytes(open_image_file(path).get(), path);  // there, and a regular file
+  const std::uint64_t file_bytes = require_sane_headers(path);
+  Imf::Header::setMaxImageSize(kMaxSide, kMaxSide);
+  Imf::Header::setMaxTileSize(kMaxTileSide, kMaxTileSide);
   try {
     Imf::InputFile file(path.c_str());
-    ImageFile read{read_lines(file, path), {}};
+    ImageFile read{read_lines(file, file_bytes, path), {}};
     for (auto attribute = file.header().begin(); attribute != file.header().end(); ++attribute)
       if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&attribute.attribute()))
         read.attributes.emplace_back(attribute.name(), text->value());
@@ -148,4 +200,4 @@ ImageFile read_exr(const std::string& path) {
   }
 }
 
-}  // namespace hiac
+}  // namespace hiac::image_files

@@ -9,7 +9,7 @@
 #include "hiac/base/error.hpp"
 #include "hiac/image/image_formats.hpp"
 
-namespace hiac {
+namespace hiac::image_files {
 namespace {
 
 /// BASE.f32 and channel R: BASE.r.f32
@@ -76,4 +76,4 @@ Image read_f32(const std::string& path, std::size_t width) {
   return image;
 }
 
-}  // namespace hiac
+}  // namespace hiac::image_files

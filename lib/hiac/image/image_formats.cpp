@@ -8,7 +8,7 @@
 
 #include "hiac/base/error.hpp"
 
-namespace hiac {
+namespace hiac::image_files {
 
 FileHandle open_image_file(const std::string& path) {
   FileHandle file(std::fopen(path.c_str(), "rb"));
@@ -77,4 +77,4 @@ std::vector<std::string> default_channel_names(std::size_t count) {
   return names;
 }
 
-}  // namespace hiac
+}  // namespace hiac::image_files

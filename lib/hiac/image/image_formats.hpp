@@ -14,7 +14,7 @@
 #include "hiac/image/image.hpp"
 #include "hiac/image/image_io.hpp"
 
-namespace hiac {
+namespace hiac::image_files {
 
 static_assert(std::endian::native == std::endian::little, "files are written as memory has them");
 
@@ -75,4 +75,4 @@ void require_sane_size(std::uint64_t width, std::uint64_t height, std::uint64_t 
 /// Names for channels that come without: Y; Y A; R G B; R G B A; then "channel4" and so on.
 std::vector<std::string> default_channel_names(std::size_t count);
 
-}  // namespace hiac
+}  // namespace hiac::image_files

@@ -44,6 +44,9 @@ void write_image(const std::string& path, const Image& image, const WriteOptions
 /// Throws UsageError when write_image would refuse the name: to be asked before a long computation.
 void require_known_image_extension(const std::string& path);
 
+/// Whether the name's extension is one that write_image knows.
+bool has_image_extension(const std::string& path);
+
 /// Reads an image that write_image wrote, and those that other programs write in these formats
 /// (numpy: two or three axes of floating-point or integer numbers; PNG: grey or colour, 8 or 16
 /// bits, back to premultiplied linear values; OpenEXR: flat images of any compression). A `.f32`

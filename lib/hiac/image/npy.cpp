@@ -14,7 +14,7 @@
 #include "hiac/base/error.hpp"
 #include "hiac/image/image_formats.hpp"
 
-namespace hiac {
+namespace hiac::image_files {
 namespace {
 
 constexpr std::string_view kMagic = "\x93NUMPY";
@@ -38,8 +38,7 @@ std::string_view value_of(std::string_view dictionary, std::string_view key,
     throw InputError(path, fmt::format("malformed numpy header (expected the key '{}')", key));
   std::string_view rest = dictionary.substr(colon + 1);
   rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
-  const char closing = rest.starts_with('(') ? ')' : ',';
-  return rest.substr(0, rest.find(closing));
+  return rest.substr(0, rest.starts_with('(') ? rest.find(')') : rest.find_first_of(",}"));
 }
 
 std::vector<std::uint64_t> parse_shape(std::string_view text, const std::string& path) {
@@ -175,4 +174,4 @@ Image read_npy(const std::string& path) {
   return image;
 }
 
-}  // namespace hiac
+}  // namespace hiac::image_files

@@ -11,7 +11,7 @@
 #include "hiac/image/image_formats.hpp"
 #include "hiac/image/srgb.hpp"
 
-namespace hiac {
+namespace hiac::image_files {
 namespace {
 
 // libpng reports errors by longjmp. Every function here that calls it holds nothing that a jump
@@ -259,4 +259,4 @@ ImageFile read_png(const std::string& path) {
   return read;
 }
 
-}  // namespace hiac
+}  // namespace hiac::image_files

@@ -16,38 +16,46 @@ void check_count(std::size_t count) {
     throw std::invalid_argument("a field along a ray needs 1 to 17 coefficients");
 }
 
-/// cos(pi i / n) for every degree n: the points of interpolation, and the transform's factors.
-struct CosineTables {
-  std::array<std::array<double, 2 * kMaxFieldDegree>, kMaxFieldDegree + 1> cosine{};
-  CosineTables() {
-    for (std::size_t n = 1; n <= kMaxFieldDegree; ++n)
-      for (std::size_t i = 0; i < 2 * n; ++i) {
-        // about the nearest quarter turn, so that symmetric points are symmetric in rounding too
-        const auto steps = static_cast<double>(n) - 2.0 * static_cast<double>(i);
-        cosine[n][i] = std::sin(std::numbers::pi / 2 * steps / static_cast<double>(n));
+constexpr std::size_t kCount = kMaxFieldDegree + 1;
+
+/// For every degree n: the points cos(pi j / n), j = 0..n, and the matrix that turns the values
+/// there into Chebyshev coefficients.
+struct InterpolationTables {
+  std::array<std::array<double, kCount>, kCount> points{};
+  std::array<std::array<std::array<double, kCount>, kCount>, kCount> transform{};
+
+  InterpolationTables() {
+    transform[0][0][0] = 1;
+    for (std::size_t n = 1; n < kCount; ++n)
+      for (std::size_t j = 0; j <= n; ++j) {
+        points[n][j] = cosine(j, n);
+        for (std::size_t k = 0; k <= n; ++k) {
+          const double ends = (k == 0 || k == n ? 0.5 : 1) * (j == 0 || j == n ? 0.5 : 1);
+          transform[n][k][j] = 2 * ends * cosine(j * k, n) / static_cast<double>(n);
+        }
       }
+  }
+
+  /// cos(pi i / n), about the nearest quarter turn, so that symmetric points are symmetric in
+  /// rounding too.
+  static double cosine(std::size_t i, std::size_t n) {
+    const auto steps = static_cast<double>(n) - 2.0 * static_cast<double>(i % (2 * n));
+    return std::sin(std::numbers::pi / 2 * steps / static_cast<double>(n));
   }
 };
 
-const CosineTables& cosine_tables() {
-  static const CosineTables tables;
-  return tables;
+const InterpolationTables& tables() {
+  static const InterpolationTables t;
+  return t;
 }
 
 /// The polynomial of degree n with the values f(cos(pi j / n)), j = 0..n.
 ChebyshevPolynomial interpolant(const PolynomialCoefficients& values, std::size_t n) {
   ChebyshevPolynomial p;
   p.degree = n;
-  if (n == 0) {
-    p.c[0] = values[0];
-    return p;
-  }
-  const auto& cosine = cosine_tables().cosine[n];
-  for (std::size_t k = 0; k <= n; ++k) {
-    double sum = 0.5 * (values[0] + (k % 2 == 0 ? values[n] : -values[n]));
-    for (std::size_t j = 1; j < n; ++j) sum += values[j] * cosine[(j * k) % (2 * n)];
-    p.c[k] = sum * (k == 0 || k == n ? 1.0 : 2.0) / static_cast<double>(n);
-  }
+  const auto& transform = tables().transform[n];
+  for (std::size_t k = 0; k <= n; ++k)
+    for (std::size_t j = 0; j <= n; ++j) p.c[k] += transform[k][j] * values[j];
   return p;
 }
 
@@ -118,13 +126,14 @@ double evaluate(const ChebyshevPolynomial& f, double x) {
 }
 
 double ellipse_bound(const ChebyshevPolynomial& f, double rho, std::size_t first) {
+  const double inverse = 1 / rho;
   double sum = 0;
   double power = 1;
   double inverse_power = 1;
   for (std::size_t k = 0; k <= f.degree; ++k) {
     if (k >= first) sum += std::abs(f.c[k]) * 0.5 * (power + inverse_power);
     power *= rho;
-    inverse_power /= rho;
+    inverse_power *= inverse;
   }
   return sum;
 }
@@ -132,9 +141,9 @@ double ellipse_bound(const ChebyshevPolynomial& f, double rho, std::size_t first
 ChebyshevPolynomial chebyshev_from_bernstein(const BernsteinPolynomial& f) {
   PolynomialCoefficients values{};
   const std::size_t n = f.degree;
+  const auto& points = tables().points[n];
   values[0] = f.c[n];
-  for (std::size_t j = 1; j < n; ++j)
-    values[j] = evaluate(f, 0.5 * (1 + cosine_tables().cosine[n][j]));
+  for (std::size_t j = 1; j < n; ++j) values[j] = evaluate(f, 0.5 * (1 + points[j]));
   if (n > 0) values[n] = f.c[0];
   return interpolant(values, n);
 }
@@ -158,10 +167,8 @@ ChebyshevPolynomial restricted(const ChebyshevPolynomial& f, double t0, double t
   const std::size_t n = f.degree;
   const double middle = t0 + t1 - 1;  // in x of f
   const double half = t1 - t0;
-  for (std::size_t j = 0; j <= n; ++j) {
-    const double x = n == 0 ? 0 : cosine_tables().cosine[n][j];
-    values[j] = evaluate(f, middle + half * x);
-  }
+  const auto& points = tables().points[n];
+  for (std::size_t j = 0; j <= n; ++j) values[j] = evaluate(f, middle + half * points[j]);
   return interpolant(values, n);
 }
 

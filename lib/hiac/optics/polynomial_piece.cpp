@@ -20,6 +20,9 @@ constexpr double kUnit = std::numeric_limits<double>::epsilon() / 2;
 constexpr double kLargestCoefficient = 1e150;  // differences and slopes of such do not overflow
 constexpr int kDeepestBisection = 60;
 
+/// At least exp(x) - 1, x >= 0, at no cost where x is small.
+double growth(double x) { return x < 0.5 ? x + x * x : std::expm1(x); }
+
 /// Where the segment is cut, and what doubts about the places cost: integrals over t of the bound
 /// of what each transfer function's value is wrong by.
 struct Cuts {
@@ -101,19 +104,23 @@ double add_cuts(const Course<N>& course, std::vector<double>& places) {
   return doubt;
 }
 
-/// The interval of the transfer function on a piece around t: sides of breakpoints are told from
-/// differences of coefficients, which keep their sign however close they are.
+/// f(t) < s, told from differences of coefficients, which keep their sign however small they are.
+bool certainly_below(const BernsteinPolynomial& f, double t, double s) {
+  BernsteinPolynomial difference = f;
+  for (std::size_t i = 0; i <= f.degree; ++i) difference.c[i] -= s;
+  return evaluate(difference, t) < 0;
+}
+
+/// The interval of the transfer function on a piece around t.
 template <std::size_t N>
 std::size_t interval_around(const Course<N>& course, double t) {
   const auto breakpoints = course.function.breakpoints();
-  const auto below = [&](double s) {
-    BernsteinPolynomial difference = course.field;
-    for (std::size_t i = 0; i <= difference.degree; ++i) difference.c[i] -= s;
-    return evaluate(difference, t) < 0;
-  };
-  std::size_t k = course.function.interval_of(evaluate(course.field, t));
-  while (k > 0 && below(breakpoints[k - 1])) --k;
-  while (k < breakpoints.size() && !below(breakpoints[k])) ++k;
+  const auto [smallest, largest] = std::ranges::minmax(course.field.coefficients());
+  std::size_t k = course.function.interval_of(smallest);
+  if (k == course.function.interval_of(largest)) return k;
+  k = course.function.interval_of(evaluate(course.field, t));
+  while (k > 0 && certainly_below(course.field, t, breakpoints[k - 1])) --k;
+  while (k < breakpoints.size() && !certainly_below(course.field, t, breakpoints[k])) ++k;
   return k;
 }
 
@@ -128,6 +135,8 @@ struct Piece {
   ChebyshevPolynomial tau;
   ChebyshevPolynomial depth;  ///< A(x), with A(-1) = 0
   double total_depth;         ///< A(1)
+  double largest_color;       ///< bounds of |colour| and
+  double largest_tau;         ///< |tau| on the piece
   double color_error;         ///< rounding bound of colour values
   double tau_error;           ///< of extinction values
   double depth_error;         ///< of A
@@ -174,25 +183,42 @@ struct Rule {
   double bound;
 };
 
-/// Chooses the ellipse that needs the fewest nodes. `allowed` > 0 and finite.
+/// Bernstein ellipses to choose from, largest first: rho, 2 log(rho), log(64/15 / (1 - rho^-2)).
+struct Ellipse {
+  double rho;
+  double log_rate;
+  double log_factor;
+};
+
+std::array<Ellipse, 9> build_ellipses() {
+  std::array<Ellipse, 9> ellipses{};
+  std::size_t i = 0;
+  for (const double rho : {256.0, 128.0, 64.0, 32.0, 16.0, 8.0, 4.0, 2.0, 1.5})
+    ellipses[i++] = {rho, 2 * std::log(rho), std::log(64.0 / 15.0 / (1 - 1 / (rho * rho)))};
+  return ellipses;
+}
+
+/// Chooses the ellipse that needs the fewest nodes. `allowed` > 0. The number needed falls and then
+/// rises with rho: the logarithm of the integrand's bound is convex in log(rho).
 Rule choose_rule(const Piece& piece, Glow glow, double allowed) {
-  constexpr std::array kRhos{1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0, 32.0, 48.0, 64.0};
+  static const std::array<Ellipse, 9> ellipses = build_ellipses();
+  const double log_allowed = std::log(allowed);
   Rule best{0, 0};
   double fewest = kMaxGaussNodes + 1;
-  for (const double rho : kRhos) {
-    double largest = piece.half_length * piece.color_bound(rho);
-    if (glow == Glow::chromaticity) largest *= ellipse_bound(piece.tau, rho, 0);
+  double previous = std::numeric_limits<double>::infinity();
+  for (const Ellipse& e : ellipses) {
+    double largest = piece.half_length * piece.color_bound(e.rho);
+    if (glow == Glow::chromaticity) largest *= ellipse_bound(piece.tau, e.rho, 0);
     if (largest == 0) return {2, 0};
-    const double exponent = ellipse_bound(piece.depth, rho, 1) - piece.depth.c[0];
-    const double log_front = std::log(64.0 / 15.0 * largest / (1 - 1 / (rho * rho))) + exponent;
-    const double log_rate = 2 * std::log(rho);
-    const double needed = std::max(2.0, std::ceil((log_front - std::log(allowed)) / log_rate));
+    const double exponent = ellipse_bound(piece.depth, e.rho, 1) - piece.depth.c[0];
+    const double log_front = e.log_factor + std::log(largest) + exponent;
+    const double needed = std::max(2.0, std::ceil((log_front - log_allowed) / e.log_rate));
     if (needed < fewest) {
       fewest = needed;
-      best = {static_cast<std::size_t>(needed), std::exp(log_front - needed * log_rate)};
-    } else if (best.nodes > 0 && needed > fewest) {
-      break;
+      best = {static_cast<std::size_t>(needed), std::exp(log_front - needed * e.log_rate)};
     }
+    if (needed == 2 || needed > previous) break;
+    previous = needed;
   }
   return best;
 }
@@ -257,6 +283,8 @@ class Walk {
     for (std::size_t k = 1; k <= p.tau.degree; ++k) p.tau.c[k] *= slope;
     p.depth = optical_depth(p.tau, p.half_length);
     p.total_depth = evaluate(p.depth, 1);
+    p.largest_color = p.color_bound(1);
+    p.largest_tau = ellipse_bound(p.tau, 1, 0);
     set_rounding_bounds(p, std::abs(slope));
     check(p);
     return p;
@@ -265,13 +293,12 @@ class Walk {
   void set_rounding_bounds(Piece& p, double tau_slope) const {
     p.color_error =
         p.steepest_color() * (color_.field_error + 4 * kUnit * std::abs(p.color->anchor)) +
-        4 * kUnit * p.color_bound(1);
-    const double tau_bound = ellipse_bound(p.tau, 1, 0);
+        4 * kUnit * p.largest_color;
     p.tau_error =
         tau_slope * (extinction_.field_error + 4 * kUnit * std::abs(extinction_piece_.anchor)) +
-        4 * kUnit * tau_bound;
+        4 * kUnit * p.largest_tau;
     const auto terms = static_cast<double>(p.depth.degree + 1);
-    p.depth_error = 2 * p.half_length * (p.tau_error + 4 * terms * terms * kUnit * tau_bound);
+    p.depth_error = 2 * p.half_length * (p.tau_error + 4 * terms * terms * kUnit * p.largest_tau);
   }
 
   void check(const Piece& p) const {
@@ -306,17 +333,17 @@ class Walk {
 
   /// Both the integral and a rule with positive weights are at most half of this in magnitude.
   [[nodiscard]] double crude_bound(const Piece& piece) const {
-    const double largest = piece.color_bound(1) * 4 * piece.half_length;
-    return glow_ == Glow::emission ? largest : largest * ellipse_bound(piece.tau, 1, 0);
+    const double largest = piece.largest_color * 4 * piece.half_length;
+    return glow_ == Glow::emission ? largest : largest * piece.largest_tau;
   }
 
   /// Bound of the rounding error of a rule's sum: colour, extinction and depth wrong by their
   /// errors, the rest relative to the sum.
   [[nodiscard]] double rounding_bound(const Piece& piece, double opacity) const {
-    const double color = piece.color_bound(1);
-    const double relative = std::expm1(piece.depth_error) + 2 * (kMaxGaussNodes + 16) * kUnit;
+    const double color = piece.largest_color;
+    const double relative = growth(piece.depth_error) + 2 * (kMaxGaussNodes + 16) * kUnit;
     const double length = 2 * piece.half_length;
-    const double tau = ellipse_bound(piece.tau, 1, 0);
+    const double tau = piece.largest_tau;
     const double nodes = kUnit * steepness(piece, tau);  // each node is off by a unit at most
     if (glow_ == Glow::emission) return length * (piece.color_error + color * (relative + nodes));
     const double weight = std::min(1.0, opacity + piece.depth_error);
@@ -334,8 +361,8 @@ class Walk {
   /// Chromaticity with a constant colour is that colour times the opacity, exactly.
   void add_mean_color(const Piece& piece, double front, double opacity, double bound) {
     for (std::size_t c = 0; c < 3; ++c) rgb_[c] += front * opacity * piece.mean_color(c);
-    const double largest = piece.color_bound(1);
-    const double depth_effect = std::min(1.0, (1 - opacity) * std::expm1(piece.depth_error));
+    const double largest = piece.largest_color;
+    const double depth_effect = std::min(1.0, (1 - opacity) * growth(piece.depth_error));
     add_errors(
         piece, front, largest * opacity,
         bound + opacity * piece.color_error + largest * (depth_effect + 8 * kUnit * opacity));
@@ -363,13 +390,13 @@ class Walk {
   /// `error`: of this piece's own radiance, `largest`: its magnitude, which the error of the
   /// transparency in front scales.
   void add_errors(const Piece& piece, double front, double largest, double error) {
-    const double front_error = front * std::expm1(depth_error_ + 4 * kUnit);
+    const double front_error = front * growth(depth_error_ + 4 * kUnit);
     error_ += (front + front_error) * error + front_error * largest;
     error_ += 4 * kUnit * (std::abs(rgb_[0]) + std::abs(rgb_[1]) + std::abs(rgb_[2]));
     depth_ += piece.total_depth;
     depth_error_ += piece.depth_error + kUnit * depth_;
-    largest_color_ = std::max(largest_color_, piece.color_bound(1));
-    largest_tau_ = std::max(largest_tau_, ellipse_bound(piece.tau, 1, 0));
+    largest_color_ = std::max(largest_color_, piece.largest_color);
+    largest_tau_ = std::max(largest_tau_, piece.largest_tau);
   }
 
   [[nodiscard]] SegmentRadiance result(const Cuts& cuts) const {
@@ -378,7 +405,7 @@ class Walk {
     const double direct = emits ? 0 : largest_color_ * length_ * cuts.extinction_doubt;
     const double transparency = std::exp(-depth_);
     return {rgb_, transparency, error_ + color_weight * cuts.color_doubt + direct,
-            std::min(1.0, transparency * std::expm1(depth_error_ + 4 * kUnit) +
+            std::min(1.0, transparency * growth(depth_error_ + 4 * kUnit) +
                               std::numeric_limits<double>::denorm_min())};
   }
 

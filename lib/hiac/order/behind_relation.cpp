@@ -4,8 +4,12 @@
 #include <atomic>
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
 #include "hiac/geometry/predicates.hpp"
+#include "hiac/order/cell_side.hpp"
 
 namespace hiac {
 namespace {
@@ -20,54 +24,33 @@ int side_of_view(Point3 a, Point3 b, Point3 c, const View& view) {
   return -orientation_towards(a, b, c, Point3(view.direction));
 }
 
-// The first corner of the cell that is off the plane of a, b, c tells the cell's side of it.
-int side_of_cell(const ZooMesh& mesh, std::span<const NodeId> cell_nodes, std::size_t corners,
-                 const ShapeFace& face, Point3 a, Point3 b, Point3 c) {
-  for (std::size_t k = 0; k < corners; ++k) {
-    bool on_face = false;
-    for (std::size_t j = 0; j < face.corner_count; ++j) on_face = on_face || face.corners[j] == k;
-    if (on_face) continue;
-    const int side = orientation(a, b, c, mesh.position(cell_nodes[k]));
-    if (side != 0) return side;
-  }
-  return 0;
-}
-
 std::uint8_t arrows_of_sides(int eye_side, int cell_side) {
   if (eye_side == 0 || cell_side == 0) return kNoArrow;
   return eye_side == cell_side ? kCellFirst : kNeighborFirst;
 }
 
 // The four-sign rule for a bilinear patch: the sign of (P - e).(P_u x P_v) is bilinear in u, v and
-// so is bounded by its signs at the corners, each the orientation of one corner's triangle.
-std::uint8_t quadrilateral_arrows(const ZooMesh& mesh, std::span<const NodeId> cell_nodes,
-                                  std::size_t corners, const ShapeFace& face, const Corners& p,
-                                  const View& view, double planarity) {
-  int positive = 0, negative = 0;
+// so is bounded by its signs at the corners, each the orientation of one corner's triangle. With
+// signs of both kinds rays cross both ways, unless the patch is planar for this purpose and seen
+// edge-on to within the rounding of its coordinates.
+bool crossed_both_ways(const Corners& p, const View& view, double planarity) {
+  bool positive = false, negative = false;
   for (std::size_t k = 0; k < 4; ++k) {
-    const int s = side_of_view(p[(k + 3) % 4], p[k], p[(k + 1) % 4], view);
-    positive += s > 0 ? 1 : 0;
-    negative += s < 0 ? 1 : 0;
+    const int side = side_of_view(p[(k + 3) % 4], p[k], p[(k + 1) % 4], view);
+    positive = positive || side > 0;
+    negative = negative || side < 0;
   }
-  const int cell_side = side_of_cell(mesh, cell_nodes, corners, face, p[0], p[1], p[2]);
-  if (positive > 0 && negative > 0) {
-    if (quadrilateral_deviation(p[0], p[1], p[2], p[3]) > planarity) return kBothWays;
-    // planar for this purpose, seen edge-on to within rounding of its coordinates
-    return arrows_of_sides(side_of_view(p[0], p[1], p[2], view), cell_side);
-  }
-  return arrows_of_sides(positive - negative, cell_side);
+  return positive && negative && quadrilateral_deviation(p[0], p[1], p[2], p[3]) > planarity;
 }
 
 std::uint8_t face_arrows(const ZooMesh& mesh, CellId cell, const ShapeFace& face, const View& view,
                          double planarity) {
   const auto nodes = mesh.cell_nodes(cell);
-  const std::size_t corners = corner_count(mesh.kinds[cell]);
-  const auto corner = [&](std::size_t k) { return mesh.position(nodes[face.corners[k]]); };
-  const Corners p{corner(0), corner(1), corner(2), corner(face.corner_count == 4 ? 3 : 0)};
-  if (face.corner_count == 4)
-    return quadrilateral_arrows(mesh, nodes, corners, face, p, view, planarity);
-  return arrows_of_sides(side_of_view(p[0], p[1], p[2], view),
-                         side_of_cell(mesh, nodes, corners, face, p[0], p[1], p[2]));
+  const auto at = plane_corners(mesh, cell, face);
+  const auto corner = [&](std::size_t k) { return mesh.position(nodes[at[k]]); };
+  const Corners p{corner(0), corner(1), corner(2), corner(3)};
+  if (face.corner_count == 4 && crossed_both_ways(p, view, planarity)) return kBothWays;
+  return arrows_of_sides(side_of_view(p[0], p[1], p[2], view), side_of_cell(mesh, cell, face));
 }
 
 // A tetrahedron needs one orientation for itself, and one a face for the eye.
@@ -86,18 +69,28 @@ void tetrahedron_arrows(const ZooMesh& mesh, CellId cell, std::span<const CellId
   }
 }
 
-std::uint8_t mirrored(std::uint8_t arrows) {
-  return static_cast<std::uint8_t>(((arrows & 1U) << 1) | (arrows >> 1));
-}
+unsigned mirrored(unsigned arrows) { return ((arrows & 1U) << 1) | (arrows >> 1); }
 
 bool has_volume(const ZooMesh& mesh, CellId cell) {
-  const auto nodes = mesh.cell_nodes(cell);
-  const std::size_t corners = corner_count(mesh.kinds[cell]);
-  for (const ShapeFace& face : topology_of(mesh.kinds[cell]).faces) {
-    const auto at = [&](std::size_t k) { return mesh.position(nodes[face.corners[k]]); };
-    if (side_of_cell(mesh, nodes, corners, face, at(0), at(1), at(2)) != 0) return true;
+  return std::ranges::any_of(topology_of(mesh.kinds[cell]).faces, [&](const ShapeFace& face) {
+    return side_of_cell(mesh, cell, face) != 0;
+  });
+}
+
+// What a cell says of all the faces that it shares with another one, and how many those are.
+struct Said {
+  unsigned arrows = kNoArrow, faces = 0;
+};
+
+Said said_of(CellId cell, CellId other, const FaceAdjacency& adjacency,
+             const std::vector<std::uint64_t>& offset, const std::vector<std::uint8_t>& said) {
+  Said all;
+  for (std::uint64_t face = offset[cell]; face < offset[cell + 1]; ++face) {
+    if (adjacency.neighbors[face] != other) continue;
+    all.arrows |= said[face];
+    ++all.faces;
   }
-  return false;
+  return all;
 }
 
 // Joins what the two sides of every shared face say.
@@ -107,15 +100,20 @@ std::uint64_t join_sides(const ZooMesh& mesh, const FaceAdjacency& adjacency,
   std::atomic<std::uint64_t> both_ways{0};
   parallel_for(mesh.cell_count(), kGrain, [&](IndexRange range) {
     std::uint64_t both = 0;
-    for (std::size_t cell = range.begin; cell < range.end; ++cell) {
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      const auto cell = static_cast<CellId>(i);
       for (std::uint64_t face = offset[cell]; face < offset[cell + 1]; ++face) {
         const CellId other = adjacency.neighbors[face];
         if (other == kNoCell) continue;
-        unsigned arrows = said[face];
-        for (std::uint64_t back = offset[other]; back < offset[other + 1]; ++back)
-          if (adjacency.neighbors[back] == cell) arrows |= mirrored(said[back]);
-        if (arrows == kNoArrow && !has_volume(mesh, static_cast<CellId>(cell)) &&
-            !has_volume(mesh, other))
+        const Said here = said_of(cell, other, adjacency, offset, said);
+        const Said there = said_of(other, cell, adjacency, offset, said);
+        if (here.faces != there.faces || other == cell)
+          throw InputError("face adjacency",
+                           fmt::format("cells {} and {} are not neighbours of one another ({} "
+                                       "common faces expected, {} found)",
+                                       cell, other, here.faces, there.faces));
+        unsigned arrows = here.arrows | mirrored(there.arrows);
+        if (arrows == kNoArrow && !has_volume(mesh, cell) && !has_volume(mesh, other))
           arrows = kBothWays;
         joined[face] = static_cast<std::uint8_t>(arrows);
         if (arrows == kBothWays && other > cell) ++both;

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "hiac/order/behind_relation.hpp"
+#include "hiac/order/gap_relation.hpp"
 #include "hiac/order/visibility_order.hpp"
 
 namespace hiac {
@@ -11,8 +12,12 @@ namespace hiac {
 ///
 /// Cells outside and upstream of cycles are peeled off by in-degree (A. B. Kahn, "Topological
 /// Sorting of Large Networks", 1962); what a cycle holds back goes through R. Tarjan, "Depth-First
-/// Search and Linear Graph Algorithms", 1972. Linear in cells and faces.
+/// Search and Linear Graph Algorithms", 1972. Linear in cells, faces and arrows.
+///
+/// `neighbors` are those of the FaceAdjacency that the relation was made of; `gap_arrows` are
+/// further arrows, sorted.
 VisibilityOrder order_of_components(const BehindRelation& relation,
-                                    std::span<const CellId> neighbors);
+                                    std::span<const CellId> neighbors,
+                                    std::span<const GapArrow> gap_arrows);
 
 }  // namespace hiac

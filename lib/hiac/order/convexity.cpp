@@ -7,13 +7,15 @@
 #include <vector>
 
 #include "hiac/geometry/predicates.hpp"
+#include "hiac/order/cell_side.hpp"
 
 namespace hiac {
 namespace {
 
 struct BoundaryFace {
-  std::array<NodeId, 4> nodes;  // a triangle repeats its last node
-  int inside;                   // orientation of a point of the cell against nodes 0, 1, 2
+  std::array<NodeId, 4> nodes;  // around it; a triangle repeats its last node
+  NodeId inner;                 // a corner of the cell that is off the face's plane
+  int inside;                   // its orientation against nodes 0, 1, 2; 0 when there is none
 };
 
 struct BoundaryEdge {
@@ -50,12 +52,15 @@ std::vector<BoundaryFace> boundary_faces(const ZooMesh& mesh, const FaceAdjacenc
     const auto nodes = mesh.cell_nodes(cell);
     for (const ShapeFace& face : topology_of(mesh.kinds[cell]).faces) {
       if (adjacency.neighbors[slot++] != kNoCell) continue;
+      const auto corners = plane_corners(mesh, cell, face);
       BoundaryFace b{};
-      for (std::size_t k = 0; k < 4; ++k)
-        b.nodes[k] = nodes[face.corners[std::min<std::size_t>(k, face.corner_count - 1U)]];
-      for (std::size_t k = 0; k < corner_count(mesh.kinds[cell]) && b.inside == 0; ++k)
+      for (std::size_t k = 0; k < 4; ++k) b.nodes[k] = nodes[corners[k]];
+      for (std::size_t k = 0; k < corner_count(mesh.kinds[cell]) && b.inside == 0; ++k) {
+        if (std::ranges::find(corners, k) != corners.end()) continue;
+        b.inner = nodes[k];
         b.inside = orientation(mesh.position(b.nodes[0]), mesh.position(b.nodes[1]),
-                               mesh.position(b.nodes[2]), mesh.position(nodes[k]));
+                               mesh.position(b.nodes[2]), mesh.position(b.inner));
+      }
       boundary.push_back(b);
     }
   }
@@ -69,6 +74,31 @@ bool within(const ZooMesh& mesh, const BoundaryFace& plane, const BoundaryFace& 
                                  mesh.position(plane.nodes[2]), mesh.position(node));
     return side == 0 || side == plane.inside;
   });
+}
+
+// The side of the plane of a, b and c on which a face lies that has the edge a-b: that of its first
+// corner off the plane, 0 when there is none.
+int side_of_face(const ZooMesh& mesh, NodeId a, NodeId b, NodeId c, const BoundaryFace& face) {
+  for (const NodeId node : face.nodes) {
+    const int side =
+        orientation(mesh.position(a), mesh.position(b), mesh.position(c), mesh.position(node));
+    if (side != 0) return side;
+  }
+  return 0;
+}
+
+// Whether the body turns by less than half around the edge a-b that two of its faces share, or by
+// just half. Where both lie in one plane, they may also be folded onto one another, around nothing
+// (a body of no thickness) or around everything (the front of a crack of no width).
+bool convex_along(const ZooMesh& mesh, NodeId a, NodeId b, const BoundaryFace& f,
+                  const BoundaryFace& g) {
+  if (!within(mesh, f, g) || !within(mesh, g, f)) return false;
+  const auto in_plane = [&](NodeId node) {
+    return orientation(mesh.position(f.nodes[0]), mesh.position(f.nodes[1]),
+                       mesh.position(f.nodes[2]), mesh.position(node)) == 0;
+  };
+  if (!std::ranges::all_of(g.nodes, in_plane)) return true;
+  return side_of_face(mesh, a, b, f.inner, f) * side_of_face(mesh, a, b, f.inner, g) < 0;
 }
 
 }  // namespace
@@ -92,7 +122,7 @@ bool boundary_is_convex(const ZooMesh& mesh, const FaceAdjacency& adjacency) {
     if (!pair || more) return false;
     const BoundaryFace& f = faces[edges[e].face];
     const BoundaryFace& g = faces[edges[e + 1].face];
-    if (!within(mesh, f, g) || !within(mesh, g, f)) return false;
+    if (!convex_along(mesh, edges[e].low, edges[e].high, f, g)) return false;
     surfaces.join(edges[e].face, edges[e + 1].face);
   }
   for (std::uint32_t f = 1; f < faces.size(); ++f)

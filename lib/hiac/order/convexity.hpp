@@ -9,7 +9,8 @@ namespace hiac {
 /// A closed connected surface that is convex along each of its edges bounds a convex body
 /// (H. Tietze, 1928; S. Nakajima, 1928). So: the unmatched faces must form one edge-connected
 /// surface with two faces at every edge, and at every edge the far corners of either face must not
-/// lie outside the plane of the other, by exact determinants. A false answer claims nothing.
+/// lie outside the plane of the other, nor may the faces be folded onto one another in one plane
+/// (as at the front of a crack of no width), by exact determinants. A false answer claims nothing.
 bool boundary_is_convex(const ZooMesh& mesh, const FaceAdjacency& adjacency);
 
 }  // namespace hiac

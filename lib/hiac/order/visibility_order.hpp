@@ -30,7 +30,9 @@ struct VisibilityOrder {
 struct OrderStatistics {
   std::uint64_t shared_faces = 0;
   std::uint64_t unmatched_faces = 0;
-  std::uint64_t both_ways = 0;  ///< shared faces with arrows both ways
+  std::uint64_t both_ways = 0;   ///< shared faces with arrows both ways
+  std::uint64_t gap_pairs = 0;   ///< pairs of unmatched faces that were decided
+  std::uint64_t gap_arrows = 0;  ///< arrows between cells that share no face
   std::uint64_t cells_in_groups = 0;
   std::uint64_t largest_group = 1;
   bool convex = false;  ///< no ray can leave the mesh and enter it again
@@ -41,11 +43,11 @@ struct OrderResult {
   OrderStatistics statistics;
 };
 
-/// The exact visibility order of a mesh for a view: the relation across shared faces, its strongly
-/// connected components, and a topological order of those (front to back). Where a ray could leave
-/// the mesh and enter it again (the boundary is not convex), the cells become one group, which is
-/// always right. `planarity` is the deviation, relative to the size of a face, below which a
-/// quadrilateral counts as planar. The result does not depend on the number of threads.
+/// The exact visibility order of a mesh for a view: the relation across shared faces and, where a
+/// ray could leave the mesh and enter it again, across gaps; its strongly connected components, and
+/// a topological order of those (front to back). `planarity` is the deviation, relative to the size
+/// of a face, below which a quadrilateral counts as planar. The result does not depend on the
+/// number of threads.
 OrderResult exact_order(const ZooMesh& mesh, const FaceAdjacency& adjacency, const View& view,
                         double planarity);
 

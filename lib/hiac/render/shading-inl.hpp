@@ -45,11 +45,14 @@ class IntervalReader {
   HWY_INLINE V operator()(const std::vector<double>& column) const {
     return is_uniform_ ? hn::Set(d_, column[uniform_]) : hn::GatherIndex(d_, column.data(), lanes_);
   }
-  // The table's function of channel c at the scalars s.
+  // The table's function of channel c at the scalars of a piece's two ends.
   template <std::size_t N>
-  HWY_INLINE V at(const TransferTable<N>& table, std::size_t c, V s) const {
-    return hn::MulAdd((*this)(table.slope[c]), hn::Sub(s, (*this)(table.anchor)),
-                      (*this)(table.value[c]));
+  HWY_INLINE void ends(const TransferTable<N>& table, std::size_t c, V front, V back, V& at_front,
+                       V& at_back) const {
+    const V anchor = (*this)(table.anchor), value = (*this)(table.value[c]);
+    const V slope = (*this)(table.slope[c]);
+    at_front = hn::MulAdd(slope, hn::Sub(front, anchor), value);
+    at_back = hn::MulAdd(slope, hn::Sub(back, anchor), value);
   }
 
  private:
@@ -157,58 +160,104 @@ HWY_INLINE void composite_piece(D d, V length, V tau_front, V tau_back, const V 
   sum.transparency = hn::IfThenElse(active, hn::Mul(sum.transparency, zeta), sum.transparency);
 }
 
+// A piece on which both fields stay within one interval of their tables, the same for all lanes.
+template <bool kEmission, class D, class V = hn::Vec<D>>
+HWY_INLINE void composite_interval_piece(D d, const OpticsTables& optics,
+                                         std::size_t color_interval,
+                                         std::size_t extinction_interval, V length, V front_color,
+                                         V back_color, V front_extinction, V back_extinction,
+                                         hn::Mask<D> active, Radiance<V>& sum) {
+  const IntervalReader<D> color(d, color_interval), extinction(d, extinction_interval);
+  V front[3], back[3], tau_front, tau_back;
+  color.ends(optics.color, 0, front_color, back_color, front[0], back[0]);
+  color.ends(optics.color, 1, front_color, back_color, front[1], back[1]);
+  color.ends(optics.color, 2, front_color, back_color, front[2], back[2]);
+  extinction.ends(optics.extinction, 0, front_extinction, back_extinction, tau_front, tau_back);
+  composite_piece<kEmission>(d, length, tau_front, tau_back, front, back, active, sum);
+}
+
 // The segment lies within one interval of both tables.
 template <bool kEmission, class D, class V = hn::Vec<D>>
 HWY_INLINE Radiance<V> uniform_radiance(D d, const OpticsTables& optics, std::size_t color_interval,
                                         std::size_t extinction_interval, V length, V front_color,
                                         V back_color, V front_extinction, V back_extinction) {
-  const IntervalReader<D> color(d, color_interval), extinction(d, extinction_interval);
-  V front[3], back[3];
-  for (std::size_t c = 0; c < 3; ++c) {
-    front[c] = color.at(optics.color, c, front_color);
-    back[c] = color.at(optics.color, c, back_color);
-  }
   Radiance<V> sum{hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Set(d, 1.0)};
-  composite_piece<kEmission>(d, length, extinction.at(optics.extinction, 0, front_extinction),
-                             extinction.at(optics.extinction, 0, back_extinction), front, back,
-                             hn::Eq(length, length), sum);
+  composite_interval_piece<kEmission>(d, optics, color_interval, extinction_interval, length,
+                                      front_color, back_color, front_extinction, back_extinction,
+                                      hn::Eq(length, length), sum);
   return sum;
 }
 
-// The segment is cut along the ray at every breakpoint of either table that its scalars pass.
-// `active` lanes alone are followed.
-template <bool kSeparateFields, bool kEmission, class D, class V = hn::Vec<D>>
-HWY_INLINE Radiance<V> cut_radiance(D d, const OpticsTables& optics, IntervalRange color_range,
-                                    IntervalRange extinction_range, V length, V front_color,
-                                    V back_color, V front_extinction, V back_extinction,
-                                    hn::Mask<D> active) {
+// Adds the pieces of segments along which one scalar moves from `front` to `back`, interval by
+// interval in the order in which it passes them: upwards, or with kRising false downwards. All
+// lanes take part in every interval with whatever part of their segment lies in it.
+template <bool kRising, bool kEmission, class D, class V = hn::Vec<D>>
+HWY_INLINE void composite_intervals(D d, const OpticsTables& optics, IntervalRange range, V length,
+                                    V front, V back, hn::Mask<D> active, Radiance<V>& sum) {
+  const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
+  const V inverse = hn::Div(one, hn::Sub(back, front));
+  V u = zero, now = front;
+  for (std::size_t step = 0; step <= range.high - range.low; ++step) {
+    const std::size_t k = kRising ? range.low + step : range.high - step;
+    const V exit = hn::Set(d, kRising ? optics.extinction.upper[k] : optics.extinction.lower[k]);
+    const auto ends_inside = kRising ? hn::Le(back, exit) : hn::Ge(back, exit);
+    const auto started = kRising ? hn::Gt(exit, front) : hn::Lt(exit, front);
+    const auto here = hn::And(active, started);
+    const V next_u = hn::IfThenElse(
+        ends_inside, one, hn::Min(hn::Max(hn::Mul(hn::Sub(exit, front), inverse), u), one));
+    const V next = hn::IfThenElse(ends_inside, back, exit);
+    if (!hn::AllFalse(d, here)) {
+      composite_interval_piece<kEmission>(d, optics, k, k, hn::Mul(length, hn::Sub(next_u, u)), now,
+                                          next, now, next, here, sum);
+      u = hn::IfThenElse(here, next_u, u);
+      now = hn::IfThenElse(here, next, now);
+      active = hn::AndNot(hn::And(here, ends_inside), active);
+      if (hn::AllFalse(d, active)) return;
+    }
+  }
+}
+
+// The segment is cut at every breakpoint that its scalar passes; colour and extinction depend on
+// the same field. Neighbouring rays pass the same breakpoints: the intervals are common to all
+// lanes, so that nothing is gathered.
+template <bool kEmission, class D, class V = hn::Vec<D>>
+HWY_INLINE Radiance<V> sliced_radiance(D d, const OpticsTables& optics, IntervalRange range,
+                                       V length, V front, V back, hn::Mask<D> active) {
+  Radiance<V> sum{hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Set(d, 1.0)};
+  const auto rising = hn::Ge(back, front);
+  const auto up = hn::And(active, rising), down = hn::AndNot(rising, active);
+  if (!hn::AllFalse(d, up))
+    composite_intervals<true, kEmission>(d, optics, range, length, front, back, up, sum);
+  if (!hn::AllFalse(d, down))
+    composite_intervals<false, kEmission>(d, optics, range, length, front, back, down, sum);
+  return sum;
+}
+
+// The segment is cut along the ray at every breakpoint of either table that its two scalars pass,
+// lane by lane. `active` lanes alone are followed.
+template <bool kEmission, class D, class V = hn::Vec<D>>
+HWY_INLINE Radiance<V> walked_radiance(D d, const OpticsTables& optics, IntervalRange color_range,
+                                       IntervalRange extinction_range, V length, V front_color,
+                                       V back_color, V front_extinction, V back_extinction,
+                                       hn::Mask<D> active) {
+  ScalarWalk<D> color(d, optics.color, color_range, front_color, back_color);
   ScalarWalk<D> extinction(d, optics.extinction, extinction_range, front_extinction,
                            back_extinction);
-  ScalarWalk<D> color = kSeparateFields
-                            ? ScalarWalk<D>(d, optics.color, color_range, front_color, back_color)
-                            : extinction;
   const V one = hn::Set(d, 1.0);
   Radiance<V> sum{hn::Zero(d), hn::Zero(d), hn::Zero(d), one};
   V u = hn::Zero(d);
   while (!hn::AllFalse(d, active)) {
-    V next = extinction.leave(u);
-    if constexpr (kSeparateFields) next = hn::Min(next, color.leave(u));
-    const V extinction_next = extinction.scalar_at(next);
-    const V color_next = kSeparateFields ? color.scalar_at(next) : extinction_next;
-    const V color_now = kSeparateFields ? color.now() : extinction.now();
-    const auto read_color = kSeparateFields ? color.reader() : extinction.reader();
-    const auto read_extinction = extinction.reader();
-    V front[3], back[3];
-    for (std::size_t c = 0; c < 3; ++c) {
-      front[c] = read_color.at(optics.color, c, color_now);
-      back[c] = read_color.at(optics.color, c, color_next);
-    }
-    composite_piece<kEmission>(d, hn::Mul(length, hn::Sub(next, u)),
-                               read_extinction.at(optics.extinction, 0, extinction.now()),
-                               read_extinction.at(optics.extinction, 0, extinction_next), front,
+    const V next = hn::Min(color.leave(u), extinction.leave(u));
+    const V next_color = color.scalar_at(next), next_extinction = extinction.scalar_at(next);
+    V front[3], back[3], tau_front, tau_back;
+    for (std::size_t c = 0; c < 3; ++c)
+      color.reader().ends(optics.color, c, color.now(), next_color, front[c], back[c]);
+    extinction.reader().ends(optics.extinction, 0, extinction.now(), next_extinction, tau_front,
+                             tau_back);
+    composite_piece<kEmission>(d, hn::Mul(length, hn::Sub(next, u)), tau_front, tau_back, front,
                                back, active, sum);
-    extinction.advance(next, extinction_next, active);
-    if constexpr (kSeparateFields) color.advance(next, color_next, active);
+    color.advance(next, next_color, active);
+    extinction.advance(next, next_extinction, active);
     active = hn::And(active, hn::Lt(next, one));
     u = next;
   }

@@ -151,18 +151,26 @@ class TetrahedronRenderer {
     length = hn::IfThenElseZero(active, length);
     counts_.segments += hn::CountTrue(d, active);
 
-    const Radiance<V> radiance =
-        scalars.uniform()
-            ? uniform_radiance<kEmission>(d, frame_.optics, scalars.color.low,
-                                          scalars.extinction.low, length, e.front_color,
-                                          e.back_color, e.front_extinction, e.back_extinction)
-            : cut_radiance<kSeparateFields, kEmission>(
-                  d, frame_.optics, scalars.color, scalars.extinction, length, e.front_color,
-                  e.back_color, e.front_extinction, e.back_extinction, active);
+    const Radiance<V> radiance = integrate(d, scalars, length, e, active);
     if (group_ != nullptr)
       collect(d, at, e, radiance, active);
     else
       composite(d, at, e, radiance, active, behind);
+  }
+
+  HWY_INLINE Radiance<V> integrate(D d, const CellScalars& scalars, V length,
+                                   const EntryAndExit<V>& e, M active) const {
+    if (scalars.uniform())
+      return uniform_radiance<kEmission>(d, frame_.optics, scalars.color.low,
+                                         scalars.extinction.low, length, e.front_color,
+                                         e.back_color, e.front_extinction, e.back_extinction);
+    if constexpr (kSeparateFields)
+      return walked_radiance<kEmission>(d, frame_.optics, scalars.color, scalars.extinction, length,
+                                        e.front_color, e.back_color, e.front_extinction,
+                                        e.back_extinction, active);
+    else
+      return sliced_radiance<kEmission>(d, frame_.optics, scalars.extinction, length,
+                                        e.front_extinction, e.back_extinction, active);
   }
 
   HWY_INLINE void to_ray_parameter(D d, EntryAndExit<V>& e) const {

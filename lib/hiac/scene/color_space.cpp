@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace hiac {
+namespace hiac::color_space {
 namespace {
 
 double gamma_decoded(double encoded) {
@@ -47,4 +47,4 @@ Triple lab_to_msh(const Triple& lab) {
   return {magnitude, saturation, hue};
 }
 
-}  // namespace hiac
+}  // namespace hiac::color_space

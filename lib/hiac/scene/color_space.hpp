@@ -6,7 +6,7 @@
 
 #include "hiac/scene/range_arithmetic.hpp"
 
-namespace hiac {
+namespace hiac::color_space {
 
 // Colour spaces as VTK defines them, so that a preset means here what it means in ParaView: sRGB
 // primaries with their usual four digits, white point D65 as (0.9505, 1, 1.089), and Moreland's
@@ -83,4 +83,4 @@ std::array<T, 3> hsv_to_rgb(const std::array<T, 3>& hsv) {
   return rgb;
 }
 
-}  // namespace hiac
+}  // namespace hiac::color_space

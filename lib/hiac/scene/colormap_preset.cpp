@@ -14,6 +14,8 @@
 namespace hiac {
 namespace {
 
+using namespace color_space;
+
 using std::numbers::pi;
 using Point = PiecewiseLinear<3>::Point;
 
@@ -27,10 +29,14 @@ struct ColorPath {
   Triple to;
 };
 
+/// a at t = 0, b at t = 1, to the bit.
+double between(double a, double b, double t) { return (1 - t) * a + t * b; }
+Range between(double a, double b, const Range& t) { return Range(a) + t * Range(b - a); }
+
 template <typename T>
 std::array<T, 3> color_at(const ColorPath& path, const T& t) {
   std::array<T, 3> at;
-  for (std::size_t c = 0; c < 3; ++c) at[c] = T(path.from[c]) + t * T(path.to[c] - path.from[c]);
+  for (std::size_t c = 0; c < 3; ++c) at[c] = between(path.from[c], path.to[c], t);
   switch (path.space) {
     case ColorSpace::lab:
       return lab_to_rgb(at);

@@ -1,8 +1,9 @@
 // ParaView's colour-map presets: JSON as ParaView exports them, XML as they were before.
 
 #include <algorithm>
+#include <cctype>
+#include <charconv>
 #include <cmath>
-#include <cstring>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -145,11 +146,12 @@ std::vector<RawMap> read_json(std::string text, const std::string& path) {
 
 /// An attribute that must be a number.
 double number_in(const pugi::xml_node& node, const char* name, const std::string& path) {
-  const pugi::xml_attribute attribute = node.attribute(name);
-  const double value = attribute.as_double(std::nan(""));
-  if (attribute.empty() || !std::isfinite(value))
-    throw InputError(path, fmt::format("a <Point> needs a number `{}` (found \"{}\")", name,
-                                       attribute.as_string()));
+  const std::string_view text = node.attribute(name).as_string();
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size())
+    throw InputError(
+        path, in_one_line(fmt::format("a <Point> needs a number `{}` (found \"{}\")", name, text)));
   return value;
 }
 

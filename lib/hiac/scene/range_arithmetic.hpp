@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hiac {
+namespace hiac::color_space {
 
 /// A closed interval. Arithmetic is not rounded outward: who proves a bound with it adds a margin
 /// for rounding.
@@ -120,4 +120,4 @@ double switched(double a, double threshold, const Below& below, const Above& abo
   return a > threshold ? above(a).first : below(a).first;
 }
 
-}  // namespace hiac
+}  // namespace hiac::color_space

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "hiac/geometry/predicates.hpp"
+#include "hiac/geometry/view.hpp"
+
+namespace hiac {
+
+/// A convex face as seen from the eye: a triangle, or a quadrilateral that counts as planar.
+struct SeenFace {
+  std::array<const double*, 4> corners;  ///< positions, in order around the face
+  std::size_t count;                     ///< 3 or 4
+  int winding;                           ///< +1: counter-clockwise as seen from the eye; -1
+
+  [[nodiscard]] Point3 corner(std::size_t k) const { return Point3(corners[k % count], 3); }
+};
+
+/// True when some viewing ray crosses the inner of both faces.
+///
+/// Exact: two convex polygons on the sphere of directions are apart when the great circle through
+/// an edge of one of them has them on different sides or, if no hemisphere holds both, one through
+/// a corner of each. The faces must not be seen edge-on.
+bool projections_overlap(const SeenFace& f, const SeenFace& g, const View& view);
+
+/// True when `f` is met no later than `g` by rays that cross both, given that there are such rays
+/// and that the faces do not pierce each other. `slack` is the distance, world units, that g may
+/// lie in front of f and still count as touching it.
+bool reached_first(const SeenFace& f, const SeenFace& g, const View& view, double slack);
+
+}  // namespace hiac

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hiac/geometry/view.hpp"
+#include "hiac/mesh/zoo_mesh.hpp"
+
+namespace hiac {
+
+/// An arrow of the behind-relation between cells that share no face.
+struct GapArrow {
+  CellId front, behind;
+
+  auto operator<=>(const GapArrow&) const = default;
+};
+
+struct GapRelation {
+  std::vector<GapArrow> arrows;       ///< sorted, each once
+  std::uint64_t candidate_pairs = 0;  ///< pairs of faces that were decided
+};
+
+/// Arrows across gaps, sliding interfaces and hanging nodes (design: source 2): a viewing ray
+/// leaves cell P through an unmatched face F and later enters cell Q through an unmatched face G.
+///
+/// Candidates are pairs of faces whose bounding boxes share a tile of a grid over the screen. Each
+/// pair is decided by exact determinants of input coordinates, in the spirit of the paper's
+/// Obstructs sequence (section 6): the projections overlap unless a plane through the eye and an
+/// edge of either separates them, and then planes, crossing edges or contained corners tell which
+/// is in front. Faces that touch to within `planarity` of their size count as touching: a ray that
+/// leaves one there enters the other.
+///
+/// With those of shared_face_relation these arrows order all cells along every ray: consecutive
+/// cells on a ray either share a face or are joined by an arrow from here.
+GapRelation gap_relation(const ZooMesh& mesh, const FaceAdjacency& adjacency, const View& view,
+                         double planarity);
+
+}  // namespace hiac

@@ -1,0 +1,121 @@
+#include "hiac/order/components.hpp"
+
+#include <algorithm>
+#include <random>
+#include <set>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/order/brute_force_order.hpp"
+
+namespace hiac::test {
+namespace {
+
+using testing::ElementsAre;
+
+// A relation made by hand: cells with any number of faces.
+struct HandMade {
+  BehindRelation relation;
+  std::vector<CellId> neighbors;
+};
+
+// Every pair of cells shares a face with the arrows given for it. Arrows in `gaps` are left out.
+HandMade across_faces(std::size_t cells, const Arrows& arrows) {
+  std::vector<std::vector<std::pair<CellId, std::uint8_t>>> faces(cells);
+  for (const auto& [front, behind] : arrows) {
+    faces[front].emplace_back(behind, kCellFirst);
+    faces[behind].emplace_back(front, kNeighborFirst);
+  }
+  HandMade made;
+  made.relation.face_offset.push_back(0);
+  for (const auto& of_cell : faces) {
+    for (const auto& [neighbor, arrow] : of_cell) {
+      made.neighbors.push_back(neighbor);
+      made.relation.arrows.push_back(arrow);
+    }
+    made.neighbors.push_back(kNoCell);  // and one on the boundary
+    made.relation.arrows.push_back(kNoArrow);
+    made.relation.face_offset.push_back(made.neighbors.size());
+  }
+  return made;
+}
+
+VisibilityOrder order_of(std::size_t cells, const Arrows& faces,
+                         const std::vector<GapArrow>& gaps = {}) {
+  const HandMade made = across_faces(cells, faces);
+  return order_of_components(made.relation, made.neighbors, gaps);
+}
+
+std::vector<CellId> cells_of(const VisibilityOrder& order) {
+  return {order.cells.begin(), order.cells.end()};
+}
+std::vector<CellGroup> groups_of(const VisibilityOrder& order) {
+  return {order.groups.begin(), order.groups.end()};
+}
+
+TEST(Components, NoCellsAndNoArrows) {
+  EXPECT_TRUE(order_of(0, {}).cells.empty());
+  EXPECT_TRUE(is_order_of({}, 3, order_of(3, {})));
+}
+
+TEST(Components, AChainComesOutInItsOrder) {
+  EXPECT_THAT(cells_of(order_of(4, {{2, 0}, {0, 3}, {3, 1}})), ElementsAre(2, 0, 3, 1));
+}
+
+//   3 -> 0 -> 1 -> 2 -> 4
+//        ^_________|
+TEST(Components, ThreeCellsInACycle) {
+  const VisibilityOrder order = order_of(5, {{3, 0}, {0, 1}, {1, 2}, {2, 0}, {2, 4}});
+  EXPECT_THAT(cells_of(order), ElementsAre(3, 0, 1, 2, 4));
+  EXPECT_THAT(groups_of(order), ElementsAre(CellGroup{1, 3}));
+}
+
+TEST(Components, ArrowsBothWaysAreACycleOfTwo) {
+  const VisibilityOrder order = order_of(3, {{0, 1}, {1, 0}, {1, 2}});
+  EXPECT_THAT(cells_of(order), ElementsAre(0, 1, 2));
+  EXPECT_THAT(groups_of(order), ElementsAre(CellGroup{0, 2}));
+}
+
+TEST(Components, ACycleMayRunAcrossGaps) {
+  const VisibilityOrder order = order_of(4, {{0, 1}, {1, 2}}, {{2, 0}, {3, 0}});
+  EXPECT_THAT(cells_of(order), ElementsAre(3, 0, 1, 2));
+  EXPECT_THAT(groups_of(order), ElementsAre(CellGroup{1, 3}));
+}
+
+TEST(Components, RandomGraphs) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 600; ++i) {
+    const std::size_t cells = 1 + random() % 60;
+    const std::size_t count = random() % (3 * cells);
+    std::set<std::pair<CellId, CellId>> faces, gaps;
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto a = static_cast<CellId>(random() % cells),
+                 b = static_cast<CellId>(random() % cells);
+      // mostly forwards, so that there are cycles of all sizes between single cells
+      const bool backwards = random() % 8 == 0;
+      if (a == b || (a > b) != backwards) continue;
+      (random() % 4 == 0 ? gaps : faces).insert({a, b});
+    }
+    std::vector<GapArrow> gap_arrows;
+    for (const auto& [front, behind] : gaps) gap_arrows.push_back({front, behind});
+    const Arrows face_arrows(faces.begin(), faces.end());
+    Arrows all = face_arrows;
+    all.insert(all.end(), gaps.begin(), gaps.end());
+    ASSERT_TRUE(is_order_of(all, cells, order_of(cells, face_arrows, gap_arrows))) << "graph " << i;
+  }
+}
+
+// Deep graphs: nothing may recurse cell by cell.
+TEST(Components, LongChainsAndRings) {
+  constexpr CellId kCells = 1000000;
+  Arrows chain;
+  for (CellId cell = 0; cell + 1 < kCells; ++cell) chain.emplace_back(cell, cell + 1);
+  EXPECT_TRUE(std::ranges::is_sorted(cells_of(order_of(kCells, chain))));
+  chain.emplace_back(kCells - 1, 0);
+  EXPECT_THAT(groups_of(order_of(kCells, chain)), ElementsAre(CellGroup{0, kCells}));
+}
+
+}  // namespace
+}  // namespace hiac::test

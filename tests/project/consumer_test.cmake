@@ -1,0 +1,40 @@
+# Installs what is built into a prefix of its own and there configures, builds and runs a project
+# that knows hiac by find_package(hiac) alone. Builds nothing of hiac again.
+#   cmake -D BUILD=... -D SOURCE=... -D WORK=... -D GENERATOR=... -D COMPILER=... -P consumer_test.cmake
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE out ERROR_VARIABLE out)
+  if(NOT result EQUAL 0)
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "failed (${result}): ${command}\n${out}")
+  endif()
+endfunction()
+
+function(require_absent pattern)
+  file(GLOB package ${WORK}/prefix/lib*/cmake/hiac/*.cmake ${WORK}/prefix/lib*/*/cmake/hiac/*.cmake)
+  if(NOT package)
+    message(FATAL_ERROR "no CMake package in ${WORK}/prefix")
+  endif()
+  foreach(file ${package})
+    file(STRINGS ${file} found REGEX ${pattern})
+    if(found)
+      message(FATAL_ERROR "${file} names what belongs to the build alone: ${found}")
+    endif()
+  endforeach()
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
+require_absent("hiac_build_flags")
+require_absent(${BUILD})
+require_absent(${SOURCE})
+
+# moved before use: an installed prefix must not know where it was installed
+file(RENAME ${WORK}/prefix ${WORK}/moved)
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${WORK}/build -G ${GENERATOR}
+    -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${WORK}/moved
+    -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF -D HIAC_HEADERS=${WORK}/moved/include)
+run(${CMAKE_COMMAND} --build ${WORK}/build)
+run(${WORK}/build/consumer ${CMAKE_CURRENT_LIST_DIR}/consumer/view.toml ${WORK}/picture.png)
+foreach(tool sort render)
+  run(${WORK}/moved/bin/hiac-${tool} --version)
+endforeach()

@@ -1,0 +1,220 @@
+#include "tools/info/describe.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <fmt/format.h>
+
+namespace hiac::tools {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The extent of the finite ones among some numbers.
+struct Extent {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+  std::uint64_t not_finite = 0;
+
+  void add(double value) {
+    if (!std::isfinite(value)) {
+      ++not_finite;
+      return;
+    }
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  [[nodiscard]] bool empty() const { return low > high; }
+  [[nodiscard]] std::string text() const {
+    std::string range = empty() ? "no finite value" : fmt::format("{:g} to {:g}", low, high);
+    if (not_finite > 0) range += fmt::format(", {} not finite", not_finite);
+    return range;
+  }
+  void put_into(Json& facts) const {
+    facts["minimum"] = empty() ? Json() : Json(low);
+    facts["maximum"] = empty() ? Json() : Json(high);
+    facts["not_finite"] = not_finite;
+  }
+};
+
+std::string line(std::string_view label, const std::string& value) {
+  return fmt::format("  {:<12} {}\n", label, value);
+}
+
+const char* location_name(FieldLocation location) {
+  switch (location) {
+    case FieldLocation::node:
+      return "node";
+    case FieldLocation::cell:
+      return "cell";
+    default:
+      return "corner";
+  }
+}
+
+void describe_cells(const ZooMesh& mesh, Description& description) {
+  std::array<std::uint64_t, kKindCount> counts{};
+  for (const CellKind kind : mesh.kinds) ++counts[static_cast<std::size_t>(kind)];
+  Json kinds = Json::object();
+  std::string text;
+  for (std::size_t k = 0; k < kKindCount; ++k) {
+    if (counts[k] == 0) continue;
+    const std::string name(kind_name(static_cast<CellKind>(k)));
+    kinds[name] = counts[k];
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counts[k], name);
+  }
+  description.facts["cells"] = mesh.cell_count();
+  description.facts["nodes"] = mesh.node_count();
+  description.facts["kinds"] = kinds;
+  description.text += line("cells", fmt::format("{} ({})", mesh.cell_count(), text));
+  description.text += line("nodes", fmt::format("{}", mesh.node_count()));
+}
+
+void describe_bounds(const ZooMesh& mesh, Description& description) {
+  std::array<Extent, 3> bounds;
+  for (std::size_t i = 0; i < mesh.xyz.size(); ++i) bounds[i % 3].add(mesh.xyz[i]);
+  if (bounds[0].empty()) return;
+  const double diagonal = std::hypot(bounds[0].high - bounds[0].low, bounds[1].high - bounds[1].low,
+                                     bounds[2].high - bounds[2].low);
+  Json facts = Json::array();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    facts.push_back({bounds[axis].low, bounds[axis].high});
+    description.text +=
+        line(axis == 0 ? "bounds" : "", fmt::format("{} {}", "xyz"[axis], bounds[axis].text()));
+  }
+  description.facts["bounds"] = facts;
+  description.facts["diagonal"] = diagonal;
+  description.text += line("diagonal", fmt::format("{:g}", diagonal));
+}
+
+/// The extent of a scalar field, or of the lengths of a vector field.
+Extent field_extent(const Field& field) {
+  Extent extent;
+  const auto values = field.values.view();
+  for (std::size_t i = 0; i < values.size(); i += field.components) {
+    double length = values[i];
+    if (field.components > 1) length = std::fabs(length);
+    for (std::size_t c = 1; c < field.components; ++c) length = std::hypot(length, values[i + c]);
+    extent.add(length);
+  }
+  return extent;
+}
+
+void describe_fields(const ZooMesh& mesh, Description& description) {
+  description.facts["fields"] = Json::array();
+  for (const Field& field : mesh.fields) {
+    const Extent extent = field_extent(field);
+    Json facts{{"name", field.name},
+               {"unit", field.unit},
+               {"location", location_name(field.location)},
+               {"components", field.components}};
+    extent.put_into(facts);
+    description.facts["fields"].push_back(facts);
+    const bool first = &field == &mesh.fields.front();
+    const std::string unit = field.unit.empty() ? "" : " " + field.unit;
+    description.text +=
+        line(first ? "fields" : "",
+             fmt::format(
+                 "{} ({}, {}): {}{}{}", field.name, location_name(field.location),
+                 field.components == 1 ? "scalar" : fmt::format("{} components", field.components),
+                 field.components == 1 ? "" : "magnitude ", extent.text(), unit));
+  }
+  if (mesh.fields.empty()) description.text += line("fields", "none");
+}
+
+void add_order(const OrderRecord& record, Description& description) {
+  std::uint64_t in_groups = 0;
+  std::uint32_t largest = 1;
+  for (const CellGroup& group : record.order.groups) {
+    in_groups += group.count;
+    largest = std::max(largest, group.count);
+  }
+  description.facts["order"] = {{"algorithm", record.order.algorithm},
+                                {"cells", record.order.cells.size()},
+                                {"groups", record.order.groups.size()},
+                                {"cells_in_groups", in_groups},
+                                {"largest_group", largest},
+                                {"mesh_hash", record.mesh_hash},
+                                {"view_hash", record.view_hash}};
+  description.text += line(
+      "order",
+      fmt::format("{} cells by {}; {}", record.order.cells.size(), record.order.algorithm,
+                  in_groups == 0 ? "no groups"
+                                 : fmt::format("{} groups of {} cells together, {} in the "
+                                               "largest",
+                                               record.order.groups.size(), in_groups, largest)));
+  description.text += line("for mesh", record.mesh_hash);
+  description.text += line("for view", record.view_hash);
+}
+
+}  // namespace
+
+Description describe_mesh(const ZooFile& file, const std::string& subject) {
+  const ZooMesh& mesh = file.mesh;
+  Description description;
+  description.facts["holds"] = "mesh";
+  description.text = subject + ": zoo mesh\n";
+  describe_cells(mesh, description);
+  describe_bounds(mesh, description);
+  describe_fields(mesh, description);
+  const std::string hash = content_hash(mesh);
+  description.facts["mesh_hash"] = hash;
+  description.facts["face_adjacency"] = mesh.adjacency.has_value();
+  description.facts["metadata"] = Json::object();
+  description.text += line("hash", hash);
+  description.text += line("adjacency", mesh.adjacency ? "stored" : "not stored");
+  for (const auto& [key, value] : mesh.metadata) {
+    description.facts["metadata"][key] = value;
+    description.text += line("metadata", key + ": " + value);
+  }
+  for (const ExtraChunk& chunk : file.extras) {
+    if (chunk.type == kOrderChunk)
+      add_order(decode_order(chunk, subject), description);
+    else
+      description.text += line(
+          "chunk", fmt::format("{} ({} bytes, not known here)", chunk.type, chunk.payload.size()));
+  }
+  return description;
+}
+
+Description describe_order(const OrderRecord& record, const std::string& subject) {
+  Description description;
+  description.facts["holds"] = "order";
+  description.text = subject + ": visibility order\n";
+  add_order(record, description);
+  return description;
+}
+
+Description describe_image(const ImageFile& file, const std::string& subject) {
+  const Image& image = file.image;
+  Description description;
+  description.facts["holds"] = "image";
+  description.facts["width"] = image.width();
+  description.facts["height"] = image.height();
+  description.text = subject + ": image\n";
+  description.text += line("size", fmt::format("{} x {} pixels", image.width(), image.height()));
+  description.facts["channels"] = Json::array();
+  for (std::size_t c = 0; c < image.channel_count(); ++c) {
+    Extent extent;
+    for (std::size_t i = c; i < image.values().size(); i += image.channel_count())
+      extent.add(image.values()[i]);
+    Json facts{{"name", image.channels()[c]}};
+    extent.put_into(facts);
+    description.facts["channels"].push_back(facts);
+    description.text +=
+        line(c == 0 ? "channels" : "", fmt::format("{}: {}", image.channels()[c], extent.text()));
+  }
+  description.facts["attributes"] = Json::object();
+  for (const auto& [name, text] : file.attributes) {
+    description.facts["attributes"][name] = text;
+    const bool several_lines = text.find('\n') != std::string::npos;
+    description.text += several_lines ? fmt::format("  {}:\n{}\n", name, text)
+                                      : line("attribute", name + ": " + text);
+  }
+  return description;
+}
+
+}  // namespace hiac::tools

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "hiac/image/image_io.hpp"
+#include "hiac/mesh/zoo_container.hpp"
+#include "hiac/order/order_file.hpp"
+
+namespace hiac::tools {
+
+/// What a file holds: for programs, and as lines for people.
+struct Description {
+  nlohmann::ordered_json facts;
+  std::string text;
+};
+
+/// A mesh, and the order behind it where the container has one. `subject` stands for the file.
+Description describe_mesh(const ZooFile& file, const std::string& subject);
+
+Description describe_order(const OrderRecord& record, const std::string& subject);
+
+Description describe_image(const ImageFile& file, const std::string& subject);
+
+}  // namespace hiac::tools

@@ -1,0 +1,101 @@
+// hiac-info: what a zoo, order or image file holds, and a first image specification for a mesh.
+
+#include <cstdio>
+#include <fstream>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "hiac/base/error.hpp"
+#include "hiac/base/output_file.hpp"
+#include "hiac/image/image_io.hpp"
+#include "hiac/order/order_file.hpp"
+#include "hiac/scene/scene_writer.hpp"
+#include "tools/common/mesh_io.hpp"
+#include "tools/common/tool.hpp"
+#include "tools/info/describe.hpp"
+#include "tools/info/starter_view.hpp"
+
+namespace {
+
+using namespace hiac;
+using namespace hiac::tools;
+
+struct Options {
+  std::string input, output;
+  std::size_t width = 0;
+  bool starter_view = false;
+};
+
+void write_text(const std::string& path, const std::string& text) {
+  if (is_stdout(path)) {
+    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+      throw InputError("stdout", "cannot be written");
+    return;
+  }
+  OutputFile file(path);
+  std::ofstream out(file.temporary_path());
+  out << text << std::flush;
+  if (!out) throw InputError(path, "cannot be written");
+  file.commit();
+}
+
+Description describe(const Options& options) {
+  const std::string subject = input_name(options.input);
+  if (has_image_extension(options.input))
+    return describe_image(read_image(options.input, options.width), subject);
+  try {
+    return describe_mesh(read_mesh(options.input), subject);
+  } catch (const InputError& no_mesh) {
+    if (subject == "stdin") throw;
+    try {
+      return describe_order(read_order_file(options.input), subject);
+    } catch (const InputError&) {
+      throw no_mesh;
+    }
+  }
+}
+
+void write_starter_view(Tool& tool, const Options& options) {
+  const ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
+  const std::string subject = input_name(options.input);
+  const Scene scene = tool.timed("view", [&] { return starter_view(file.mesh, subject); });
+  tool.facts()["field"] = scene.volume.color->field;
+  write_text(options.output, fmt::format("# A first view of {}: a start to change from.\n\n{}",
+                                         subject, to_toml(scene, Comments::explain)));
+}
+
+void inform(Tool& tool, const Options& options) {
+  const bool json_on_stdout = tool.common().json == "-";
+  if (options.starter_view) {
+    if (json_on_stdout && is_stdout(options.output))
+      throw UsageError("--json -: stdout carries the specification here; name a file");
+    write_starter_view(tool, options);
+    return;
+  }
+  const Description description = tool.timed("read", [&] { return describe(options); });
+  tool.facts()["file"] = input_name(options.input);
+  tool.facts().update(description.facts);
+  if (!json_on_stdout || !is_stdout(options.output)) write_text(options.output, description.text);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Tool tool("hiac-info", "Tells what a zoo mesh, an order file or an image holds.",
+            "  hiac-info part.zoo\n"
+            "  hiac-info part.zoo --starter-view -o view.toml\n"
+            "  hiac-info part.exr --json -");
+  Options options;
+  auto& app = tool.app();
+  app.add_option("FILE", options.input,
+                 "Zoo mesh, order file, or image (.exr .npy .f32 .png); - or none: a mesh from "
+                 "stdin");
+  app.add_option("-o,--output", options.output, "Where the text goes; - or none: stdout")
+      ->type_name("FILE");
+  app.add_flag("--starter-view", options.starter_view,
+               "Write an image specification for the mesh: whole model in sight, first field over "
+               "its range, mean optical depth about 1");
+  app.add_option("--width", options.width, "Width in pixels of a .f32 image");
+  return tool.run(argc, argv, [&] { inform(tool, options); });
+}
