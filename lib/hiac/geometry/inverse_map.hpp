@@ -42,13 +42,23 @@ class CellMap {
   [[nodiscard]] double steepness() const { return steepness_; }
 
  private:
+  /// The three columns of the map's Jacobian.
+  struct Jacobian {
+    Point x, y, z;
+  };
+
+  void set_terms();
+  void evaluate(const Point& xi, Point& position, Jacobian& jacobian) const;
   bool newton(const Point& point, Point& xi) const;
   [[nodiscard]] Point continued(const Point& point) const;
 
   CellKind kind_;
   std::size_t count_;
   std::array<Point, kMostCorners> corners_{};  // relative to corner 0
-  Point origin_{};                             // corner 0
+  // the map is linear_ xi + sum mixed_ phi(xi): what the shape functions are made of
+  Jacobian linear_{};
+  std::array<Point, 4> mixed_{};
+  Point origin_{};  // corner 0
   Point middle_{};
   double size_ = 0;  // largest coordinate difference from corner 0
   double steepness_ = 0;
