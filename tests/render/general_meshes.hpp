@@ -10,9 +10,6 @@
 
 namespace hiac::test {
 
-/// The mesh with every node moved.
-ZooMesh moved(const ZooMesh& mesh, const std::function<Position(const Position&)>& move);
-
 /// An affine map, far from orthogonal.
 Position sheared(const Position& p);
 
