@@ -75,7 +75,7 @@ TEST(Engine, DelaunayAgreesWithBruteForce) {
       for (const bool separate : {false, true}) {
         Scene scene = scene_of(projection, 48, 40);
         scene.volume.glow = glow;
-        if (separate) scene.volume.color->field = "g";
+        if (separate) scene.volume.color->field = std::string("g");
         const RenderResult result = draw(mesh, scene);
         EXPECT_EQ(result.statistics.violations, 0U);
         EXPECT_GT(result.statistics.covered_pixels, 500U);
@@ -116,8 +116,9 @@ TEST(Engine, CellAndCornerFieldsAgreeWithBruteForce) {
   mesh.fields.push_back({"c", "", FieldLocation::cell, 1, std::move(by_cell)});
   mesh.fields.push_back({"k", "", FieldLocation::corner, 1, std::move(by_corner)});
   Scene scene = scene_of(Projection::perspective, 40, 40);
+  using Names = std::pair<std::string, std::string>;
   for (const auto& [color, extinction] :
-       {std::pair{"c", "c"}, {"k", "k"}, {"c", "k"}, {"f", "c"}, {"k", "f"}}) {
+       {Names("c", "c"), Names("k", "k"), Names("c", "k"), Names("f", "c"), Names("k", "f")}) {
     scene.volume.color->field = color;
     scene.volume.extinction->field = extinction;
     EXPECT_LE(largest_error(mesh, scene, draw(mesh, scene).image), 1e-12) << color << extinction;

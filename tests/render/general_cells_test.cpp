@@ -16,8 +16,8 @@
 namespace hiac {
 namespace {
 
-using test::Cut;
 using test::cube_scene;
+using test::Cut;
 using test::draw;
 
 // The largest difference of any channel from a brute-force reference(x, y).
@@ -92,8 +92,10 @@ TEST(GeneralCells, FieldsOfEveryLocationAndSeparateFieldsAgreeWithBruteForce) {
   test::add_random_field(mesh, "cell", FieldLocation::cell, 6);
   test::add_random_field(mesh, "corner", FieldLocation::corner, 7);
   for (const Glow glow : {Glow::chromaticity, Glow::emission})
-    for (const auto& [color, extinction] :
-         {std::pair{"linear", "linear"}, {"node", "corner"}, {"cell", "node"}, {"corner", "cell"}}) {
+    for (const auto& [color, extinction] : {std::pair{"linear", "linear"},
+                                            {"node", "corner"},
+                                            {"cell", "node"},
+                                            {"corner", "cell"}}) {
       Scene scene = cube_scene(Projection::perspective, 8, 8);
       scene.volume.glow = glow;
       scene.volume.color->field = color;
@@ -153,6 +155,39 @@ TEST(GeneralCells, EyeInsideDelaunayAgreesWithBruteForce) {
                               return test::reference_pixel(mesh, scene, x, y);
                             }),
               1e-12);
+  }
+}
+
+// A brick of which an edge is a single node is a prism, and interpolated like one.
+TEST(GeneralCells, BricksWithRepeatedNodesAreDrawn) {
+  const std::vector<test::Position> positions{{0, 0, 0}, {1, 0, 0}, {0.2, 0.9, 0},
+                                              {0, 0, 1}, {1, 0, 1}, {0.2, 0.9, 1}};
+  ZooMesh brick = test::make_mesh(positions, {{CellKind::brick8, {0, 1, 2, 2, 3, 4, 5, 5}}});
+  test::add_random_field(brick, "f", FieldLocation::node, 13);
+  const Scene scene = cube_scene(Projection::perspective, 24, 20);
+  check_renderable(brick, scene);
+  const RenderResult result = draw(brick, scene);
+  ZooMesh prism = test::make_mesh(positions, {{CellKind::prism6, {0, 2, 1, 3, 5, 4}}});
+  prism.fields = brick.fields;
+  EXPECT_LE(largest_error(result.image, scene,
+                          [&](std::uint32_t x, std::uint32_t y) {
+                            return test::polyhedron_reference(prism, scene, x + 0.5, y + 0.5);
+                          }),
+            1e-11);
+}
+
+// A cell without volume adds nothing.
+TEST(GeneralCells, FlatCellsAddNothing) {
+  const auto flat = [](const test::Position& p) { return test::Position{p[0], p[1], 0.5}; };
+  for (const Cut cut : {Cut::bricks, Cut::prisms, Cut::pyramids}) {
+    ZooMesh mesh = test::moved(test::structured(1, cut), flat);
+    test::add_random_field(mesh, "f", FieldLocation::node, 14);
+    for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
+      const Scene scene = cube_scene(projection, 24, 20);
+      EXPECT_LE(largest_error(draw(mesh, scene).image, scene,
+                              [](std::uint32_t, std::uint32_t) { return std::array<double, 4>{}; }),
+                1e-13);
+    }
   }
 }
 

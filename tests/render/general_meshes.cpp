@@ -30,9 +30,9 @@ Position tapered(const Position& p) {
 }
 
 ZooMesh two_wedges() {
-  const std::vector<Position> positions{{0, 0, 0}, {1, 0, 0},    {0.5, 1, 0}, {0, 1, 0}, {0, 0, 1},
-                                        {0.5, 0, 1}, {0, 1, 1},  {-1, 0, 0},  {-0.5, 1, 0},
-                                        {-0.5, 0, 1}};
+  const std::vector<Position> positions{{0, 0, 0},    {1, 0, 0},   {0.5, 1, 0}, {0, 1, 0},
+                                        {0, 0, 1},    {0.5, 0, 1}, {0, 1, 1},   {-1, 0, 0},
+                                        {-0.5, 1, 0}, {-0.5, 0, 1}};
   return make_mesh(positions, {{CellKind::wedge7, {0, 1, 2, 3, 4, 5, 6}},
                                {CellKind::wedge7, {0, 7, 9, 4, 3, 8, 6}}});
 }
@@ -51,10 +51,14 @@ ZooMesh mixed_columns(std::size_t n) {
   for (std::size_t j = 0; j < n; ++j)
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::array<NodeId, 8> c{node(i, j, k),         node(i + 1, j, k),
-                                      node(i + 1, j + 1, k), node(i, j + 1, k),
-                                      node(i, j, k + 1),     node(i + 1, j, k + 1),
-                                      node(i + 1, j + 1, k + 1), node(i, j + 1, k + 1)};
+        const std::array<NodeId, 8> c{node(i, j, k),
+                                      node(i + 1, j, k),
+                                      node(i + 1, j + 1, k),
+                                      node(i, j + 1, k),
+                                      node(i, j, k + 1),
+                                      node(i + 1, j, k + 1),
+                                      node(i + 1, j + 1, k + 1),
+                                      node(i, j + 1, k + 1)};
         if (k == 0) {
           cells.push_back({CellKind::prism6, {c[0], c[2], c[1], c[4], c[6], c[5]}});
           cells.push_back({CellKind::prism6, {c[0], c[3], c[2], c[4], c[7], c[6]}});
@@ -63,9 +67,9 @@ ZooMesh mixed_columns(std::size_t n) {
           positions.push_back({(double(i) + 0.5) * h, (double(j) + 0.5) * h, 0.5});
           cells.push_back({CellKind::tetrahedron4, {c[0], c[1], c[2], apex}});
           cells.push_back({CellKind::tetrahedron4, {c[0], c[2], c[3], apex}});
-          for (const auto& base : {std::array{7, 6, 5, 4}, std::array{0, 4, 5, 1},
-                                   std::array{1, 5, 6, 2}, std::array{2, 6, 7, 3},
-                                   std::array{3, 7, 4, 0}}) {
+          for (const auto& base :
+               {std::array{7, 6, 5, 4}, std::array{0, 4, 5, 1}, std::array{1, 5, 6, 2},
+                std::array{2, 6, 7, 3}, std::array{3, 7, 4, 0}}) {
             Cell pyramid{CellKind::pyramid5, {}};
             for (const int b : base) pyramid.nodes.push_back(c[static_cast<std::size_t>(b)]);
             pyramid.nodes.push_back(apex);
@@ -99,8 +103,8 @@ Scene cube_scene(Projection projection, std::uint32_t width, std::uint32_t heigh
   scene.camera.up = {0.1, 0, 1};
   scene.camera.fov = 27;
   scene.camera.height = 1.75;
-  scene.volume.color = ColorTransfer{
-      "f", {{0.0, {0.1, 0.2, 0.9}}, {0.45, {0.2, 0.9, 0.3}}, {1, {0.9, 0.1, 0.1}}}};
+  scene.volume.color =
+      ColorTransfer{"f", {{0.0, {0.1, 0.2, 0.9}}, {0.45, {0.2, 0.9, 0.3}}, {1, {0.9, 0.1, 0.1}}}};
   scene.volume.extinction = ExtinctionTransfer{"f", {{0.0, {0.2}}, {0.6, {4}}, {1, {1}}}};
   scene.render.tolerance = 1e-13;
   return scene;

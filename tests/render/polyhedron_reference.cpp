@@ -36,9 +36,8 @@ Ray ray_through(const Scene& scene, double x, double y) {
   const Vec eye = vec(camera.eye), forward = unit(vec(camera.look_at) - eye);
   const Vec right = unit(cross(forward, vec(camera.up))), up = cross(right, forward);
   const Real height = scene.image.height, width = scene.image.width;
-  const Real extent = perspective
-                          ? 2 * std::tan(camera.fov * std::numbers::pi_v<Real> / 360)
-                          : static_cast<Real>(camera.height);
+  const Real extent = perspective ? 2 * std::tan(camera.fov * std::numbers::pi_v<Real> / 360)
+                                  : static_cast<Real>(camera.height);
   const Vec aside =
       (extent / height * (x - width / 2)) * right + (extent / height * (height / 2 - y)) * up;
   const Vec direction = perspective ? forward + aside : forward;
@@ -70,7 +69,8 @@ bool clip(const Ray& ray, Cell& cell) {
   for (const ShapeFace& face : topology_of(cell.kind).faces) {
     const auto at = [&](std::size_t k) { return cell.corners[face.corners[k]]; };
     const std::size_t last = face.corner_count - 1U;
-    Vec normal = last == 2 ? cross(at(1) - at(0), at(2) - at(0)) : cross(at(2) - at(0), at(3) - at(1));
+    Vec normal =
+        last == 2 ? cross(at(1) - at(0), at(2) - at(0)) : cross(at(2) - at(0), at(3) - at(1));
     Vec center{};
     for (std::size_t k = 0; k <= last; ++k) center = center + (Real(1) / (last + 1)) * at(k);
     if (dot(normal, middle - center) > 0) normal = Real(-1) * normal;
@@ -150,14 +150,12 @@ struct Rule {
   std::array<std::array<Real, 8>, 8> to;
 
   Rule() {
-    constexpr std::array<Real, 4> kNodes{0.18343464249564980493947614236018398L,
-                                         0.52553240991632898581773904918924635L,
-                                         0.79666647741362673959155393647583044L,
-                                         0.96028985649753623168356086856947299L};
-    constexpr std::array<Real, 4> kWeights{0.36268378337836198296515044927719561L,
-                                           0.31370664587788728733796220198660131L,
-                                           0.22238103445337447054435599442624088L,
-                                           0.10122853629037625915253135430996219L};
+    constexpr std::array<Real, 4> kNodes{
+        0.18343464249564980493947614236018398L, 0.52553240991632898581773904918924635L,
+        0.79666647741362673959155393647583044L, 0.96028985649753623168356086856947299L};
+    constexpr std::array<Real, 4> kWeights{
+        0.36268378337836198296515044927719561L, 0.31370664587788728733796220198660131L,
+        0.22238103445337447054435599442624088L, 0.10122853629037625915253135430996219L};
     for (std::size_t k = 0; k < 4; ++k) {
       x[3 - k] = -kNodes[k];
       x[4 + k] = kNodes[k];

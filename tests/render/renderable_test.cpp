@@ -11,12 +11,12 @@
 namespace hiac {
 namespace {
 
+using test::cube_scene;
+using test::Cut;
+using test::Position;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::ThrowsMessage;
-using test::Cut;
-using test::cube_scene;
-using test::Position;
 
 Scene scene() { return cube_scene(Projection::perspective, 8, 8); }
 
@@ -34,14 +34,14 @@ TEST(Renderable, EveryLinearKindIsLetPass) {
   for (const Cut cut : {Cut::bricks, Cut::tetrahedra, Cut::prisms, Cut::pyramids})
     EXPECT_NO_THROW(check_renderable(with_field(test::structured(3, cut)), scene()));
   EXPECT_NO_THROW(check_renderable(with_field(test::two_wedges()), scene()));
-  EXPECT_NO_THROW(check_renderable(
-      with_field(test::moved(test::mixed_columns(3), test::tapered)), scene()));
+  EXPECT_NO_THROW(
+      check_renderable(with_field(test::moved(test::mixed_columns(3), test::tapered)), scene()));
 }
 
 TEST(Renderable, CellsAllTurnedInsideOutAreLetPass) {
   const auto mirrored = [](const Position& p) { return Position{-p[0], p[1], p[2]}; };
-  EXPECT_NO_THROW(check_renderable(
-      with_field(test::moved(test::mixed_columns(2), mirrored)), scene()));
+  EXPECT_NO_THROW(
+      check_renderable(with_field(test::moved(test::mixed_columns(2), mirrored)), scene()));
 }
 
 TEST(Renderable, FacesThatAreNotPlanarAreNamed) {
@@ -68,19 +68,24 @@ TEST(Renderable, TheNumberOfFailingCellsIsSaid) {
 
 TEST(Renderable, CellsThatAreNotConvexAreNamed) {
   // the top of the brick turned half around: its sides cross, and are planar still
-  const ZooMesh crossed = with_field(
-      test::make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
-                       {1, 1, 1}, {0, 1, 1}, {0, 0, 1}, {1, 0, 1}},
-                      {{CellKind::brick8, {0, 1, 2, 3, 4, 5, 6, 7}}}));
+  const ZooMesh crossed = with_field(test::make_mesh(
+      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {1, 1, 1}, {0, 1, 1}, {0, 0, 1}, {1, 0, 1}},
+      {{CellKind::brick8, {0, 1, 2, 3, 4, 5, 6, 7}}}));
   EXPECT_THROW(check_renderable(crossed, scene()), InputError);
   // a prism over a quadrilateral with a corner pushed in
-  const ZooMesh dented = with_field(
-      test::make_mesh({{0, 0, 0}, {1, 0, 0}, {0.2, 0.2, 0}, {0, 1, 0},
-                       {0, 0, 1}, {1, 0, 1}, {0.2, 0.2, 1}, {0, 1, 1}},
-                      {{CellKind::brick8, {0, 1, 2, 3, 4, 5, 6, 7}}}));
-  EXPECT_THAT([&] { check_renderable(dented, scene()); },
-              ThrowsMessage<InputError>(
-                  AllOf(HasSubstr("cell 0 (brick8)"), HasSubstr("not convex"))));
+  const ZooMesh dented =
+      with_field(test::make_mesh({{0, 0, 0},
+                                  {1, 0, 0},
+                                  {0.2, 0.2, 0},
+                                  {0, 1, 0},
+                                  {0, 0, 1},
+                                  {1, 0, 1},
+                                  {0.2, 0.2, 1},
+                                  {0, 1, 1}},
+                                 {{CellKind::brick8, {0, 1, 2, 3, 4, 5, 6, 7}}}));
+  EXPECT_THAT(
+      [&] { check_renderable(dented, scene()); },
+      ThrowsMessage<InputError>(AllOf(HasSubstr("cell 0 (brick8)"), HasSubstr("not convex"))));
 }
 
 TEST(Renderable, ValuesThatAreNotFiniteAreNamed) {
@@ -92,7 +97,9 @@ TEST(Renderable, ValuesThatAreNotFiniteAreNamed) {
               ThrowsMessage<InputError>(
                   AllOf(HasSubstr("field 'f'"), HasSubstr("2 others"), HasSubstr("node 2"))));
   EXPECT_THAT(
-      [&] { check_renderable(with_values(mesh, FieldLocation::cell, {0.5, HUGE_VAL}), scene()); },
+      [&] {
+        check_renderable(with_values(mesh, FieldLocation::cell, {0.5, HUGE_VAL}), scene());
+      },
       ThrowsMessage<InputError>(HasSubstr("inf at cell 1")));
   std::vector<double> corners(12, 0.5);
   corners[7] = kNan;

@@ -168,7 +168,7 @@ Description describe_mesh(const ZooFile& file, const std::string& subject) {
   description.text += line("adjacency", mesh.adjacency ? "stored" : "not stored");
   for (const auto& [key, value] : mesh.metadata) {
     description.facts["metadata"][key] = value;
-    description.text += line("metadata", key + ": " + value);
+    description.text += line("metadata", fmt::format("{}: {}", key, value));
   }
   for (const ExtraChunk& chunk : file.extras) {
     if (chunk.type == kOrderChunk)
@@ -212,7 +212,7 @@ Description describe_image(const ImageFile& file, const std::string& subject) {
     description.facts["attributes"][name] = text;
     const bool several_lines = text.find('\n') != std::string::npos;
     description.text += several_lines ? fmt::format("  {}:\n{}\n", name, text)
-                                      : line("attribute", name + ": " + text);
+                                      : line("attribute", fmt::format("{}: {}", name, text));
   }
   return description;
 }

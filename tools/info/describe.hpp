@@ -11,7 +11,7 @@
 namespace hiac::tools {
 
 /// What a file holds: for programs, and as lines for people.
-struct Description {
+struct Description {  // NOLINT(bugprone-exception-escape): the JSON library's move says so
   nlohmann::ordered_json facts;
   std::string text;
 };

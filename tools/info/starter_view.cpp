@@ -175,7 +175,8 @@ class Silhouette {
     for (int y = first(top, kHeight); y < kHeight && y + 0.5 <= bottom; ++y)
       for (int x = first(left, kWidth); x < kWidth && x + 0.5 <= right; ++x)
         if (inside({x + 0.5, y + 0.5}, p, q, r))
-          covered_[static_cast<std::size_t>(y * kWidth + x)].store(1, std::memory_order_relaxed);
+          covered_[static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)].store(
+              1, std::memory_order_relaxed);
   }
 
   /// How much length of ray, summed over the pixels, runs through a unit of volume at a point.

@@ -15,11 +15,14 @@ using Matrix = std::array<Point, 3>;  // rows
 // A corner this much of the cell's size off the affine map changes a field by as little as
 // rounding does.
 constexpr double kAffineDeviation = 1e-14;
-// Newton converges quadratically: after a step this short the next would be below rounding.
+// Newton converges quadratically: after a step this short, relative to the distance over which the
+// Jacobian changes, the next would be below rounding.
 constexpr double kLastStep = 1e-9;
 constexpr int kMostIterations = 12;
 // Residuals this much of the cell's size are rounding of the map itself.
 constexpr double kResidualRounding = 16 * std::numeric_limits<double>::epsilon();
+// Less than this is not to be had.
+constexpr double kLeastResidual = std::numeric_limits<double>::epsilon() / 2;
 constexpr double kShortestContinuation = 0x1p-30;
 
 Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -44,6 +47,58 @@ Point apply(const Matrix& rows, const Point& v) {
   return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
 }
 
+// Products of coordinates in a kind's shape functions, with their gradients.
+struct MixedTerms {
+  std::size_t count = 0;
+  std::array<double, 4> value;
+  std::array<Point, 4> gradient;
+
+  void add(double v, const Point& g) {
+    value[count] = v;
+    gradient[count++] = g;
+  }
+};
+
+// a / b where both may vanish: any number between 0 and 1 will do then.
+double collapsed_quotient(double a, double b) { return b == 0 ? 0.5 : a / b; }
+
+// The linear kinds' functions of shape_functions.cpp in terms of 1, x, y, z (y, z alone for the
+// wedge) and these.
+MixedTerms mixed_terms(CellShape shape, const Point& xi) {
+  const auto& [x, y, z] = xi;
+  MixedTerms terms;
+  switch (shape) {
+    case CellShape::tetrahedron:
+      break;
+    case CellShape::pyramid: {
+      const double u = collapsed_quotient(x, 1 - z), v = collapsed_quotient(y, 1 - z);
+      terms.add(u * y, {v, u, u * v});
+      break;
+    }
+    case CellShape::prism:
+      terms.add(x * z, {z, 0, x});
+      terms.add(y * z, {0, z, y});
+      break;
+    case CellShape::wedge: {
+      const double p = 1 - y, q = 1 - z;
+      const double u = collapsed_quotient(x, p + q);
+      const double b = collapsed_quotient(q, p + q), a = 1 - b;
+      terms.add(u * p * q, {p * b, -x * b * b, -x * a * a});
+      terms.add(u * y * q, {y * b, (x + u * y) * b, -u * y * a});
+      terms.add(u * z * p, {z * a, -u * z * b, (x + u * z) * a});
+      terms.add(y * z, {0, z, y});
+      break;
+    }
+    case CellShape::brick:
+      terms.add(x * y, {y, x, 0});
+      terms.add(y * z, {0, z, y});
+      terms.add(x * z, {z, 0, x});
+      terms.add(x * y * z, {y * z, x * z, x * y});
+      break;
+  }
+  return terms;
+}
+
 // The corners that lie on the reference cell's x, y and z axis.
 std::array<std::size_t, 3> axis_corners(CellShape shape) {
   switch (shape) {
@@ -59,6 +114,35 @@ std::array<std::size_t, 3> axis_corners(CellShape shape) {
   return {1, 3, 4};
 }
 
+// Over this distance the Jacobian changes: it depends on direction at a pyramid's apex and a
+// wedge's node 6.
+double jacobian_scale(CellShape shape, const Point& xi) {
+  if (shape == CellShape::pyramid) return std::abs(1 - xi[2]);
+  if (shape == CellShape::wedge) return std::abs(2 - xi[1] - xi[2]);
+  return 1;
+}
+
+// Roots farther outside the reference cell than this belong to other branches of the map.
+constexpr double kMargin = 1e-3;
+
+bool near_reference_cell(CellShape shape, const Point& xi) {
+  const auto& [x, y, z] = xi;
+  if (std::min({x, y, z}) < -kMargin) return false;
+  switch (shape) {
+    case CellShape::tetrahedron:
+      return x + y + z <= 1 + kMargin;
+    case CellShape::pyramid:
+      return std::max(x, y) + z <= 1 + kMargin;
+    case CellShape::prism:
+      return std::max(x + y, z) <= 1 + kMargin;
+    case CellShape::wedge:
+      return std::max(y, z) <= 1 + kMargin && x + y + z <= 2 + kMargin;
+    case CellShape::brick:
+      return std::max({x, y, z}) <= 1 + kMargin;
+  }
+  return false;
+}
+
 }  // namespace
 
 CellMap::CellMap(CellKind kind, std::span<const Point> corners)
@@ -71,24 +155,61 @@ CellMap::CellMap(CellKind kind, std::span<const Point> corners)
     size_ = std::max(size_, largest(corners_[k]));
     middle_ = middle_ + (1.0 / static_cast<double>(count_)) * nodes[k];
   }
-  Matrix column;
+  set_terms();
+  // the corners on the axes make the affine map that the others may follow
   const auto axis = axis_corners(shape_of(kind_));
-  for (std::size_t a = 0; a < 3; ++a) column[a] = (1 / nodes[axis[a]][a]) * corners_[axis[a]];
+  const auto on_axis = [&](std::size_t a) { return (1 / nodes[axis[a]][a]) * corners_[axis[a]]; };
+  const Jacobian straight{on_axis(0), on_axis(1), on_axis(2)};
   affine_ = true;
   for (std::size_t k = 0; k < count_; ++k) {
     const Point image =
-        nodes[k][0] * column[0] + nodes[k][1] * column[1] + nodes[k][2] * column[2];
+        nodes[k][0] * straight.x + nodes[k][1] * straight.y + nodes[k][2] * straight.z;
     affine_ = affine_ && largest(corners_[k] - image) <= kAffineDeviation * size_;
   }
-  if (!affine_) {
-    std::array<Point, kMostCorners> gradient;
-    shape_gradients<double>(kind_, middle_, gradient);
-    column = {};
-    for (std::size_t k = 1; k < count_; ++k)
-      for (std::size_t a = 0; a < 3; ++a) column[a] = column[a] + gradient[k][a] * corners_[k];
-  }
-  inverse_ = inverse_of_columns(column[0], column[1], column[2]);
+  Jacobian jacobian = straight;
+  Point unused;
+  if (!affine_) evaluate(middle_, unused, jacobian);
+  inverse_ = inverse_of_columns(jacobian.x, jacobian.y, jacobian.z);
   for (const Point& row : inverse_) steepness_ = std::max(steepness_, std::sqrt(dot(row, row)));
+}
+
+void CellMap::set_terms() {
+  const auto& p = corners_;  // p[0] is 0
+  switch (shape_of(kind_)) {
+    case CellShape::tetrahedron:
+      linear_ = {p[1], p[2], p[3]};
+      break;
+    case CellShape::pyramid:
+      linear_ = {p[1], p[3], p[4]};
+      mixed_ = {p[2] - p[1] - p[3]};
+      break;
+    case CellShape::prism:
+      linear_ = {p[2], p[1], p[3]};
+      mixed_ = {p[5] - p[2] - p[3], p[4] - p[1] - p[3]};
+      break;
+    case CellShape::wedge:
+      linear_ = {{}, p[3], p[4]};
+      mixed_ = {p[1], p[2] - p[3], p[5] - p[4], p[6] - p[3] - p[4]};
+      break;
+    case CellShape::brick:
+      linear_ = {p[1], p[3], p[4]};
+      mixed_ = {p[2] - p[1] - p[3], p[7] - p[3] - p[4], p[5] - p[1] - p[4],
+                (p[6] - p[2]) + (p[1] - p[5]) + (p[3] - p[7]) + p[4]};
+      break;
+  }
+}
+
+// Relative to corner 0.
+void CellMap::evaluate(const Point& xi, Point& position, Jacobian& jacobian) const {
+  const MixedTerms terms = mixed_terms(shape_of(kind_), xi);
+  position = xi[0] * linear_.x + xi[1] * linear_.y + xi[2] * linear_.z;
+  jacobian = linear_;
+  for (std::size_t k = 0; k < terms.count; ++k) {
+    position = position + terms.value[k] * mixed_[k];
+    jacobian.x = jacobian.x + terms.gradient[k][0] * mixed_[k];
+    jacobian.y = jacobian.y + terms.gradient[k][1] * mixed_[k];
+    jacobian.z = jacobian.z + terms.gradient[k][2] * mixed_[k];
+  }
 }
 
 Point CellMap::position(const Point& xi) const {
@@ -103,32 +224,28 @@ Point CellMap::reference(const Point& point, const Point& guess) const {
   const Point relative = point - origin_;
   if (affine_) return apply(inverse_, relative);
   Point xi = guess;
-  return newton(relative, xi) ? xi : continued(relative);
+  if (newton(relative, xi) && near_reference_cell(shape_of(kind_), xi)) return xi;
+  return continued(relative);
 }
 
 // Newton's iteration for a point relative to corner 0. False, and xi of no use, where it does not
 // converge.
 bool CellMap::newton(const Point& point, Point& xi) const {
-  std::array<double, kMostCorners> shape;
-  std::array<Point, kMostCorners> gradient;
   double before = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
-    shape_functions<double>(kind_, xi, shape);
-    shape_gradients<double>(kind_, xi, gradient);
-    Point residual = point;
-    Matrix column{};
-    for (std::size_t k = 1; k < count_; ++k) {
-      residual = residual - shape[k] * corners_[k];
-      for (std::size_t a = 0; a < 3; ++a) column[a] = column[a] + gradient[k][a] * corners_[k];
-    }
+    Point here;
+    Jacobian jacobian;
+    evaluate(xi, here, jacobian);
+    const Point residual = point - here;
     const double size = largest(residual);
     if (size <= kResidualRounding * size_) before = std::numeric_limits<double>::infinity();
     if (!(size < before)) return false;  // diverges, or is not a number
+    if (size <= kLeastResidual * size_) return true;
     before = size;
-    const Point step = apply(inverse_of_columns(column[0], column[1], column[2]), residual);
+    const Point step = apply(inverse_of_columns(jacobian.x, jacobian.y, jacobian.z), residual);
     if (!std::isfinite(largest(step))) return size <= kResidualRounding * size_;
     xi = xi + step;
-    if (largest(step) <= kLastStep) return true;
+    if (largest(step) <= kLastStep * jacobian_scale(shape_of(kind_), xi)) return true;
   }
   return before <= kResidualRounding * size_;
 }

@@ -12,7 +12,7 @@ namespace hiac {
 ///
 /// Reference coordinates and shape functions are those of shape_functions.hpp. The cell is convex
 /// (either orientation) with planar faces; then the map is one to one and the inverse is found to
-/// rounding at every point of the cell, and as far outside as the map's Jacobian keeps its sign.
+/// rounding at every point of the cell and close to it.
 class CellMap {
  public:
   using Point = std::array<double, 3>;
@@ -29,9 +29,9 @@ class CellMap {
   [[nodiscard]] Point position(const Point& xi) const;
 
   /// The xi with x(xi) = point. An affine map is inverted as a matrix. Any other by Newton's
-  /// iteration from `guess`, or where that does not converge by continuation: the straight line
-  /// from the cell's middle to the point lies inside the cell, and Newton follows it in steps as
-  /// short as it needs.
+  /// iteration from `guess`, or where that does not converge to the cell by continuation: the
+  /// straight line from the cell's middle to the point lies inside the cell, and Newton follows it
+  /// in steps as short as it needs.
   [[nodiscard]] Point reference(const Point& point, const Point& guess) const;
 
   /// A reference point well inside the cell, for a first guess.
@@ -42,13 +42,23 @@ class CellMap {
   [[nodiscard]] double steepness() const { return steepness_; }
 
  private:
+  /// The three columns of the map's Jacobian.
+  struct Jacobian {
+    Point x, y, z;
+  };
+
+  void set_terms();
+  void evaluate(const Point& xi, Point& position, Jacobian& jacobian) const;
   bool newton(const Point& point, Point& xi) const;
   [[nodiscard]] Point continued(const Point& point) const;
 
   CellKind kind_;
   std::size_t count_;
   std::array<Point, kMostCorners> corners_{};  // relative to corner 0
-  Point origin_{};                             // corner 0
+  // the map is linear_ xi + sum mixed_ phi(xi): what the shape functions are made of
+  Jacobian linear_{};
+  std::array<Point, 4> mixed_{};
+  Point origin_{};  // corner 0
   Point middle_{};
   double size_ = 0;  // largest coordinate difference from corner 0
   double steepness_ = 0;

@@ -56,7 +56,7 @@ Imf::Header header_of(const Image& image, const WriteOptions& options) {
 
 /// Interleaved floats of lines first_line ... as OpenEXR's frame buffer.
 Imf::FrameBuffer frame_buffer(std::vector<float>& lines, std::span<const std::string> channels,
-                              std::size_t width, Imath::V2i first_pixel) {
+                              std::size_t width, const Imath::V2i& first_pixel) {
   Imf::FrameBuffer buffer;
   const std::size_t pixel_bytes = channels.size() * sizeof(float);
   const std::size_t line_bytes = width * pixel_bytes;

@@ -60,7 +60,7 @@ NpyHeader read_header(std::FILE* file, const std::string& path) {
   read_exactly(file, std::as_writable_bytes(std::span(start)), path);
   if (std::string_view(start.data(), kMagic.size()) != kMagic)
     throw InputError(path, "not a numpy file (the magic bytes are missing)");
-  const int version = start[6];
+  const int version = static_cast<unsigned char>(start[6]);
   if (version < 1 || version > 3)
     throw InputError(path, fmt::format("numpy format version {} (expected 1 to 3)", version));
   std::array<std::uint8_t, 4> length{};

@@ -38,13 +38,27 @@ HWY_INLINE int first_center(double coordinate, int low, int high) {
 // Nodes above a row of pixel centres or on it.
 HWY_INLINE bool is_above(const ProjectedNode& node, double center) { return node.y <= center; }
 
-// The first pixel right of where a row of pixel centres crosses the edge a-b, or on it.
-HWY_INLINE int crossing_column(const ProjectedNode& a, const ProjectedNode& b, double center,
-                               const TileRect& tile) {
+// Where a row of pixel centres crosses an edge.
+struct RowCrossing {
+  double x, depth;
+  int column;  // the first pixel right of it, or on it
+};
+
+HWY_INLINE RowCrossing cross_row(const ProjectedNode& a, const ProjectedNode& b, double center,
+                                 const TileRect& tile) {
   const double slope = (b.x - a.x) / (b.y - a.y);
   const double offset = (center - a.y) * slope;
-  return first_center(a.x + offset, tile.x0, tile.x1);
+  const double x = a.x + offset;
+  // a is on one side of the row and b on the other, so this is a mean of their depths
+  const double s = (center - a.y) / (b.y - a.y);
+  return {x, a.depth + s * (b.depth - a.depth), first_center(x, tile.x0, tile.x1)};
 }
+
+// Pixels between the edges of a triangle: narrower than this it is seen edge-on, and where it lies
+// is known to rounding of projected coordinates alone (an ulp is 3e-11 for the farthest nodes).
+constexpr double kEdgeOnWidth = 0x1p-35;
+// The same for triangles off the screen, relative to their distance from the eye.
+constexpr double kEdgeOn = 64 * std::numeric_limits<double>::epsilon();
 
 // Depth on a triangle over the screen: FacePlanes of scan_conversion-inl.hpp, one at a time.
 class TriangleDepth {
@@ -74,28 +88,24 @@ class TriangleDepth {
     const double q1 = one.depth - base.depth, q2 = two.depth - base.depth;
     qm_ = swapped ? q2 : q1;
     qs_ = swapped ? q1 : q2;
-    least_ = std::min({base.depth, one.depth, two.depth});
-    most_ = std::max({base.depth, one.depth, two.depth});
   }
 
-  // Never beyond the triangle's corners: on triangles seen edge-on rounding knows no other bound.
   [[nodiscard]] HWY_INLINE double at(double x, double y) const {
     const double dx = x - base_.x, dy = y - base_.y;
     const double s = mul_add(dx, cx_, cy_ * dy);
     const double m = neg_mul_add(h_, s, mul_add(dx, gx_, gy_ * dy));
-    const double depth = mul_add(s, qs_, mul_add(m, qm_, base_.depth));
-    return std::min(std::max(depth, least_), most_);
+    return mul_add(s, qs_, mul_add(m, qm_, base_.depth));
   }
 
  private:
   ProjectedNode base_;
-  double cx_, cy_, gx_, gy_, h_, qm_, qs_, least_, most_;
+  double cx_, cy_, gx_, gy_, h_, qm_, qs_;
 };
 
 using Nodes = std::array<ProjectedNode, CellSurface::kMostCorners>;
 
 HWY_INLINE Nodes projected_nodes(const Frame& frame, const CellSurface& surface) {
-  Nodes nodes;
+  Nodes nodes{};
   for (std::size_t k = 0; k < surface.corner_count; ++k) nodes[k] = frame.nodes[surface.nodes[k]];
   return nodes;
 }
@@ -106,13 +116,19 @@ class SurfaceDepth {
   HWY_INLINE SurfaceDepth(const CellSurface& surface, const Nodes& nodes)
       : surface_(surface), nodes_(nodes) {}
 
-  HWY_INLINE double at(std::size_t triangle, double x, double y) {
+  // On a row, between the two edges that it crosses; never beyond the depths there. A triangle seen
+  // edge-on is as deep as the nearer of the two: of the cells that it parts, one gets all of the
+  // ray. The ray's cells then follow one another whatever rounding does.
+  HWY_INLINE double at(std::size_t triangle, const RowCrossing& e, const RowCrossing& f, double x,
+                       double y) {
+    const double least = std::min(e.depth, f.depth), most = std::max(e.depth, f.depth);
+    if (std::abs(e.x - f.x) < kEdgeOnWidth) return least;
     if (!ready_[triangle]) {
       const auto& c = surface_.triangles[triangle].corners;
       triangles_[triangle] = TriangleDepth(nodes_[c[0]], nodes_[c[1]], nodes_[c[2]]);
       ready_[triangle] = true;
     }
-    return triangles_[triangle].at(x, y);
+    return std::min(std::max(triangles_[triangle].at(x, y), least), most);
   }
 
  private:
@@ -122,79 +138,111 @@ class SurfaceDepth {
   std::array<bool, CellSurface::kMostTriangles> ready_{};
 };
 
-// Columns first <= x < last of a row.
-struct Run {
-  int first, last;
+// A triangle that a row crosses, between two of its edges.
+struct CrossedTriangle {
+  std::size_t triangle, e, f;
 };
 
-// The pixels of one row that each triangle of a cell covers, and all of them together.
-struct RowRuns {
-  std::array<Run, CellSurface::kMostTriangles> triangles;
-  Run whole;
+// What one row crosses.
+struct RowSection {
+  std::array<bool, CellSurface::kMostEdges> crossed;
+  std::array<CrossedTriangle, CellSurface::kMostTriangles> triangles;
+  std::size_t triangle_count;
+
+  // `above`: corners on the row or above it.
+  HWY_INLINE RowSection(const CellSurface& surface, const bool* above) : triangle_count(0) {
+    for (std::size_t e = 0; e < surface.edge_count; ++e)
+      crossed[e] = above[surface.edges[e][0]] != above[surface.edges[e][1]];
+    for (std::size_t k = 0; k < surface.triangle_count; ++k) {
+      // two edges of a triangle are crossed, or none
+      const auto& [a, b, c] = surface.triangles[k].edges;
+      if (!crossed[a] && !crossed[b]) continue;
+      triangles[triangle_count++] = {k, crossed[a] ? a : b, crossed[a] && crossed[b] ? b : c};
+    }
+  }
 };
 
-HWY_INLINE RowRuns scan_row(const CellSurface& surface, const Nodes& nodes, const TileRect& tile,
-                            double center) {
-  const Run none{tile.x1, tile.x0};
-  std::array<Run, CellSurface::kMostEdges> edges;
-  for (std::size_t e = 0; e < surface.edge_count; ++e) {
-    const ProjectedNode &a = nodes[surface.edges[e][0]], &b = nodes[surface.edges[e][1]];
-    edges[e] = none;
-    if (is_above(a, center) == is_above(b, center)) continue;
-    const int column = crossing_column(a, b, center, tile);
-    edges[e] = {column, column};
+// Where one ray crosses a cell's surface.
+class RayCrossings {
+ public:
+  // Keeps them in order.
+  HWY_INLINE void add(double t) {
+    std::size_t at = count_++;
+    for (; at > 0 && t_[at - 1] > t; --at) t_[at] = t_[at - 1];
+    t_[at] = t;
   }
-  RowRuns runs{{}, none};
-  const auto join = [](const Run& a, const Run& b) {
-    return Run{std::min(a.first, b.first), std::max(a.last, b.last)};
-  };
-  for (std::size_t k = 0; k < surface.triangle_count; ++k) {
-    const auto& e = surface.triangles[k].edges;
-    runs.triangles[k] = join(join(edges[e[0]], edges[e[1]]), edges[e[2]]);
-    runs.whole = join(runs.whole, runs.triangles[k]);
+
+  // The ray enters and leaves in turn: once each, but that rounding may roughen a surface along
+  // which the ray runs.
+  HWY_INLINE void append_to(std::vector<CellCrossing>& crossings, int x, int y) const {
+    for (std::size_t k = 0; k + 1 < count_; k += 2) crossings.push_back({x, y, t_[k], t_[k + 1]});
   }
-  return runs;
-}
+
+ private:
+  std::array<double, CellSurface::kMostTriangles> t_;
+  std::size_t count_ = 0;
+};
+
+// A cell whose nodes are all on the screen, row by row.
+class ScreenScan {
+ public:
+  ScreenScan(const Frame& frame, const CellSurface& surface, const TileRect& tile)
+      : perspective_(frame.projector.perspective()),
+        surface_(surface),
+        tile_(tile),
+        nodes_(projected_nodes(frame, surface)),
+        depth_(surface, nodes_) {}
+
+  void scan(std::vector<CellCrossing>& crossings) {
+    double top = nodes_[0].y, bottom = nodes_[0].y;
+    for (std::size_t k = 1; k < surface_.corner_count; ++k) {
+      top = std::min(top, nodes_[k].y);
+      bottom = std::max(bottom, nodes_[k].y);
+    }
+    const int row_end = first_center(bottom, tile_.y0, tile_.y1);
+    for (int y = first_center(top, tile_.y0, tile_.y1); y < row_end; ++y) scan_row(y, crossings);
+  }
+
+ private:
+  void scan_row(int y, std::vector<CellCrossing>& crossings) {
+    const double center = y + 0.5;
+    std::array<bool, CellSurface::kMostCorners> above;
+    for (std::size_t k = 0; k < surface_.corner_count; ++k) above[k] = is_above(nodes_[k], center);
+    const RowSection section(surface_, above.data());
+    std::array<RowCrossing, CellSurface::kMostEdges> edges;
+    int first = tile_.x1, last = tile_.x0;
+    for (std::size_t e = 0; e < surface_.edge_count; ++e) {
+      if (!section.crossed[e]) continue;
+      edges[e] =
+          cross_row(nodes_[surface_.edges[e][0]], nodes_[surface_.edges[e][1]], center, tile_);
+      first = std::min(first, edges[e].column);
+      last = std::max(last, edges[e].column);
+    }
+    for (int x = first; x < last; ++x) {
+      RayCrossings ray;
+      for (std::size_t i = 0; i < section.triangle_count; ++i) {
+        const auto& [k, e, f] = section.triangles[i];
+        if ((x >= edges[e].column) == (x >= edges[f].column)) continue;
+        const double depth = depth_.at(k, edges[e], edges[f], x + 0.5, center);
+        ray.add(perspective_ ? -1 / depth : depth);
+      }
+      ray.append_to(crossings, x, y);
+    }
+  }
+
+  bool perspective_;
+  const CellSurface& surface_;
+  const TileRect& tile_;
+  Nodes nodes_;
+  SurfaceDepth depth_;
+};
 
 void scan_projected(const Frame& frame, const CellSurface& surface, const TileRect& tile,
                     std::vector<CellCrossing>& crossings) {
-  const Nodes nodes = projected_nodes(frame, surface);
-  const bool perspective = frame.projector.perspective();
-  double top = nodes[0].y, bottom = nodes[0].y;
-  for (std::size_t k = 1; k < surface.corner_count; ++k) {
-    top = std::min(top, nodes[k].y);
-    bottom = std::max(bottom, nodes[k].y);
-  }
-  SurfaceDepth depth(surface, nodes);
-  const int row_end = first_center(bottom, tile.y0, tile.y1);
-  for (int y = first_center(top, tile.y0, tile.y1); y < row_end; ++y) {
-    const double center = y + 0.5;
-    const RowRuns runs = scan_row(surface, nodes, tile, center);
-    for (int x = runs.whole.first; x < runs.whole.last; ++x) {
-      double front = std::numeric_limits<double>::infinity(), back = -front;
-      for (std::size_t k = 0; k < surface.triangle_count; ++k) {
-        if (x < runs.triangles[k].first || x >= runs.triangles[k].last) continue;
-        const double here = depth.at(k, x + 0.5, center);
-        front = std::min(front, here);
-        back = std::max(back, here);
-      }
-      if (front > back) continue;
-      if (perspective) {
-        front = -1 / front;
-        back = -1 / back;
-      }
-      crossings.push_back({x, y, front, back});
-    }
-  }
+  ScreenScan(frame, surface, tile).scan(crossings);
 }
 
 using Vector = std::array<double, 3>;
-
-// Where the plane of the eye and a row of pixel centres crosses an edge: right and forward
-// coordinates from the eye, in that plane.
-struct PlanePoint {
-  double right, forward;
-};
 
 // A cell beside the eye, row by row.
 class LineScan {
@@ -213,15 +261,7 @@ class LineScan {
 
   void scan(std::vector<CellCrossing>& crossings) {
     if (outside_tile()) return;
-    for (int y = tile_.y0; y < tile_.y1; ++y) {
-      if (!cut(y)) continue;
-      for (int x = tile_.x0; x < tile_.x1; ++x) {
-        CellCrossing crossing{x, y, std::numeric_limits<double>::infinity(),
-                              -std::numeric_limits<double>::infinity()};
-        cross(crossing);
-        if (crossing.front <= crossing.back) crossings.push_back(crossing);
-      }
-    }
+    for (int y = tile_.y0; y < tile_.y1; ++y) scan_row(y, crossings);
   }
 
  private:
@@ -242,64 +282,78 @@ class LineScan {
     return left_of || right_of || above || below || behind;
   }
 
-  // Cuts the cell with the plane of one row. False when no pixel of the row sees the section.
-  bool cut(int y) {
-    center_ = y + 0.5;
-    const double slope = frame_.projector.slopes(0, center_)[1];
-    bool in_front = false;
+  void scan_row(int y, std::vector<CellCrossing>& crossings) {
+    const double center = y + 0.5, slope = frame_.projector.slopes(0, center)[1];
+    std::array<bool, CellSurface::kMostCorners> above;
     for (std::size_t k = 0; k < surface_.corner_count; ++k) {
       height_[k] = camera_[k][1] - slope * camera_[k][2];
-      above_[k] = projectable_[k] ? is_above(nodes_[k], center_) : height_[k] >= 0;
+      above[k] = projectable_[k] ? is_above(nodes_[k], center) : height_[k] >= 0;
     }
+    const RowSection section(surface_, above.data());
+    if (!cut_edges(section, center)) return;
+    for (int x = tile_.x0; x < tile_.x1; ++x) {
+      set_sides(section, x);
+      RayCrossings ray;
+      for (std::size_t i = 0; i < section.triangle_count; ++i) {
+        const CrossedTriangle& t = section.triangles[i];
+        if (edges_[t.e].left_of_pixel != edges_[t.f].left_of_pixel)
+          ray.add(parameter(t, x + 0.5, center));
+      }
+      ray.append_to(crossings, x, y);
+    }
+  }
+
+  // An edge that the plane of the eye and a row of pixel centres crosses.
+  struct CrossedEdge {
+    double right, forward;  // camera coordinates of the point
+    bool projectable;
+    RowCrossing on_screen;  // where it is projectable
+    // of the pixel at hand
+    double offset;  // how far right of the line, at the point's depth
+    bool left_of_pixel;
+  };
+
+  // False when all that the row crosses lies behind the eye.
+  bool cut_edges(const RowSection& section, double center) {
+    bool in_front = false;
     for (std::size_t e = 0; e < surface_.edge_count; ++e) {
+      if (!section.crossed[e]) continue;
       const auto [a, b] = surface_.edges[e];
-      crossed_[e] = above_[a] != above_[b];
-      if (!crossed_[e]) continue;
-      points_[e] = point_between(a, b);
-      in_front = in_front || points_[e].forward > 0;
-      on_screen_[e] = projectable_[a] && projectable_[b];
-      if (on_screen_[e]) column_[e] = crossing_column(nodes_[a], nodes_[b], center_, tile_);
+      const double difference = height_[a] - height_[b];
+      // nodes told apart by their screen coordinates alone may have heights of one sign
+      const double s = difference == 0 ? 0.5 : std::clamp(height_[a] / difference, 0.0, 1.0);
+      CrossedEdge& edge = edges_[e];
+      edge.right = camera_[a][0] + s * (camera_[b][0] - camera_[a][0]);
+      edge.forward = camera_[a][2] + s * (camera_[b][2] - camera_[a][2]);
+      edge.projectable = projectable_[a] && projectable_[b];
+      if (edge.projectable) edge.on_screen = cross_row(nodes_[a], nodes_[b], center, tile_);
+      in_front = in_front || edge.forward > 0;
     }
     return in_front;
   }
 
-  [[nodiscard]] PlanePoint point_between(std::size_t a, std::size_t b) const {
-    const double difference = height_[a] - height_[b];
-    // nodes told apart by their screen coordinates alone may have heights of one sign
-    const double s = difference == 0 ? 0.5 : std::clamp(height_[a] / difference, 0.0, 1.0);
-    return {camera_[a][0] + s * (camera_[b][0] - camera_[a][0]),
-            camera_[a][2] + s * (camera_[b][2] - camera_[a][2])};
-  }
-
-  void cross(CellCrossing& crossing) {
-    const double slope = frame_.projector.slopes(crossing.x + 0.5, center_)[0];
+  void set_sides(const RowSection& section, int x) {
+    const double slope = frame_.projector.slopes(x + 0.5, 0)[0];
     for (std::size_t e = 0; e < surface_.edge_count; ++e) {
-      if (!crossed_[e]) continue;
-      offset_[e] = points_[e].right - slope * points_[e].forward;
-      left_of_pixel_[e] = on_screen_[e] ? crossing.x >= column_[e] : offset_[e] <= 0;
-    }
-    for (std::size_t k = 0; k < surface_.triangle_count; ++k) {
-      const auto& edges = surface_.triangles[k].edges;
-      // two edges of a triangle are crossed, or none
-      std::array<std::size_t, 2> e{};
-      std::size_t count = 0;
-      for (const std::uint8_t edge : edges)
-        if (crossed_[edge]) e[count++] = edge;
-      if (count == 0 || left_of_pixel_[e[0]] == left_of_pixel_[e[1]]) continue;
-      const double here = parameter(k, e[0], e[1], crossing.x);
-      crossing.front = std::min(crossing.front, here);
-      crossing.back = std::max(crossing.back, here);
+      if (!section.crossed[e]) continue;
+      CrossedEdge& edge = edges_[e];
+      edge.offset = edge.right - slope * edge.forward;
+      edge.left_of_pixel = edge.projectable ? x >= edge.on_screen.column : edge.offset <= 0;
     }
   }
 
-  // The ray parameter at which a triangle is crossed, between its edges e and f.
-  [[nodiscard]] double parameter(std::size_t triangle, std::size_t e, std::size_t f, int x) {
-    const auto& c = surface_.triangles[triangle].corners;
+  // The ray parameter at which a triangle is crossed, between two of its edges.
+  [[nodiscard]] double parameter(const CrossedTriangle& t, double x, double y) {
+    const CrossedEdge &e = edges_[t.e], &f = edges_[t.f];
+    const auto& c = surface_.triangles[t.triangle].corners;
     if (projectable_[c[0]] && projectable_[c[1]] && projectable_[c[2]])
-      return -1 / depth_.at(triangle, x + 0.5, center_);
-    const double difference = offset_[e] - offset_[f];
-    const double s = difference == 0 ? 0.5 : std::clamp(offset_[e] / difference, 0.0, 1.0);
-    return points_[e].forward + s * (points_[f].forward - points_[e].forward);
+      return -1 / depth_.at(t.triangle, e.on_screen, f.on_screen, x, y);
+    const double difference = e.offset - f.offset;
+    const double size =
+        std::max(std::abs(e.right) + std::abs(e.forward), std::abs(f.right) + std::abs(f.forward));
+    if (std::abs(difference) <= kEdgeOn * size) return std::min(e.forward, f.forward);
+    const double s = std::clamp(e.offset / difference, 0.0, 1.0);
+    return e.forward + s * (f.forward - e.forward);
   }
 
   const Frame& frame_;
@@ -310,15 +364,8 @@ class LineScan {
   std::array<Vector, CellSurface::kMostCorners> camera_;
   std::array<bool, CellSurface::kMostCorners> projectable_;
   // of the row at hand
-  double center_ = 0;
   std::array<double, CellSurface::kMostCorners> height_;
-  std::array<bool, CellSurface::kMostCorners> above_;
-  std::array<bool, CellSurface::kMostEdges> crossed_, on_screen_;
-  std::array<PlanePoint, CellSurface::kMostEdges> points_;
-  std::array<int, CellSurface::kMostEdges> column_;
-  // of the pixel at hand
-  std::array<double, CellSurface::kMostEdges> offset_;
-  std::array<bool, CellSurface::kMostEdges> left_of_pixel_;
+  std::array<CrossedEdge, CellSurface::kMostEdges> edges_;
 };
 
 void scan_beside_eye(const Frame& frame, const CellSurface& surface, const TileRect& tile,

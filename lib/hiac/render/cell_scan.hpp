@@ -15,12 +15,16 @@ struct CellCrossing {
   double front, back;
 };
 
-/// Appends the crossings of a convex cell with the rays of a tile's pixels; z-clipping is not
-/// applied. All nodes must be projectable (ProjectedNode).
+/// Appends the crossings of a convex cell with the rays of a tile's pixels, ray by ray front to
+/// back; z-clipping is not applied. All nodes must be projectable (ProjectedNode).
 ///
 /// A pixel belongs to a triangle of the surface by the rule of the tetrahedron kernel
 /// (scan_conversion-inl.hpp), and depths on triangles are computed as there, operation by
-/// operation: on a shared face this and the kernel find the same pixels and the same depths.
+/// operation: on a shared face this and the kernel find the same pixels and the same depths. A
+/// triangle seen edge-on, whose depth rounding would decide, lies where the row of pixels enters
+/// it; the kernel does not draw cells with such faces (kernel_cells.hpp). A ray that runs in faces
+/// to within rounding may cross a cell several times; cells share what such rays see without gap
+/// or overlap.
 void scan_projected_cell(const Frame& frame, const CellSurface& surface, const TileRect& tile,
                          std::vector<CellCrossing>& crossings);
 

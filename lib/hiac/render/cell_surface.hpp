@@ -23,7 +23,7 @@ struct CellSurface {
   };
 
   std::size_t corner_count = 0, edge_count = 0, triangle_count = 0;
-  std::array<NodeId, kMostCorners> nodes;  ///< ascending
+  std::array<NodeId, kMostCorners> nodes;                     ///< ascending
   std::array<std::array<std::uint8_t, 2>, kMostEdges> edges;  ///< corners, ascending
   std::array<Triangle, kMostTriangles> triangles;
 };

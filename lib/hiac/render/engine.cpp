@@ -11,6 +11,7 @@
 #include "hiac/render/background.hpp"
 #include "hiac/render/frame.hpp"
 #include "hiac/render/general_cells.hpp"
+#include "hiac/render/kernel_cells.hpp"
 #include "hiac/render/tetrahedron_kernel.hpp"
 #include "hiac/render/tile.hpp"
 #include "hiac/render/tile_bins.hpp"
@@ -59,9 +60,11 @@ Frame make_frame(const ZooMesh& mesh, const Scene& scene, const Projector& proje
   Frame frame{.mesh = mesh,
               .projector = projector,
               .nodes = project_nodes(mesh, projector),
+              .kernel_cells = {},
               .optics = make_optics_tables(scene.volume),
               .color = {},
               .extinction = {}};
+  frame.kernel_cells = kernel_cells(mesh, frame.nodes);
   const auto& color = scene.volume.color;
   const auto& extinction = scene.volume.extinction;
   if (extinction)
@@ -71,9 +74,6 @@ Frame make_frame(const ZooMesh& mesh, const Scene& scene, const Projector& proje
   else
     frame.extinction = zero_field(mesh);
   if (!frame.optics.same_field) frame.color = frame_field(mesh, color->field, frame.optics.color);
-  frame.only_projectable_tetrahedra =
-      std::ranges::all_of(mesh.kinds, [](CellKind k) { return k == CellKind::tetrahedron4; }) &&
-      std::ranges::none_of(frame.nodes, [](const ProjectedNode& n) { return std::isnan(n.depth); });
   frame.tolerance = scene.render.tolerance;
   frame.depth = depth_of_mesh(mesh, projector);
   frame.witness_tolerance = kWitnessTolerance * frame.depth;
@@ -142,20 +142,16 @@ class TileRenderer {
     return after == order_.groups.end() ? std::numeric_limits<std::uint32_t>::max() : after->first;
   }
 
-  [[nodiscard]] bool for_kernel(CellId cell) const {
-    if (frame_.only_projectable_tetrahedra) return true;
-    if (frame_.mesh.kinds[cell] != CellKind::tetrahedron4) return false;
-    const auto nodes = frame_.mesh.cell_nodes(cell);
-    return std::ranges::none_of(nodes,
-                                [&](NodeId node) { return std::isnan(frame_.nodes[node].depth); });
+  [[nodiscard]] bool for_kernel(std::uint32_t rank) const {
+    return frame_.kernel_cells[order_.cells[rank]] != 0;
   }
 
   void render_run(std::span<const std::uint32_t> ranks, SegmentList* group) {
     std::size_t begin = 0;
     while (begin < ranks.size()) {
-      const bool kernel = for_kernel(order_.cells[ranks[begin]]);
+      const bool kernel = for_kernel(ranks[begin]);
       cells_.clear();
-      while (begin < ranks.size() && for_kernel(order_.cells[ranks[begin]]) == kernel)
+      while (begin < ranks.size() && for_kernel(ranks[begin]) == kernel)
         cells_.push_back(order_.cells[ranks[begin++]]);
       const auto draw = kernel ? render_tetrahedra : render_general_cells;
       draw(frame_, cells_, tile_, buffer_, group, counts_);

@@ -25,42 +25,43 @@ constexpr std::size_t kMostPieces = 96;
 class ChebyshevPoints {
  public:
   explicit ChebyshevPoints(std::size_t n) : n_(n) {
-    for (std::size_t i = 0; i <= n; ++i)
-      cosine_[i] = std::cos(std::numbers::pi * static_cast<double>(i) / static_cast<double>(n));
-    // exact where it matters: the ends and the middle
-    if (n % 2 == 0) cosine_[n / 2] = 0;
+    // cos(pi i / n) for i < 2 n, exact where it matters: at the ends and in the middle
+    std::array<double, 2 * kMostDegree> cosine{};
+    for (std::size_t i = 0; i < 2 * n; ++i)
+      cosine[i] =
+          2 * i % n == 0 && i % n != 0
+              ? 0
+              : std::cos(std::numbers::pi * static_cast<double>(i) / static_cast<double>(n));
+    const auto halved = [n](std::size_t i) { return i == 0 || i == n ? 0.5 : 1.0; };
+    for (std::size_t j = 0; j <= n; ++j) {
+      place_[j] = 0.5 - 0.5 * cosine[j];
+      for (std::size_t k = 0; k <= n; ++k)
+        transform_[k][j] =
+            2 * halved(k) * halved(j) * cosine[(n - j) * k % (2 * n)] / static_cast<double>(n);
+    }
   }
 
   // The j-th point from the front, in [0, 1].
-  [[nodiscard]] double place(std::size_t j) const { return 0.5 - 0.5 * cosine_[j]; }
+  [[nodiscard]] double place(std::size_t j) const { return place_[j]; }
 
   // values[j * stride]: at the j-th point from the front.
   void coefficients(const double* values, std::size_t stride, double* c) const {
     for (std::size_t k = 0; k <= n_; ++k) {
-      double sum = 0;
-      for (std::size_t j = 0; j <= n_; ++j) {
-        const double weight = j == 0 || j == n_ ? 0.5 : 1;
-        sum += weight * values[j * stride] * cosine((n_ - j) * k);
-      }
-      c[k] = (k == 0 || k == n_ ? 1 : 2) * sum / static_cast<double>(n_);
+      c[k] = 0;
+      for (std::size_t j = 0; j <= n_; ++j) c[k] += transform_[k][j] * values[j * stride];
     }
   }
 
  private:
-  // cos(pi i / n) for any i
-  [[nodiscard]] double cosine(std::size_t i) const {
-    i %= 2 * n_;
-    return cosine_[i <= n_ ? i : 2 * n_ - i];
-  }
-
   std::size_t n_;
-  std::array<double, kMostDegree + 1> cosine_{};
+  std::array<double, kMostDegree + 1> place_{};
+  std::array<std::array<double, kMostDegree + 1>, kMostDegree + 1> transform_{};
 };
 
 const ChebyshevPoints& chebyshev_points(std::size_t n) {
-  static const std::array<ChebyshevPoints, 6> kPoints{
-      ChebyshevPoints(1), ChebyshevPoints(2), ChebyshevPoints(3),
-      ChebyshevPoints(4), ChebyshevPoints(8), ChebyshevPoints(16)};
+  static const std::array<ChebyshevPoints, 6> kPoints{ChebyshevPoints(1), ChebyshevPoints(2),
+                                                      ChebyshevPoints(3), ChebyshevPoints(4),
+                                                      ChebyshevPoints(8), ChebyshevPoints(16)};
   return kPoints[n <= 4 ? n - 1 : n / 8 + 3];
 }
 
@@ -109,14 +110,15 @@ FieldAlongRay::FieldAlongRay(CellKind kind, const CellMap& map, std::span<const 
 
 // Rounding of the ray's points, seen through the field; and of the field itself.
 double FieldAlongRay::rounding(const RayStretch& stretch, const CornerField& field) const {
-  const double point = largest(stretch.origin) +
-                       std::max(std::abs(stretch.front), std::abs(stretch.back)) *
-                           largest(stretch.direction);
+  const double point =
+      largest(stretch.origin) +
+      std::max(std::abs(stretch.front), std::abs(stretch.back)) * largest(stretch.direction);
   return kEpsilon * (4 * std::max(std::abs(field.least), std::abs(field.most)) +
                      8 * point * map_.steepness() * (field.most - field.least));
 }
 
-void FieldAlongRay::evaluate(const CellMap::Point& xi, std::span<double, kMostFields> values) const {
+void FieldAlongRay::evaluate(const CellMap::Point& xi,
+                             std::span<double, kMostFields> values) const {
   std::array<double, CellMap::kMostCorners> shape;
   shape_functions<double>(kind_, xi, shape);
   for (std::size_t f = 0; f < fields_.size(); ++f) {
@@ -170,7 +172,8 @@ FieldAlongRay::Piece FieldAlongRay::exact(const RayStretch& stretch) const {
   for (std::size_t f = 0; f < fields_.size(); ++f) {
     std::array<double, kMostDegree + 1> c;
     points.coefficients(values[f].data(), 1, c.data());
-    piece.fields[f] = without_tail(c.data(), exact_degree_, 0);
+    piece.fields[f] = without_tail(c.data(), exact_degree_,
+                                   std::max(fields_[f].allowed, rounding(stretch, fields_[f])));
   }
   return piece;
 }

@@ -28,8 +28,7 @@ struct Frame {
   const ZooMesh& mesh;
   const Projector& projector;
   std::vector<ProjectedNode> nodes;
-  /// All cells are linear tetrahedra whose nodes can be projected.
-  bool only_projectable_tetrahedra = false;
+  std::vector<std::uint8_t> kernel_cells;  ///< what kernel_cells() says
   OpticsTables optics;
   FrameField color, extinction;  ///< one and the same where optics.same_field
   /// Pixels with less transparency than this are finished.

@@ -53,8 +53,8 @@ double steepest_slope(const TransferTable<N>& table, IntervalRange range) {
                table.slope[c][piece] * (table.lower[k] - table.anchor[piece]);
       };
       const double before = at_breakpoint(k - 1), after = at_breakpoint(k);
-      const double rounding = 8 * std::numeric_limits<double>::epsilon() *
-                              (std::abs(before) + std::abs(after));
+      const double rounding =
+          8 * std::numeric_limits<double>::epsilon() * (std::abs(before) + std::abs(after));
       if (std::abs(after - before) > rounding) return std::numeric_limits<double>::infinity();
     }
   return steepest;
@@ -136,10 +136,10 @@ class GeneralCellRenderer {
     const double share = kFieldShare * frame_.tolerance;
     const double length = frame_.depth * longest_unit_;
     const double light = optics_.largest_color * (optics_.emission ? length : 2);
-    const double extinction = steepest_slope(optics_.extinction, extinction_.intervals) * length *
-                              std::max(1.0, light);
-    const double color = steepest_slope(optics_.color, color_.intervals) *
-                         (optics_.emission ? length : 1);
+    const double extinction =
+        steepest_slope(optics_.extinction, extinction_.intervals) * length * std::max(1.0, light);
+    const double color =
+        steepest_slope(optics_.color, color_.intervals) * (optics_.emission ? length : 1);
     extinction_.corners.allowed = share / extinction;
     color_.corners.allowed = share / color;
     if (optics_.same_field) extinction_.corners.allowed = share / (extinction + color);
@@ -182,15 +182,15 @@ class GeneralCellRenderer {
     const RayStretch stretch{frame_.projector.origin(x, y), frame_.projector.direction(x, y),
                              std::max(crossing.front, frame_.projector.near()),
                              std::min(crossing.back, frame_.projector.far())};
-    const bool clipped = stretch.front != crossing.front || stretch.back != crossing.back;
-    if (stretch.front > stretch.back || (clipped && stretch.front == stretch.back)) return;
+    if (!(stretch.front < stretch.back)) return;
     ++counts_.segments;
     const double length = (stretch.back - stretch.front) * buffer_.ray_scale[at];
     Radiance radiance;
-    if (length > 0 && uniform)
+    if (uniform)
       radiance = uniform_radiance(length);
-    else if (length > 0)
-      radiance = integrated(stretch, length, field, group_ != nullptr ? 1 : buffer_.transparency[at]);
+    else
+      radiance =
+          integrated(stretch, length, field, group_ != nullptr ? 1 : buffer_.transparency[at]);
     if (group_ != nullptr)
       group_->append(static_cast<std::uint32_t>(at), stretch.front, stretch.back, radiance.rgb[0],
                      radiance.rgb[1], radiance.rgb[2], radiance.transparency);
@@ -201,8 +201,8 @@ class GeneralCellRenderer {
   [[nodiscard]] Radiance uniform_radiance(double length) const {
     const double depth = optics_.extinction_function(extinction_.corners.least)[0] * length;
     const auto color = optics_.color_function(color_.corners.least);
-    const LinearPieceWeights weights = optics_.emission ? linear_piece_emission(depth, depth)
-                                                        : linear_piece_weights(depth, depth);
+    const LinearPieceWeights weights =
+        optics_.emission ? linear_piece_emission(depth, depth) : linear_piece_weights(depth, depth);
     const double weight = (weights.front + weights.back) * (optics_.emission ? length : 1);
     return {{weight * color[0], weight * color[1], weight * color[2]}, weights.transparency};
   }
@@ -219,9 +219,9 @@ class GeneralCellRenderer {
       const double share = piece.end - piece.begin;
       const PolynomialSegment segment{piece.fields[optics_.same_field ? 0 : 1], piece.fields[0],
                                       share * length};
-      const SegmentRadiance r = integrate_segment(
-          segment, optics_.color_function, optics_.extinction_function, glow_,
-          std::max(share * tolerance, std::numeric_limits<double>::min()));
+      const SegmentRadiance r =
+          integrate_segment(segment, optics_.color_function, optics_.extinction_function, glow_,
+                            std::max(share * tolerance, std::numeric_limits<double>::min()));
       radiance.add_behind(r.rgb, r.transparency);
     }
     return radiance;
@@ -229,7 +229,10 @@ class GeneralCellRenderer {
 
   void composite(std::size_t at, const RayStretch& stretch, const Radiance& radiance) {
     double& last = buffer_.last[at];
-    if (stretch.front < last - frame_.witness_tolerance) ++counts_.violations;
+    // a segment shorter than the tolerance may be rounding, and lie anywhere
+    const double tolerance = frame_.witness_tolerance;
+    if (stretch.front < last - tolerance && stretch.back - stretch.front > tolerance)
+      ++counts_.violations;
     last = std::max(last, stretch.back);
     double& transparency = buffer_.transparency[at];
     buffer_.red[at] += transparency * radiance.rgb[0];

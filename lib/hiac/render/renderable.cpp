@@ -143,9 +143,9 @@ Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// Whether the cell's surface turns the other way at some corners than at others: a closed surface
-// with planar faces that turns the same way at all corners bounds a convex body. Three edges in a
-// plane turn no way.
+// Whether the cell's surface turns the other way at some corners than at others (the Jacobian
+// changes its sign). A closed surface with convex planar faces that turns the same way at all
+// corners bounds a convex body. Three edges in a plane turn no way.
 bool turns_both_ways(const ZooMesh& mesh, std::size_t cell, double planarity) {
   const CellShape shape = shape_of(mesh.kinds[cell]);
   if (shape == CellShape::tetrahedron) return false;
@@ -167,14 +167,34 @@ bool turns_both_ways(const ZooMesh& mesh, std::size_t cell, double planarity) {
   return left && right;
 }
 
+// Whether a planar quadrilateral face turns both ways: dented or crossed.
+bool has_bent_face(const ZooMesh& mesh, std::size_t cell, double planarity) {
+  const auto nodes = mesh.cell_nodes(static_cast<CellId>(cell));
+  for (const ShapeFace& face : topology_of(mesh.kinds[cell]).faces) {
+    if (face.corner_count != 4) continue;
+    const auto at = [&](std::size_t k) { return mesh.position(nodes[face.corners[k % 4]]); };
+    std::array<Vector, 4> normal;
+    std::array<double, 4> size;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Vector next = difference(at(k + 1), at(k)), before = difference(at(k + 3), at(k));
+      normal[k] = cross(next, before);
+      size[k] = dot(next, next) * dot(before, before);
+    }
+    for (std::size_t k = 0; k < 4; ++k)
+      for (std::size_t j = 0; j < k; ++j)
+        if (dot(normal[j], normal[k]) < -planarity * std::sqrt(size[j] * size[k])) return true;
+  }
+  return false;
+}
+
 void check_convexity(const ZooMesh& mesh, double planarity) {
   const Failures failures = count_failures(mesh.cell_count(), [&](std::size_t cell) {
-    return turns_both_ways(mesh, cell, planarity);
+    return turns_both_ways(mesh, cell, planarity) || has_bent_face(mesh, cell, planarity);
   });
   if (failures.count == 0) return;
   throw InputError(cell_name(mesh, failures.first),
-                   fmt::format("the cell is not convex, or turned inside out in part (a Jacobian "
-                               "of one sign at all corners expected, both signs found{})",
+                   fmt::format("the cell is not convex, or turned inside out in part (corners that "
+                               "all turn one way expected, both ways found{})",
                                others(failures)));
 }
 

@@ -1,0 +1,46 @@
+#include "hiac/render/kernel_cells.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "hiac/base/parallel.hpp"
+
+namespace hiac {
+namespace {
+
+// Width in pixels of a projected triangle below which digits of depth are lost that matter: an ulp
+// of a coordinate is about 1e-13.
+constexpr double kThinnest = 0x1p-30;
+
+bool is_thin(const ProjectedNode& a, const ProjectedNode& b, const ProjectedNode& c) {
+  const double x1 = b.x - a.x, y1 = b.y - a.y, x2 = c.x - a.x, y2 = c.y - a.y;
+  const double longest =
+      std::max(std::max(std::abs(x1), std::abs(y1)), std::max(std::abs(x2), std::abs(y2)));
+  return !(std::abs(x1 * y2 - x2 * y1) > kThinnest * longest);
+}
+
+bool for_kernel(const ZooMesh& mesh, CellId cell, std::span<const ProjectedNode> nodes) {
+  if (mesh.kinds[cell] != CellKind::tetrahedron4) return false;
+  const auto ids = mesh.cell_nodes(cell);
+  std::array<ProjectedNode, 4> p;
+  for (std::size_t k = 0; k < 4; ++k) {
+    p[k] = nodes[ids[k]];
+    if (std::isnan(p[k].depth)) return false;
+  }
+  return !is_thin(p[0], p[1], p[2]) && !is_thin(p[0], p[1], p[3]) && !is_thin(p[0], p[2], p[3]) &&
+         !is_thin(p[1], p[2], p[3]);
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> kernel_cells(const ZooMesh& mesh, std::span<const ProjectedNode> nodes) {
+  std::vector<std::uint8_t> flags(mesh.cell_count());
+  parallel_for(flags.size(), std::size_t{1} << 14, [&](IndexRange range) {
+    for (std::size_t cell = range.begin; cell < range.end; ++cell)
+      flags[cell] = for_kernel(mesh, static_cast<CellId>(cell), nodes) ? 1 : 0;
+  });
+  return flags;
+}
+
+}  // namespace hiac
