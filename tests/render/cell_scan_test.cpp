@@ -21,6 +21,10 @@ struct NamedMesh {
   ZooMesh mesh;
 };
 
+void add_constant_field(ZooMesh& mesh) {
+  test::add_node_field(mesh, "f", [](const Position&) { return 0.5; });
+}
+
 // Meshes of the unit cube.
 std::vector<NamedMesh> cubes() {
   std::vector<NamedMesh> meshes{{"bricks", test::structured(4, Cut::bricks)},
@@ -28,8 +32,7 @@ std::vector<NamedMesh> cubes() {
                                 {"pyramids", test::structured(4, Cut::pyramids)},
                                 {"tetrahedra", test::structured(4, Cut::tetrahedra)},
                                 {"mixed", test::mixed_columns(4)}};
-  for (auto& [name, mesh] : meshes)
-    test::add_node_field(mesh, "f", [](const Position&) { return 0.5; });
+  for (auto& [name, mesh] : meshes) add_constant_field(mesh);
   return meshes;
 }
 
@@ -164,7 +167,8 @@ Position turned_back(const Position& p, bool is_point) {
 
 TEST(CellScan, RaysNearlyInFacesAreWatertight) {
   for (const auto& [name, straight] : cubes()) {
-    const NamedMesh m{name, test::moved(straight, turned)};
+    NamedMesh m{name, test::moved(straight, turned)};
+    add_constant_field(m.mesh);
     for (const Projection projection : {Projection::orthographic, Projection::perspective})
       for (const double distance : {2.0, 0.1}) {
         Scene scene = cube_scene(projection, 17, 17);
