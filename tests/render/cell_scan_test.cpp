@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -128,7 +129,8 @@ TEST(CellScan, FacesThroughTheEyeAreWatertight) {
     scene.camera.eye = {0.5, -1.5, 0.5};
     scene.camera.fov = 40;
     scene.camera.up = {0, 0, 1};
-    expect_watertight(m, scene, 1e-14, unturned, 16);
+    const bool diagonal_faces = std::string_view(m.name) == "tetrahedra";
+    expect_watertight(m, scene, 1e-14, unturned, diagonal_faces ? 16 : 0);
   }
 }
 
@@ -179,7 +181,7 @@ TEST(CellScan, RaysNearlyInFacesAreWatertight) {
         for (std::size_t a = 0; a < 3; ++a) scene.camera.up[a] = up[a] - zero[a];
         scene.camera.height = 17.0 / 8;
         scene.camera.fov = 60;
-        expect_watertight(m, scene, 1e-13, turned_back, 4);
+        expect_watertight(m, scene, 1e-13, turned_back);
       }
   }
 }
