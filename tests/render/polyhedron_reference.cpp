@@ -212,7 +212,7 @@ class Integrator {
   // Where the field takes one of the values, by bisection between points on an even grid.
   void add_cuts(const std::array<Real, 8>& values, std::span<const double> at,
                 std::vector<Real>& cuts) {
-    constexpr int kGrid = 48;
+    constexpr int kGrid = 200;
     const auto place = [&](int i) { return cell_.from + (cell_.to - cell_.from) * i / kGrid; };
     std::array<Real, kGrid + 1> f;
     for (int i = 0; i <= kGrid; ++i) f[static_cast<std::size_t>(i)] = field_at(values, place(i));
