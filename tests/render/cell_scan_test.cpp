@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include <gtest/gtest.h>
 
@@ -21,6 +22,10 @@ struct NamedMesh {
   ZooMesh mesh;
 };
 
+void add_constant_field(ZooMesh& mesh) {
+  test::add_node_field(mesh, "f", [](const Position&) { return 0.5; });
+}
+
 // Meshes of the unit cube.
 std::vector<NamedMesh> cubes() {
   std::vector<NamedMesh> meshes{{"bricks", test::structured(4, Cut::bricks)},
@@ -28,8 +33,7 @@ std::vector<NamedMesh> cubes() {
                                 {"pyramids", test::structured(4, Cut::pyramids)},
                                 {"tetrahedra", test::structured(4, Cut::tetrahedra)},
                                 {"mixed", test::mixed_columns(4)}};
-  for (auto& [name, mesh] : meshes)
-    test::add_node_field(mesh, "f", [](const Position&) { return 0.5; });
+  for (auto& [name, mesh] : meshes) add_constant_field(mesh);
   return meshes;
 }
 
@@ -125,7 +129,8 @@ TEST(CellScan, FacesThroughTheEyeAreWatertight) {
     scene.camera.eye = {0.5, -1.5, 0.5};
     scene.camera.fov = 40;
     scene.camera.up = {0, 0, 1};
-    expect_watertight(m, scene, 1e-14, unturned, 16);
+    const bool diagonal_faces = std::string_view(m.name) == "tetrahedra";
+    expect_watertight(m, scene, 1e-14, unturned, diagonal_faces ? 16 : 0);
   }
 }
 
@@ -164,7 +169,8 @@ Position turned_back(const Position& p, bool is_point) {
 
 TEST(CellScan, RaysNearlyInFacesAreWatertight) {
   for (const auto& [name, straight] : cubes()) {
-    const NamedMesh m{name, test::moved(straight, turned)};
+    NamedMesh m{name, test::moved(straight, turned)};
+    add_constant_field(m.mesh);
     for (const Projection projection : {Projection::orthographic, Projection::perspective})
       for (const double distance : {2.0, 0.1}) {
         Scene scene = cube_scene(projection, 17, 17);
@@ -175,7 +181,7 @@ TEST(CellScan, RaysNearlyInFacesAreWatertight) {
         for (std::size_t a = 0; a < 3; ++a) scene.camera.up[a] = up[a] - zero[a];
         scene.camera.height = 17.0 / 8;
         scene.camera.fov = 60;
-        expect_watertight(m, scene, 1e-13, turned_back, 4);
+        expect_watertight(m, scene, 1e-13, turned_back);
       }
   }
 }

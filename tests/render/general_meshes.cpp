@@ -6,18 +6,6 @@
 
 namespace hiac::test {
 
-ZooMesh moved(const ZooMesh& mesh, const std::function<Position(const Position&)>& move) {
-  ZooMesh result = mesh;
-  std::vector<double> xyz;
-  for (NodeId node = 0; node < mesh.node_count(); ++node) {
-    const auto p = mesh.position(node);
-    const Position q = move({p[0], p[1], p[2]});
-    xyz.insert(xyz.end(), q.begin(), q.end());
-  }
-  result.xyz = std::move(xyz);
-  return result;
-}
-
 Position sheared(const Position& p) {
   const auto& [x, y, z] = p;
   return {0.9 * x + 0.35 * y - 0.1 * z, -0.15 * x + 0.8 * y + 0.3 * z, 0.2 * x - 0.25 * y + z};

@@ -2,16 +2,12 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <string>
 
 #include "hiac/render/engine.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace hiac::test {
-
-/// The mesh with every node moved.
-ZooMesh moved(const ZooMesh& mesh, const std::function<Position(const Position&)>& move);
 
 /// An affine map, far from orthogonal.
 Position sheared(const Position& p);

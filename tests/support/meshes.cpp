@@ -188,9 +188,14 @@ ZooMesh side_by_side(const ZooMesh& a, const ZooMesh& b) {
 }
 
 ZooMesh moved(const ZooMesh& mesh, const std::function<Position(const Position&)>& map) {
-  auto positions = positions_of(mesh);
-  for (Position& p : positions) p = map(p);
-  return make_mesh(positions, cells_of(mesh));
+  std::vector<double> xyz;
+  for (const Position& p : positions_of(mesh)) {
+    const Position q = map(p);
+    xyz.insert(xyz.end(), q.begin(), q.end());
+  }
+  ZooMesh result = mesh;
+  result.xyz = std::move(xyz);
+  return result;
 }
 
 double smooth_field(const Position& p) {

@@ -40,7 +40,7 @@ ZooMesh keep_cells(const ZooMesh& mesh,
 /// Both meshes in one, sharing no node.
 ZooMesh side_by_side(const ZooMesh& a, const ZooMesh& b);
 
-/// Every position replaced by `map` of it.
+/// Every position replaced by `map` of it; all else stays.
 ZooMesh moved(const ZooMesh& mesh, const std::function<Position(const Position&)>& map);
 
 /// A smooth field between 0 and 1 with hills and hollows.

@@ -2,9 +2,9 @@
 
 #include <array>
 
+#include "hiac/base/glow.hpp"
 #include "hiac/base/piecewise_linear.hpp"
 #include "hiac/optics/bernstein.hpp"
-#include "hiac/base/glow.hpp"
 
 namespace hiac {
 

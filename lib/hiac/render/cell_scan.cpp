@@ -242,6 +242,13 @@ void scan_projected(const Frame& frame, const CellSurface& surface, const TileRe
   ScreenScan(frame, surface, tile).scan(crossings);
 }
 
+// The distance of a point from a plane through the eye, or 0 when it is rounding in comparison with
+// the distance from the eye: what Projector does for coordinates close to pixel centres.
+HWY_INLINE double straightened(double distance, double from_eye) {
+  constexpr double kRounding = 32 * std::numeric_limits<double>::epsilon();
+  return std::abs(distance) <= kRounding * from_eye ? 0 : distance;
+}
+
 using Vector = std::array<double, 3>;
 
 // A cell beside the eye, row by row.
@@ -286,7 +293,8 @@ class LineScan {
     const double center = y + 0.5, slope = frame_.projector.slopes(0, center)[1];
     std::array<bool, CellSurface::kMostCorners> above;
     for (std::size_t k = 0; k < surface_.corner_count; ++k) {
-      height_[k] = camera_[k][1] - slope * camera_[k][2];
+      const auto& [right, up, forward] = camera_[k];
+      height_[k] = straightened(up - slope * forward, std::abs(right) + std::abs(forward));
       above[k] = projectable_[k] ? is_above(nodes_[k], center) : height_[k] >= 0;
     }
     const RowSection section(surface_, above.data());
@@ -337,7 +345,8 @@ class LineScan {
     for (std::size_t e = 0; e < surface_.edge_count; ++e) {
       if (!section.crossed[e]) continue;
       CrossedEdge& edge = edges_[e];
-      edge.offset = edge.right - slope * edge.forward;
+      edge.offset = straightened(edge.right - slope * edge.forward,
+                                 std::abs(edge.right) + std::abs(edge.forward));
       edge.left_of_pixel = edge.projectable ? x >= edge.on_screen.column : edge.offset <= 0;
     }
   }

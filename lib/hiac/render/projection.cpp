@@ -28,6 +28,16 @@ Vector normalized(const Vector& v) {
 // projectable, and their cells are met by their rays in world space.
 constexpr double kFarthestPixel = 131072;
 
+// Projected coordinates as close as rounding to the centres of a column or row of pixels lie on
+// them: faces seen edge-on along pixel centres, as views along an axis have them, stay straight
+// when their corners are projected, and rays in them lie on one side all along.
+constexpr double kCenterRounding = 0x1p-38;
+
+double at_center(double coordinate) {
+  const double center = std::floor(coordinate) + 0.5;
+  return std::abs(coordinate - center) <= kCenterRounding ? center : coordinate;
+}
+
 }  // namespace
 
 Projector::Projector(const Camera& camera, ImageSize size)
@@ -59,12 +69,12 @@ Vector Projector::camera_coordinates(std::span<const double, 3> point) const {
 bool Projector::project(std::span<const double, 3> point, ProjectedNode& node) const {
   const Vector c = camera_coordinates(point);
   if (!perspective_) {
-    node = {center_x_ + scale_ * c[0], center_y_ - scale_ * c[1], c[2]};
+    node = {at_center(center_x_ + scale_ * c[0]), at_center(center_y_ - scale_ * c[1]), c[2]};
     return true;
   }
   const double reciprocal = 1 / c[2];
   const double dx = scale_ * (c[0] * reciprocal), dy = scale_ * (c[1] * reciprocal);
-  node = {center_x_ + dx, center_y_ - dy, -reciprocal};
+  node = {at_center(center_x_ + dx), at_center(center_y_ - dy), -reciprocal};
   return c[2] > 0 && std::abs(dx) < kFarthestPixel && std::abs(dy) < kFarthestPixel;
 }
 

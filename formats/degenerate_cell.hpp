@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "hiac/mesh/zoo_mesh.hpp"
+
+namespace hiac::formats {
+
+/// What a cell with repeated nodes really is.
+struct TrueCell {
+  /// Empty, or why the cell is none of the zoo's kinds.
+  std::string_view problem;
+  CellKind kind{};
+  /// Node i of the true cell is node nodes[i] of the cell as it was written.
+  std::array<std::uint8_t, 20> nodes{};
+};
+
+/// Finds the true kind of cells that were written with repeated nodes: the brick that is a prism, a
+/// pyramid, a tetrahedron or a wedge, in any position, and likewise for the other shapes.
+///
+/// Method: nodes that are one are merged in the shape's faces; faces left with fewer than three
+/// corners are gone; what is left is compared, face by face with its winding, with the shapes of
+/// the zoo under every numbering of its corners. Orientation is kept. Of a 20-node brick the
+/// mid-edge nodes go along: those of a collapsed edge must be its corner, those of edges that
+/// became one must be the same node. (Merging nodes makes exactly the interpolant of the linear
+/// true kind: with xi = r(1-s), eta = s the collapsed bilinear square is the linear triangle.)
+class TrueKinds {
+ public:
+  /// Whether two of the conventional nodes are the same.
+  static bool has_repeated_corner(CellKind kind, std::span<const NodeId> nodes);
+
+  /// The true cell. Patterns of repetition are solved once and remembered.
+  TrueCell find(CellKind kind, std::span<const NodeId> nodes);
+
+ private:
+  /// Kind, and for every corner the first corner with the same node.
+  using Pattern = std::pair<CellKind, std::array<std::uint8_t, 8>>;
+  std::map<Pattern, TrueCell> known_;
+};
+
+}  // namespace hiac::formats

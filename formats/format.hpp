@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hiac/mesh/zoo_mesh.hpp"
+
+namespace hiac::formats {
+
+/// What of a file is to be read.
+struct ReadOptions {
+  std::optional<double> time;        ///< the step of this time
+  std::optional<std::size_t> step;   ///< the step of this number, from 0
+  std::optional<std::string> block;  ///< the block of this name alone
+  /// Leave volume cells out that the zoo has no kind for, instead of refusing the file.
+  bool skip_unsupported = false;
+  /// Read volume cells of orders or node counts that the zoo has no kind for (27-node bricks, say)
+  /// as the linear kind that their corners make.
+  bool corners_of_unsupported = false;
+};
+
+/// A mesh, and what a user should know about how it came from its file: cells left out, nodes
+/// dropped, ... one sentence each.
+struct Reading {
+  ZooMesh mesh;
+  std::vector<std::string> notes;
+};
+
+/// How many cells of one of the format's own kinds a file holds, and what becomes of them.
+struct CellCount {
+  std::string kind;  ///< the format's name
+  std::size_t count;
+  std::string fate;  ///< "tetrahedron4", "dropped (not a volume)", "unsupported"
+};
+
+/// One field of a file: where it lives, how it is stored, its range.
+struct FieldSummary {
+  std::string name;
+  std::string location;  ///< "node", "cell", "corner"
+  std::string type;      ///< the format's number type
+  std::uint32_t components = 1;
+  std::size_t tuples = 0;
+  double low = 0;   ///< smallest finite value of any component; low > high when there is none
+  double high = 0;  ///< largest finite value of any component
+  std::size_t not_finite = 0;
+};
+
+/// What a file holds, without converting it.
+struct Inventory {
+  std::string format;
+  std::size_t points = 0;
+  std::vector<CellCount> cells;
+  std::vector<FieldSummary> fields;
+  std::vector<double> times;        ///< empty when the format or the file knows no time
+  std::vector<std::string> blocks;  ///< empty when the format knows no blocks
+  std::vector<std::string> notes;
+};
+
+/// One file format: what --list-formats shows, and what can be done with it.
+struct Format {
+  std::string_view name;
+  std::vector<std::string_view> extensions;  ///< with the dot, lower case
+  std::string_view kinds;
+  std::string_view fields;
+  std::string_view time_steps;
+
+  /// Whether a file that begins with these bytes is of this format.
+  std::function<bool(std::string_view head)> recognizes;
+  /// Empty where the format cannot be read or written. All throw InputError naming the file.
+  std::function<Reading(const std::string& path, const ReadOptions& options)> read;
+  std::function<Inventory(const std::string& path)> inspect;
+  /// Returns notes on what the format cannot hold.
+  std::function<std::vector<std::string>(const std::string& path, const ZooMesh& mesh)> write;
+};
+
+/// The range of a field's finite values.
+void summarize_values(std::span<const double> values, FieldSummary& summary);
+
+}  // namespace hiac::formats

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hiac/mesh/zoo_mesh.hpp"
+
+namespace hiac::formats {
+
+// An edge node of a higher-order cell has its place on the straight edge: the middle; of cubic
+// cells the thirds. Lengths are parts of that edge's length.
+//
+// A circular edge of arc angle a has its middle tan(a/4)/2 off the chord's middle: 0.21 for a
+// quarter of a circle, 0.29 for a third, 1/2 for a half, so truly curved cells pass, and so do
+// quarter-point nodes of crack tips (0.25). In the regular cells every other edge's middle is 1/2
+// or more away, so a permuted order fails; in a stretched cell it fails at the short edges.
+
+/// A node is misplaced when it is farther than this from its place,
+inline constexpr double kFarFromPlace = 0.5;
+/// or farther than this and nearer to another edge node's place.
+inline constexpr double kFarAndNearerToAnother = 0.3;
+/// A misplaced node is exchanged when it lies this near to another edge node's place, in lengths of
+/// that one's edge: in cells with straight edges a permuted order puts it there exactly.
+inline constexpr double kInAnothersPlace = 0.01;
+/// Meshes that are tangled or curved to excess have some cells with misplaced nodes; of a wrong
+/// node order it is nearly all cells of the kind.
+inline constexpr double kMostMisplacedCells = 0.05;
+
+/// Throws InputError(subject, ...) when the edge nodes of higher-order cells are not in the order
+/// expected: when any are exchanged, or more than kMostMisplacedCells of a kind's cells have
+/// misplaced ones. Fewer are noted. Parallel; the same for any number of threads.
+void check_edge_nodes(const ZooMesh& mesh, const std::string& subject,
+                      std::vector<std::string>& notes);
+
+}  // namespace hiac::formats

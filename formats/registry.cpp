@@ -1,0 +1,104 @@
+#include "formats/registry.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <vtkVersionMacros.h>
+
+#include "formats/vtk/vtk_formats.hpp"
+#include "formats/zoo_format.hpp"
+#include "hiac/base/error.hpp"
+
+namespace hiac::formats {
+namespace {
+
+/// Enough for every format's first words, an XML declaration and comments included.
+constexpr std::size_t kHeadBytes = 4096;
+
+std::string head_of(const std::string& path) {
+  std::error_code status_error;
+  if (std::filesystem::is_directory(path, status_error))
+    throw InputError(path, "is a directory (a file expected)");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw InputError(path, fmt::format("cannot be opened ({})", std::strerror(errno)));
+  std::string head(kHeadBytes, '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  if (file.bad()) throw InputError(path, fmt::format("cannot be read ({})", std::strerror(errno)));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  return head;
+}
+
+std::string lower_extension(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+bool has_extension(const Format& format, std::string_view extension) {
+  return std::find(format.extensions.begin(), format.extensions.end(), extension) !=
+         format.extensions.end();
+}
+
+template <typename Keep>
+std::string joined_names(const Keep& keep) {
+  std::vector<std::string_view> names;
+  for (const Format& format : all_formats())
+    if (keep(format)) names.push_back(format.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+std::span<const Format> all_formats() {
+  static const std::vector<Format> formats{zoo_format(),  vtk_legacy_format(), vtu_format(),
+                                           pvtu_format(), vts_format(),        vti_format(),
+                                           vtr_format()};
+  return formats;
+}
+
+const Format& format_named(const std::string& name) {
+  for (const Format& format : all_formats())
+    if (format.name == name) return format;
+  throw UsageError(fmt::format("--format {}: there is no such format (expected one of {})", name,
+                               joined_names([](const Format&) { return true; })));
+}
+
+const Format& format_to_read(const std::string& path) {
+  const std::string head = head_of(path);
+  if (head.empty()) throw InputError(path, "is empty (a mesh expected)");
+  for (const Format& format : all_formats())
+    if (format.read && format.recognizes(head)) return format;
+  const std::string extension = lower_extension(path);
+  for (const Format& format : all_formats())
+    if (format.read && has_extension(format, extension))
+      throw InputError(path, fmt::format("is not a {} file, although its name says so (neither "
+                                         "this nor any other known format found in its first "
+                                         "bytes)",
+                                         format.name));
+  throw InputError(path, fmt::format("unknown file format (one of {} expected)",
+                                     joined_names([](const Format& f) { return bool(f.read); })));
+}
+
+const Format& format_to_write(const std::string& path) {
+  const std::string extension = lower_extension(path);
+  for (const Format& format : all_formats())
+    if (format.write && has_extension(format, extension)) return format;
+  throw UsageError(
+      fmt::format("-o {}: no format with the extension '{}' can be written (expected "
+                  "one of {})",
+                  path, extension, joined_names([](const Format& f) { return bool(f.write); })));
+}
+
+std::string format_library_versions() {
+  return fmt::format("VTK {}.{}.{}", VTK_MAJOR_VERSION, VTK_MINOR_VERSION, VTK_BUILD_VERSION);
+}
+
+}  // namespace hiac::formats

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include <vtkSmartPointer.h>
+
+#include "formats/format.hpp"
+
+class vtkDataArray;
+class vtkDataSet;
+class vtkFieldData;
+
+namespace hiac::formats::vtk {
+
+/// Which tuples of an array become a mesh's.
+struct TupleChoice {
+  std::size_t total = 0;  ///< how many the array must have
+  bool all = true;
+  std::span<const std::uint32_t> chosen;  ///< their numbers, unless all are chosen
+};
+
+/// The array's numbers in double precision. Of an array of doubles that is taken whole the result
+/// shares the storage.
+SharedArray<double> values_of(const vtkSmartPointer<vtkDataArray>& array,
+                              const TupleChoice& choice);
+
+/// Moves the dataset's point and cell data into `mesh`: an array is released as soon as it is
+/// converted. Arrays that are no numbers are left out with a note. Throws InputError(subject, ...)
+/// when an array does not fit the points or cells.
+void move_fields(vtkDataSet& dataset, const TupleChoice& points, const TupleChoice& cells,
+                 const std::string& subject, ZooMesh& mesh, std::vector<std::string>& notes);
+
+/// Adds the dataset's own data to the metadata: its time under "time", texts and short rows of
+/// numbers under their names. Longer arrays are left out with a note.
+void add_metadata(vtkFieldData& data, ZooMesh& mesh, std::vector<std::string>& notes);
+
+/// The time that the dataset's own data tell, if any.
+std::vector<double> times_of(vtkFieldData& data);
+
+/// All point and cell data with their ranges.
+std::vector<FieldSummary> summarize_fields(vtkDataSet& dataset);
+
+}  // namespace hiac::formats::vtk

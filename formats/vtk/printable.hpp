@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cctype>
+#include <string>
+
+namespace hiac::formats::vtk {
+
+/// Text from a file as it may stand in a message of one line.
+inline std::string printable(std::string text) {
+  for (char& c : text)
+    if (std::iscntrl(static_cast<unsigned char>(c)) != 0) c = ' ';
+  return text;
+}
+
+}  // namespace hiac::formats::vtk

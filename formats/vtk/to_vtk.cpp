@@ -1,0 +1,181 @@
+#include "formats/vtk/to_vtk.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
+
+#include <fmt/format.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkStringArray.h>
+#include <vtkTypeInt64Array.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include "formats/vtk/message_capture.hpp"
+#include "hiac/base/error.hpp"
+#include "hiac/base/output_file.hpp"
+
+namespace hiac::formats::vtk {
+namespace {
+
+/// The VTK cell that a kind is written as. Node i of that cell is the kind's node nodes[i];
+/// empty: the same nodes in the same order.
+struct WrittenCell {
+  int type;
+  std::span<const std::uint8_t> nodes;
+};
+
+/// The wedge as the brick that it is, edge 6-7 in one node; quadratic, its middle too.
+constexpr std::array<std::uint8_t, 8> kWedge7{0, 1, 2, 3, 4, 5, 6, 6};
+constexpr std::array<std::uint8_t, 20> kWedge18{0, 1,  2,  3,  4, 5,  6,  6,  7,  8,
+                                                9, 10, 11, 12, 6, 13, 14, 15, 16, 17};
+
+std::optional<WrittenCell> written_cell(CellKind kind) {
+  if (kind == CellKind::wedge7) return WrittenCell{VTK_HEXAHEDRON, kWedge7};
+  if (kind == CellKind::wedge18) return WrittenCell{VTK_QUADRATIC_HEXAHEDRON, kWedge18};
+  if (kind == CellKind::tetrahedron20) return WrittenCell{VTK_LAGRANGE_TETRAHEDRON, {}};
+  if (const auto type = vtk_cell_type(kind)) return WrittenCell{*type, {}};
+  return std::nullopt;
+}
+
+using KindTable = std::array<std::optional<WrittenCell>, kKindCount>;
+
+KindTable kinds_written(const ZooMesh& mesh, const std::string& path,
+                        std::vector<std::string>& notes) {
+  std::array<std::size_t, kKindCount> counts{};
+  for (const CellKind kind : mesh.kinds) ++counts[static_cast<std::size_t>(kind)];
+  KindTable table;
+  for (std::size_t k = 0; k < kKindCount; ++k) {
+    const auto kind = static_cast<CellKind>(k);
+    table[k] = written_cell(kind);
+    if (counts[k] > 0 && !table[k])
+      throw InputError(
+          path, fmt::format("VTU has no cell for a {} ({} found)", kind_name(kind), counts[k]));
+    if (counts[k] > 0 && !table[k]->nodes.empty())
+      notes.push_back(
+          fmt::format("{} {} cells written as bricks with a repeated node, VTU having "
+                      "no such cell",
+                      counts[k], kind_name(kind)));
+  }
+  return table;
+}
+
+void set_cells(const ZooMesh& mesh, const KindTable& table, vtkUnstructuredGrid& grid) {
+  const auto cells = static_cast<vtkIdType>(mesh.cell_count());
+  vtkNew<vtkUnsignedCharArray> types;
+  vtkNew<vtkTypeInt64Array> offsets;
+  vtkNew<vtkTypeInt64Array> connectivity;
+  types->SetNumberOfValues(cells);
+  offsets->SetNumberOfValues(cells + 1);
+  offsets->SetValue(0, 0);
+  connectivity->Allocate(static_cast<vtkIdType>(mesh.nodes.size()));
+  for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {
+    const WrittenCell& written = *table[static_cast<std::size_t>(mesh.kinds[cell])];
+    const auto nodes = mesh.cell_nodes(cell);
+    types->SetValue(cell, static_cast<unsigned char>(written.type));
+    if (written.nodes.empty())
+      for (const NodeId node : nodes) connectivity->InsertNextValue(node);
+    for (const std::uint8_t n : written.nodes) connectivity->InsertNextValue(nodes[n]);
+    offsets->SetValue(vtkIdType{cell} + 1, connectivity->GetNumberOfValues());
+  }
+  vtkNew<vtkCellArray> array;
+  array->SetData(offsets, connectivity);
+  grid.SetCells(types, array);
+}
+
+/// A VTK array that looks at the values; the mesh outlives it.
+vtkSmartPointer<vtkDoubleArray> array_of(std::span<const double> values, std::size_t components) {
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetNumberOfComponents(static_cast<int>(components));
+  constexpr int kDoNotFree = 1;
+  // VTK's writer only reads them
+  array->SetArray(const_cast<double*>(values.data()), static_cast<vtkIdType>(values.size()),
+                  kDoNotFree);
+  return array;
+}
+
+void add_fields(const ZooMesh& mesh, const std::string& path, vtkUnstructuredGrid& grid,
+                std::vector<std::string>& notes) {
+  for (const Field& field : mesh.fields) {
+    if (field.location == FieldLocation::corner) {
+      notes.push_back(
+          fmt::format("field '{}' lives on cell corners, which VTU cannot hold: left "
+                      "out",
+                      field.name));
+      continue;
+    }
+    vtkDataSetAttributes* data = field.location == FieldLocation::node
+                                     ? static_cast<vtkDataSetAttributes*>(grid.GetPointData())
+                                     : grid.GetCellData();
+    if (data->HasArray(field.name.c_str()) != 0)
+      throw InputError(path, fmt::format("VTU cannot hold two fields of one name in one place "
+                                         "('{}' found twice: rename one)",
+                                         field.name));
+    const auto array = array_of(field.values.view(), field.components);
+    array->SetName(field.name.c_str());
+    if (!field.unit.empty())
+      array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), field.unit.c_str());
+    data->AddArray(array);
+  }
+}
+
+void add_metadata(const ZooMesh& mesh, vtkUnstructuredGrid& grid) {
+  for (const auto& [key, text] : mesh.metadata) {
+    double time = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), time);
+    if (key == "time" && error == std::errc() && end == text.data() + text.size()) {
+      vtkNew<vtkDoubleArray> value;
+      value->SetName("TimeValue");
+      value->InsertNextValue(time);
+      grid.GetFieldData()->AddArray(value);
+      continue;
+    }
+    vtkNew<vtkStringArray> value;
+    value->SetName(key.c_str());
+    value->InsertNextValue(text);
+    grid.GetFieldData()->AddArray(value);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> write_vtu(const std::string& path, const ZooMesh& mesh) {
+  std::vector<std::string> notes;
+  const KindTable table = kinds_written(mesh, path, notes);
+  vtkNew<vtkUnstructuredGrid> grid;
+  vtkNew<vtkPoints> points;
+  points->SetData(array_of(mesh.xyz.view(), 3));
+  grid->SetPoints(points);
+  set_cells(mesh, table, *grid);
+  add_fields(mesh, path, *grid, notes);
+  add_metadata(mesh, *grid);
+
+  OutputFile file(path);
+  const MessageCapture messages;
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetFileName(file.temporary_path().c_str());
+  writer->SetInputData(grid);
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetHeaderTypeToUInt64();
+  if (writer->Write() == 0 || writer->GetErrorCode() != 0) {
+    messages.throw_on_error(path);
+    throw InputError(path, "cannot be written");
+  }
+  messages.throw_on_error(path);
+  file.commit();
+  return notes;
+}
+
+}  // namespace hiac::formats::vtk

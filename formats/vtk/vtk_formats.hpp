@@ -1,0 +1,14 @@
+#pragma once
+
+#include "formats/format.hpp"
+
+namespace hiac::formats {
+
+Format vtk_legacy_format();  ///< .vtk, ASCII and binary, every dataset with volume cells
+Format vtu_format();         ///< .vtu, read and written
+Format pvtu_format();        ///< .pvtu: the .vtu pieces of a parallel run
+Format vts_format();         ///< .vts: curvilinear grids, as bricks
+Format vti_format();         ///< .vti: images, as bricks
+Format vtr_format();         ///< .vtr: rectilinear grids, as bricks
+
+}  // namespace hiac::formats

@@ -1,0 +1,217 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "hiac/mesh/face_adjacency.hpp"
+#include "tests/formats/files.hpp"
+
+namespace hiac::formats {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+/// A piece of one brick at x0, with whatever else belongs into it.
+std::string brick_piece(double x0, const std::string& point_data = "",
+                        const std::string& cell_data = "") {
+  std::string points;
+  for (const char* p : {"0 0 0", "1 0 0", "1 1 0", "0 1 0", "0 0 1", "1 0 1", "1 1 1", "0 1 1"}) {
+    const std::string text(p);
+    points += fmt::format("{} {} ", x0 + std::stod(text.substr(0, 1)), text.substr(2));
+  }
+  return fmt::format(
+      "<Piece NumberOfPoints=\"8\" NumberOfCells=\"1\"><Points>"
+      "<DataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\" format=\"ascii\">{}"
+      "</DataArray></Points><Cells>"
+      "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1 2 3 4 5 6 7</DataArray>"
+      "<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">8</DataArray>"
+      "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">12</DataArray></Cells>"
+      "<PointData>{}</PointData><CellData>{}</CellData></Piece>",
+      points, point_data, cell_data);
+}
+
+std::string vtu(const std::string& pieces, const std::string& attributes = "") {
+  return fmt::format(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" {}>"
+      "<UnstructuredGrid>\n{}\n</UnstructuredGrid></VTKFile>\n",
+      attributes, pieces);
+}
+
+std::string array(const std::string& name, const std::string& values,
+                  const std::string& type = "Float64", int components = 1) {
+  return fmt::format(
+      "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"ascii\">{}"
+      "</DataArray>",
+      type, name, components, values);
+}
+
+TEST(VtkXml, PiecesOfOneFileBecomeOneMesh) {
+  const ScratchFolder folder;
+  const std::string path =
+      folder.write("two.vtu", vtu(brick_piece(0, array("x", "0 1 1 0 0 1 1 0"), array("c", "3")) +
+                                  brick_piece(1, array("x", "1 2 2 1 1 2 2 1"), array("c", "4"))));
+  const Reading reading = read_any(path);
+  EXPECT_EQ(reading.mesh.node_count(), 12U);
+  EXPECT_EQ(reading.mesh.fields[1].values[1], 4);
+  const FaceAdjacency adjacency = build_face_adjacency(reading.mesh);
+  EXPECT_EQ(std::count(adjacency.neighbors.begin(), adjacency.neighbors.end(), kNoCell), 10);
+  EXPECT_THAT(reading.notes, Contains(HasSubstr("4 nodes")));
+}
+
+TEST(VtkXml, ParallelFilesAreReadThroughTheirPieces) {
+  const ScratchFolder folder;
+  EXPECT_EQ(refusal(folder.write("p0.vtu", vtu(brick_piece(0)))), "");
+  EXPECT_EQ(refusal(folder.write("p1.vtu", vtu(brick_piece(1)))), "");
+  const std::string master =
+      "<?xml version=\"1.0\"?><VTKFile type=\"PUnstructuredGrid\" version=\"1.0\">"
+      "<PUnstructuredGrid GhostLevel=\"0\"><Piece Source=\"p0.vtu\"/><Piece Source=\"p1.vtu\"/>"
+      "</PUnstructuredGrid></VTKFile>";
+  const std::string path = folder.write("run.pvtu", master);
+  EXPECT_EQ(read_any(path).mesh.node_count(), 12U);
+  const Inventory inventory = format_to_read(path).inspect(path);
+  EXPECT_EQ(inventory.points, 16U);
+  EXPECT_EQ(inventory.cells.at(0).count, 2U);
+  std::filesystem::remove(folder.file("p1.vtu"));
+  EXPECT_THAT(refusal(path), HasSubstr("p1.vtu: cannot be opened"));
+  EXPECT_THAT(refusal(folder.write("cut.pvtu", master.substr(0, 150))),
+              HasSubstr("not well-formed"));
+}
+
+TEST(VtkXml, GhostCellsAreLeftOut) {
+  const ScratchFolder folder;
+  const std::string ghost = array("vtkGhostType", "1", "UInt8");
+  const std::string here = array("vtkGhostType", "0", "UInt8");
+  const Reading reading =
+      read_any(folder.write("g.vtu", vtu(brick_piece(0, "", here) + brick_piece(1, "", ghost))));
+  EXPECT_EQ(reading.mesh.cell_count(), 1U);
+  EXPECT_TRUE(reading.mesh.fields.empty());
+  EXPECT_THAT(reading.notes, Contains(HasSubstr("1 ghost")));
+}
+
+TEST(VtkXml, ValuesThatAreNotFiniteAreKept) {
+  const ScratchFolder folder;
+  const auto piece = [](double x0) {
+    return brick_piece(x0, array("p", "0 1 nan 3 4 5 inf 7"),
+                       array("v", "1 NaN -inf", "Float32", 3));
+  };
+  const std::string path = folder.write("n.vtu", vtu(piece(0) + piece(5)));
+  const ZooMesh mesh = read_any(path).mesh;
+  const Field p = scalar_field(mesh, "p");
+  EXPECT_TRUE(std::isnan(p.values[2]));
+  EXPECT_TRUE(std::isnan(p.values[10]));
+  EXPECT_EQ(p.values[14], INFINITY);
+  EXPECT_EQ(p.values[15], 7);
+  EXPECT_EQ(scalar_field(mesh, "v:z").values[1], -INFINITY);
+  const Inventory inventory = format_to_read(path).inspect(path);
+  EXPECT_EQ(inventory.fields.at(0).not_finite, 4U);
+  EXPECT_EQ(inventory.fields.at(0).high, 7);
+}
+
+TEST(VtkXml, TextsAndTimeOfTheDatasetAreMetadata) {
+  const ScratchFolder folder;
+  const std::string path = folder.write(
+      "t.vtu",
+      "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\"><UnstructuredGrid><FieldData>"
+      "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">0.125"
+      "</DataArray><Array type=\"String\" Name=\"run\" NumberOfTuples=\"1\" format=\"ascii\">"
+      "65 66 0</Array></FieldData>" +
+          brick_piece(0) + "</UnstructuredGrid></VTKFile>");
+  const ZooMesh mesh = read_any(path).mesh;
+  EXPECT_THAT(mesh.metadata, Contains(std::pair<std::string, std::string>("time", "0.125")));
+  EXPECT_THAT(mesh.metadata, Contains(std::pair<std::string, std::string>("run", "AB")));
+  EXPECT_THAT(format_to_read(path).inspect(path).times, testing::ElementsAre(0.125));
+}
+
+TEST(VtkXml, TextArraysOnPointsAreLeftOut) {
+  const ScratchFolder folder;
+  const std::string texts =
+      "<Array type=\"String\" Name=\"label\" format=\"ascii\">65 0 66 0 67 0 68 0 65 0 65 0 65 0 "
+      "65 0</Array>";
+  const Reading reading =
+      read_any(folder.write("s.vtu", vtu(brick_piece(0, texts + array("p", "0 1 2 3 4 5 6 7")))));
+  EXPECT_EQ(reading.mesh.fields.size(), 1U);
+}
+
+struct Malformed {
+  std::string from;
+  std::string to;
+  std::string message;
+};
+
+TEST(VtkXml, MalformedFilesAreRefused) {
+  const ScratchFolder folder;
+  const std::string whole = vtu(brick_piece(0, array("p", "0 1 2 3 4 5 6 7")));
+  EXPECT_EQ(refusal(folder.write("whole.vtu", whole)), "");
+  const std::vector<Malformed> cases{
+      {"</VTKFile>", "", "not well-formed"},
+      {"<?xml", "<!DOCTYPE VTKFile [<!ENTITY a 'b'>]><?xml", "document type"},
+      {"version=\"1.0\" >", "version=\"1.0\" byte_order=\"Middle\">", "unknown byte_order"},
+      {"version=\"1.0\" >", "version=\"1.0\" header_type=\"UInt16\">", "unknown header_type"},
+      {"version=\"1.0\" >", "version=\"1.0\" compressor=\"vtkMagic\">", "unknown compressor"},
+      {"<UnstructuredGrid>", "<UnstructuredGrid TimeValues=\"0 1\">", "several time steps"},
+      {"NumberOfPoints=\"8\"", "", "wrong NumberOfPoints"},
+      {"NumberOfPoints=\"8\"", "NumberOfPoints=\"9\"", "27 values expected, 24 found"},
+      {"NumberOfPoints=\"8\"", "NumberOfPoints=\"99999999999\"", "data end too soon"},
+      {"NumberOfPoints=\"8\"", "NumberOfPoints=\"-8\"", "wrong NumberOfPoints"},
+      {"NumberOfPoints=\"8\"", "NumberOfPoints=\"7\"", "no such point"},
+      {"NumberOfCells=\"1\"", "NumberOfCells=\"2\"", "data end too soon"},
+      {"NumberOfCells=\"1\"", "NumberOfCells=\"0\"", "holds no"},
+      {"NumberOfComponents=\"3\"", "NumberOfComponents=\"2\"", "components"},
+      {"NumberOfComponents=\"1\"", "NumberOfComponents=\"99999999\"", "number of components"},
+      {">8</DataArray>", ">99999999999</DataArray>", "data end too soon"},
+      {">8</DataArray>", ">-8</DataArray>", "wrong last offset"},
+      {">8</DataArray>", ">7</DataArray>", "cannot have 7 nodes"},
+      {"0 1 2 3 4 5 6 7</DataArray><DataArray type=\"Int64\" Name=\"offsets\"",
+       "0 1 2 3 4 5 6 8</DataArray><DataArray type=\"Int64\" Name=\"offsets\"", "no such point"},
+      {">12</DataArray>", ">13</DataArray>", "a Wedge cannot have 8 nodes"},
+      {"Name=\"types\"", "Name=\"typez\"", "no array 'types'"},
+      {"type=\"UInt8\"", "type=\"UInt9\"", "unknown type 'UInt9'"},
+      {"format=\"ascii\"", "format=\"morse\"", "unknown format 'morse'"},
+      {"format=\"ascii\"", "format=\"appended\" offset=\"10\"", "beyond the appended data"},
+      {"format=\"ascii\"", "format=\"binary\"", "data end too soon"},
+      {"<Points>", "<Points><DataArray type=\"Int8\" format=\"ascii\"/>", "2 arrays of points"},
+      {"<CellData>", "<PointData></PointData><CellData>", "a second PointData"},
+  };
+  for (const Malformed& c : cases) {
+    std::string text = whole;
+    const std::size_t at = text.find(c.from);
+    ASSERT_NE(at, std::string::npos) << c.from;
+    text.replace(at, c.from.size(), c.to);
+    EXPECT_THAT(refusal(folder.write("bad.vtu", text)), HasSubstr(c.message))
+        << c.from << " -> " << c.to;
+  }
+}
+
+std::string image(const std::string& whole, const std::string& piece, const std::string& data) {
+  return fmt::format(
+      "<VTKFile type=\"ImageData\" version=\"1.0\"><ImageData WholeExtent=\"{}\" "
+      "Origin=\"1 2 3\" Spacing=\"0.5 1 2\"><Piece Extent=\"{}\"><PointData>{}</PointData></Piece>"
+      "</ImageData></VTKFile>",
+      whole, piece, data);
+}
+
+TEST(VtkXml, ImagesAreBricks) {
+  const ScratchFolder folder;
+  const std::string data = array("p", "0 1 2 3 4 5 6 7");
+  const ZooMesh mesh =
+      read_any(folder.write("i.vti", image("0 1 0 1 0 1", "0 1 0 1 0 1", data))).mesh;
+  EXPECT_EQ(mesh.cell_count(), 1U);
+  EXPECT_EQ(mesh.position(7)[0], 1.5);
+  EXPECT_EQ(mesh.position(7)[2], 5);
+  EXPECT_THAT(refusal(folder.write("i.vti", image("0 2 0 1 0 1", "0 1 0 1 0 1", data))),
+              HasSubstr("do not cover"));
+  EXPECT_THAT(refusal(folder.write("i.vti", image("0 1 0 1 0 1", "0 2 0 1 0 1", data))),
+              HasSubstr("data end too soon"));
+  EXPECT_THAT(refusal(folder.write("i.vti", image("0 1 0 1 0 0", "0 1 0 1 0 0", data))),
+              HasSubstr("no volume cells"));
+  EXPECT_THAT(
+      refusal(folder.write("i.vti", image("0 99999 0 99999 0 99", "0 99999 0 99999 0 99", ""))),
+      HasSubstr("too many points"));
+  EXPECT_THAT(refusal(folder.write("i.vti", image("0 999 0 999 0 999", "0 999 0 999 0 999", ""))),
+              HasSubstr("holds no data"));
+  EXPECT_THAT(refusal(folder.write("i.vti", image("0 1 0 1 1 0", "0 1 0 1 0 1", data))),
+              HasSubstr("wrong WholeExtent"));
+}
+
+}  // namespace
+}  // namespace hiac::formats

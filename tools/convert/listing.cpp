@@ -1,0 +1,66 @@
+#include "tools/convert/listing.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "formats/registry.hpp"
+
+namespace hiac::tools {
+
+std::string formats_table() {
+  constexpr std::string_view kRow = "{:<6} {:<10} {:<5} {:<6} {:<43} {:<19} {}\n";
+  std::string text = fmt::format(fmt::runtime(kRow), "NAME", "EXTENSIONS", "READ", "WRITE", "KINDS",
+                                 "FIELDS", "TIME STEPS");
+  for (const formats::Format& format : formats::all_formats())
+    text += fmt::format(fmt::runtime(kRow), format.name,
+                        fmt::format("{}", fmt::join(format.extensions, " ")),
+                        format.read ? "yes" : "no", format.write ? "yes" : "no", format.kinds,
+                        format.fields, format.time_steps);
+  return text;
+}
+
+std::string inventory_text(const formats::Inventory& inventory) {
+  std::string text = fmt::format("format  {}\npoints  {}\n", inventory.format, inventory.points);
+  for (const formats::CellCount& cells : inventory.cells)
+    text += fmt::format("cells   {} {}{}\n", cells.count, cells.kind,
+                        cells.fate == cells.kind ? "" : fmt::format(" -> {}", cells.fate));
+  for (const formats::FieldSummary& field : inventory.fields) {
+    const std::string range = field.low <= field.high
+                                  ? fmt::format("[{:.6g}, {:.6g}]", field.low, field.high)
+                                  : std::string("no numbers");
+    text += fmt::format(
+        "field   {} ({}, {} x {}) {}{}\n", field.name, field.location, field.type, field.components,
+        range,
+        field.not_finite == 0 ? "" : fmt::format(", {} values not finite", field.not_finite));
+  }
+  if (!inventory.times.empty())
+    text += fmt::format("times   {}\n", fmt::join(inventory.times, " "));
+  if (!inventory.blocks.empty())
+    text += fmt::format("blocks  {}\n", fmt::join(inventory.blocks, ", "));
+  for (const std::string& note : inventory.notes) text += fmt::format("note    {}\n", note);
+  return text;
+}
+
+nlohmann::ordered_json inventory_facts(const formats::Inventory& inventory) {
+  nlohmann::ordered_json facts;
+  facts["format"] = inventory.format;
+  facts["points"] = inventory.points;
+  facts["cells"] = nlohmann::ordered_json::array();
+  for (const formats::CellCount& cells : inventory.cells)
+    facts["cells"].push_back(
+        {{"kind", cells.kind}, {"count", cells.count}, {"becomes", cells.fate}});
+  facts["fields"] = nlohmann::ordered_json::array();
+  for (const formats::FieldSummary& field : inventory.fields) {
+    nlohmann::ordered_json entry{{"name", field.name},     {"location", field.location},
+                                 {"type", field.type},     {"components", field.components},
+                                 {"tuples", field.tuples}, {"not_finite", field.not_finite}};
+    if (field.low <= field.high) entry["range"] = {field.low, field.high};
+    facts["fields"].push_back(std::move(entry));
+  }
+  facts["times"] = inventory.times;
+  facts["blocks"] = inventory.blocks;
+  facts["notes"] = inventory.notes;
+  return facts;
+}
+
+}  // namespace hiac::tools

@@ -1,0 +1,226 @@
+// hiac-convert: a foreign finite-element file to a zoo mesh, and a zoo mesh to VTU.
+#include <array>
+#include <iostream>
+#include <optional>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "formats/keep_corners.hpp"
+#include "formats/registry.hpp"
+#include "formats/select_fields.hpp"
+#include "formats/zoo_format.hpp"
+#include "hiac/base/error.hpp"
+#include "hiac/mesh/face_adjacency.hpp"
+#include "hiac/mesh/zoo_container.hpp"
+#include "tools/common/tool.hpp"
+#include "tools/common/version.hpp"
+#include "tools/convert/listing.hpp"
+#include "tools/convert/spooled_input.hpp"
+
+namespace hiac::tools {
+namespace {
+
+constexpr const char* kExamples =
+    "  hiac-convert run.vtu -o run.zoo\n"
+    "  hiac-convert --list run.vtu\n"
+    "  hiac-convert run.vtk --field velocity:magnitude=speed | hiac-sort --view v.toml\n"
+    "  hiac-convert run.vtu --derive 'speed=magnitude(velocity)' -o run.zoo\n"
+    "  hiac-convert run.zoo -o run.vtu";
+
+struct Options {
+  std::string input;
+  std::string output;
+  std::string format;
+  bool list_formats = false;
+  bool list = false;
+  std::vector<std::string> fields;
+  std::vector<std::string> derivations;
+  std::optional<double> time;
+  std::optional<std::size_t> step;
+  std::optional<std::string> block;
+  bool corners_only = false;
+  bool skip_unsupported = false;
+  bool adjacency = true;
+
+  [[nodiscard]] bool from_stdin() const { return input.empty() || input == "-"; }
+  [[nodiscard]] bool to_stdout() const { return output.empty() || output == "-"; }
+};
+
+void add_options(CLI::App& app, Options& options) {
+  app.add_option("INPUT", options.input,
+                 "The file to convert; - or nothing is stdin: a zoo stream, or with --format any "
+                 "format that is one file");
+  app.add_option("-o,--output", options.output,
+                 "Where to write, in the format that the extension names (.zoo, .vtu); - or "
+                 "nothing is stdout: a zoo stream")
+      ->type_name("FILE");
+  app.add_option("--format", options.format, "Read INPUT as this format, whatever it looks like")
+      ->type_name("NAME");
+  app.add_flag("--list-formats", options.list_formats, "Print the formats that there are");
+  app.add_flag("--list", options.list, "Print what INPUT holds; convert nothing");
+  app.add_option("--field", options.fields,
+                 "Take this field, under a new name if one is given; FIELD:x and FIELD:magnitude "
+                 "are scalars of it; repeatable (default: all fields)")
+      ->type_name("NAME[=NEW]")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_option("--derive", options.derivations,
+                 "Add a field computed from another: 'NAME=magnitude(FIELD)'; repeatable")
+      ->type_name("FORMULA")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  CLI::Option* time = app.add_option("--time", options.time, "Take the step of this time");
+  app.add_option("--step", options.step, "Take the step of this number, from 0")->excludes(time);
+  app.add_option("--block", options.block, "Take this block alone")->type_name("NAME");
+  app.add_flag("--corners-only", options.corners_only,
+               "Keep the conventional nodes of higher-order cells alone");
+  app.add_flag("--skip-unsupported", options.skip_unsupported,
+               "Leave volume cells out that cannot be converted");
+  app.add_flag("--adjacency,!--no-adjacency", options.adjacency,
+               "Store which cells share faces, so that later stages start faster (default: yes)");
+}
+
+formats::ReadOptions read_options(const Options& options) {
+  formats::ReadOptions result;
+  result.time = options.time;
+  result.step = options.step;
+  result.block = options.block;
+  result.skip_unsupported = options.skip_unsupported;
+  result.corners_of_unsupported = options.corners_only;
+  return result;
+}
+
+/// Does `work(format, path)` on the input file, or on a stream that is in the format that --format
+/// names, under a name that can be opened; errors name the stream as "stdin".
+template <typename Work>
+auto with_input(const Options& options, const Work& work) {
+  if (!options.from_stdin()) {
+    const formats::Format& format = options.format.empty() ? formats::format_to_read(options.input)
+                                                           : formats::format_named(options.format);
+    return work(format, options.input);
+  }
+  const formats::Format& format = formats::format_named(options.format);
+  const SpooledInput spooled(STDIN_FILENO, "stdin");
+  try {
+    return work(format, spooled.path());
+  } catch (const InputError& error) {
+    std::string message = error.what();
+    if (const std::size_t at = message.find(spooled.path()); at != std::string::npos)
+      message.replace(at, spooled.path().size(), "stdin");
+    throw InputError(message);
+  }
+}
+
+void require_input(const Options& options) {
+  if (options.input.empty() && isatty(STDIN_FILENO) != 0)
+    throw UsageError("no INPUT (a file expected, or a zoo stream on stdin; see --help)");
+}
+
+/// Whether stdin is to be read as a zoo stream, without a detour through a file.
+bool is_zoo_stream(const Options& options) {
+  return options.from_stdin() && (options.format.empty() || options.format == "zoo");
+}
+
+formats::Reading read_input(const Options& options) {
+  const formats::ReadOptions wanted = read_options(options);
+  if (is_zoo_stream(options))
+    return formats::reading_of(read_zoo_stream(STDIN_FILENO, "stdin"), wanted, "stdin");
+  return with_input(options, [&](const formats::Format& format, const std::string& path) {
+    return format.read(path, wanted);
+  });
+}
+
+void list_input(Tool& tool, const Options& options) {
+  const formats::Inventory inventory =
+      is_zoo_stream(options)
+          ? formats::inventory_of(read_zoo_stream(STDIN_FILENO, "stdin").mesh)
+          : with_input(options, [](const formats::Format& format, const std::string& path) {
+              return format.inspect(path);
+            });
+  if (tool.common().json != "-") std::cout << inventory_text(inventory);
+  tool.facts()["inventory"] = inventory_facts(inventory);
+}
+
+/// Refuses a destination that cannot be written before anything is read.
+void check_output(const Tool& tool, const Options& options) {
+  if (!options.to_stdout()) {
+    formats::format_to_write(options.output);
+    return;
+  }
+  if (isatty(STDOUT_FILENO) != 0)
+    throw UsageError("a mesh is not printed on a terminal (write it with -o FILE, or pipe it on)");
+  if (tool.common().json == "-")
+    throw UsageError("--json -: stdout carries the mesh (a file for --json expected)");
+}
+
+void note_all(Tool& tool, const std::vector<std::string>& notes) {
+  for (const std::string& note : notes) {
+    tool.note(note);
+    tool.facts()["notes"].push_back(note);
+  }
+}
+
+void report_mesh(Tool& tool, const ZooMesh& mesh) {
+  std::array<std::size_t, kKindCount> counts{};
+  for (const CellKind kind : mesh.kinds) ++counts[static_cast<std::size_t>(kind)];
+  auto& facts = tool.facts();
+  facts["nodes"] = mesh.node_count();
+  facts["cells"] = mesh.cell_count();
+  std::string kinds;
+  for (std::size_t k = 0; k < kKindCount; ++k) {
+    if (counts[k] == 0) continue;
+    const std::string name(kind_name(static_cast<CellKind>(k)));
+    facts["kinds"][name] = counts[k];
+    kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", counts[k], name);
+  }
+  facts["fields"] = nlohmann::ordered_json::array();
+  for (const Field& field : mesh.fields) facts["fields"].push_back(field.name);
+  tool.detail(fmt::format("{} nodes; {}; {} fields", mesh.node_count(), kinds, mesh.fields.size()));
+}
+
+void write_output(Tool& tool, const Options& options, const ZooMesh& mesh) {
+  if (options.to_stdout()) {
+    write_zoo_stream(STDOUT_FILENO, {mesh, {}}, "stdout");
+    return;
+  }
+  note_all(tool, formats::format_to_write(options.output).write(options.output, mesh));
+}
+
+void convert(Tool& tool, const Options& options) {
+  if (options.list_formats) {
+    std::cout << formats_table();
+    return;
+  }
+  require_input(options);
+  if (options.list) return list_input(tool, options);
+  check_output(tool, options);
+  formats::Reading reading = tool.timed("read", [&] { return read_input(options); });
+  ZooMesh& mesh = reading.mesh;
+  if (options.corners_only) formats::keep_corners(mesh, reading.notes);
+  mesh.fields = formats::select_fields(mesh, options.fields, options.derivations);
+  note_all(tool, reading.notes);
+  const bool to_zoo = options.to_stdout() || formats::format_to_write(options.output).name == "zoo";
+  if (!options.adjacency)
+    mesh.adjacency.reset();
+  else if (to_zoo && !mesh.adjacency)
+    mesh.adjacency = tool.timed("adjacency", [&] { return build_face_adjacency(mesh); });
+  report_mesh(tool, mesh);
+  tool.timed("write", [&] { write_output(tool, options, mesh); });
+}
+
+}  // namespace
+}  // namespace hiac::tools
+
+int main(int argc, char** argv) {
+  using namespace hiac::tools;
+  Tool tool("hiac-convert", "Converts a finite-element file to a zoo mesh, or a zoo mesh to VTU.",
+            kExamples);
+  tool.app().set_version_flag("--version", fmt::format("hiac-convert {}, {}", version_text(),
+                                                       hiac::formats::format_library_versions()));
+  Options options;
+  add_options(tool.app(), options);
+  return tool.run(argc, argv, [&] { convert(tool, options); });
+}
