@@ -16,7 +16,7 @@ ExactVector exact(std::span<const double, 3> p) { return {Exact(p[0]), Exact(p[1
 
 ExactVector exact_difference(std::span<const double, 3> p, std::span<const double, 3> q) {
   return {Exact(p[0]) - Exact(q[0]), Exact(p[1]) - Exact(q[1]), Exact(p[2]) - Exact(q[2])};
-}
+}  // NOLINT(clang-analyzer-cplusplus.NewDeleteLeaks): the ring's numbers own their memory
 
 int sign_of_determinant(const ExactVector& u, const ExactVector& v, const ExactVector& w) {
   const Exact determinant = u[0] * (v[1] * w[2] - v[2] * w[1]) +

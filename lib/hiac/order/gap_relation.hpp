@@ -12,7 +12,7 @@ namespace hiac {
 struct GapArrow {
   CellId front, behind;
 
-  auto operator<=>(const GapArrow&) const = default;
+  auto operator<=>(const GapArrow&) const = default;  // NOLINT(modernize-use-nullptr)
 };
 
 struct GapRelation {
