@@ -169,8 +169,7 @@ Position turned_back(const Position& p, bool is_point) {
 
 TEST(CellScan, RaysNearlyInFacesAreWatertight) {
   for (const auto& [name, straight] : cubes()) {
-    NamedMesh m{name, test::moved(straight, turned)};
-    add_constant_field(m.mesh);
+    const NamedMesh m{name, test::moved(straight, turned)};
     for (const Projection projection : {Projection::orthographic, Projection::perspective})
       for (const double distance : {2.0, 0.1}) {
         Scene scene = cube_scene(projection, 17, 17);

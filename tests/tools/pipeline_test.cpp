@@ -1,0 +1,156 @@
+// The tools as a user chains them: by files and by pipes, on the project's own sample and, where
+// the folder of real files is there, on the paper's Super Phoenix mesh.
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "hiac/image/image_io.hpp"
+#include "hiac/mesh/zoo_container.hpp"
+#include "hiac/scene/scene_parser.hpp"
+#include "tests/support/reference.hpp"
+
+namespace hiac {
+namespace {
+
+std::string bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << file.rdbuf();
+  return bytes.str();
+}
+
+class Pipeline : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (std::filesystem::temp_directory_path() / "hiac-pipeline-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  [[nodiscard]] std::string file(const std::string& name) const {
+    return (folder_ / name).string();
+  }
+
+  // Runs a shell command in which $CONVERT, $SORT and $RENDER are the tools; the status is that of
+  // the last command of a pipe.
+  [[nodiscard]] int run(const std::string& command) const {
+    const std::string line = "CONVERT='" HIAC_CONVERT "'; SORT='" HIAC_SORT
+                             "'; RENDER='" HIAC_RENDER "'; cd '" +
+                             folder_.string() + "'; { " + command + " ; } >out.txt 2>err.txt";
+    const int status = std::system(line.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  // The same picture by pipes, by files, with one thread, and without a sort of its own.
+  void expect_one_picture(const std::string& input, const std::string& view) const {
+    ASSERT_EQ(run("$CONVERT -q --corners-only '" + input + "' | $SORT -q --view '" + view +
+                  "' | $RENDER -q --view '" + view + "' -o pipe.npy"),
+              0)
+        << bytes_of(file("err.txt"));
+    ASSERT_EQ(
+        run("$CONVERT -q --corners-only '" + input + "' -o m.zoo && $SORT m.zoo --view '" + view +
+            "' -o m.order && $RENDER -q m.zoo --order m.order --view '" + view + "' -o file.npy"),
+        0)
+        << bytes_of(file("err.txt"));
+    ASSERT_EQ(run("$RENDER -q --threads 1 m.zoo --view '" + view + "' -o one.npy"), 0);
+    const std::string picture = bytes_of(file("pipe.npy"));
+    EXPECT_GT(picture.size(), 1000U);
+    EXPECT_TRUE(picture == bytes_of(file("file.npy")));
+    EXPECT_TRUE(picture == bytes_of(file("one.npy")));
+  }
+
+  std::filesystem::path folder_;
+};
+
+const std::string kSample = HIAC_SOURCE_DIR "/samples/reactor-pool/flow.vtu";
+const std::string kSampleView = HIAC_SOURCE_DIR "/samples/reactor-pool/view.toml";
+
+TEST_F(Pipeline, PipesAndFilesAndThreadsGiveOnePicture) {
+  expect_one_picture(kSample, kSampleView);
+}
+
+TEST_F(Pipeline, AFailedFirstStageLeavesNoPicture) {
+  EXPECT_EQ(run("$CONVERT nothing.vtu | $SORT --view '" + kSampleView + "' | $RENDER --view '" +
+                kSampleView + "' -o no.png"),
+            3);
+  EXPECT_FALSE(std::filesystem::exists(file("no.png")));
+  EXPECT_NE(bytes_of(file("err.txt")).find("hiac-render: stdin: stream ended before"),
+            std::string::npos)
+      << bytes_of(file("err.txt"));
+}
+
+TEST_F(Pipeline, AnOrderOfAnotherViewOrMeshIsRefused) {
+  ASSERT_EQ(run("$CONVERT -q --corners-only '" + kSample + "' -o m.zoo && $SORT m.zoo --view '" +
+                kSampleView + "' -o m.order"),
+            0);
+  EXPECT_EQ(run("$RENDER m.zoo --order m.order --view '" + kSampleView +
+                "' --set 'camera.eye=[1,2,3]' -o no.png"),
+            3);
+  EXPECT_NE(bytes_of(file("err.txt")).find("another view"), std::string::npos);
+  ASSERT_EQ(run("$CONVERT -q --corners-only --field velocity '" + kSample + "' -o p.zoo"), 0);
+  EXPECT_EQ(run("$RENDER p.zoo --order m.order --view '" + kSampleView + "' -o no.png"), 3);
+  EXPECT_FALSE(std::filesystem::exists(file("no.png")));
+}
+
+TEST_F(Pipeline, WhatIsNotDrawnIsRefusedByName) {
+  EXPECT_EQ(run("$CONVERT -q '" + kSample + "' | $RENDER --view '" + kSampleView + "' -o no.png"),
+            3);
+  EXPECT_NE(bytes_of(file("err.txt")).find("tetrahedron10"), std::string::npos);
+  ASSERT_EQ(run("$CONVERT -q --corners-only '" + kSample + "' -o m.zoo"), 0);
+  for (const char* key : {"render.integration=gauss5", "render.splat_below=2"}) {
+    EXPECT_EQ(run("$RENDER m.zoo --view '" + kSampleView + "' --set " + key + " -o no.png"), 3);
+    EXPECT_FALSE(std::filesystem::exists(file("no.png")));
+  }
+}
+
+TEST_F(Pipeline, SuperPhoenixIsAsBruteForceHasIt) {
+  const char* named = std::getenv("HIAC_DATA_DIR");
+  const std::string data = named != nullptr ? named : HIAC_DEFAULT_DATA_DIR;
+  const std::string spx = data + "/vtk_legacy/classic/spx.vtk";
+  if (!std::filesystem::exists(spx)) GTEST_SKIP() << "no " << spx;
+  std::ofstream(file("view.toml")) << R"([image]
+width = 320
+height = 240
+[camera]
+projection = "perspective"
+eye = [11.452, -15.616, 9.37]
+look_at = [0.0, 0.0, 0.0]
+up = [0.0, 0.0, 1.0]
+fov = 30.0
+[volume.color]
+field = "scalars"
+points = [[0.0, 0.1, 0.2, 0.9], [0.8, 0.2, 0.9, 0.3], [0.8, 0.9, 0.9, 0.3], [2.3, 0.9, 0.1, 0.1]]
+[volume.extinction]
+field = "scalars"
+points = [[0.0, 0.1], [0.5, 0.3], [0.9, 4.0], [1.2, 0.2], [2.3, 2.0]]
+[render]
+tolerance = 1e-14
+)";
+  expect_one_picture(spx, file("view.toml"));
+  const ZooMesh mesh = read_zoo_file(file("m.zoo")).mesh;
+  const Scene scene = read_scene(file("view.toml")).scene;
+  const Image image = read_image(file("pipe.npy")).image;
+  double largest = 0;
+  std::size_t covered = 0;
+  for (std::uint32_t y = 4; y < scene.image.height; y += 9)
+    for (std::uint32_t x = 4; x < scene.image.width; x += 9) {
+      const auto expected = test::reference_pixel(mesh, scene, x, y);
+      covered += expected[3] > 0 ? 1 : 0;
+      for (std::size_t c = 0; c < 4; ++c)
+        largest = std::max(largest, std::abs(expected[c] - image.at(x, y, c)));
+    }
+  EXPECT_GT(covered, 100U);
+  EXPECT_LE(largest, 1e-12);
+}
+
+}  // namespace
+}  // namespace hiac
