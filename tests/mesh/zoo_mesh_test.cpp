@@ -204,5 +204,17 @@ TEST(ScalarField, RefusesAnAmbiguousName) {
   EXPECT_THROW(scalar_field(mesh, "p"), UsageError);
 }
 
+TEST(ScalarField, FieldsOfOneNameAreToldApartByLocation) {
+  ZooMesh mesh;
+  mesh.fields.push_back({"p", "", FieldLocation::node, 1, std::vector<double>{1}});
+  mesh.fields.push_back({"p", "", FieldLocation::cell, 2, std::vector<double>{3, 4}});
+  EXPECT_THROW(scalar_field(mesh, "p"), UsageError);
+  EXPECT_EQ(scalar_field(mesh, "p@node").values[0], 1);
+  EXPECT_EQ(scalar_field(mesh, "p@cell:y").values[0], 4);
+  EXPECT_EQ(scalar_field(mesh, "p@cell:magnitude").values[0], 5);
+  EXPECT_EQ(scalar_field_names(mesh),
+            (std::vector<std::string>{"p@node", "p@cell:x", "p@cell:y", "p@cell:magnitude"}));
+}
+
 }  // namespace
 }  // namespace hiac

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -57,16 +58,39 @@ Field magnitude(const Field& field, const std::string& name) {
   });
 }
 
-/// The field that is called exactly `name`, or none.
+std::string_view location_name(FieldLocation location) {
+  switch (location) {
+    case FieldLocation::node:
+      return "node";
+    case FieldLocation::cell:
+      return "cell";
+    case FieldLocation::corner:
+      return "corner";
+  }
+  return "";
+}
+
+/// A field's name with its location: what tells fields of one name apart.
+std::string located_name(const Field& field) {
+  return fmt::format("{}@{}", field.name, location_name(field.location));
+}
+
+/// The name that refers to this field of the mesh and no other, if any does.
+std::string distinct_name(const ZooMesh& mesh, const Field& field) {
+  const auto same_name = [&](const Field& other) { return other.name == field.name; };
+  return std::ranges::count_if(mesh.fields, same_name) > 1 ? located_name(field) : field.name;
+}
+
+/// The field that is called exactly `name`, with its location or without, or none.
 const Field* find_field(const ZooMesh& mesh, std::string_view name) {
   const Field* found = nullptr;
   for (const Field& field : mesh.fields) {
-    if (field.name != name) continue;
+    if (field.name != name && located_name(field) != name) continue;
     if (found != nullptr)
       throw UsageError(
-          fmt::format("field '{}': the name is ambiguous (one field expected, several "
-                      "found: rename one when converting)",
-                      name));
+          fmt::format("field '{}': the name is ambiguous (one field expected, {} and "
+                      "{} found)",
+                      name, located_name(*found), located_name(field)));
     found = &field;
   }
   return found;
@@ -87,15 +111,16 @@ const Field* find_field(const ZooMesh& mesh, std::string_view name) {
 std::vector<std::string> scalar_field_names(const ZooMesh& mesh) {
   std::vector<std::string> names;
   for (const Field& field : mesh.fields) {
+    const std::string name = distinct_name(mesh, field);
     if (field.components == 1) {
-      names.push_back(field.name);
+      names.push_back(name);
       continue;
     }
     const auto components = component_names(field.components);
     for (std::uint32_t c = 0; c < field.components; ++c)
-      names.push_back(components.empty() ? fmt::format("{}:{}", field.name, c)
-                                         : fmt::format("{}:{}", field.name, components[c]));
-    names.push_back(fmt::format("{}:{}", field.name, kMagnitude));
+      names.push_back(components.empty() ? fmt::format("{}:{}", name, c)
+                                         : fmt::format("{}:{}", name, components[c]));
+    names.push_back(fmt::format("{}:{}", name, kMagnitude));
   }
   return names;
 }

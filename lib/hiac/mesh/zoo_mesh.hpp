@@ -87,7 +87,9 @@ std::string content_hash(const ZooMesh& mesh);
 
 /// A scalar field picked out by name. Accepts NAME for a field of one component, NAME:x (y, z; xx,
 /// yy, zz, xy, yz, xz for six components; 0, 1, 2 ... always), and NAME:magnitude, the Euclidean
-/// length of every tuple. Throws UsageError naming what there is when there is no such field.
+/// length of every tuple. Where a node, a cell and a corner field share a name, NAME@node,
+/// NAME@cell and NAME@corner tell them apart (before any `:`). Throws UsageError naming what there
+/// is when there is no such field, or more than one.
 /// Copies nothing where the field already is a scalar.
 Field scalar_field(const ZooMesh& mesh, const std::string& reference);
 
