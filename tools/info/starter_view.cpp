@@ -116,7 +116,7 @@ struct FieldRange {
 std::optional<FieldRange> first_field(const ZooMesh& mesh) {
   for (const Field& candidate : mesh.fields) {
     const std::string name =
-        candidate.components == 1 ? candidate.name : candidate.name + ":magnitude";
+        distinct_name(mesh, candidate) + (candidate.components == 1 ? "" : ":magnitude");
     FieldRange range{scalar_field(mesh, name), std::numeric_limits<double>::infinity(),
                      -std::numeric_limits<double>::infinity()};
     range.field.name = name;

@@ -75,12 +75,6 @@ std::string located_name(const Field& field) {
   return fmt::format("{}@{}", field.name, location_name(field.location));
 }
 
-/// The name that refers to this field of the mesh and no other, if any does.
-std::string distinct_name(const ZooMesh& mesh, const Field& field) {
-  const auto same_name = [&](const Field& other) { return other.name == field.name; };
-  return std::ranges::count_if(mesh.fields, same_name) > 1 ? located_name(field) : field.name;
-}
-
 /// The field that is called exactly `name`, with its location or without, or none.
 const Field* find_field(const ZooMesh& mesh, std::string_view name) {
   const Field* found = nullptr;
@@ -107,6 +101,11 @@ const Field* find_field(const ZooMesh& mesh, std::string_view name) {
 }
 
 }  // namespace
+
+std::string distinct_name(const ZooMesh& mesh, const Field& field) {
+  const auto same_name = [&](const Field& other) { return other.name == field.name; };
+  return std::ranges::count_if(mesh.fields, same_name) > 1 ? located_name(field) : field.name;
+}
 
 std::vector<std::string> scalar_field_names(const ZooMesh& mesh) {
   std::vector<std::string> names;

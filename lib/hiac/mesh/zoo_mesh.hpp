@@ -85,6 +85,10 @@ std::vector<std::uint64_t> face_offsets(const ZooMesh& mesh);
 /// not what can be recomputed). Written as 32 hexadecimal digits.
 std::string content_hash(const ZooMesh& mesh);
 
+/// The name by which scalar_field knows a field of the mesh (before any `:`): its own, with its
+/// location behind it where several share it.
+std::string distinct_name(const ZooMesh& mesh, const Field& field);
+
 /// A scalar field picked out by name. Accepts NAME for a field of one component, NAME:x (y, z; xx,
 /// yy, zz, xy, yz, xz for six components; 0, 1, 2 ... always), and NAME:magnitude, the Euclidean
 /// length of every tuple. Where a node, a cell and a corner field share a name, NAME@node,
