@@ -9,24 +9,6 @@
 namespace hiac::test {
 namespace {
 
-std::vector<Position> positions_of(const ZooMesh& mesh) {
-  std::vector<Position> positions;
-  for (NodeId node = 0; node < mesh.node_count(); ++node) {
-    const auto p = mesh.position(node);
-    positions.push_back({p[0], p[1], p[2]});
-  }
-  return positions;
-}
-
-std::vector<Cell> cells_of(const ZooMesh& mesh) {
-  std::vector<Cell> cells;
-  for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {
-    const auto nodes = mesh.cell_nodes(cell);
-    cells.push_back({mesh.kinds[cell], {nodes.begin(), nodes.end()}});
-  }
-  return cells;
-}
-
 Position mean(const std::vector<Position>& positions, const Cell& cell) {
   Position sum{};
   for (const NodeId node : cell.nodes)

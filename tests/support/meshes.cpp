@@ -138,8 +138,6 @@ ZooMesh structured(std::size_t n, Cut cut) {
   return make_mesh(positions, cells);
 }
 
-namespace {
-
 std::vector<Position> positions_of(const ZooMesh& mesh) {
   std::vector<Position> positions;
   for (NodeId node = 0; node < mesh.node_count(); ++node) {
@@ -157,8 +155,6 @@ std::vector<Cell> cells_of(const ZooMesh& mesh) {
   }
   return cells;
 }
-
-}  // namespace
 
 ZooMesh keep_cells(const ZooMesh& mesh,
                    const std::function<bool(const Position& centroid, CellId cell)>& keep) {

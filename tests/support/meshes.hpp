@@ -21,6 +21,10 @@ struct Cell {
 
 ZooMesh make_mesh(const std::vector<Position>& positions, const std::vector<Cell>& cells);
 
+/// What make_mesh made a mesh of.
+std::vector<Position> positions_of(const ZooMesh& mesh);
+std::vector<Cell> cells_of(const ZooMesh& mesh);
+
 /// Adds a scalar field at the nodes: the function's value there.
 void add_node_field(ZooMesh& mesh, const std::string& name, const ScalarFunction& function);
 

@@ -9,6 +9,7 @@
 #include "hiac/order/gap_relation.hpp"
 
 namespace hiac {
+
 OrderResult exact_order(const ZooMesh& mesh, const FaceAdjacency& adjacency, const View& view,
                         double planarity) {
   OrderResult result;
