@@ -85,7 +85,9 @@ GapFaces find_gap_faces(const ZooMesh& mesh, const FaceAdjacency& adjacency, con
       const auto c = plane_corners(mesh, cell, face);
       const auto at = [&](std::size_t k) { return mesh.position(nodes[c[k]]); };
       const auto first_three = std::span(c).first<3>();
-      if (face.corner_count == 3) {
+      // an edge without length has no side on which to look for other faces
+      const bool collapsed = std::ranges::equal(at(3), at(0)) || std::ranges::equal(at(3), at(2));
+      if (face.corner_count == 3 || collapsed) {
         add_face(mesh, cell, first_three, view, side, faces);
       } else if (quadrilateral_deviation(at(0), at(1), at(2), at(3)) <= planarity) {
         add_face(mesh, cell, c, view, side, faces);
