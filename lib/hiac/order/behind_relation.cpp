@@ -77,6 +77,21 @@ bool has_volume(const ZooMesh& mesh, CellId cell) {
   });
 }
 
+// Whether a face that two cells share is seen other than edge-on. One without area is not.
+bool common_face_is_seen(const ZooMesh& mesh, CellId cell, CellId other,
+                         std::span<const CellId> neighbors, const View& view) {
+  const auto nodes = mesh.cell_nodes(cell);
+  const auto faces = topology_of(mesh.kinds[cell]).faces;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (neighbors[f] != other) continue;
+    const auto at = plane_corners(mesh, cell, faces[f]);
+    if (side_of_view(mesh.position(nodes[at[0]]), mesh.position(nodes[at[1]]),
+                     mesh.position(nodes[at[2]]), view) != 0)
+      return true;
+  }
+  return false;
+}
+
 // What a cell says of all the faces that it shares with another one, and how many those are.
 struct Said {
   unsigned arrows = kNoArrow, faces = 0;
@@ -96,7 +111,8 @@ Said said_of(CellId cell, CellId other, const FaceAdjacency& adjacency,
 // Joins what the two sides of every shared face say.
 std::uint64_t join_sides(const ZooMesh& mesh, const FaceAdjacency& adjacency,
                          const std::vector<std::uint64_t>& offset,
-                         const std::vector<std::uint8_t>& said, std::vector<std::uint8_t>& joined) {
+                         const std::vector<std::uint8_t>& said, const View& view,
+                         std::vector<std::uint8_t>& joined) {
   std::atomic<std::uint64_t> both_ways{0};
   parallel_for(mesh.cell_count(), kGrain, [&](IndexRange range) {
     std::uint64_t both = 0;
@@ -113,7 +129,9 @@ std::uint64_t join_sides(const ZooMesh& mesh, const FaceAdjacency& adjacency,
                                        "common faces expected, {} found)",
                                        cell, other, here.faces, there.faces));
         unsigned arrows = here.arrows | mirrored(there.arrows);
-        if (arrows == kNoArrow && !has_volume(mesh, cell) && !has_volume(mesh, other))
+        if (arrows == kNoArrow && !has_volume(mesh, cell) && !has_volume(mesh, other) &&
+            common_face_is_seen(mesh, cell, other, adjacency.neighbors.view().subspan(offset[cell]),
+                                view))
           arrows = kBothWays;
         joined[face] = static_cast<std::uint8_t>(arrows);
         if (arrows == kBothWays && other > cell) ++both;
@@ -162,7 +180,7 @@ BehindRelation shared_face_relation(const ZooMesh& mesh, const FaceAdjacency& ad
     }
   });
   relation.arrows.assign(said.size(), kNoArrow);
-  relation.both_ways = join_sides(mesh, adjacency, offset, said, relation.arrows);
+  relation.both_ways = join_sides(mesh, adjacency, offset, said, view, relation.arrows);
   return relation;
 }
 
