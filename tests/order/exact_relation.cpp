@@ -158,7 +158,8 @@ class PairwiseTruth {
 
   [[nodiscard]] ExactRelation relation() const {
     ExactRelation result;
-    for (CellId p = 0; p < bodies_.size(); ++p)
+    for (CellId p = 0; p < bodies_.size(); ++p) {
+      if (bodies_[p].hull.empty()) result.flat.push_back(p);
       for (CellId q = p + 1; q < bodies_.size(); ++q) {
         if (bodies_[p].hull.empty() || bodies_[q].hull.empty()) continue;
         if (seen_apart(bodies_[p], bodies_[q])) continue;
@@ -167,6 +168,7 @@ class PairwiseTruth {
         if (first > 0) result.arrows.emplace_back(p, q);
         if (first < 0) result.arrows.emplace_back(q, p);
       }
+    }
     return result;
   }
 

@@ -13,6 +13,7 @@ namespace hiac::test {
 struct ExactRelation {
   Arrows arrows;       ///< some ray meets the inner of the first cell before that of the second
   Arrows overlapping;  ///< cells whose inners some ray meets and which have points in common
+  std::vector<CellId> flat;  ///< cells without volume
 };
 
 /// The truth about a mesh of convex cells, by brute force: every cell is the convex hull of its
