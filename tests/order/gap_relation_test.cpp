@@ -136,8 +136,8 @@ TEST(GapRelation, CollapsedEdgesHideNothing) {
   const ZooMesh mesh = test::side_by_side(brick, test::moved(brick, [](const Position& p) {
                                             return Position{p[0], p[1], p[2] + 1.5};
                                           }));
-  const GapRelation relation =
-      gap_relation(mesh, build_face_adjacency(mesh), {false, {}, {0, 0, 1}}, kPlanarity);
+  const GapRelation relation = gap_relation(order_basis(mesh, build_face_adjacency(mesh)),
+                                            {false, {}, {0, 0, 1}}, kPlanarity);
   ASSERT_EQ(relation.arrows.size(), 1U);
   EXPECT_EQ(relation.arrows[0], (GapArrow{0, 1}));
 }

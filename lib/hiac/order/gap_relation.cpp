@@ -8,8 +8,7 @@
 #include <span>
 
 #include "hiac/base/parallel.hpp"
-#include "hiac/order/behind_relation.hpp"
-#include "hiac/order/cell_side.hpp"
+#include "hiac/order/eye_side.hpp"
 #include "hiac/order/face_obstruction.hpp"
 
 namespace hiac {
@@ -53,49 +52,34 @@ struct GapFaces {
   std::vector<GapFace> exits, entries;
 };
 
-void add_face(const ZooMesh& mesh, CellId cell, std::span<const std::uint8_t> corners,
-              const View& view, int cell_side, GapFaces& faces) {
+void add_face(const ZooMesh& mesh, const UnmatchedFace& face, std::span<const NodeId> corners,
+              const View& view, GapFaces& faces) {
   GapFace gap{};
-  gap.cell = cell;
+  gap.cell = face.cell;
   gap.seen.count = corners.size();
-  const auto nodes = mesh.cell_nodes(cell);
   for (std::size_t k = 0; k < corners.size(); ++k)
-    gap.seen.corners[k] = mesh.position(nodes[corners[k]]).data();
-  const Point3 a = gap.seen.corner(0), b = gap.seen.corner(1), c = gap.seen.corner(2);
-  const int eye = view.perspective ? orientation(a, b, c, Point3(view.eye))
-                                   : -orientation_towards(a, b, c, Point3(view.direction));
-  if (eye == 0 || cell_side == 0) return;
+    gap.seen.corners[k] = mesh.position(corners[k]).data();
+  const Point3 a = gap.seen.corner(0);
+  const int eye = eye_side(a, gap.seen.corner(1), gap.seen.corner(2), view);
+  if (eye == 0 || face.side == 0) return;
   gap.seen.winding = eye;
   for (std::size_t k = 1; k < corners.size(); ++k) {
     const Vector edge = minus(gap.seen.corner(k), a);
     gap.size = std::max(gap.size, std::hypot(edge[0], edge[1], edge[2]));
   }
-  (eye == cell_side ? faces.exits : faces.entries).push_back(gap);
+  (eye == face.side ? faces.exits : faces.entries).push_back(gap);
 }
 
-GapFaces find_gap_faces(const ZooMesh& mesh, const FaceAdjacency& adjacency, const View& view,
-                        double planarity) {
+GapFaces find_gap_faces(const OrderBasis& basis, const View& view, double planarity) {
   GapFaces faces;
-  std::size_t slot = 0;
-  for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {
-    const auto nodes = mesh.cell_nodes(cell);
-    for (const ShapeFace& face : topology_of(mesh.kinds[cell]).faces) {
-      if (adjacency.neighbors[slot++] != kNoCell) continue;
-      const int side = side_of_cell(mesh, cell, face);
-      const auto c = plane_corners(mesh, cell, face);
-      const auto at = [&](std::size_t k) { return mesh.position(nodes[c[k]]); };
-      const auto first_three = std::span(c).first<3>();
-      // an edge without length has no side on which to look for other faces
-      const bool collapsed = std::ranges::equal(at(3), at(0)) || std::ranges::equal(at(3), at(2));
-      if (face.corner_count == 3 || collapsed) {
-        add_face(mesh, cell, first_three, view, side, faces);
-      } else if (quadrilateral_deviation(at(0), at(1), at(2), at(3)) <= planarity) {
-        add_face(mesh, cell, c, view, side, faces);
-      } else {
-        add_face(mesh, cell, first_three, view, side, faces);
-        add_face(mesh, cell, std::array{c[0], c[2], c[3]}, view, side, faces);
-      }
-    }
+  for (const UnmatchedFace& face : basis.unmatched) {
+    const auto nodes = std::span(face.nodes);
+    if (face.corner_count == 3 || face.deviation > planarity)
+      add_face(*basis.mesh, face, nodes.first(3), view, faces);
+    else
+      add_face(*basis.mesh, face, nodes, view, faces);
+    if (face.corner_count == 4 && face.deviation > planarity)
+      add_face(*basis.mesh, face, std::array{nodes[0], nodes[2], nodes[3]}, view, faces);
   }
   return faces;
 }
@@ -306,11 +290,10 @@ class PairSearch {
 
 }  // namespace
 
-GapRelation gap_relation(const ZooMesh& mesh, const FaceAdjacency& adjacency, const View& view,
-                         double planarity) {
+GapRelation gap_relation(const OrderBasis& basis, const View& view, double planarity) {
   GapRelation relation;
-  const GapFaces faces = find_gap_faces(mesh, adjacency, view, planarity);
-  for (const Window& window : windows_of(mesh, view))
+  const GapFaces faces = find_gap_faces(basis, view, planarity);
+  for (const Window& window : windows_of(*basis.mesh, view))
     PairSearch(view, planarity, window, faces).run(relation);
   std::sort(relation.arrows.begin(), relation.arrows.end());
   relation.arrows.erase(std::unique(relation.arrows.begin(), relation.arrows.end()),

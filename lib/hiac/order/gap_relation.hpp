@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "hiac/geometry/view.hpp"
-#include "hiac/mesh/zoo_mesh.hpp"
+#include "hiac/order/order_basis.hpp"
 
 namespace hiac {
 
@@ -32,7 +32,6 @@ struct GapRelation {
 ///
 /// With those of shared_face_relation these arrows order all cells along every ray: consecutive
 /// cells on a ray either share a face or are joined by an arrow from here.
-GapRelation gap_relation(const ZooMesh& mesh, const FaceAdjacency& adjacency, const View& view,
-                         double planarity);
+GapRelation gap_relation(const OrderBasis& basis, const View& view, double planarity);
 
 }  // namespace hiac
