@@ -91,17 +91,24 @@ void fetch_corners(const ZooMesh& mesh, CellId cell) {
 
 unsigned mirrored(unsigned arrows) { return ((arrows & 1U) << 1) | (arrows >> 1); }
 
-// What a cell says of all the faces that it shares with another one.
-unsigned said_of(const Question& q, CellId cell, CellId other) {
+// What a cell says of all the faces that it shares with another one, and whether rays cross any of
+// them: a face without area is always seen edge-on.
+struct Said {
+  unsigned arrows = kNoArrow;
+  bool crossed = false;
+};
+
+Said said_of(const Question& q, CellId cell, CellId other) {
   const CellSides& sides = q.basis.sides[cell];
   const std::uint64_t first = q.basis.faces.first(cell);
-  unsigned said = kNoArrow;
+  Said said;
   for (std::size_t f = 0; f < q.basis.faces.count(cell); ++f) {
     if (q.basis.adjacency.neighbors[first + f] != other) continue;
     const int side =
         static_cast<int>((sides.positive >> f) & 1U) - static_cast<int>((sides.negative >> f) & 1U);
     const int eye = eye_side_of_face(q, cell, f);
-    said |= eye == kBothSides ? unsigned{kBothWays} : arrows_of_sides(eye, side);
+    said.arrows |= eye == kBothSides ? unsigned{kBothWays} : arrows_of_sides(eye, side);
+    said.crossed = said.crossed || eye != 0;
   }
   return said;
 }
@@ -115,8 +122,10 @@ bool has_volume(const ZooMesh& mesh, CellId cell) {
 // Joins what both cells of an unsettled face say.
 unsigned joined_arrows(const Question& q, const UnsettledFace& at) {
   const CellId other = q.basis.adjacency.neighbors[q.basis.faces.first(at.cell) + at.face];
-  const unsigned arrows = said_of(q, at.cell, other) | mirrored(said_of(q, other, at.cell));
-  const bool nobody_knows = arrows == kNoArrow && !has_volume(*q.basis.mesh, at.cell) &&
+  const Said here = said_of(q, at.cell, other);
+  const unsigned arrows = here.arrows | mirrored(said_of(q, other, at.cell).arrows);
+  const bool nobody_knows = here.crossed && arrows == kNoArrow &&
+                            !has_volume(*q.basis.mesh, at.cell) &&
                             !has_volume(*q.basis.mesh, other);
   return nobody_knows ? unsigned{kBothWays} : arrows;
 }

@@ -36,6 +36,11 @@ CellSides sides_of(const ZooMesh& mesh, CellId cell, std::span<const CellId> nei
       UnmatchedFace face{cell, {}, faces[f].corner_count, static_cast<std::int8_t>(side), 0};
       for (std::size_t k = 0; k < 4; ++k) face.nodes[k] = nodes[plane[k]];
       const auto at = [&](std::size_t k) { return mesh.position(face.nodes[k]); };
+      // an edge without length is none: it has no side on which other faces could be
+      if (std::ranges::equal(at(3), at(0)) || std::ranges::equal(at(3), at(2))) {
+        face.corner_count = 3;
+        face.nodes[3] = face.nodes[2];
+      }
       if (face.corner_count == 4)
         face.deviation = quadrilateral_deviation(at(0), at(1), at(2), at(3));
       unmatched.push_back(face);
