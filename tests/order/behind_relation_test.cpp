@@ -164,6 +164,15 @@ TEST(BehindRelation, CellsWithoutVolumeBesideOneAnother) {
       make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 2, 0}},
                 {{CellKind::tetrahedron4, {0, 1, 2, 3}}, {CellKind::tetrahedron4, {1, 2, 3, 4}}});
   EXPECT_EQ(arrows_between(mesh, along("", {0, 0, 1}).view), kBothWays);
+  EXPECT_EQ(arrows_between(mesh, along("", {1, 2, 0}).view), kNoArrow);
+}
+
+// Two bricks of a layer without height: what they share is a line, which no ray crosses.
+TEST(BehindRelation, CellsWithoutVolumeBesideOneAnotherInALayer) {
+  const ZooMesh mesh = moved(two_bricks({}), [](const Position& p) {
+    return Position{p[0], p[1], 0.25};
+  });
+  EXPECT_EQ(arrows_between(mesh, from_eye("", {-3, 0.5, 0.75}).view), kNoArrow);
 }
 
 // A stored adjacency may say anything.

@@ -36,6 +36,14 @@ struct CellArrows {
   }
 };
 
+/// The number of faces in a mask. (Without an instruction for it, which not every processor has,
+/// std::popcount is a call.)
+constexpr unsigned count_faces(unsigned mask) {
+  constexpr std::uint64_t kOnesOfThreeBits = 0x32212110;  // nibble k: the ones in k
+  return static_cast<unsigned>((kOnesOfThreeBits >> (4 * (mask & 7U))) & 7U) +
+         static_cast<unsigned>((kOnesOfThreeBits >> (4 * (mask >> 3 & 7U))) & 7U);
+}
+
 /// The relation across shared faces. What one side of a face says is what the other says, mirrored.
 struct BehindRelation {
   std::vector<CellArrows> of_cell;
@@ -50,8 +58,8 @@ struct BehindRelation {
 /// that says which way rays cross. Quadrilaterals are bilinear patches: when the eye lies on one
 /// side of the four corner triangles all rays cross one way, else both arrows are put, unless the
 /// patch deviates from a plane by less than `planarity` of its size. A cell without volume has no
-/// side of its own and takes what its neighbours say; between two such cells go both arrows. All
-/// faces that the same two cells share get the same arrows.
+/// side of its own and takes what its neighbours say; between two such cells go both arrows
+/// where rays cross the face. All faces that the same two cells share get the same arrows.
 BehindRelation shared_face_relation(const OrderBasis& basis, const View& view, double planarity);
 
 /// Deviation of a quadrilateral from a plane: the distance between its two diagonals' lines,

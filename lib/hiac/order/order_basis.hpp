@@ -24,7 +24,7 @@ struct CellSides {
 struct UnmatchedFace {
   CellId cell;
   std::array<NodeId, 4> nodes;  ///< a triangle repeats its last one
-  std::uint8_t corner_count;    ///< 3 or 4
+  std::uint8_t corner_count;    ///< 3 or 4; 3 where two of four corners are at one place
   std::int8_t side;             ///< side_of_cell(); 0 for a cell without volume
   double deviation;             ///< quadrilateral_deviation(); 0 for a triangle
 };

@@ -134,13 +134,14 @@ OrderCheck verify_arrows(const OrderBasis& basis, const View& view, const Visibi
     backward.add(behind, front);
   };
   const BehindRelation relation = shared_face_relation(basis, view, planarity);
-  for (CellId cell = 0; cell < cells; ++cell)
+  GapRelation gaps;
+  if (!basis.convex) gaps = gap_relation(basis, view, planarity);
+  for (CellId cell = 0; cell < cells; ++cell) {
     for (std::size_t f = 0; f < basis.faces.count(cell); ++f)
       if ((relation.of_cell[cell].across(f) & kCellFirst) != 0)
         follow(cell, basis.adjacency.neighbors[basis.faces.first(cell) + f]);
-  if (!basis.convex)
-    for (const GapArrow& arrow : gap_relation(basis, view, planarity).arrows)
-      follow(arrow.front, arrow.behind);
+    for (const CellId behind : gaps.behind_cell(cell)) follow(cell, behind);
+  }
   forward.close();
   backward.close();
   wrong.put_into(check);

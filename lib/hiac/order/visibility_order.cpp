@@ -24,9 +24,9 @@ OrderResult exact_order(const OrderBasis& basis, const View& view, double planar
   GapRelation gaps;
   if (!basis.convex) gaps = gap_relation(basis, view, planarity);
   statistics.gap_pairs = gaps.candidate_pairs;
-  statistics.gap_arrows = gaps.arrows.size();
+  statistics.gap_arrows = gaps.behind.size();
   const double joined = seconds_now();
-  result.order = order_of_components(relation, basis.faces, basis.adjacency.neighbors, gaps.arrows);
+  result.order = order_of_components(relation, basis.faces, basis.adjacency.neighbors, gaps);
   statistics.relation_seconds = related - start;
   statistics.gap_seconds = joined - related;
   statistics.component_seconds = seconds_now() - joined;
