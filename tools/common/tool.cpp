@@ -19,12 +19,6 @@
 namespace hiac::tools {
 namespace {
 
-std::uint64_t peak_memory_bytes() {
-  struct rusage usage {};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
-}
-
 // A message is one line whatever a library put into it.
 std::string one_line(std::string text) {
   for (char& c : text)
@@ -33,6 +27,12 @@ std::string one_line(std::string text) {
 }
 
 }  // namespace
+
+std::uint64_t peak_memory_bytes() {
+  struct rusage usage {};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
 
 Tool::Tool(std::string name, const std::string& description, const std::string& examples)
     : name_(std::move(name)), app_(description, name_) {

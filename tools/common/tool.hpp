@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -20,6 +21,9 @@ struct CommonOptions {
   unsigned threads = 0;  ///< 0: all cores
   std::string json;      ///< file for the run's facts, "-" for stdout, empty for none
 };
+
+/// The most memory that the process has held so far.
+std::uint64_t peak_memory_bytes();
 
 /// One run of one tool: options, log lines, progress, stage timings, facts for --json, and the
 /// translation of exceptions into one line on stderr and an exit code.

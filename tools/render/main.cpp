@@ -12,6 +12,7 @@
 #include "hiac/base/error.hpp"
 #include "hiac/base/progress.hpp"
 #include "hiac/image/image_io.hpp"
+#include "hiac/order/algorithm.hpp"
 #include "hiac/order/order_file.hpp"
 #include "hiac/render/engine.hpp"
 #include "hiac/render/renderable.hpp"
@@ -153,7 +154,7 @@ class Renderer {
     }
     OrderRecord record = fitting_order(*given_, orderer_.mesh_hash(), mesh_, scene);
     facts = order_facts(record.order);
-    if (record.order.algorithm != "exact")
+    if (record.order.algorithm != algorithm_name(OrderAlgorithm::exact))
       tool_.note(fmt::format("{}: the order is by {}, not by the exact algorithm", given_->subject,
                              record.order.algorithm));
     return record;

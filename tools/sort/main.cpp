@@ -10,12 +10,15 @@
 #include <unistd.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/base/seconds.hpp"
+#include "hiac/order/verify_order.hpp"
 #include "hiac/scene/camera_path.hpp"
 #include "hiac/scene/scene_parser.hpp"
 #include "tools/common/frames.hpp"
 #include "tools/common/mesh_io.hpp"
 #include "tools/common/ordering.hpp"
 #include "tools/common/tool.hpp"
+#include "tools/sort/report.hpp"
 
 namespace {
 
@@ -23,82 +26,148 @@ using namespace hiac;
 using namespace hiac::tools;
 
 struct Options {
-  std::string input, view, output;
+  std::string input, view, output, given;
   std::vector<std::string> overrides;
   std::optional<std::uint32_t> frame;
+  bool statistics = false, verify = false;
 };
 
-// The orders of all views that are wanted, one after another; views that share an order have it
-// once.
-class Orders {
+// The views that are wanted of a mesh, and the orders for them.
+class Sorting {
  public:
-  Orders(Tool& tool, const Options& options, const Scene& scene, const ZooMesh& mesh)
+  Sorting(Tool& tool, const Options& options, const Scene& scene, const ZooMesh& mesh)
       : tool_(tool),
+        options_(options),
         scene_(scene),
         frames_(chosen_frames(scene, options.frame)),
+        mesh_(mesh),
         orderer_(tool, mesh) {
     if (scene.path) tool.frames().begin("frames", frames_.size());
   }
 
-  // None when all are made.
+  // Makes one order after another; none when all are made. Views that share an order have it once.
   std::optional<OrderRecord> next() {
     while (next_ < frames_.size()) {
       const std::uint32_t frame = frames_[next_++];
       const Scene scene = scene_of_frame(scene_, frame);
-      const bool new_view = views_.insert(view_hash(scene)).second;
       std::optional<OrderRecord> record;
-      if (new_view) record = make(scene, frame);
+      if (views_.insert(view_hash(scene)).second) record = make(scene, frame);
       tool_.frames().advance();
       if (record) return record;
     }
     return std::nullopt;
   }
 
- private:
-  OrderRecord make(const Scene& scene, std::uint32_t frame) {
-    MeshOrder made = orderer_.exact(scene);
-    if (scene_.path) {
-      made.facts["frame"] = frame;
-      tool_.facts()["frames"].push_back(made.facts);
-    } else {
-      tool_.facts()["order"] = made.facts;
+  // Verifies orders that were made before.
+  void verify(const GivenOrders& given) {
+    for (const std::uint32_t frame : frames_) {
+      const Scene scene = scene_of_frame(scene_, frame);
+      const VisibilityOrder order = fitting_order(given, orderer_.mesh_hash(), mesh_, scene).order;
+      Json facts = order_facts(order);
+      verify(scene, order, frame, facts);
+      keep(std::move(facts), frame);
+      tool_.frames().advance();
     }
+  }
+
+  // What was met, where it is asked for.
+  void report() {
+    const std::uint64_t peak = peak_memory_bytes();
+    tool_.facts()["bytes_per_cell"] = peak / std::max<std::uint64_t>(mesh_.cell_count(), 1);
+    if (options_.statistics)
+      tool_.print(statistics_table(mesh_, reported_, tool_.facts()["seconds"], peak));
+  }
+
+ private:
+  using Json = nlohmann::ordered_json;
+
+  OrderRecord make(const Scene& scene, std::uint32_t frame) {
+    const double start = seconds_now();
+    MeshOrder made = orderer_.exact(scene);
+    const VisibilityOrder& order = made.record.order;
+    reported_.push_back(
+        {frame, order.algorithm, made.statistics, order.groups.size(), seconds_now() - start});
+    if (options_.verify) verify(scene, order, frame, made.facts);
+    keep(std::move(made.facts), frame);
     return std::move(made.record);
   }
 
+  void verify(const Scene& scene, const VisibilityOrder& order, std::uint32_t frame, Json& facts) {
+    const OrderBasis& basis = orderer_.basis();
+    const OrderCheck check = tool_.timed("verify", [&] {
+      return verify_order(basis, view_of(scene.camera), order, scene.render.planarity);
+    });
+    const std::string where = scene_.path ? fmt::format("frame {}: ", frame) : "";
+    if (!check.right()) throw JudgementError(where + check_text(check, order));
+    tool_.note(where + check_text(check, order));
+    facts["verified"] = check_facts(check);
+  }
+
+  // One order is a fact of its own, those of a path are a list.
+  void keep(Json facts, std::uint32_t frame) {
+    if (!scene_.path) {
+      tool_.facts()["order"] = std::move(facts);
+      return;
+    }
+    facts["frame"] = frame;
+    tool_.facts()["frames"].push_back(std::move(facts));
+  }
+
   Tool& tool_;
+  const Options& options_;
   const Scene& scene_;
   std::vector<std::uint32_t> frames_;
   std::size_t next_ = 0;
+  const ZooMesh& mesh_;
   Orderer orderer_;
   std::set<std::string> views_;  // the hashes of those that have an order
+  std::vector<ReportedOrder> reported_;
 };
 
-// Orders into a file one after another, or behind the mesh.
-void write_orders(Tool& tool, const Options& options, ZooFile& file, Orders& orders) {
-  if (!is_stdout(options.output))
-    return write_order_file(options.output, [&] { return orders.next(); });
-  // the orders of one sort a stream: a later sort replaces an earlier one
-  std::erase_if(file.extras, [](const ExtraChunk& c) { return c.type == kOrderChunk; });
-  while (const auto record = orders.next()) file.extras.push_back(encode_order(*record));
-  tool.timed("write", [&] { write_mesh(options.output, file); });
-}
+// Where the orders go.
+enum class Target { nowhere, order_file, behind_mesh };
 
-void sort(Tool& tool, const Options& options) {
-  const bool pass_on = is_stdout(options.output);
-  if (pass_on && isatty(STDOUT_FILENO) != 0)
+Target target_of(const Tool& tool, const Options& options) {
+  if (!options.given.empty()) return Target::nowhere;
+  if (!is_stdout(options.output)) return Target::order_file;
+  const bool terminal = isatty(STDOUT_FILENO) != 0;
+  if (terminal && options.output.empty() && (options.verify || options.statistics))
+    return Target::nowhere;
+  if (terminal)
     throw UsageError(
         "the sorted mesh is binary and does not go to a terminal: name an order file with -o, or "
         "pipe");
-  if (pass_on && tool.common().json == "-")
+  if (tool.common().json == "-")
     throw UsageError("--json -: stdout carries the mesh here; name a file");
+  return Target::behind_mesh;
+}
+
+void write_orders(Tool& tool, const Options& options, Target target, ZooFile& file,
+                  Sorting& sorting) {
+  if (target == Target::order_file)
+    return write_order_file(options.output, [&] { return sorting.next(); });
+  // the orders of one sort a stream: a later sort replaces an earlier one
+  std::erase_if(file.extras, [](const ExtraChunk& c) { return c.type == kOrderChunk; });
+  while (const auto record = sorting.next())
+    if (target == Target::behind_mesh) file.extras.push_back(encode_order(*record));
+  if (target == Target::behind_mesh) tool.timed("write", [&] { write_mesh(options.output, file); });
+}
+
+void sort(Tool& tool, const Options& options) {
+  if (!options.given.empty() && !options.verify)
+    throw UsageError("--order: an order that is there is only verified (expected --verify)");
+  const Target target = target_of(tool, options);
   const Scene scene = read_scene(options.view, options.overrides).scene;
   chosen_frames(scene, options.frame);
   ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
   tool.facts()["cells"] = file.mesh.cell_count();
   const ZooMesh mesh = file.mesh;
-  Orders orders(tool, options, scene, mesh);
-  write_orders(tool, options, file, orders);
+  Sorting sorting(tool, options, scene, mesh);
+  if (options.given.empty())
+    write_orders(tool, options, target, file, sorting);
+  else
+    sorting.verify({options.given, read_order_chunks(options.given)});
+  sorting.report();
 }
 
 }  // namespace
@@ -109,7 +178,8 @@ int main(int argc, char** argv) {
       "  hiac-sort part.zoo --view view.toml -o part.order\n"
       "  hiac-convert part.vtu | hiac-sort --view view.toml | hiac-render --view view.toml -o "
       "part.exr\n"
-      "  hiac-sort part.zoo --view turntable.toml -o part.order   # an order for every frame");
+      "  hiac-sort part.zoo --view turntable.toml -o part.order   # an order for every frame\n"
+      "  hiac-sort part.zoo --view view.toml --order part.order --verify");
   Options options;
   auto& app = tool.app();
   app.add_option("MESH", options.input, "Zoo mesh; - or none: stdin");
@@ -122,8 +192,20 @@ int main(int argc, char** argv) {
       ->allow_extra_args(false);
   app.add_option("--frame", options.frame, "One frame of a camera path, from 0 on, instead of all")
       ->type_name("N");
-  app.add_option("-o,--output", options.output,
-                 "Order file; - or none: pass the mesh on to stdout with the order behind it")
-      ->type_name("FILE");
+  auto* output =
+      app.add_option("-o,--output", options.output,
+                     "Order file; - or none: pass the mesh on to stdout with the order behind it")
+          ->type_name("FILE");
+  auto* statistics =
+      app.add_flag("--stats", options.statistics,
+                   "Print a table: arrows by source, groups, seconds by stage, memory");
+  app.add_flag("--verify", options.verify,
+               fmt::format("Prove the order: up to {} cells every two of them by brute force, "
+                           "beyond that every arrow of the relation; exit 1 where it is wrong",
+                           kMostCellsForPairs));
+  app.add_option("--order", options.given, "Verify the order in FILE; make and write none")
+      ->type_name("FILE")
+      ->excludes(output)
+      ->excludes(statistics);
   return tool.run(argc, argv, [&] { sort(tool, options); });
 }
