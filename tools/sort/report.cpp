@@ -38,6 +38,9 @@ std::string one_order(const ReportedOrder& order) {
                 fmt::format("{}{}", s.unmatched_faces,
                             s.convex ? ", the boundary of a convex body: no gaps" : ""));
     text += row("gap arrows", fmt::format("{} from {} pairs of faces", s.gap_arrows, s.gap_pairs));
+    text +=
+        row("order's seconds", fmt::format("relation {:.3f}, gaps {:.3f}, components {:.3f}",
+                                           s.relation_seconds, s.gap_seconds, s.component_seconds));
   }
   return text +
          row("groups", fmt::format("{} of several cells, {} cells in them, {} in the largest",
