@@ -40,8 +40,7 @@ VisibilityOrder order_of(std::size_t cells, const Arrows& faces, std::vector<Gap
     relation.of_cell[front].set(used[front]++, kCellFirst);
     relation.of_cell[behind].set(used[behind]++, kNeighborFirst);
   }
-  std::ranges::sort(gaps);
-  return order_of_components(relation, numbering, neighbors, gaps);
+  return order_of_components(relation, numbering, neighbors, sorted_by_cell(cells, gaps));
 }
 
 std::vector<CellId> cells_of(const VisibilityOrder& order) {

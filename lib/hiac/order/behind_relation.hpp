@@ -36,6 +36,14 @@ struct CellArrows {
   }
 };
 
+/// The number of faces in a mask. (Without an instruction for it, which not every processor has,
+/// std::popcount is a call.)
+constexpr unsigned count_faces(unsigned mask) {
+  constexpr std::uint64_t kOnesOfThreeBits = 0x32212110;  // nibble k: the ones in k
+  return static_cast<unsigned>((kOnesOfThreeBits >> (4 * (mask & 7U))) & 7U) +
+         static_cast<unsigned>((kOnesOfThreeBits >> (4 * (mask >> 3 & 7U))) & 7U);
+}
+
 /// The relation across shared faces. What one side of a face says is what the other says, mirrored.
 struct BehindRelation {
   std::vector<CellArrows> of_cell;

@@ -1,6 +1,7 @@
 #include "hiac/order/eye_side.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -59,20 +60,21 @@ Filtered along(const std::array<const double*, 4>& p, const Vector& v) {
 EyeSides eye_sides_of_tetrahedron(const std::array<const double*, 4>& corners, const View& view) {
   const Filtered filtered =
       view.perspective ? from_eye(corners, view.eye.data()) : along(corners, view.direction);
-  EyeSides sides;
+  unsigned positive = 0, negative = 0;
   for (std::size_t f = 0; f < 4; ++f) {
-    const double value = filtered.values[f];
-    // not-a-number and overflow end in the exact question as well
-    int side = value > filtered.error ? 1 : value < -filtered.error ? -1 : 2;
-    if (side == 2) {
-      const auto& c = shape_tables::kTetrahedronFaces[f].corners;
-      side = eye_side(Point3(corners[c[0]], 3), Point3(corners[c[1]], 3), Point3(corners[c[2]], 3),
-                      view);
-    }
-    sides.positive |= static_cast<std::uint8_t>((side > 0 ? 1U : 0U) << f);
-    sides.negative |= static_cast<std::uint8_t>((side < 0 ? 1U : 0U) << f);
+    positive |= (filtered.values[f] > filtered.error ? 1U : 0U) << f;
+    negative |= (filtered.values[f] < -filtered.error ? 1U : 0U) << f;
   }
-  return sides;
+  // not-a-number and overflow end in the exact question as well
+  for (unsigned left = ~(positive | negative) & 0xFU; left != 0; left &= left - 1) {
+    const auto f = static_cast<unsigned>(std::countr_zero(left));
+    const auto& c = shape_tables::kTetrahedronFaces[f].corners;
+    const int side = eye_side(Point3(corners[c[0]], 3), Point3(corners[c[1]], 3),
+                              Point3(corners[c[2]], 3), view);
+    positive |= (side > 0 ? 1U : 0U) << f;
+    negative |= (side < 0 ? 1U : 0U) << f;
+  }
+  return {static_cast<std::uint8_t>(positive), static_cast<std::uint8_t>(negative)};
 }
 
 }  // namespace hiac

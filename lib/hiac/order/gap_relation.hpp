@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "hiac/geometry/view.hpp"
@@ -11,14 +12,23 @@ namespace hiac {
 /// An arrow of the behind-relation between cells that share no face.
 struct GapArrow {
   CellId front, behind;
-
-  auto operator<=>(const GapArrow&) const = default;  // NOLINT(modernize-use-nullptr)
 };
 
+/// Arrows across gaps by the cell in front: those of cell c lead to behind[start[c]] ...
+/// behind[start[c + 1] - 1], each once, in ascending order. Without any, `start` is empty.
 struct GapRelation {
-  std::vector<GapArrow> arrows;       ///< sorted, each once
+  std::vector<std::uint64_t> start;
+  std::vector<CellId> behind;
   std::uint64_t candidate_pairs = 0;  ///< pairs of faces that were decided
+
+  [[nodiscard]] std::span<const CellId> behind_cell(CellId cell) const {
+    if (start.empty()) return {};
+    return std::span(behind).subspan(start[cell], start[cell + 1] - start[cell]);
+  }
 };
+
+/// The same from arrows in any order, any number of times each.
+GapRelation sorted_by_cell(std::size_t cells, std::span<const GapArrow> arrows);
 
 /// Arrows across gaps, sliding interfaces and hanging nodes (design: source 2): a viewing ray
 /// leaves cell P through an unmatched face F and later enters cell Q through an unmatched face G.

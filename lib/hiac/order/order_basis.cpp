@@ -1,13 +1,12 @@
 #include "hiac/order/order_basis.hpp"
 
 #include <algorithm>
-#include <mutex>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "hiac/base/collect.hpp"
 #include "hiac/base/error.hpp"
-#include "hiac/base/parallel.hpp"
 #include "hiac/order/behind_relation.hpp"
 #include "hiac/order/cell_side.hpp"
 #include "hiac/order/convexity.hpp"
@@ -103,27 +102,6 @@ bool settled(const OrderBasis& basis, CellId cell, std::size_t face) {
   return winding * side_of(basis.sides[cell], face) * side_of(basis.sides[other], back) < 0;
 }
 
-// Calls find(cell, list) for every cell, in parallel, and returns all lists as one, by cell.
-template <typename Item, typename Find>
-std::vector<Item> collect(std::size_t cells, const Find& find) {
-  std::vector<std::pair<std::size_t, std::vector<Item>>> parts;
-  std::mutex joining;
-  parallel_for(cells, kGrain, [&](IndexRange range) {
-    std::vector<Item> found;
-    for (std::size_t cell = range.begin; cell < range.end; ++cell)
-      find(static_cast<CellId>(cell), found);
-    const std::scoped_lock lock(joining);
-    parts.emplace_back(range.begin, std::move(found));
-  });
-  std::ranges::sort(parts, {}, &std::pair<std::size_t, std::vector<Item>>::first);
-  std::size_t total = 0;
-  for (const auto& part : parts) total += part.second.size();
-  std::vector<Item> all;
-  all.reserve(total);
-  for (const auto& part : parts) all.insert(all.end(), part.second.begin(), part.second.end());
-  return all;
-}
-
 }  // namespace
 
 OrderBasis order_basis(const ZooMesh& mesh, FaceAdjacency adjacency) {
@@ -134,10 +112,12 @@ OrderBasis order_basis(const ZooMesh& mesh, FaceAdjacency adjacency) {
                      fmt::format("wrong size ({} faces expected, {} found)",
                                  basis.faces.first(cells), basis.adjacency.neighbors.size()));
   basis.sides.resize(cells);
-  basis.unmatched = collect<UnmatchedFace>(cells, [&](CellId cell, auto& unmatched) {
-    basis.sides[cell] = sides_of(mesh, cell, neighbors_of(basis, cell), unmatched);
+  basis.unmatched = collect<UnmatchedFace>(cells, kGrain, [&](std::size_t i, auto& unmatched) {
+    const auto cell = static_cast<CellId>(i);
+    basis.sides[i] = sides_of(mesh, cell, neighbors_of(basis, cell), unmatched);
   });
-  basis.unsettled = collect<UnsettledFace>(cells, [&](CellId cell, auto& unsettled) {
+  basis.unsettled = collect<UnsettledFace>(cells, kGrain, [&](std::size_t i, auto& unsettled) {
+    const auto cell = static_cast<CellId>(i);
     const auto neighbors = neighbors_of(basis, cell);
     for (std::size_t f = 0; f < neighbors.size(); ++f)
       if (neighbors[f] != kNoCell && !settled(basis, cell, f))

@@ -21,8 +21,8 @@ OrderResult exact_order(const OrderBasis& basis, const View& view, double planar
   GapRelation gaps;
   if (!basis.convex) gaps = gap_relation(basis, view, planarity);
   statistics.gap_pairs = gaps.candidate_pairs;
-  statistics.gap_arrows = gaps.arrows.size();
-  result.order = order_of_components(relation, basis.faces, basis.adjacency.neighbors, gaps.arrows);
+  statistics.gap_arrows = gaps.behind.size();
+  result.order = order_of_components(relation, basis.faces, basis.adjacency.neighbors, gaps);
   for (const CellGroup& group : result.order.groups) {
     statistics.cells_in_groups += group.count;
     statistics.largest_group = std::max<std::uint64_t>(statistics.largest_group, group.count);
