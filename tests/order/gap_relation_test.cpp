@@ -138,8 +138,9 @@ TEST(GapRelation, CollapsedEdgesHideNothing) {
                                           }));
   const GapRelation relation = gap_relation(order_basis(mesh, build_face_adjacency(mesh)),
                                             {false, {}, {0, 0, 1}}, kPlanarity);
-  ASSERT_EQ(relation.arrows.size(), 1U);
-  EXPECT_EQ(relation.arrows[0], (GapArrow{0, 1}));
+  ASSERT_EQ(relation.behind.size(), 1U);
+  ASSERT_EQ(relation.behind_cell(0).size(), 1U);
+  EXPECT_EQ(relation.behind_cell(0)[0], 1U);
 }
 
 // Three slabs leaning on one another in a ring: each is in front of the next.

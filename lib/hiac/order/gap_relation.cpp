@@ -176,9 +176,10 @@ class PairSearch {
     if (overlap == Overlap::unknown && !projections_overlap(exit.seen, entry.seen, q_.view))
       return true;
     const double slack = q_.planarity * std::max(exit.size, entry.size);
-    // before an entry all of which is farther than all of the exit there is nothing to ask
-    if (exit.outline.depth.high < entry.outline.depth.low ||
-        reached_first(exit.seen, entry.seen, q_.view, slack))
+    // before an entry all of which is farther than all of the exit there is nothing to ask; a
+    // pyramid bounds but parts of them, and they may overlap where they lie the other way round
+    const bool farther = !window_.pyramid() && exit.outline.depth.high < entry.outline.depth.low;
+    if (farther || reached_first(exit.seen, entry.seen, q_.view, slack))
       arrows.push_back({exit.cell, entry.cell});
     return true;
   }
