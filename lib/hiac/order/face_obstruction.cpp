@@ -6,20 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+
+#include "hiac/order/eye_side.hpp"
 
 namespace hiac {
 namespace {
 
-// The side of the plane through the eye, a and b on which p is seen: +1 to the left of the edge
-// a -> b as seen from the eye.
-int side_of_edge(Point3 a, Point3 b, Point3 p, const View& view) {
-  if (view.perspective) return orientation(a, b, p, Point3(view.eye));
-  return -orientation_towards(a, b, p, Point3(view.direction));
-}
-
 int side_of_eye(const SeenFace& face, const View& view) {
-  return side_of_edge(face.corner(0), face.corner(1), face.corner(2), view);
+  return eye_side(face.corner(0), face.corner(1), face.corner(2), view);
 }
 
 // Whether an edge of `f` has all of `g` on its outer side or in its plane.
@@ -27,7 +21,7 @@ bool separated_by_edge(const SeenFace& f, const SeenFace& g, const View& view) {
   for (std::size_t k = 0; k < f.count; ++k) {
     bool outside = true;
     for (std::size_t j = 0; j < g.count && outside; ++j)
-      outside = f.winding * side_of_edge(f.corner(k), f.corner(k + 1), g.corner(j), view) <= 0;
+      outside = f.winding * eye_side(f.corner(k), f.corner(k + 1), g.corner(j), view) <= 0;
     if (outside) return true;
   }
   return false;
@@ -63,7 +57,7 @@ struct Span {
 Span span_of(Point3 a, Point3 b, const SeenFace& face, const View& view) {
   Span span;
   for (std::size_t k = 0; k < face.count; ++k) {
-    const int side = side_of_edge(a, b, face.corner(k), view);
+    const int side = eye_side(a, b, face.corner(k), view);
     span.left = span.left || side > 0;
     span.right = span.right || side < 0;
   }
@@ -98,19 +92,6 @@ Sides sides_of(const SeenFace& plane, const SeenFace& face, const View& view) {
   return sides;
 }
 
-// Where edges a-b and c-d cross on the screen: -1 when a-b is nearer, +1 when c-d is, 0 when they
-// meet; nothing when they do not cross properly. With s the side of the line's wedge: c-d passes
-// the triangle of the eye, a and b inside it, and so in front of a-b, exactly when it passes all
-// three edges of that triangle on the same side.
-std::optional<int> nearer_edge(Point3 a, Point3 b, Point3 c, Point3 d, const View& view) {
-  const int c_side = side_of_edge(a, b, c, view), d_side = side_of_edge(a, b, d, view);
-  const int a_side = side_of_edge(c, d, a, view), b_side = side_of_edge(c, d, b, view);
-  if (c_side * d_side >= 0 || a_side * b_side >= 0) return std::nullopt;
-  if (a_side != d_side) return std::nullopt;  // one passes the other's opposite, behind the eye
-  // det[d-c, a-c, eye-c] = a_side: seen from the eye, a lies left of c -> d when it is positive
-  return orientation(c, d, a, b) * a_side * -1;
-}
-
 std::optional<bool> by_crossing_edges(const SeenFace& f, const SeenFace& g, const View& view) {
   for (std::size_t k = 0; k < f.count; ++k)
     for (std::size_t j = 0; j < g.count; ++j) {
@@ -123,7 +104,7 @@ std::optional<bool> by_crossing_edges(const SeenFace& f, const SeenFace& g, cons
 
 bool strictly_covers(const SeenFace& face, Point3 p, const View& view) {
   for (std::size_t k = 0; k < face.count; ++k)
-    if (face.winding * side_of_edge(face.corner(k), face.corner(k + 1), p, view) <= 0) return false;
+    if (face.winding * eye_side(face.corner(k), face.corner(k + 1), p, view) <= 0) return false;
   return true;
 }
 
@@ -157,6 +138,17 @@ double depth_in_front(const SeenFace& plane, const SeenFace& face, const View& v
 }
 
 }  // namespace
+
+// With s the side of the line's wedge: c-d passes the triangle of the eye, a and b inside it, and
+// so in front of a-b, exactly when it passes all three edges of that triangle on the same side.
+std::optional<int> nearer_edge(Point3 a, Point3 b, Point3 c, Point3 d, const View& view) {
+  const int c_side = eye_side(a, b, c, view), d_side = eye_side(a, b, d, view);
+  const int a_side = eye_side(c, d, a, view), b_side = eye_side(c, d, b, view);
+  if (c_side * d_side >= 0 || a_side * b_side >= 0) return std::nullopt;
+  if (a_side != d_side) return std::nullopt;  // one passes the other's opposite, behind the eye
+  // det[d-c, a-c, eye-c] = a_side: seen from the eye, a lies left of c -> d when it is positive
+  return orientation(c, d, a, b) * a_side * -1;
+}
 
 bool projections_overlap(const SeenFace& f, const SeenFace& g, const View& view) {
   if (separated_by_edge(f, g, view) || separated_by_edge(g, f, view)) return false;
