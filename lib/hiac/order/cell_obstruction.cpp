@@ -40,11 +40,11 @@ unsigned facing_of_side(int side) {
 }
 
 std::uint8_t facing_of_triangle(const CellCorners& cell, const ShapeFace& face, int side_of_rest,
-                                const View& view, double rounding) {
+                                const View& view, const MeshScale& scale) {
   if (side_of_rest == 0) return 0;
   const auto& c = face.corners;
   const int eye = -side_of_rest * eye_side(cell.at(c[0]), cell.at(c[1]), cell.at(c[2]), view);
-  const FacePlane plane = plane_of_face(cell, face, rounding);
+  const FacePlane plane = plane_of_face(cell, face, scale);
   const Vector towards = towards_eye(view, plane);
   const double distance = taxicab(towards);
   const double touch = view.perspective ? plane.touch(distance) : plane.touching_slope * distance;
@@ -56,8 +56,8 @@ std::uint8_t facing_of_triangle(const CellCorners& cell, const ShapeFace& face, 
 // Newell's plane does not say on which side of a quadrilateral an eye is that is as near to it as
 // the corners are. A quadrilateral that counts as planar is edge-on then.
 std::uint8_t facing_of_quadrilateral(const CellCorners& cell, const ShapeFace& face,
-                                     const View& view, double rounding, double planarity) {
-  const FacePlane plane = plane_of_face(cell, face, rounding);
+                                     const View& view, const MeshScale& scale, double planarity) {
+  const FacePlane plane = plane_of_face(cell, face, scale);
   double inside = 0;
   for (std::size_t k = 0; k < cell.nodes.size(); ++k)
     inside += plane.value(minus(cell.at(k), Point3(plane.point)));
@@ -77,15 +77,15 @@ std::uint8_t facing_of_quadrilateral(const CellCorners& cell, const ShapeFace& f
   return static_cast<std::uint8_t>(facing);
 }
 
-void find_facing(const ZooMesh& mesh, CellId cell, const View& view, double rounding,
+void find_facing(const ZooMesh& mesh, CellId cell, const View& view, const MeshScale& scale,
                  double planarity, std::span<std::uint8_t> facing) {
   const CellCorners corners(mesh, cell);
   const auto faces = topology_of(mesh.kinds[cell]).faces;
   for (std::size_t f = 0; f < faces.size(); ++f)
-    facing[f] = faces[f].corner_count == 3
-                    ? facing_of_triangle(corners, faces[f], side_of_cell(mesh, cell, faces[f]),
-                                         view, rounding)
-                    : facing_of_quadrilateral(corners, faces[f], view, rounding, planarity);
+    facing[f] =
+        faces[f].corner_count == 3
+            ? facing_of_triangle(corners, faces[f], side_of_cell(mesh, cell, faces[f]), view, scale)
+            : facing_of_quadrilateral(corners, faces[f], view, scale, planarity);
 }
 
 // The faces of a cell through which rays leave it, or enter it.
@@ -132,23 +132,24 @@ bool is_flat(const CellObstruction::Cell& cell) {
 }  // namespace
 
 CellObstruction::CellObstruction(const ZooMesh& mesh, const View& view, double planarity)
-    : mesh_(mesh), view_(view), planarity_(planarity), face_offset_(face_offsets(mesh)) {
-  double largest = 0;
-  for (const double x : mesh.xyz) largest = std::max(largest, std::abs(x));
-  rounding_ = std::numeric_limits<double>::epsilon() * largest;
+    : mesh_(mesh),
+      view_(view),
+      planarity_(planarity),
+      scale_(mesh),
+      face_offset_(face_offsets(mesh)) {
   facing_.resize(face_offset_.back());
   parallel_for(mesh.cell_count(), kGrain, [&](IndexRange range) {
     for (std::size_t cell = range.begin; cell < range.end; ++cell)
-      find_facing(mesh, static_cast<CellId>(cell), view_, rounding_, planarity_,
+      find_facing(mesh, static_cast<CellId>(cell), view_, scale_, planarity_,
                   std::span(facing_).subspan(face_offset_[cell],
                                              face_offset_[cell + 1] - face_offset_[cell]));
   });
 }
 
-const FacePlane& CellObstruction::Cell::plane(std::size_t face, double rounding) {
+const FacePlane& CellObstruction::Cell::plane(std::size_t face, const MeshScale& scale) {
   if ((known_ >> face & 1U) == 0) {
     known_ |= 1U << face;
-    planes_[face] = plane_of_face(corners, faces[face], rounding);
+    planes_[face] = plane_of_face(corners, faces[face], scale);
     if ((facing[face] & kInward) != 0) flip(planes_[face]);
   }
   return planes_[face];
@@ -157,21 +158,35 @@ const FacePlane& CellObstruction::Cell::plane(std::size_t face, double rounding)
 // Whether all corners lie on the outer side of a face's plane or in it.
 CellObstruction::Separation CellObstruction::beyond(Cell& of, std::size_t face,
                                                     const CellCorners& corners) const {
-  constexpr double kUnderflow = std::numeric_limits<double>::min();
-  const FacePlane& plane = of.plane(face, rounding_);
+  const FacePlane& plane = of.plane(face, scale_);
+  std::array<double, 8> values;
+  const auto& [x, y, z] = corners.coordinates;
+  for (std::size_t k = 0; k < corners.filled_up(); ++k)
+    values[k] = plane.normal[0] * (x[k] - plane.point[0]) +
+                plane.normal[1] * (y[k] - plane.point[1]) +
+                plane.normal[2] * (z[k] - plane.point[2]);
+  const double lowest = *std::min_element(values.begin(), values.begin() + corners.filled_up());
+  if (lowest > plane.certain) return Separation::surely;
+  if (lowest < -plane.apart) return Separation::none;
+  return nearly_beyond(of, face, corners, values);
+}
+
+// The same where a corner lies in the plane or next to it.
+CellObstruction::Separation CellObstruction::nearly_beyond(
+    Cell& of, std::size_t face, const CellCorners& corners,
+    const std::array<double, 8>& values) const {
+  const FacePlane& plane = of.plane(face, scale_);
   const auto& c = of.faces[face].corners;
+  const auto& nodes = of.corners.nodes;
   const bool triangle = of.faces[face].corner_count == 3;
   Separation separation = Separation::surely;
   for (std::size_t k = 0; k < corners.nodes.size(); ++k) {
-    const Vector from_point = minus(corners.at(k), Point3(plane.point));
-    const double value = plane.value(from_point), distance = taxicab(from_point);
-    if (value > plane.certain * distance + kUnderflow * (distance + 1)) continue;
-    const bool touches = value >= -plane.touch(distance);
-    if (!triangle && touches) continue;
-    if (!touches) return Separation::none;
+    if (values[k] > plane.certain) continue;
     const NodeId node = corners.nodes[k];
-    const auto& nodes = of.corners.nodes;
-    if (node == nodes[c[0]] || node == nodes[c[1]] || node == nodes[c[2]]) continue;
+    if (triangle && (node == nodes[c[0]] || node == nodes[c[1]] || node == nodes[c[2]])) continue;
+    const double distance = taxicab(minus(corners.at(k), Point3(plane.point)));
+    if (values[k] < -plane.touch(distance)) return Separation::none;
+    if (!triangle) continue;
     const int side =
         orientation(of.corners.at(c[0]), of.corners.at(c[1]), of.corners.at(c[2]), corners.at(k));
     if (side != 0 && (side > 0) == ((of.facing[face] & kInward) != 0))
@@ -181,7 +196,7 @@ CellObstruction::Separation CellObstruction::beyond(Cell& of, std::size_t face,
 }
 
 // The third and fourth test of Obstructs: P behind a back face of Q, Q in front of a front face of
-// P.
+// P. The latter comes first, as the planes of P are known.
 CellObstruction::Separation CellObstruction::lies_behind(Cell& p, Cell& q) const {
   Separation best = Separation::none;
   const auto ask = [&](Cell& of, const Cell& other, unsigned exact, unsigned nearly) {
@@ -192,9 +207,32 @@ CellObstruction::Separation CellObstruction::lies_behind(Cell& p, Cell& q) const
       best = std::max(best, separation);
     }
   };
-  ask(q, p, kBack, kNearlyBack);
   ask(p, q, kFront, kNearlyFront);
+  ask(q, p, kBack, kNearlyBack);
   return best;
+}
+
+// Whether a plane through the eye and an edge of P has all of P on one side and all of Q on the
+// other: no ray meets both.
+bool CellObstruction::separated_by_edge(const Cell& p, const Cell& q) const {
+  for (const ShapeEdge& edge : topology_of(mesh_.kinds[p.id]).edges) {
+    const Point3 a = p.corners.at(edge[0]), b = p.corners.at(edge[1]);
+    const auto side_of = [&](const CellCorners& corners, std::size_t k) {
+      return eye_side(a, b, corners.at(k), view_);
+    };
+    int p_side = 0;
+    bool separated = true;
+    for (std::size_t k = 0; k < p.corners.nodes.size() && separated; ++k) {
+      if (k == edge[0] || k == edge[1]) continue;
+      const int side = side_of(p.corners, k);
+      separated = p_side * side >= 0;
+      if (side != 0) p_side = side;
+    }
+    for (std::size_t k = 0; k < q.corners.nodes.size() && separated; ++k)
+      separated = p_side * side_of(q.corners, k) <= 0;
+    if (separated && p_side != 0) return true;
+  }
+  return false;
 }
 
 // Whether P obscures a part of Q, when no plane of a face tells that it does not.
@@ -226,8 +264,8 @@ bool CellObstruction::obstructs(Cell& p, Cell& q) const {
   if (is_flat(p) || is_flat(q)) return false;
   const Separation behind = lies_behind(p, q);
   if (behind == Separation::surely) return false;
-  // Section 6.1: a plane of a face that has Q behind P says all when the projections overlap. That
-  // they do takes no second look at which is in front.
+  if (separated_by_edge(p, q) || separated_by_edge(q, p)) return false;
+  // Section 6.1: where projections overlap, a plane of a face that has Q behind P says all.
   const Separation before = lies_behind(q, p);
   if (before == Separation::surely) return projections_meet(p, q);
   if (behind == Separation::nearly) return false;

@@ -41,7 +41,7 @@ class CellObstruction {
           facing(how_faces_lie, faces.size()) {}
 
     /// The plane of a face, its normal outwards.
-    const FacePlane& plane(std::size_t face, double rounding);
+    const FacePlane& plane(std::size_t face, const MeshScale& scale);
 
     CellId id;
     CellCorners corners;
@@ -64,14 +64,17 @@ class CellObstruction {
   enum class Separation : std::uint8_t { none, nearly, surely };
 
   [[nodiscard]] Separation beyond(Cell& of, std::size_t face, const CellCorners& corners) const;
+  [[nodiscard]] Separation nearly_beyond(Cell& of, std::size_t face, const CellCorners& corners,
+                                         const std::array<double, 8>& values) const;
   [[nodiscard]] Separation lies_behind(Cell& p, Cell& q) const;
+  [[nodiscard]] bool separated_by_edge(const Cell& p, const Cell& q) const;
   [[nodiscard]] bool projections_meet(const Cell& p, const Cell& q) const;
   [[nodiscard]] bool projects_before(const Cell& p, const Cell& q) const;
 
   const ZooMesh& mesh_;
   View view_;
   double planarity_;
-  double rounding_;  // of the mesh's coordinates, world units
+  MeshScale scale_;
   std::vector<std::uint64_t> face_offset_;
   std::vector<std::uint8_t> facing_;
 };

@@ -30,7 +30,8 @@ namespace {
 // Cells by rank: the first obstructs the second one, which comes later in the rough order.
 using Exception = std::pair<std::uint32_t, std::uint32_t>;
 
-// Calls visit(place) for every place in [begin, end) whose extent meets that of `place`.
+// Calls visit(place) for every place in [begin, end) whose extent meets that of `place`, if this is
+// the tile that pairs the two: the first two tests of Obstructs, and the same along the diagonals.
 template <typename Visit>
 void for_each_meeting(const SortingTiles& tiles, std::size_t place, std::size_t begin,
                       std::size_t end, const Visit& visit) {
@@ -48,8 +49,11 @@ void for_each_meeting(const SortingTiles& tiles, std::size_t place, std::size_t 
     for (std::size_t eighth = 0; eighth < kBlock; eighth += 8) {
       std::uint64_t left = 0;
       std::memcpy(&left, meets.data() + eighth, 8);
-      for (; left != 0; left &= left - 1)
-        visit(block + eighth + static_cast<std::size_t>(std::countr_zero(left)) / 8);
+      for (; left != 0; left &= left - 1) {
+        const std::size_t other =
+            block + eighth + static_cast<std::size_t>(std::countr_zero(left)) / 8;
+        if (tiles.pairs_here(place, other) && tiles.diagonals_meet(place, other)) visit(other);
+      }
     }
   }
 }
@@ -127,7 +131,6 @@ class PairSort {
     CellObstruction::Cell cell = obstruction_.cell(rough_.cells[p]);
     for_each_meeting(tiles_, place, place + 1, static_cast<std::size_t>(end - ranks),
                      [&](std::size_t other) {
-                       if (!tiles_.pairs_here(place, other)) return;
                        const std::uint32_t q = tiles_.ranks[other];
                        CellObstruction::Cell other_cell = obstruction_.cell(rough_.cells[q]);
                        if (obstruction_.obstructs(cell, other_cell)) found.emplace_back(p, q);
@@ -172,7 +175,7 @@ class PairSort {
       while (head < place && states_[tiles_.ranks[head]] == State::out) ++head;
       for_each_meeting(tiles_, place, head, place, [&](std::size_t other) {
         const std::uint32_t q = tiles_.ranks[other];
-        if (states_[q] != State::out && tiles_.pairs_here(place, other)) candidates_.push_back(q);
+        if (states_[q] != State::out) candidates_.push_back(q);
       });
     }
     std::sort(candidates_.begin() + begin, candidates_.end());

@@ -145,25 +145,45 @@ std::vector<Window> windows_of(const ZooMesh& mesh, const View& view) {
   return sides;
 }
 
+struct Bounds {
+  float low = std::numeric_limits<float>::infinity(), high = -low;
+
+  void include(float x) {
+    low = std::min(low, x);
+    high = std::max(high, x);
+  }
+};
+
 // False when the window does not see the cell.
 bool find_extent(std::span<const NodeId> corners, std::span<const SeenNode> nodes,
                  ScreenExtent& extent) {
-  ScreenExtent e{1, -1, 1, -1};
+  Bounds x, y, sum, difference;
   unsigned outside = ~0U;
   bool before = true;
   for (const NodeId corner : corners) {
     const SeenNode& node = nodes[corner];
     outside &= node.outside;
     before = before && node.before;
-    e = {std::min(e.x_low, node.x), std::max(e.x_high, node.x), std::min(e.y_low, node.y),
-         std::max(e.y_high, node.y)};
+    x.include(node.x), y.include(node.y);
+    sum.include(node.x + node.y), difference.include(node.x - node.y);
   }
   if (outside != 0) return false;
   // a cell that reaches behind the eye may be seen anywhere
-  const bool bounded = before && e.x_low <= e.x_high && e.y_low <= e.y_high;
-  if (!bounded) e = {-1, 1, -1, 1};
-  extent = {std::max(e.x_low, -1.F) - kWidening, std::min(e.x_high, 1.F) + kWidening,
-            std::max(e.y_low, -1.F) - kWidening, std::min(e.y_high, 1.F) + kWidening};
+  if (!before || !(x.low <= x.high && y.low <= y.high)) {
+    extent = {-2, 2, -2, 2, -4, 4, -4, 4};
+    return true;
+  }
+  // what lies outside the window is known less well
+  const float size = std::max({1.F, -x.low, x.high, -y.low, y.high});
+  const float widening = kWidening * size;
+  extent = {std::max(x.low, -1.F) - kWidening,
+            std::min(x.high, 1.F) + kWidening,
+            std::max(y.low, -1.F) - kWidening,
+            std::min(y.high, 1.F) + kWidening,
+            sum.low - widening,
+            sum.high + widening,
+            difference.low - widening,
+            difference.high + widening};
   return true;
 }
 

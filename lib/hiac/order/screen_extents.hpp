@@ -10,10 +10,11 @@
 
 namespace hiac {
 
-/// A rectangle on a window that runs from -1 to 1 in x and y. Widened by more than rounding: cells
-/// whose rectangles are apart are met by no common ray through the window.
+/// Bounds on a window that runs from -1 to 1 in x and y, widened by more than rounding: cells whose
+/// bounds are apart in x, y, x + y or x - y are met by no common ray through the window.
 struct ScreenExtent {
   float x_low, x_high, y_low, y_high;
+  float sum_low, sum_high, difference_low, difference_high;
 };
 
 /// The cells that a window sees, by ascending rank.

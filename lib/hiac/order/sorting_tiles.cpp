@@ -87,6 +87,7 @@ void add_window(const WindowCells& cells, const Grid& grid, SortingTiles& tiles)
   const std::size_t places = tiles.start.back();
   tiles.ranks.resize(places);
   tiles.begins_before.resize(places);
+  tiles.diagonals.resize(places);
   for (auto* bound : {&tiles.x_low, &tiles.x_high, &tiles.y_low, &tiles.y_high})
     bound->resize(places);
   for (std::size_t i = 0; i < cells.ranks.size(); ++i) {
@@ -97,6 +98,7 @@ void add_window(const WindowCells& cells, const Grid& grid, SortingTiles& tiles)
       tiles.begins_before[place] = begins_before;
       tiles.x_low[place] = e.x_low, tiles.x_high[place] = e.x_high;
       tiles.y_low[place] = e.y_low, tiles.y_high[place] = e.y_high;
+      tiles.diagonals[place] = {e.sum_low, e.sum_high, e.difference_low, e.difference_high};
     });
   }
 }
