@@ -46,7 +46,6 @@ const std::vector<Row>& rows() {
       {"n^1/6 x n^1/6", TilingOptions{0, 0, false}, std::nullopt},
       {"the same, balanced", TilingOptions{0, 0, true}, Figures{0.12, 2.7, 9.5, 15.0}},
       {"32 x 32", TilingOptions{32, 32, false}, std::nullopt},
-      {"64 x 64", TilingOptions{64, 64, false}, std::nullopt},
       {"64 x 64, balanced", TilingOptions{64, 64, true}, std::nullopt}};
   return kRows;
 }
@@ -117,6 +116,8 @@ void print_measured(const Options& options) {
       entry.measured = i == 0 || entry.seconds <= options.limit;
       if (entry.measured) entry.seconds = seconds_of(mesh, view, rows()[r]);
       table[r].push_back(entry);
+      fmt::print(stderr, "{} cells, {}: {:.2f} s{}\n", mesh.cell_count(), rows()[r].tiles,
+                 entry.seconds, entry.measured ? "" : " (estimated)");
     }
   }
   fmt::print("Measured, seconds of processor time, {} thread(s)\n", options.threads);
