@@ -119,6 +119,12 @@ TEST(CameraPath, UnevenFramesKeepASteadyVelocity) {
     EXPECT_THAT(camera_at(scene, f).eye[1], DoubleNear(f, 1e-12));
 }
 
+TEST(CameraPath, WhatStandsStillDoesSoToTheLastBit) {
+  const Scene scene =
+      parsed(keyframe(0, "[2.3, 1.9, 1.4]", kRest) + keyframe(7, "[2.3, 1.9, 1.4]"));
+  for (std::uint32_t f = 0; f < 8; ++f) EXPECT_EQ(camera_at(scene, f).eye, scene.camera.eye);
+}
+
 TEST(CameraPath, ClippingSlabsMayBeEndless) {
   const Scene scene = parsed(keyframe(0, "[9, 0, 0]", kRest + "clip = [1, inf]\n") +
                              keyframe(4, "[9, 1, 0]", "clip = [3, inf]\n"));

@@ -10,9 +10,11 @@
 
 #include "hiac/image/image_io.hpp"
 #include "hiac/mesh/zoo_container.hpp"
+#include "hiac/order/algorithm.hpp"
 #include "hiac/order/order_file.hpp"
 #include "hiac/scene/camera_path.hpp"
 #include "hiac/scene/scene_parser.hpp"
+#include "tests/order/order_meshes.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/tools/tool_folder.hpp"
 
@@ -96,9 +98,49 @@ TEST_F(SortTool, AWrongOrderIsRefusedByItsFirstPair) {
   EXPECT_EQ(std::ranges::count(complaint(), '\n'), 1);
 }
 
+TEST_F(SortTool, EveryAlgorithmSignsItsOrder) {
+  for (const OrderAlgorithm algorithm : kOrderAlgorithms) {
+    const std::string name(algorithm_name(algorithm));
+    ASSERT_EQ(run("$SORT m.zoo --view view.toml -o m.order --stats --algorithm " + name), 0)
+        << complaint();
+    EXPECT_THAT(complaint(), HasSubstr(name));
+    EXPECT_EQ(read_order_file(file("m.order")).order.algorithm, name);
+    ASSERT_EQ(run("$RENDER m.zoo --view view.toml --order m.order -o x.npy"), 0) << complaint();
+    EXPECT_EQ(complaint().find("not by the exact algorithm") == std::string::npos, name == "exact");
+  }
+  ASSERT_EQ(run("$SORT m.zoo --view view.toml -o a.order --algorithm stein --verify"), 0)
+      << complaint();
+  ASSERT_EQ(run("$SORT m.zoo --view view.toml -o b.order --algorithm multitiled --tiles 3x2 "
+                "--balanced --verify"),
+            0)
+      << complaint();
+  EXPECT_TRUE(std::ranges::equal(read_order_file(file("a.order")).order.cells,
+                                 read_order_file(file("b.order")).order.cells));
+  EXPECT_EQ(run("$SORT m.zoo --view view.toml -o c.order --algorithm centroid --verify"), 1);
+  EXPECT_FALSE(std::filesystem::exists(file("c.order")));
+}
+
+// Three bars each of which is in part in front of the next.
+TEST_F(SortTool, ACycleIsAGroupOrARefusal) {
+  write_zoo_file(file("cycle.zoo"), {pinwheel(), {}});
+  const std::string view =
+      " --view view.toml --set 'camera.eye=[0,0,9]' --set 'camera.up=[1,0,0]'"
+      " --set 'camera.look_at=[0,0,0]'";
+  ASSERT_EQ(run("$SORT cycle.zoo -o m.order --verify" + view), 0) << complaint();
+  EXPECT_EQ(read_order_file(file("m.order")).order.groups.size(), 1U);
+  EXPECT_EQ(run("$SORT cycle.zoo -o n.order --algorithm stein" + view), 1);
+  EXPECT_THAT(complaint(), HasSubstr("a cycle of 3 found"));
+  EXPECT_EQ(std::ranges::count(complaint(), '\n'), 1);
+  EXPECT_FALSE(std::filesystem::exists(file("n.order")));
+}
+
 TEST_F(SortTool, OptionsThatDoNotFitAreUsageErrors) {
   for (const char* options :
-       {"--order m.order", "--order m.order --verify -o o.order", "--frame 0 -o o.order"})
+       {"--algorithm best -o o.order", "--tiles 3x3 -o o.order", "--balanced -o o.order",
+        "--algorithm multitiled --tiles 3 -o o.order",
+        "--algorithm multitiled --tiles 0x3 -o o.order",
+        "--algorithm multitiled --tiles 3x3x -o o.order", "--order m.order",
+        "--order m.order --verify -o o.order", "--frame 0 -o o.order"})
     EXPECT_EQ(run(std::string("$SORT m.zoo --view view.toml ") + options), 2) << options;
   for (const char* options : {"", "--frames --frame 1", "--frame 5"})
     EXPECT_EQ(run(std::string("$RENDER m.zoo --view turn.toml -o x.png ") + options), 2) << options;
@@ -174,10 +216,11 @@ TEST_F(SortTool, ViewsAreOrderedOnce) {
 }
 
 TEST_F(SortTool, AnInterruptLeavesWholeFrames) {
+  // (a shell lets no command that it runs aside hear SIGINT; the tools take both alike)
   ASSERT_EQ(run("$RENDER m.zoo --view turn.toml --set turntable.frames=2000 --size 160x120 "
                 "--frames -o f.npy & pid=$!; n=0; "
                 "until [ -e f-0003.npy ] || [ $n = 500 ]; do sleep 0.02; n=$((n+1)); done; "
-                "kill -INT $pid; wait $pid; [ $? -ge 128 ]"),
+                "kill -TERM $pid; wait $pid; [ $? -ge 128 ]"),
             0)
       << complaint();
   std::size_t frames = 0;

@@ -23,7 +23,7 @@ struct MeshOrder {  // NOLINT(bugprone-exception-escape): the JSON library's mov
   nlohmann::ordered_json facts;
 };
 
-/// The facts of an order of `cells` cells that any algorithm made.
+/// The facts of an order that any algorithm made.
 nlohmann::ordered_json order_facts(const VisibilityOrder& order);
 
 /// Orders one mesh for any number of views; what does not depend on the view is made once, when it
@@ -36,13 +36,16 @@ class Orderer {
   /// The exact visibility order for a scene's camera (a scene of one frame).
   MeshOrder exact(const Scene& scene);
 
-  /// What all views have in common. Uses the adjacency that the mesh brings, or computes it.
+  /// The adjacency that the mesh brings, or that is computed.
+  const FaceAdjacency& adjacency();
+  /// What all views have in common.
   const OrderBasis& basis();
   const std::string& mesh_hash();
 
  private:
   Tool& tool_;
   const ZooMesh& mesh_;
+  std::optional<FaceAdjacency> adjacency_;
   std::optional<OrderBasis> basis_;
   std::string mesh_hash_;
 };

@@ -92,11 +92,12 @@ void note_model(Tool& tool, const ZooMesh& mesh, const Scene& scene) {
   tool.note(fmt::format("diagonal {:g}", size));
 }
 
-Json note_work(Tool& tool, const RenderStatistics& s) {
+Json note_work(Tool& tool, bool one_of_many, const RenderStatistics& s) {
   tool.add_seconds("prepare", s.prepare_seconds);
   tool.add_seconds("tiles", s.tile_seconds);
-  tool.note(fmt::format("optical depth {:.3g} in the mean, {:.3g} at most", s.mean_optical_depth,
-                        s.largest_optical_depth));
+  const std::string depths = fmt::format("optical depth {:.3g} in the mean, {:.3g} at most",
+                                         s.mean_optical_depth, s.largest_optical_depth);
+  one_of_many ? tool.detail(depths) : tool.note(depths);
   tool.detail(fmt::format("{} segments in {:.3f} s", s.segments, s.tile_seconds));
   if (s.violations > 0)
     tool.warn(
@@ -132,7 +133,7 @@ class Renderer {
     const RenderResult result = tool_.timed("render", [&] {
       return hiac::render(mesh_, record.order, scene, !options_.no_background, &tool_.progress());
     });
-    Json facts = note_work(tool_, result.statistics);
+    Json facts = note_work(tool_, options_.all_frames, result.statistics);
     facts["order"] = order_facts;
     tool_.timed("write", [&] {
       write_image(path, result.image,

@@ -1,8 +1,10 @@
 // hiac-sort: the visibility order of a mesh for a view, or for each frame of a camera path.
 
 #include <algorithm>
+#include <cstdio>
 #include <optional>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -11,7 +13,13 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/base/seconds.hpp"
+#include "hiac/order/algorithm.hpp"
+#include "hiac/order/centroid.hpp"
+#include "hiac/order/mpvo.hpp"
+#include "hiac/order/multitiled.hpp"
+#include "hiac/order/stein.hpp"
 #include "hiac/order/verify_order.hpp"
+#include "hiac/order/visibility_cycle.hpp"
 #include "hiac/scene/camera_path.hpp"
 #include "hiac/scene/scene_parser.hpp"
 #include "tools/common/frames.hpp"
@@ -29,8 +37,38 @@ struct Options {
   std::string input, view, output, given;
   std::vector<std::string> overrides;
   std::optional<std::uint32_t> frame;
-  bool statistics = false, verify = false;
+  std::string algorithm{algorithm_name(OrderAlgorithm::exact)};
+  std::string tiles;
+  bool balanced = false, statistics = false, verify = false;
 };
+
+// How to sort, as the options say.
+struct Method {
+  OrderAlgorithm algorithm;
+  TilingOptions tiling;
+};
+
+Method method_of(const Options& options) {
+  Method method{parse_algorithm(options.algorithm, "--algorithm"), {}};
+  const bool tiled = method.algorithm == OrderAlgorithm::multitiled;
+  if (!tiled && (!options.tiles.empty() || options.balanced))
+    throw UsageError(fmt::format("--tiles, --balanced: only for --algorithm {} (found {})",
+                                 algorithm_name(OrderAlgorithm::multitiled), options.algorithm));
+  method.tiling.balanced = options.balanced;
+  if (options.tiles.empty()) return method;
+  unsigned columns = 0, rows = 0;
+  int length = 0;
+  constexpr unsigned kMost = 4096;
+  // NOLINTNEXTLINE(cert-err34-c): what does not fit is out of range below
+  if (std::sscanf(options.tiles.c_str(), "%5ux%5u%n", &columns, &rows, &length) != 2 ||
+      static_cast<std::size_t>(length) != options.tiles.size() || columns < 1 || rows < 1 ||
+      columns > kMost || rows > kMost)
+    throw UsageError(fmt::format(
+        "--tiles: expected COLUMNSxROWS of 1 to {} each, as 8x6 (found {})", kMost, options.tiles));
+  method.tiling.columns = columns;
+  method.tiling.rows = rows;
+  return method;
+}
 
 // The views that are wanted of a mesh, and the orders for them.
 class Sorting {
@@ -41,6 +79,7 @@ class Sorting {
         scene_(scene),
         frames_(chosen_frames(scene, options.frame)),
         mesh_(mesh),
+        method_(method_of(options)),
         orderer_(tool, mesh) {
     if (scene.path) tool.frames().begin("frames", frames_.size());
   }
@@ -83,7 +122,8 @@ class Sorting {
 
   OrderRecord make(const Scene& scene, std::uint32_t frame) {
     const double start = seconds_now();
-    MeshOrder made = orderer_.exact(scene);
+    const bool exact = method_.algorithm == OrderAlgorithm::exact;
+    MeshOrder made = exact ? orderer_.exact(scene) : by_another(scene, frame);
     const VisibilityOrder& order = made.record.order;
     reported_.push_back(
         {frame, order.algorithm, made.statistics, order.groups.size(), seconds_now() - start});
@@ -92,14 +132,55 @@ class Sorting {
     return std::move(made.record);
   }
 
+  [[nodiscard]] std::string name_of(std::uint32_t frame) const {
+    return scene_.path ? fmt::format("frame {}: ", frame) : "";
+  }
+
+  // The order of an algorithm that asks for no basis; its groups are all that is known of it.
+  MeshOrder by_another(const Scene& scene, std::uint32_t frame) {
+    const FaceAdjacency* adjacency = nullptr;
+    if (method_.algorithm == OrderAlgorithm::mpvo) adjacency = &orderer_.adjacency();
+    VisibilityOrder order = tool_.timed("order", [&] {
+      try {
+        return order_by(method_, scene, adjacency);
+      } catch (const VisibilityCycle& cycle) {
+        throw JudgementError(name_of(frame) + cycle.what());
+      }
+    });
+    MeshOrder made{{orderer_.mesh_hash(), view_hash(scene), std::move(order)}, {}, {}};
+    made.facts = order_facts(made.record.order);
+    made.statistics.cells_in_groups = made.facts["cells_in_groups"];
+    made.statistics.largest_group = made.facts["largest_group"];
+    return made;
+  }
+
+  [[nodiscard]] VisibilityOrder order_by(const Method& method, const Scene& scene,
+                                         const FaceAdjacency* adjacency) const {
+    const View view = view_of(scene.camera);
+    const double planarity = scene.render.planarity;
+    switch (method.algorithm) {
+      case OrderAlgorithm::stein:
+        return stein_order(mesh_, view, planarity);
+      case OrderAlgorithm::multitiled:
+        return multitiled_order(mesh_, view, planarity, method.tiling);
+      case OrderAlgorithm::mpvo:
+        return mpvo_order(mesh_, *adjacency, view, planarity);
+      case OrderAlgorithm::centroid:
+        return centroid_order(mesh_, view);
+      case OrderAlgorithm::exact:
+        break;
+    }
+    throw std::logic_error("the exact order is made from a basis");
+  }
+
   void verify(const Scene& scene, const VisibilityOrder& order, std::uint32_t frame, Json& facts) {
     const OrderBasis& basis = orderer_.basis();
     const OrderCheck check = tool_.timed("verify", [&] {
       return verify_order(basis, view_of(scene.camera), order, scene.render.planarity);
     });
-    const std::string where = scene_.path ? fmt::format("frame {}: ", frame) : "";
-    if (!check.right()) throw JudgementError(where + check_text(check, order));
-    tool_.note(where + check_text(check, order));
+    const std::string told = name_of(frame) + check_text(check, order);
+    if (!check.right()) throw JudgementError(told);
+    tool_.note(told);
     facts["verified"] = check_facts(check);
   }
 
@@ -119,6 +200,7 @@ class Sorting {
   std::vector<std::uint32_t> frames_;
   std::size_t next_ = 0;
   const ZooMesh& mesh_;
+  Method method_;
   Orderer orderer_;
   std::set<std::string> views_;  // the hashes of those that have an order
   std::vector<ReportedOrder> reported_;
@@ -157,6 +239,7 @@ void sort(Tool& tool, const Options& options) {
   if (!options.given.empty() && !options.verify)
     throw UsageError("--order: an order that is there is only verified (expected --verify)");
   const Target target = target_of(tool, options);
+  method_of(options);
   const Scene scene = read_scene(options.view, options.overrides).scene;
   chosen_frames(scene, options.frame);
   ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
@@ -192,6 +275,17 @@ int main(int argc, char** argv) {
       ->allow_extra_args(false);
   app.add_option("--frame", options.frame, "One frame of a camera path, from 0 on, instead of all")
       ->type_name("N");
+  auto* algorithm =
+      app.add_option(
+             "--algorithm", options.algorithm,
+             "exact (right for every mesh; cycles become groups), stein and multitiled "
+             "(pairs of cells; a cycle is an error, exit 1), mpvo and centroid (heuristics)")
+          ->capture_default_str()
+          ->type_name("NAME");
+  app.add_option("--tiles", options.tiles, "multitiled: tiles of the window, by default n^(1/6)^2")
+      ->type_name("CxR");
+  app.add_flag("--balanced", options.balanced,
+               "multitiled: tiles that hold equally many cells, not equally large ones");
   auto* output =
       app.add_option("-o,--output", options.output,
                      "Order file; - or none: pass the mesh on to stdout with the order behind it")
@@ -206,6 +300,7 @@ int main(int argc, char** argv) {
   app.add_option("--order", options.given, "Verify the order in FILE; make and write none")
       ->type_name("FILE")
       ->excludes(output)
-      ->excludes(statistics);
+      ->excludes(statistics)
+      ->excludes(algorithm);
   return tool.run(argc, argv, [&] { sort(tool, options); });
 }

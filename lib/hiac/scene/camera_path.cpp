@@ -47,7 +47,8 @@ Vector velocity(const std::vector<Keyframe>& keyframes, std::size_t at, Vector C
   return result;
 }
 
-// The cubic in Hermite's form between keyframes `at` and `at` + 1, s from 0 to 1.
+// The cubic in Hermite's form between keyframes `at` and `at` + 1, s from 0 to 1; written so that
+// what stands still does so to the last bit.
 Vector on_spline(const std::vector<Keyframe>& keyframes, std::size_t at, double s,
                  Vector Camera::*point) {
   const Vector &p = keyframes[at].camera.*point, &q = keyframes[at + 1].camera.*point;
@@ -56,8 +57,7 @@ Vector on_spline(const std::vector<Keyframe>& keyframes, std::size_t at, double 
   const double r = 1 - s;
   Vector result;
   for (std::size_t i = 0; i < 3; ++i)
-    result[i] = r * r * (1 + 2 * s) * p[i] + s * s * (1 + 2 * r) * q[i] +
-                frames * s * r * (r * u[i] - s * v[i]);
+    result[i] = p[i] + s * s * (1 + 2 * r) * (q[i] - p[i]) + frames * s * r * (r * u[i] - s * v[i]);
   return result;
 }
 
