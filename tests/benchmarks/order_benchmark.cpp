@@ -22,7 +22,7 @@ constexpr double kPlanarity = 1e-10;
 // Balls cut out, so many and so small that about a tenth as many faces as cells are unmatched.
 ZooMesh with_cavities(const ZooMesh& mesh) {
   constexpr std::size_t kBallsAlong = 10;
-  constexpr double kRadius = 0.30 / kBallsAlong;
+  constexpr double kRadius = 0.25 / kBallsAlong;
   return test::keep_cells(mesh, [&](const test::Position& p, CellId) {
     double squared = 0;
     for (const double x : p) {

@@ -139,7 +139,8 @@ TEST(GapRelation, CollapsedEdgesHideNothing) {
   const GapRelation relation = gap_relation(order_basis(mesh, build_face_adjacency(mesh)),
                                             {false, {}, {0, 0, 1}}, kPlanarity);
   ASSERT_EQ(relation.behind.size(), 1U);
-  EXPECT_EQ(relation.behind[0], 1U);
+  ASSERT_EQ(relation.behind_cell(0).size(), 1U);
+  EXPECT_EQ(relation.behind_cell(0)[0], 1U);
 }
 
 // Two tetrahedra with a face each in the wall x = 0, which rounding tilts: seen along z, rays enter
