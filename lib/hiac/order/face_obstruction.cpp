@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "hiac/order/eye_side.hpp"
 
@@ -102,19 +101,6 @@ Sides sides_of(const SeenFace& plane, const SeenFace& face) {
   return sides;
 }
 
-// Where edges a-b and c-d cross on the screen: -1 when a-b is nearer, +1 when c-d is, 0 when they
-// meet; nothing when they do not cross properly. With s the side of the line's wedge: c-d passes
-// the triangle of the eye, a and b inside it, and so in front of a-b, exactly when it passes all
-// three edges of that triangle on the same side.
-std::optional<int> nearer_edge(Point3 a, Point3 b, Point3 c, Point3 d, const View& view) {
-  const int c_side = side_of_edge(a, b, c, view), d_side = side_of_edge(a, b, d, view);
-  const int a_side = side_of_edge(c, d, a, view), b_side = side_of_edge(c, d, b, view);
-  if (c_side * d_side >= 0 || a_side * b_side >= 0) return std::nullopt;
-  if (a_side != d_side) return std::nullopt;  // one passes the other's opposite, behind the eye
-  // det[d-c, a-c, eye-c] = a_side: seen from the eye, a lies left of c -> d when it is positive
-  return orientation(c, d, a, b) * a_side * -1;
-}
-
 std::optional<bool> by_crossing_edges(const SeenFace& f, const SeenFace& g, const View& view) {
   for (std::size_t k = 0; k < f.count; ++k)
     for (std::size_t j = 0; j < g.count; ++j) {
@@ -170,6 +156,17 @@ double depth_in_front(const SeenFace& plane, const SeenFace& face) {
 }
 
 }  // namespace
+
+// With s the side of the line's wedge: c-d passes the triangle of the eye, a and b inside it, and
+// so in front of a-b, exactly when it passes all three edges of that triangle on the same side.
+std::optional<int> nearer_edge(Point3 a, Point3 b, Point3 c, Point3 d, const View& view) {
+  const int c_side = side_of_edge(a, b, c, view), d_side = side_of_edge(a, b, d, view);
+  const int a_side = side_of_edge(c, d, a, view), b_side = side_of_edge(c, d, b, view);
+  if (c_side * d_side >= 0 || a_side * b_side >= 0) return std::nullopt;
+  if (a_side != d_side) return std::nullopt;  // one passes the other's opposite, behind the eye
+  // det[d-c, a-c, eye-c] = a_side: seen from the eye, a lies left of c -> d when it is positive
+  return orientation(c, d, a, b) * a_side * -1;
+}
 
 bool projections_overlap(const SeenFace& f, const SeenFace& g, const View& view) {
   if (separated_by_edge(f, g, view) || separated_by_edge(g, f, view)) return false;

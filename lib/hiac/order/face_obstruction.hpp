@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "hiac/geometry/predicates.hpp"
 #include "hiac/geometry/view.hpp"
@@ -16,6 +17,10 @@ struct SeenFace {
 
   [[nodiscard]] Point3 corner(std::size_t k) const { return Point3(corners[k % count], 3); }
 };
+
+/// Where edges a-b and c-d cross on the screen: -1 when a-b is nearer, +1 when c-d is, 0 when they
+/// meet; nothing when they do not cross properly. Exact.
+std::optional<int> nearer_edge(Point3 a, Point3 b, Point3 c, Point3 d, const View& view);
 
 /// True when some viewing ray crosses the inner of both faces.
 ///
