@@ -127,13 +127,24 @@ std::optional<bool> corner_beyond(const SeenFace& cover, const SeenFace& face, c
   return std::nullopt;
 }
 
-// Distance of the corner of `face` that is farthest in front of the plane of `plane`.
-double depth_in_front(const SeenFace& plane, const SeenFace& face) {
-  const Point3 a = plane.corner(0), b = plane.corner(1), c = plane.corner(2);
+std::array<double, 3> normal_of(const SeenFace& face) {
+  const Point3 a = face.corner(0), b = face.corner(1), c = face.corner(2);
   const std::array<double, 3> u{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
   const std::array<double, 3> v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-  const std::array<double, 3> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                                u[0] * v[1] - u[1] * v[0]};
+  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+}
+
+// Whether the eye sees both faces from the same side. Faces of one wall that rounding tilts, seen
+// nearly edge-on, are seen from either side: they lie close to one plane, but touch nowhere.
+bool face_alike(const SeenFace& f, const SeenFace& g) {
+  const auto m = normal_of(f), n = normal_of(g);
+  return f.winding * g.winding * (m[0] * n[0] + m[1] * n[1] + m[2] * n[2]) > 0;
+}
+
+// Distance of the corner of `face` that is farthest in front of the plane of `plane`.
+double depth_in_front(const SeenFace& plane, const SeenFace& face) {
+  const Point3 a = plane.corner(0);
+  const auto n = normal_of(plane);
   const double length = std::hypot(n[0], n[1], n[2]);
   double most = 0;
   for (std::size_t k = 0; k < face.count; ++k) {
@@ -167,7 +178,7 @@ bool reached_first(const SeenFace& f, const SeenFace& g, const View& view, doubl
   if (!g_to_f.any_nearer) return true;  // all of g lies beyond the plane of f, or in it
   const Sides f_to_g = sides_of(g, f);
   if (!f_to_g.any_beyond) return true;  // all of f lies before the plane of g, or in it
-  if (depth_in_front(f, g) <= slack) return true;
+  if (face_alike(f, g) && depth_in_front(f, g) <= slack) return true;
   if (!g_to_f.any_beyond || !f_to_g.any_nearer) return false;
   // each plane cuts the other face: a ray that crosses both must be asked
   if (const auto first = by_crossing_edges(f, g, view)) return *first;

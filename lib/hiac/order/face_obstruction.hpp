@@ -31,7 +31,7 @@ bool projections_overlap(const SeenFace& f, const SeenFace& g, const View& view)
 
 /// True when `f` is met no later than `g` by rays that cross both, given that there are such rays
 /// and that the faces do not pierce each other. `slack` is the distance, world units, that g may
-/// lie in front of f and still count as touching it.
+/// lie in front of f and still count as touching it, where the eye sees both from the same side.
 bool reached_first(const SeenFace& f, const SeenFace& g, const View& view, double slack);
 
 }  // namespace hiac

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <functional>
-#include <ranges>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "hiac/order/algorithm.hpp"
 #include "hiac/order/behind_relation.hpp"
-#include "hiac/order/cell_side.hpp"
 #include "hiac/order/components.hpp"
 #include "hiac/order/depth.hpp"
 #include "hiac/order/eye_side.hpp"
@@ -17,58 +15,38 @@
 namespace hiac {
 namespace {
 
-// The cells from which the search starts, farthest first: those with an outer face towards the eye
-// (phase III of MPVONC), then, for an eye inside the mesh, whatever no search from those reaches.
-class Sources {
- public:
-  Sources(const ZooMesh& mesh, const FaceAdjacency& adjacency, const View& view)
-      : mesh_(mesh), depth_(view) {
-    std::size_t slot = 0;
-    for (CellId cell = 0; cell < mesh.cell_count(); ++cell)
-      for (const ShapeFace& face : topology_of(mesh.kinds[cell]).faces)
-        if (adjacency.neighbors[slot++] == kNoCell && faces_eye(cell, face, view))
-          outer_.emplace_back(depth_of(cell, face), cell);
-    std::ranges::sort(outer_, std::greater<>());
-  }
+using Sources = std::vector<std::pair<double, CellId>>;
 
-  [[nodiscard]] const std::vector<std::pair<double, CellId>>& outer() const { return outer_; }
-
-  // The other cells, by depth of their centroids.
-  [[nodiscard]] std::vector<std::pair<double, CellId>> left(const std::vector<bool>& seen) const {
-    std::vector<std::pair<double, CellId>> cells;
-    for (CellId cell = 0; cell < mesh_.cell_count(); ++cell)
-      if (!seen[cell]) cells.emplace_back(centroid_depth(mesh_, cell, depth_), cell);
-    std::ranges::sort(cells, std::greater<>());
-    return cells;
+// The cells with an outer face towards the eye, farthest face first.
+Sources outer_sources(const OrderBasis& basis, const View& view, const Depth& depth) {
+  const ZooMesh& mesh = *basis.mesh;
+  Sources sources;
+  for (const UnmatchedFace& face : basis.unmatched) {
+    const auto at = [&](std::size_t k) { return mesh.position(face.nodes[k]); };
+    if (eye_side(at(0), at(1), at(2), view) * face.side >= 0) continue;
+    const auto nodes = std::span(face.nodes).first(face.corner_count);
+    sources.emplace_back(depth(Point3(mean_position(mesh, nodes))), face.cell);
   }
+  std::ranges::sort(sources, std::greater<>());
+  return sources;
+}
 
- private:
-  [[nodiscard]] bool faces_eye(CellId cell, const ShapeFace& face, const View& view) const {
-    const auto nodes = mesh_.cell_nodes(cell);
-    const auto corners = plane_corners(mesh_, cell, face);
-    const auto at = [&](std::size_t k) { return mesh_.position(nodes[corners[k]]); };
-    return eye_side(at(0), at(1), at(2), view) * side_of_cell(mesh_, cell, face) < 0;
-  }
-  [[nodiscard]] double depth_of(CellId cell, const ShapeFace& face) const {
-    return depth_(mean_position(
-        mesh_, std::span(face.corners).first(face.corner_count) |
-                   std::views::transform(
-                       [nodes = mesh_.cell_nodes(cell)](std::uint8_t k) { return nodes[k]; })));
-  }
-
-  const ZooMesh& mesh_;
-  Depth depth_;
-  std::vector<std::pair<double, CellId>> outer_;
-};
+// For an eye inside the mesh: the cells that no search has reached, farthest first.
+Sources other_sources(const ZooMesh& mesh, const std::vector<bool>& seen, const Depth& depth) {
+  Sources sources;
+  for (CellId cell = 0; cell < mesh.cell_count(); ++cell)
+    if (!seen[cell]) sources.emplace_back(centroid_depth(mesh, cell, depth), cell);
+  std::ranges::sort(sources, std::greater<>());
+  return sources;
+}
 
 // The depth-first search. The cells of a visibility cycle, a strongly connected component of the
 // relation, are entered and put out as one.
 class Search {
  public:
   Search(const OrderBasis& basis, const BehindRelation& relation, const VisibilityOrder& components)
-      : relation_(relation),
-        faces_(basis.faces),
-        neighbors_(basis.adjacency.neighbors),
+      : basis_(basis),
+        relation_(relation),
         component_of_(components.cells.size()),
         seen_(components.cells.size(), false) {
     const auto cells = components.cells.view();
@@ -84,16 +62,16 @@ class Search {
     if (seen_[root]) return;
     enter(root);
     while (!path_.empty()) {
-      const std::size_t top = path_.size() - 1;
-      const CellId cell = path_[top].member();
-      if (path_[top].face < faces_.count(cell)) {
-        const std::uint32_t face = path_[top].face++;
-        const CellId behind = neighbors_[faces_.first(cell) + face];
-        if ((relation_.of_cell[cell].across(face) & kCellFirst) != 0 && !seen_[behind])
-          enter(behind);
-      } else if (path_[top].next + 1 < path_[top].cells.size()) {
-        ++path_[top].next;
-        path_[top].face = 0;
+      Step& step = path_.back();
+      const CellId cell = step.cells[step.next];
+      if (step.face < basis_.faces.count(cell)) {
+        const std::uint32_t face = step.face++;
+        const bool leads = (relation_.of_cell[cell].across(face) & kCellFirst) != 0;
+        const CellId behind = basis_.adjacency.neighbors[basis_.faces.first(cell) + face];
+        if (leads && !seen_[behind]) enter(behind);
+      } else if (step.next + 1 < step.cells.size()) {
+        ++step.next;
+        step.face = 0;
       } else {
         leave();
       }
@@ -115,13 +93,11 @@ class Search {
   }
 
  private:
-  // A cell, or the cells of a cycle, and the face that is looked through next.
+  // A cell, or the cells of a cycle: which of them is looked at, and through which face next.
   struct Step {
     std::span<const CellId> cells;
     std::size_t next;
-    std::uint32_t face;  // of that cell
-
-    [[nodiscard]] CellId member() const { return cells[next]; }
+    std::uint32_t face;
   };
 
   void enter(CellId cell) {
@@ -138,9 +114,8 @@ class Search {
     path_.pop_back();
   }
 
+  const OrderBasis& basis_;
   const BehindRelation& relation_;
-  const FaceNumbering& faces_;
-  std::span<const CellId> neighbors_;
   std::vector<std::span<const CellId>> component_of_;
   std::vector<bool> seen_;
   std::vector<Step> path_;
@@ -150,17 +125,21 @@ class Search {
 
 }  // namespace
 
-VisibilityOrder mpvo_order(const ZooMesh& mesh, const FaceAdjacency& adjacency, const View& view,
-                           double planarity) {
-  const OrderBasis basis = order_basis(mesh, adjacency);
+VisibilityOrder mpvo_order(const OrderBasis& basis, const View& view, double planarity) {
   const BehindRelation relation = shared_face_relation(basis, view, planarity);
   const VisibilityOrder components =
-      order_of_components(relation, basis.faces, adjacency.neighbors, {});
-  const Sources sources(mesh, adjacency, view);
+      order_of_components(relation, basis.faces, basis.adjacency.neighbors, {});
+  const Depth depth(view);
   Search search(basis, relation, components);
-  for (const auto& [depth, cell] : sources.outer()) search.visit(cell);
-  for (const auto& [depth, cell] : sources.left(search.seen())) search.visit(cell);
+  for (const auto& [far, cell] : outer_sources(basis, view, depth)) search.visit(cell);
+  for (const auto& [far, cell] : other_sources(*basis.mesh, search.seen(), depth))
+    search.visit(cell);
   return search.front_to_back();
+}
+
+VisibilityOrder mpvo_order(const ZooMesh& mesh, const FaceAdjacency& adjacency, const View& view,
+                           double planarity) {
+  return mpvo_order(order_basis(mesh, adjacency), view, planarity);
 }
 
 }  // namespace hiac

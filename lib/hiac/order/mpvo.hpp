@@ -14,6 +14,9 @@ namespace hiac {
 /// again (notches, holes, cavities, separate or sliding parts) nothing is guaranteed: exact_order
 /// and stein_order are. Cells of a visibility cycle across faces become a group. `planarity` is as
 /// in exact_order, and so are the errors thrown.
+VisibilityOrder mpvo_order(const OrderBasis& basis, const View& view, double planarity);
+
+/// The same for a single view.
 VisibilityOrder mpvo_order(const ZooMesh& mesh, const FaceAdjacency& adjacency, const View& view,
                            double planarity);
 

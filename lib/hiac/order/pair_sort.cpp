@@ -13,10 +13,9 @@
 #include <array>
 #include <bit>
 #include <cstring>
-#include <mutex>
 #include <utility>
 
-#include "hiac/base/parallel.hpp"
+#include "hiac/base/collect.hpp"
 #include "hiac/base/parallel_sort.hpp"
 #include "hiac/order/cell_obstruction.hpp"
 #include "hiac/order/rough_order.hpp"
@@ -100,15 +99,11 @@ class PairSort {
       for (std::size_t begin = tiles_.start[tile]; begin < tiles_.start[tile + 1]; begin += kRun)
         works.push_back(
             {begin, std::min(begin + kRun, tiles_.start[tile + 1]), tiles_.start[tile + 1]});
-    std::mutex joining;
-    parallel_for(works.size(), 1, [&](IndexRange range) {
-      std::vector<Exception> found;
-      for (std::size_t w = range.begin; w < range.end; ++w)
-        for (std::size_t place = works[w].begin; place < works[w].end; ++place)
-          test_later_cells(place, works[w].tile_end, found);
-      const std::scoped_lock lock(joining);
-      exceptions_.insert(exceptions_.end(), found.begin(), found.end());
-    });
+    exceptions_ =
+        collect<Exception>(works.size(), 1, [&](std::size_t w, std::vector<Exception>& found) {
+          for (std::size_t place = works[w].begin; place < works[w].end; ++place)
+            test_later_cells(place, works[w].tile_end, found);
+        });
     parallel_sort(exceptions_, std::less<>());
     exceptions_.erase(std::unique(exceptions_.begin(), exceptions_.end()), exceptions_.end());
     first_exception_.assign(rough_.cells.size() + 1, 0);
