@@ -37,7 +37,7 @@ struct Options {
   std::string input, view, output, given;
   std::vector<std::string> overrides;
   std::optional<std::uint32_t> frame;
-  std::string algorithm{algorithm_name(OrderAlgorithm::exact)};
+  std::string algorithm;  // empty: the exact one
   std::string tiles;
   bool balanced = false, statistics = false, verify = false;
 };
@@ -49,11 +49,14 @@ struct Method {
 };
 
 Method method_of(const Options& options) {
-  Method method{parse_algorithm(options.algorithm, "--algorithm"), {}};
+  Method method{OrderAlgorithm::exact, {}};
+  if (!options.algorithm.empty())
+    method.algorithm = parse_algorithm(options.algorithm, "--algorithm");
   const bool tiled = method.algorithm == OrderAlgorithm::multitiled;
   if (!tiled && (!options.tiles.empty() || options.balanced))
     throw UsageError(fmt::format("--tiles, --balanced: only for --algorithm {} (found {})",
-                                 algorithm_name(OrderAlgorithm::multitiled), options.algorithm));
+                                 algorithm_name(OrderAlgorithm::multitiled),
+                                 algorithm_name(method.algorithm)));
   method.tiling.balanced = options.balanced;
   if (options.tiles.empty()) return method;
   unsigned columns = 0, rows = 0;
@@ -279,7 +282,7 @@ int main(int argc, char** argv) {
              "--algorithm", options.algorithm,
              "exact (right for every mesh; cycles become groups), stein and multitiled "
              "(pairs of cells; a cycle is an error, exit 1), mpvo and centroid (heuristics)")
-          ->capture_default_str()
+          ->default_str("exact")
           ->type_name("NAME");
   app.add_option("--tiles", options.tiles, "multitiled: tiles of the window, by default n^(1/6)^2")
       ->type_name("CxR");

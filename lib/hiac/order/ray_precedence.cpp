@@ -174,7 +174,7 @@ enum class Answer : std::uint8_t { no, yes, unknown };
 
 // What a linear function is on some points.
 template <typename Number>
-struct Range {
+struct Range {  // NOLINT(bugprone-exception-escape): exact numbers' move says so
   Number low, high;
 
   void include(const Number& x) {
