@@ -1,7 +1,11 @@
 #include "hiac/order/verify_order.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <numeric>
+#include <optional>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -11,6 +15,8 @@
 #include "hiac/base/parallel.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
 #include "tests/order/brute_force_order.hpp"
+#include "tests/order/exact_relation.hpp"
+#include "tests/order/hard_meshes.hpp"
 #include "tests/order/order_meshes.hpp"
 
 namespace hiac::test {
@@ -181,6 +187,56 @@ TEST(VerifyOrder, ManyCellsAreCheckedByArrows) {
     EXPECT_EQ(found.pairs > 0, n == 16);
     EXPECT_EQ(found.arrows, n == 16 ? 0U : basis.shared_faces);
   }
+}
+
+// Cells in any order, mixed and distorted: exactly the pairs that the truth has the other way
+// round.
+TEST(VerifyOrder, FindsExactlyThePairsThatAreWrong) {
+  std::mt19937_64 random(8);
+  const std::array shapes{CellShape::tetrahedron, CellShape::pyramid, CellShape::prism,
+                          CellShape::wedge, CellShape::brick};
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const ZooMesh mesh = distorted(blocks(2,
+                                          [&](int i, int j, int k) -> std::optional<Block> {
+                                            const auto at =
+                                                static_cast<std::size_t>(i + 2 * j + 3 * k);
+                                            if (at == seed) return std::nullopt;
+                                            return Block{shapes[(at + seed) % 5], at == 2};
+                                          }),
+                                   seed);
+    for (const NamedView& named : special_views(mesh, seed)) {
+      SCOPED_TRACE(named.name);
+      std::vector<CellId> cells(mesh.cell_count());
+      std::iota(cells.begin(), cells.end(), CellId{0});
+      std::ranges::shuffle(cells, random);
+      const VisibilityOrder order = with_cells({}, cells, {});
+      const auto place = group_ranks(order);
+      std::size_t wrong = 0;
+      for (const auto& [front, behind] : exact_relation(mesh, named.view).arrows)
+        wrong += place[front] > place[behind] ? 1 : 0;
+      EXPECT_GT(wrong, 0U);
+      const OrderCheck found = verify_pairs(mesh, named.view, order, 0);
+      ASSERT_EQ(found.wrong_count, wrong);
+      ASSERT_EQ(found.left_out, 0U);
+      ASSERT_TRUE(verify_order(order_basis(mesh, build_face_adjacency(mesh)), named.view,
+                               order_of(mesh, named.view), kPlanarity)
+                      .right());
+    }
+  }
+}
+
+// Sides that are not planar, edges collapsed into an axis, and cycles.
+TEST(VerifyOrder, OrdersOfHardMeshesAreRight) {
+  for (const ZooMesh& mesh :
+       {jittered_bricks(3, 0.2, 1), collapsed_fan(5, 2, 2, Collapse::coincident),
+        collapsed_fan(5, 2, 2, Collapse::merged), ring_of_sticks(7, 0.2)})
+    for (const NamedView& named : special_views(mesh, 4)) {
+      SCOPED_TRACE(named.name);
+      const OrderCheck found = verify_order(order_basis(mesh, build_face_adjacency(mesh)),
+                                            named.view, order_of(mesh, named.view), kPlanarity);
+      ASSERT_EQ(found.wrong_count, 0U) << found.wrong[0].first << " " << found.wrong[0].second;
+      ASSERT_TRUE(found.loose.empty());
+    }
 }
 
 TEST(VerifyOrder, FlatCellsAreLeftOutAndCounted) {

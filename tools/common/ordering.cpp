@@ -27,18 +27,12 @@ nlohmann::ordered_json order_facts(const VisibilityOrder& order) {
           {"cells_in_groups", in_groups}};
 }
 
-const FaceAdjacency& Orderer::adjacency() {
-  if (!adjacency_)
-    adjacency_ = tool_.timed("adjacency", [&] {
-      return mesh_.adjacency ? *mesh_.adjacency : build_face_adjacency(mesh_);
-    });
-  return *adjacency_;
-}
-
 const OrderBasis& Orderer::basis() {
   if (basis_) return *basis_;
-  const FaceAdjacency& matched = adjacency();
-  basis_ = tool_.timed("basis", [&] { return order_basis(mesh_, matched); });
+  FaceAdjacency adjacency = tool_.timed("adjacency", [&] {
+    return mesh_.adjacency ? *mesh_.adjacency : build_face_adjacency(mesh_);
+  });
+  basis_ = tool_.timed("basis", [&] { return order_basis(mesh_, std::move(adjacency)); });
   return *basis_;
 }
 

@@ -36,16 +36,13 @@ class Orderer {
   /// The exact visibility order for a scene's camera (a scene of one frame).
   MeshOrder exact(const Scene& scene);
 
-  /// The adjacency that the mesh brings, or that is computed.
-  const FaceAdjacency& adjacency();
-  /// What all views have in common.
+  /// What all views have in common. Uses the adjacency that the mesh brings, or computes it.
   const OrderBasis& basis();
   const std::string& mesh_hash();
 
  private:
   Tool& tool_;
   const ZooMesh& mesh_;
-  std::optional<FaceAdjacency> adjacency_;
   std::optional<OrderBasis> basis_;
   std::string mesh_hash_;
 };

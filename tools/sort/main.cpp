@@ -136,13 +136,13 @@ class Sorting {
     return scene_.path ? fmt::format("frame {}: ", frame) : "";
   }
 
-  // The order of an algorithm that asks for no basis; its groups are all that is known of it.
+  // The order of an algorithm of which nothing but its groups is known.
   MeshOrder by_another(const Scene& scene, std::uint32_t frame) {
-    const FaceAdjacency* adjacency = nullptr;
-    if (method_.algorithm == OrderAlgorithm::mpvo) adjacency = &orderer_.adjacency();
+    const bool across_faces = method_.algorithm == OrderAlgorithm::mpvo;
+    const OrderBasis* basis = across_faces ? &orderer_.basis() : nullptr;
     VisibilityOrder order = tool_.timed("order", [&] {
       try {
-        return order_by(method_, scene, adjacency);
+        return order_by(scene, basis);
       } catch (const VisibilityCycle& cycle) {
         throw JudgementError(name_of(frame) + cycle.what());
       }
@@ -154,17 +154,16 @@ class Sorting {
     return made;
   }
 
-  [[nodiscard]] VisibilityOrder order_by(const Method& method, const Scene& scene,
-                                         const FaceAdjacency* adjacency) const {
+  [[nodiscard]] VisibilityOrder order_by(const Scene& scene, const OrderBasis* basis) const {
     const View view = view_of(scene.camera);
     const double planarity = scene.render.planarity;
-    switch (method.algorithm) {
+    switch (method_.algorithm) {
       case OrderAlgorithm::stein:
         return stein_order(mesh_, view, planarity);
       case OrderAlgorithm::multitiled:
-        return multitiled_order(mesh_, view, planarity, method.tiling);
+        return multitiled_order(mesh_, view, planarity, method_.tiling);
       case OrderAlgorithm::mpvo:
-        return mpvo_order(mesh_, *adjacency, view, planarity);
+        return mpvo_order(*basis, view, planarity);
       case OrderAlgorithm::centroid:
         return centroid_order(mesh_, view);
       case OrderAlgorithm::exact:
