@@ -14,8 +14,8 @@
 #include <fmt/format.h>
 
 #include "hiac/base/parallel.hpp"
-#include "hiac/order/multitiled.hpp"
-#include "hiac/order/stein.hpp"
+#include "hiac/order/published/multitiled.hpp"
+#include "hiac/order/published/stein.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace hiac {

@@ -1,4 +1,4 @@
-#include "hiac/order/visibility_cycle.hpp"
+#include "hiac/order/published/visibility_cycle.hpp"
 
 #include <algorithm>
 #include <string>

@@ -1,4 +1,4 @@
-#include "hiac/order/centroid.hpp"
+#include "hiac/order/published/centroid.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "hiac/order/multitiled.hpp"
-#include "hiac/order/screen_extents.hpp"
+#include "hiac/order/published/multitiled.hpp"
+#include "hiac/order/published/screen_extents.hpp"
 
 namespace hiac {
 

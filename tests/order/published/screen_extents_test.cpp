@@ -1,4 +1,4 @@
-#include "hiac/order/screen_extents.hpp"
+#include "hiac/order/published/screen_extents.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hiac/order/sorting_tiles.hpp"
+#include "hiac/order/published/sorting_tiles.hpp"
 #include "tests/order/order_meshes.hpp"
 
 namespace hiac::test {

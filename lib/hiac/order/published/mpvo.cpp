@@ -1,4 +1,4 @@
-#include "hiac/order/mpvo.hpp"
+#include "hiac/order/published/mpvo.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -9,8 +9,8 @@
 #include "hiac/order/algorithm.hpp"
 #include "hiac/order/behind_relation.hpp"
 #include "hiac/order/components.hpp"
-#include "hiac/order/depth.hpp"
 #include "hiac/order/eye_side.hpp"
+#include "hiac/order/published/depth.hpp"
 
 namespace hiac {
 namespace {

@@ -1,4 +1,4 @@
-#include "hiac/order/cell_obstruction.hpp"
+#include "hiac/order/published/cell_obstruction.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "hiac/order/centroid.hpp"
+#include "hiac/order/published/centroid.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -7,7 +7,7 @@
 #include "hiac/base/parallel.hpp"
 #include "hiac/base/parallel_sort.hpp"
 #include "hiac/order/algorithm.hpp"
-#include "hiac/order/depth.hpp"
+#include "hiac/order/published/depth.hpp"
 
 namespace hiac {
 namespace {

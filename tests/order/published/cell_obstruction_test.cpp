@@ -1,4 +1,4 @@
-#include "hiac/order/cell_obstruction.hpp"
+#include "hiac/order/published/cell_obstruction.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include "hiac/order/stein.hpp"
-#include "hiac/order/visibility_cycle.hpp"
+#include "hiac/order/published/stein.hpp"
+#include "hiac/order/published/visibility_cycle.hpp"
 #include "tests/order/brute_force_order.hpp"
 #include "tests/order/order_meshes.hpp"
 

@@ -1,4 +1,4 @@
-#include "hiac/order/sorting_tiles.hpp"
+#include "hiac/order/published/sorting_tiles.hpp"
 
 #include <algorithm>
 #include <cmath>

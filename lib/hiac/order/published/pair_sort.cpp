@@ -7,7 +7,7 @@
 // made beforehand, in parallel, because all but few of them are made anyway. None of it changes the
 // order.
 
-#include "hiac/order/pair_sort.hpp"
+#include "hiac/order/published/pair_sort.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,11 +17,11 @@
 
 #include "hiac/base/collect.hpp"
 #include "hiac/base/parallel_sort.hpp"
-#include "hiac/order/cell_obstruction.hpp"
-#include "hiac/order/rough_order.hpp"
-#include "hiac/order/screen_extents.hpp"
-#include "hiac/order/sorting_tiles.hpp"
-#include "hiac/order/visibility_cycle.hpp"
+#include "hiac/order/published/cell_obstruction.hpp"
+#include "hiac/order/published/rough_order.hpp"
+#include "hiac/order/published/screen_extents.hpp"
+#include "hiac/order/published/sorting_tiles.hpp"
+#include "hiac/order/published/visibility_cycle.hpp"
 
 namespace hiac {
 namespace {

@@ -1,4 +1,4 @@
-#include "hiac/order/pair_sort.hpp"
+#include "hiac/order/published/pair_sort.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,9 @@
 #include <gtest/gtest.h>
 
 #include "hiac/base/parallel.hpp"
-#include "hiac/order/multitiled.hpp"
-#include "hiac/order/stein.hpp"
-#include "hiac/order/visibility_cycle.hpp"
+#include "hiac/order/published/multitiled.hpp"
+#include "hiac/order/published/stein.hpp"
+#include "hiac/order/published/visibility_cycle.hpp"
 #include "tests/order/brute_force_order.hpp"
 #include "tests/order/order_meshes.hpp"
 

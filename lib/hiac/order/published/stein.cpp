@@ -1,7 +1,7 @@
-#include "hiac/order/stein.hpp"
+#include "hiac/order/published/stein.hpp"
 
 #include "hiac/order/algorithm.hpp"
-#include "hiac/order/pair_sort.hpp"
+#include "hiac/order/published/pair_sort.hpp"
 
 namespace hiac {
 

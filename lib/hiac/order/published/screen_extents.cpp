@@ -1,4 +1,4 @@
-#include "hiac/order/screen_extents.hpp"
+#include "hiac/order/published/screen_extents.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "hiac/order/rough_order.hpp"
+#include "hiac/order/published/rough_order.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include "hiac/base/parallel.hpp"
 #include "hiac/base/parallel_sort.hpp"
-#include "hiac/order/depth.hpp"
+#include "hiac/order/published/depth.hpp"
 
 namespace hiac {
 namespace {

@@ -1,11 +1,11 @@
-#include "hiac/order/rough_order.hpp"
+#include "hiac/order/published/rough_order.hpp"
 
 #include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "hiac/order/depth.hpp"
+#include "hiac/order/published/depth.hpp"
 #include "tests/order/order_meshes.hpp"
 
 namespace hiac::test {

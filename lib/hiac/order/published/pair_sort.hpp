@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hiac/order/multitiled.hpp"
+#include "hiac/order/published/multitiled.hpp"
 
 namespace hiac {
 

@@ -8,7 +8,7 @@
 #include "hiac/geometry/predicates.hpp"
 #include "hiac/geometry/view.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
-#include "hiac/order/face_plane.hpp"
+#include "hiac/order/published/face_plane.hpp"
 
 namespace hiac {
 

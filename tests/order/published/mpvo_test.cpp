@@ -1,4 +1,4 @@
-#include "hiac/order/mpvo.hpp"
+#include "hiac/order/published/mpvo.hpp"
 
 #include <vector>
 

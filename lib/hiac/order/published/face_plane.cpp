@@ -1,4 +1,4 @@
-#include "hiac/order/face_plane.hpp"
+#include "hiac/order/published/face_plane.hpp"
 
 #include <algorithm>
 #include <cmath>
