@@ -29,6 +29,7 @@ using namespace hiac::tools;
 struct Options {
   std::string input, view, order, output, size;
   std::vector<std::string> overrides;
+  int depth = 0;
   bool no_background = false, linear = false;
 };
 
@@ -110,7 +111,7 @@ void note_work(Tool& tool, const ZooMesh& mesh, const RenderStatistics& s) {
 }
 
 void render(Tool& tool, Options options) {
-  require_known_image_extension(options.output);
+  require_known_image_extension(options.output, options.depth);
   add_size(options.size, options.overrides);
   const ParsedScene parsed = read_scene(options.view, options.overrides);
   for (const std::string& line : parsed.notes) tool.note(line);
@@ -129,7 +130,8 @@ void render(Tool& tool, Options options) {
                  .background_included = !options.no_background,
                  .attributes = {{"Software", "hiac-render " + version_text()},
                                 {"hiac:mesh", record.mesh_hash},
-                                {"hiac:specification", to_toml(scene)}}});
+                                {"hiac:specification", to_toml(scene)}},
+                 .depth = options.depth});
   });
 }
 
@@ -150,7 +152,7 @@ int main(int argc, char** argv) {
   app.add_option("--order", options.order,
                  "Order file of hiac-sort; without one the mesh is sorted first")
       ->type_name("FILE");
-  app.add_option("-o,--output", options.output, "Image: .exr .npy .f32 .png")
+  app.add_option("-o,--output", options.output, "Image: " + image_extensions())
       ->required()
       ->type_name("IMAGE");
   app.add_option("--size", options.size, "Size in pixels instead of the specification's")
@@ -160,6 +162,9 @@ int main(int argc, char** argv) {
       ->allow_extra_args(false);
   app.add_flag("--no-background", options.no_background,
                "Leave the background out, so that images can be accumulated");
-  app.add_flag("--linear", options.linear, "8-bit images: linear values instead of sRGB");
+  app.add_option("--depth", options.depth,
+                 "Bits a sample: 8 or 16 (.png .sgi), or 32, floating-point (.tiff); default: 8")
+      ->type_name("BITS");
+  app.add_flag("--linear", options.linear, "Integer images: linear values instead of sRGB");
   return tool.run(argc, argv, [&] { render(tool, options); });
 }
