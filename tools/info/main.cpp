@@ -1,17 +1,15 @@
 // hiac-info: what a zoo, order or image file holds, and a first image specification for a mesh.
 
-#include <cstdio>
-#include <fstream>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
-#include "hiac/base/output_file.hpp"
 #include "hiac/image/image_io.hpp"
 #include "hiac/order/order_file.hpp"
 #include "hiac/scene/scene_writer.hpp"
 #include "tools/common/mesh_io.hpp"
+#include "tools/common/text_output.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/info/describe.hpp"
 #include "tools/info/starter_view.hpp"
@@ -26,19 +24,6 @@ struct Options {
   ReadOptions reading;
   bool starter_view = false;
 };
-
-void write_text(const std::string& path, const std::string& text) {
-  if (is_stdout(path)) {
-    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-      throw InputError("stdout", "cannot be written");
-    return;
-  }
-  OutputFile file(path);
-  std::ofstream out(file.temporary_path());
-  out << text << std::flush;
-  if (!out) throw InputError(path, "cannot be written");
-  file.commit();
-}
 
 Description describe(const Options& options) {
   const std::string subject = input_name(options.input);
