@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/image/composite.hpp"
 #include "hiac/image/image_io.hpp"
 #include "hiac/order/order_file.hpp"
 #include "hiac/render/engine.hpp"
@@ -27,7 +28,7 @@ using namespace hiac;
 using namespace hiac::tools;
 
 struct Options {
-  std::string input, view, order, output, size;
+  std::string input, view, order, output, size, under;
   std::vector<std::string> overrides;
   int depth = 0;
   bool no_background = false, linear = false;
@@ -110,18 +111,35 @@ void note_work(Tool& tool, const ZooMesh& mesh, const RenderStatistics& s) {
                     s.violations));
 }
 
+// The picture behind the new one; none: the specification's background, or nothing.
+std::optional<Image> read_under(const Options& options, const ImageSize& size) {
+  if (options.under.empty()) return std::nullopt;
+  Image under = read_image(options.under, {.width = size.width}).image;
+  if (under.width() != size.width || under.height() != size.height)
+    throw InputError(options.under,
+                     fmt::format("a picture of another size ({} x {} pixels expected, {} x {} "
+                                 "found)",
+                                 size.width, size.height, under.width(), under.height()));
+  if (!color_channels(under))
+    throw InputError(options.under, fmt::format("a picture without colour (channels {})",
+                                                fmt::join(under.channels(), " ")));
+  return under;
+}
+
 void render(Tool& tool, Options options) {
   require_known_image_extension(options.output, options.depth);
   add_size(options.size, options.overrides);
   const ParsedScene parsed = read_scene(options.view, options.overrides);
   for (const std::string& line : parsed.notes) tool.note(line);
   const Scene& scene = parsed.scene;
+  const std::optional<Image> under = read_under(options, scene.image);
   const ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
   check_renderable(file.mesh, scene);
   const OrderRecord record = find_order(tool, options, file, scene);
-  const RenderResult result = tool.timed("render", [&] {
-    return hiac::render(file.mesh, record.order, scene, !options.no_background);
+  RenderResult result = tool.timed("render", [&] {
+    return hiac::render(file.mesh, record.order, scene, !options.no_background && !under);
   });
+  if (under) composite_over(result.image, *under);
   note_work(tool, file.mesh, result.statistics);
   note_optics(tool, file.mesh, scene, result.statistics);
   tool.timed("write", [&] {
@@ -142,7 +160,8 @@ int main(int argc, char** argv) {
       "hiac-render", "Makes a volume-rendered picture of a mesh.",
       "  hiac-render part.zoo --view view.toml -o part.png\n"
       "  hiac-render part.zoo --view view.toml --order part.order --size 2048x1536 -o part.exr\n"
-      "  hiac-render part.zoo --view view.toml --set camera.fov=20 -o part.npy");
+      "  hiac-render part.zoo --view view.toml --set camera.fov=20 -o part.npy\n"
+      "  hiac-render near.zoo --view view.toml --under far.exr -o both.exr");
   Options options;
   auto& app = tool.app();
   app.add_option("MESH", options.input, "Zoo mesh; - or none: stdin");
@@ -160,6 +179,10 @@ int main(int argc, char** argv) {
   app.add_option("--set", options.overrides, "Override KEY=VALUE of the specification; repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  app.add_option("--under", options.under,
+                 "Put this picture behind the new one, in place of the background: linear values, "
+                 "premultiplied by its alpha")
+      ->type_name("IMAGE");
   app.add_flag("--no-background", options.no_background,
                "Leave the background out, so that images can be accumulated");
   app.add_option("--depth", options.depth,
