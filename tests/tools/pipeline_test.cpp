@@ -130,6 +130,19 @@ TEST_F(Pipeline, HalvesAccumulateToTheWhole) {
   EXPECT_FALSE(std::filesystem::exists(file("no.png")));
 }
 
+TEST_F(Pipeline, AColourBarIsDrawnBesideThePicture) {
+  ASSERT_EQ(run("$CONVERT -q --corners-only '" + kSample + "' | $RENDER --view '" + kSampleView +
+                "' --size 40x30 --depth 16 -o p.tiff --colorbar bar.png --json facts.json"),
+            0)
+      << bytes_of(file("err.txt"));
+  EXPECT_EQ(read_image(file("p.tiff")).image.width(), 40U);
+  EXPECT_GT(read_image(file("bar.png")).image.width(), 400U);
+  // a tenth of the diagonal, 2.58, rounded down
+  EXPECT_NE(bytes_of(file("facts.json")).find("\"color_bar_length\": 0.2,"), std::string::npos);
+  EXPECT_EQ(run("$RENDER m.zoo --view '" + kSampleView + "' -o p.png --colorbar bar.jpg"), 2);
+  EXPECT_EQ(run("$RENDER m.zoo --view '" + kSampleView + "' -o p.exr --depth 16"), 2);
+}
+
 TEST_F(Pipeline, WhatIsNotDrawnIsRefusedByName) {
   EXPECT_EQ(run("$CONVERT -q '" + kSample + "' | $RENDER --view '" + kSampleView + "' -o no.png"),
             3);

@@ -21,6 +21,8 @@
 #include "tools/common/ordering.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/common/version.hpp"
+#include "tools/render/color_bar.hpp"
+#include "tools/render/ticks.hpp"
 
 namespace {
 
@@ -28,7 +30,8 @@ using namespace hiac;
 using namespace hiac::tools;
 
 struct Options {
-  std::string input, view, order, output, size, under;
+  std::string input, view, order, output, size, under, color_bar;
+  std::optional<double> color_bar_length;
   std::vector<std::string> overrides;
   int depth = 0;
   bool no_background = false, linear = false;
@@ -126,8 +129,25 @@ std::optional<Image> read_under(const Options& options, const ImageSize& size) {
   return under;
 }
 
+// The fields' names, with their units where the mesh knows them.
+std::string label_of(const ZooMesh& mesh, const std::string& field) {
+  const std::string unit = scalar_field(mesh, field).unit;
+  return unit.empty() ? field : fmt::format("{} ({})", field, unit);
+}
+
+void write_color_bar(Tool& tool, const Options& options, const ZooMesh& mesh,
+                     const Volume& volume) {
+  const double size = diagonal(mesh);
+  const double length = options.color_bar_length.value_or(size > 0 ? round_below(size / 10) : 1);
+  const ColorBarLabels labels{volume.color ? label_of(mesh, volume.color->field) : "",
+                              volume.extinction ? label_of(mesh, volume.extinction->field) : ""};
+  write_image(options.color_bar, draw_color_bar(volume, labels, length));
+  tool.facts()["color_bar_length"] = length;
+}
+
 void render(Tool& tool, Options options) {
   require_known_image_extension(options.output, options.depth);
+  if (!options.color_bar.empty()) require_known_image_extension(options.color_bar);
   add_size(options.size, options.overrides);
   const ParsedScene parsed = read_scene(options.view, options.overrides);
   for (const std::string& line : parsed.notes) tool.note(line);
@@ -135,6 +155,7 @@ void render(Tool& tool, Options options) {
   const std::optional<Image> under = read_under(options, scene.image);
   const ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
   check_renderable(file.mesh, scene);
+  if (!options.color_bar.empty()) write_color_bar(tool, options, file.mesh, scene.volume);
   const OrderRecord record = find_order(tool, options, file, scene);
   RenderResult result = tool.timed("render", [&] {
     return hiac::render(file.mesh, record.order, scene, !options.no_background && !under);
@@ -185,6 +206,13 @@ int main(int argc, char** argv) {
       ->type_name("IMAGE");
   app.add_flag("--no-background", options.no_background,
                "Leave the background out, so that images can be accumulated");
+  app.add_option("--colorbar", options.color_bar,
+                 "Draw the colour map, and the opacity over a length, as a picture of its own")
+      ->type_name("IMAGE");
+  app.add_option("--colorbar-length", options.color_bar_length,
+                 "That length, world units; default: a round number near a tenth of the diagonal")
+      ->check(CLI::PositiveNumber)
+      ->type_name("L");
   app.add_option("--depth", options.depth,
                  "Bits a sample: 8 or 16 (.png .sgi), or 32, floating-point (.tiff); default: 8")
       ->type_name("BITS");
