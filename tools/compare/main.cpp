@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -26,7 +27,8 @@ using Json = nlohmann::ordered_json;
 
 struct Options {
   std::string image, reference, heat_map, heat_map_of = "difference";
-  std::optional<double> max_error, max_rmse;
+  double max_error = std::numeric_limits<double>::infinity();
+  double max_rmse = std::numeric_limits<double>::infinity();
   ReadOptions reading;
 };
 
@@ -157,15 +159,15 @@ void judge(const Options& options, const Comparison& comparison) {
         [&](const Difference& a, const Difference& b) { return a.*measure < b.*measure; });
   };
   const Difference by_error = worst(&Difference::largest), by_rmse = worst(&Difference::rmse);
-  if (options.max_error && by_error.largest > *options.max_error)
+  if (by_error.largest > options.max_error)
     throw JudgementError(fmt::format(
         "{}: too far from {} (at most {:g} allowed; {:g} found in channel {} at pixel {},{})",
-        options.image, options.reference, *options.max_error, by_error.largest, by_error.channel,
+        options.image, options.reference, options.max_error, by_error.largest, by_error.channel,
         by_error.x, by_error.y));
-  if (options.max_rmse && by_rmse.rmse > *options.max_rmse)
+  if (by_rmse.rmse > options.max_rmse)
     throw JudgementError(fmt::format(
         "{}: too far from {} (RMSE of at most {:g} allowed; {:g} found in channel {})",
-        options.image, options.reference, *options.max_rmse, by_rmse.rmse, by_rmse.channel));
+        options.image, options.reference, options.max_rmse, by_rmse.rmse, by_rmse.channel));
 }
 
 void compare(Tool& tool, const Options& options) {

@@ -31,7 +31,7 @@ using namespace hiac::tools;
 
 struct Options {
   std::string input, view, order, output, size, under, color_bar;
-  std::optional<double> color_bar_length;
+  double color_bar_length = 0;  // 0: a round number near a tenth of the diagonal
   std::vector<std::string> overrides;
   int depth = 0;
   bool no_background = false, linear = false;
@@ -138,7 +138,8 @@ std::string label_of(const ZooMesh& mesh, const std::string& field) {
 void write_color_bar(Tool& tool, const Options& options, const ZooMesh& mesh,
                      const Volume& volume) {
   const double size = diagonal(mesh);
-  const double length = options.color_bar_length.value_or(size > 0 ? round_below(size / 10) : 1);
+  const double round_length = size > 0 ? round_below(size / 10) : 1;
+  const double length = options.color_bar_length > 0 ? options.color_bar_length : round_length;
   const ColorBarLabels labels{volume.color ? label_of(mesh, volume.color->field) : "",
                               volume.extinction ? label_of(mesh, volume.extinction->field) : ""};
   write_image(options.color_bar, draw_color_bar(volume, labels, length));

@@ -48,10 +48,12 @@ std::vector<Tick> round_ticks(double low, double high, int count) {
     step = step.next();
   const double largest = std::max(std::fabs(low), std::fabs(high));
   std::vector<Tick> ticks;
-  const double last = last_multiple(high, step.value());
-  for (double k = first_multiple(low, step.value()); k <= last; ++k) {
-    const double value = std::clamp(k * step.value(), low, high) + 0.0;  // no -0
-    ticks.push_back({value, label_of(k == 0 ? 0 : value, step, largest)});
+  const double first = first_multiple(low, step.value());
+  const auto more = static_cast<int>(last_multiple(high, step.value()) - first);
+  for (int i = 0; i <= more; ++i) {
+    const double multiple = first + i;
+    const double value = std::clamp(multiple * step.value(), low, high);
+    ticks.push_back({value, label_of(multiple == 0 ? 0 : value, step, largest)});
   }
   return ticks;
 }
