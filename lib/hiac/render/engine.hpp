@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "hiac/base/progress.hpp"
 #include "hiac/image/image.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/order/visibility_order.hpp"
@@ -31,7 +32,8 @@ struct RenderResult {
 ///
 /// Requires what check_renderable (renderable.hpp) lets pass.
 /// `with_background`: composite the scene's background behind the volume.
+/// `progress`: told how many tiles are done, where there is one.
 RenderResult render(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
-                    bool with_background);
+                    bool with_background, Progress* progress = nullptr);
 
 }  // namespace hiac
