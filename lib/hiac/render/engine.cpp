@@ -63,7 +63,8 @@ Frame make_frame(const ZooMesh& mesh, const Scene& scene, const Projector& proje
               .kernel_cells = {},
               .optics = make_optics_tables(scene.volume),
               .color = {},
-              .extinction = {}};
+              .extinction = {},
+              .isosurfaces = make_isosurfaces(mesh, scene, projector)};
   frame.kernel_cells = kernel_cells(mesh, frame.nodes);
   const auto& color = scene.volume.color;
   const auto& extinction = scene.volume.extinction;
@@ -80,8 +81,10 @@ Frame make_frame(const ZooMesh& mesh, const Scene& scene, const Projector& proje
   // What lies behind a transparency T adds at most T times the largest colour to a pixel and T to
   // its alpha. Emission has no such bound: it grows with the length of the ray.
   frame.least_transparency =
-      frame.optics.emission ? 0
-                            : scene.render.tolerance / std::max(1.0, frame.optics.largest_color);
+      frame.optics.emission
+          ? 0
+          : scene.render.tolerance /
+                std::max({1.0, frame.optics.largest_color, frame.isosurfaces.largest_light});
   return frame;
 }
 

@@ -10,6 +10,7 @@
 #include "hiac/optics/polynomial_piece.hpp"
 #include "hiac/render/cell_scan.hpp"
 #include "hiac/render/cell_surface.hpp"
+#include "hiac/render/cuts_along_ray.hpp"
 #include "hiac/render/field_along_ray.hpp"
 
 namespace hiac {
@@ -17,6 +18,9 @@ namespace {
 
 // Of the tolerance, for what becomes of fields that are not polynomials; integration has the rest.
 constexpr double kFieldShare = 0.25, kIntegrationShare = 0.5;
+
+// Behind an opaque surface nothing is seen; a tolerance divided by this is a number still.
+constexpr double kLeastVisible = 1e-100;
 
 // What a ray segment adds to a pixel.
 struct Radiance {
@@ -78,7 +82,8 @@ class GeneralCellRenderer {
         buffer_(buffer),
         group_(group),
         counts_(counts),
-        glow_(optics_.emission ? Glow::emission : Glow::chromaticity) {
+        glow_(optics_.emission ? Glow::emission : Glow::chromaticity),
+        cuts_(frame) {
     for (const int x : {tile.x0, tile.x1})
       for (const int y : {tile.y0, tile.y1})
         longest_unit_ = std::max(longest_unit_, frame.projector.ray_scale(x, y));
@@ -86,7 +91,9 @@ class GeneralCellRenderer {
 
   void render(CellId cell) {
     load(cell);
-    if (empty_space()) return;
+    is_empty_ = empty_space();
+    is_cut_ = cuts_.enter(cell);
+    if (is_empty_ && !is_cut_) return;
     const CellKind kind = frame_.mesh.kinds[cell];
     const auto nodes = frame_.mesh.cell_nodes(cell);
     find_crossings(kind, nodes);
@@ -99,8 +106,8 @@ class GeneralCellRenderer {
     const CellMap map(kind, corners);
     const std::array<CornerField, 2> fields{extinction_.corners, color_.corners};
     const FieldAlongRay field(kind, map, std::span(fields).first(optics_.same_field ? 1 : 2));
-    const bool uniform = uniform_optics();
-    for (const CellCrossing& crossing : crossings_) render(crossing, field, uniform);
+    is_uniform_ = uniform_optics();
+    for (const CellCrossing& crossing : crossings_) render(crossing, map, field);
   }
 
  private:
@@ -135,7 +142,8 @@ class GeneralCellRenderer {
   void set_allowed_errors() {
     const double share = kFieldShare * frame_.tolerance;
     const double length = frame_.depth * longest_unit_;
-    const double light = optics_.largest_color * (optics_.emission ? length : 2);
+    const double light = std::max(optics_.largest_color * (optics_.emission ? length : 2),
+                                  2 * frame_.isosurfaces.largest_light);
     const double extinction =
         steepest_slope(optics_.extinction, extinction_.intervals) * length * std::max(1.0, light);
     const double color =
@@ -174,7 +182,7 @@ class GeneralCellRenderer {
     scan(frame_, surface, tile_, crossings_);
   }
 
-  void render(const CellCrossing& crossing, const FieldAlongRay& field, bool uniform) {
+  void render(const CellCrossing& crossing, const CellMap& map, const FieldAlongRay& field) {
     const std::size_t at = static_cast<std::size_t>(crossing.y - tile_.y0) * kTileStride +
                            static_cast<std::size_t>(crossing.x - tile_.x0);
     if (buffer_.transparency[at] <= frame_.least_transparency) return;
@@ -182,20 +190,48 @@ class GeneralCellRenderer {
     const RayStretch stretch{frame_.projector.origin(x, y), frame_.projector.direction(x, y),
                              std::max(crossing.front, frame_.projector.near()),
                              std::min(crossing.back, frame_.projector.far())};
-    if (!(stretch.front < stretch.back)) return;
+    // where surfaces cross a cell without depth, they are seen all the same
+    if (is_cut_ ? stretch.front > stretch.back : !(stretch.front < stretch.back)) return;
     ++counts_.segments;
-    const double length = (stretch.back - stretch.front) * buffer_.ray_scale[at];
-    Radiance radiance;
-    if (uniform)
-      radiance = uniform_radiance(length);
-    else
-      radiance =
-          integrated(stretch, length, field, group_ != nullptr ? 1 : buffer_.transparency[at]);
+    const double visible = group_ != nullptr ? 1 : buffer_.transparency[at];
+    const double scale = buffer_.ray_scale[at];
+    const Radiance radiance = is_cut_
+                                  ? between_surfaces(crossing, map, stretch, scale, field, visible)
+                                  : radiance_of(stretch, scale, field, visible);
     if (group_ != nullptr)
       group_->append(static_cast<std::uint32_t>(at), stretch.front, stretch.back, radiance.rgb[0],
                      radiance.rgb[1], radiance.rgb[2], radiance.transparency);
     else
       composite(at, stretch, radiance);
+  }
+
+  // `scale`: world length per unit of the ray parameter; `visible`: the transparency in front.
+  [[nodiscard]] Radiance radiance_of(const RayStretch& stretch, double scale,
+                                     const FieldAlongRay& field, double visible) {
+    const double length = (stretch.back - stretch.front) * scale;
+    return is_uniform_ ? uniform_radiance(length) : integrated(stretch, length, field, visible);
+  }
+
+  // From surface to surface.
+  [[nodiscard]] Radiance between_surfaces(const CellCrossing& crossing, const CellMap& map,
+                                          const RayStretch& stretch, double scale,
+                                          const FieldAlongRay& field, double visible) {
+    cuts_.find(map, crossing, stretch, surfaces_);
+    Radiance sum;
+    const auto add_volume = [&](double front, double back) {
+      if (is_empty_ || !(front < back)) return;
+      const Radiance r = radiance_of({stretch.origin, stretch.direction, front, back}, scale, field,
+                                     std::max(visible * sum.transparency, kLeastVisible));
+      sum.add_behind(r.rgb, r.transparency);
+    };
+    double front = stretch.front;
+    for (const IsosurfaceCrossing& surface : surfaces_) {
+      add_volume(front, surface.t);
+      sum.add_behind(surface.shade.rgb, surface.shade.transparency);
+      front = std::max(front, surface.t);
+    }
+    add_volume(front, stretch.back);
+    return sum;
   }
 
   [[nodiscard]] Radiance uniform_radiance(double length) const {
@@ -207,8 +243,7 @@ class GeneralCellRenderer {
     return {{weight * color[0], weight * color[1], weight * color[2]}, weights.transparency};
   }
 
-  // `visible`: the transparency in front. Every segment may use a part of the tolerance in
-  // proportion to its length.
+  // Every segment may use a part of the tolerance in proportion to its length.
   [[nodiscard]] Radiance integrated(const RayStretch& stretch, double length,
                                     const FieldAlongRay& field, double visible) {
     const double part = (stretch.back - stretch.front) / frame_.depth;
@@ -251,8 +286,13 @@ class GeneralCellRenderer {
   double longest_unit_ = 0;  // world length per unit of the ray parameter, at most
   // of the cell at hand
   CellScalars extinction_{}, color_{};
+  CutsAlongRay cuts_;
+  bool is_empty_ = false;    // neither absorbs nor shines
+  bool is_cut_ = false;      // by surfaces
+  bool is_uniform_ = false;  // colour and extinction have one value
   std::vector<CellCrossing> crossings_;
   std::vector<FieldAlongRay::Piece> pieces_;
+  std::vector<IsosurfaceCrossing> surfaces_;
 };
 
 }  // namespace

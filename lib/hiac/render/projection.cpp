@@ -61,9 +61,12 @@ Projector::Projector(const Camera& camera, ImageSize size)
   }
 }
 
-Vector Projector::camera_coordinates(std::span<const double, 3> point) const {
-  const Vector v = minus(point, anchor_);
+Vector Projector::camera_vector(const Vector& v) const {
   return {dot(v, right_), dot(v, up_), dot(v, forward_)};
+}
+
+Vector Projector::camera_coordinates(std::span<const double, 3> point) const {
+  return camera_vector(minus(point, anchor_));
 }
 
 bool Projector::project(std::span<const double, 3> point, ProjectedNode& node) const {

@@ -39,10 +39,13 @@ class Projector {
   [[nodiscard]] double parameter(std::span<const double, 3> point) const;
   /// Camera coordinates (right, up, forward), relative to the eye or, orthographic, look_at.
   [[nodiscard]] std::array<double, 3> camera_coordinates(std::span<const double, 3> point) const;
+  /// The same of a vector: its components along right, up and forward.
+  [[nodiscard]] std::array<double, 3> camera_vector(const std::array<double, 3>& v) const;
 
   [[nodiscard]] std::array<double, 3> origin(double x, double y) const;
   [[nodiscard]] std::array<double, 3> direction(double x, double y) const;
   /// Perspective: the direction's components along right and up, that along forward being 1.
+  /// Orthographic: the origin's, from look_at.
   [[nodiscard]] std::array<double, 2> slopes(double x, double y) const;
   /// World length per unit of t on the ray through (x, y).
   [[nodiscard]] double ray_scale(double x, double y) const;
