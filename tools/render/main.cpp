@@ -27,7 +27,7 @@ using namespace hiac;
 using namespace hiac::tools;
 
 struct Options {
-  std::string input, view, order, output, size;
+  std::string input, view, order, output, size, channels;
   std::vector<std::string> overrides;
   bool no_background = false, linear = false;
 };
@@ -112,6 +112,9 @@ void note_work(Tool& tool, const ZooMesh& mesh, const RenderStatistics& s) {
 void render(Tool& tool, Options options) {
   require_known_image_extension(options.output);
   add_size(options.size, options.overrides);
+  const std::vector<Channel> channels = parse_channels(options.channels);
+  if (!channels.empty() && options.output.ends_with(".png"))
+    throw UsageError("--channels: PNG holds colours alone (.exr, .npy or .f32 expected)");
   const ParsedScene parsed = read_scene(options.view, options.overrides);
   for (const std::string& line : parsed.notes) tool.note(line);
   const Scene& scene = parsed.scene;
@@ -119,7 +122,7 @@ void render(Tool& tool, Options options) {
   check_renderable(file.mesh, scene);
   const OrderRecord record = find_order(tool, options, file, scene);
   const RenderResult result = tool.timed("render", [&] {
-    return hiac::render(file.mesh, record.order, scene, !options.no_background);
+    return hiac::render(file.mesh, record.order, scene, !options.no_background, channels);
   });
   note_work(tool, file.mesh, result.statistics);
   note_optics(tool, file.mesh, scene, result.statistics);
@@ -140,7 +143,8 @@ int main(int argc, char** argv) {
       "hiac-render", "Makes a volume-rendered picture of a mesh.",
       "  hiac-render part.zoo --view view.toml -o part.png\n"
       "  hiac-render part.zoo --view view.toml --order part.order --size 2048x1536 -o part.exr\n"
-      "  hiac-render part.zoo --view view.toml --set camera.fov=20 -o part.npy");
+      "  hiac-render part.zoo --view view.toml --set camera.fov=20 -o part.npy\n"
+      "  hiac-render part.zoo --view view.toml --channels depth,error -o part.exr");
   Options options;
   auto& app = tool.app();
   app.add_option("MESH", options.input, "Zoo mesh; - or none: stdin");
@@ -158,6 +162,9 @@ int main(int argc, char** argv) {
   app.add_option("--set", options.overrides, "Override KEY=VALUE of the specification; repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  app.add_option("--channels", options.channels,
+                 "Further channels of the picture, with commas between: " + channel_names())
+      ->type_name("LIST");
   app.add_flag("--no-background", options.no_background,
                "Leave the background out, so that images can be accumulated");
   app.add_flag("--linear", options.linear, "8-bit images: linear values instead of sRGB");

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "hiac/image/image.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/order/visibility_order.hpp"
+#include "hiac/render/channels.hpp"
 #include "hiac/scene/scene.hpp"
 
 namespace hiac {
@@ -19,7 +21,8 @@ struct RenderStatistics {
 };
 
 struct RenderResult {
-  Image image;  ///< "R" "G" "B" "A", premultiplied, linear; A is 1 - transparency
+  /// "R" "G" "B" "A", premultiplied, linear; A is 1 - transparency; then the channels asked for.
+  Image image;
   RenderStatistics statistics;
 };
 
@@ -31,7 +34,9 @@ struct RenderResult {
 ///
 /// Requires what check_renderable (renderable.hpp) lets pass.
 /// `with_background`: composite the scene's background behind the volume.
+/// `channels`: what the picture says of its pixels besides. They change none of the others. Throws
+/// UsageError for the error of an integration other than exact: no bound is claimed of those.
 RenderResult render(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
-                    bool with_background);
+                    bool with_background, std::span<const Channel> channels = {});
 
 }  // namespace hiac
