@@ -16,7 +16,7 @@
 #include "hiac/render/scan_conversion-inl.hpp"
 #include "hiac/render/shading-inl.hpp"
 #include "hiac/render/tetrahedron_cuts-inl.hpp"
-#include "hiac/render/tetrahedron_details.hpp"
+#include "hiac/render/tetrahedron_describe-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
@@ -81,7 +81,7 @@ class TetrahedronRenderer {
         perspective_(frame.projector.perspective()),
         clipped_(frame.projector.near() > (perspective_ ? 0.0 : -hwy::HighestValue<double>()) ||
                  frame.projector.far() < hwy::HighestValue<double>()),
-        details_(frame) {}
+        describer_(frame, buffer, group) {}
 
   HWY_INLINE void render(CellId cell) {
     CellScalars scalars;
@@ -89,7 +89,7 @@ class TetrahedronRenderer {
     if (!scan_faces(corners_, tile_, runs_)) return;
     set_face_planes(corners_, kSeparateFields, planes_);
     set_cuts(cell);
-    if (HWY_UNLIKELY(frame_.with_details)) details_.enter(cell);
+    if (HWY_UNLIKELY(frame_.with_details)) describer_.enter(cell);
     const auto [nearest, farthest] =
         std::minmax({corners_.depth[0], corners_.depth[1], corners_.depth[2], corners_.depth[3]});
     const int lanes = static_cast<int>(hn::Lanes(D()));
@@ -174,7 +174,7 @@ class TetrahedronRenderer {
             ? integrate(d, scalars, length, e, active)
             : integrate_between_surfaces(d, scalars, row, pixel, at, whole, length, e, active);
     if (HWY_UNLIKELY(frame_.with_details))
-      describe(d, row, x, at, cut, length, e, radiance, active);
+      describer_.describe(d, {row, x, at, cut, empty_}, length, e, radiance, active);
     if (group_ != nullptr)
       collect(d, at, e, radiance, active);
     else
@@ -216,7 +216,7 @@ class TetrahedronRenderer {
   HWY_INLINE void place_cuts(D d, int row, V pixel, const RayEnds& whole,
                              const EntryAndExit<V>& e) {
     CutScan(frame_, planes_, runs_, cuts_).find(d, row, pixel, cut_places_.data());
-    if (HWY_UNLIKELY(frame_.with_details)) cut_ends_ = cut_places_;
+    if (HWY_UNLIKELY(frame_.with_details)) describer_.set_ends(cuts_.size(), cut_places_);
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
     for (std::size_t k = 0; k < cuts_.size(); ++k) {
       double* ends = cut_places_.data() + 2 * k * hn::Lanes(d);
@@ -273,10 +273,7 @@ class TetrahedronRenderer {
                                                       V length, const EntryAndExit<V>& e,
                                                       M active) {
     place_cuts(d, row, pixel, whole, e);
-    if (HWY_UNLIKELY(frame_.with_details)) {
-      cuts_found_ = cut_places_;
-      depth_sum_.assign(2 * lanes(), 0);
-    }
+    if (HWY_UNLIKELY(frame_.with_details)) describer_.set_places(cut_places_, lanes());
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0), never = hn::Set(d, 2.0);
     Radiance<V> sum{zero, zero, zero, one};
     V from = zero;
@@ -296,7 +293,8 @@ class TetrahedronRenderer {
                              part_of(d, e, from, to), some),
                    some, sum);
         if (HWY_UNLIKELY(frame_.with_details))
-          add_depth(d, hn::Mul(hn::Add(from, to), hn::Set(d, 0.5)), before, sum);
+          describer_.add_depth(d, hn::Mul(hn::Add(from, to), hn::Set(d, 0.5)),
+                               hn::Sub(before, sum.transparency));
       }
       const M crossed = hn::And(active, hn::Lt(next, never));
       if (hn::AllFalse(d, crossed)) return sum;
@@ -311,21 +309,13 @@ class TetrahedronRenderer {
             shade(d, *cuts_[k].surface, frame_.isosurfaces.lights, normal, ray);
         const V before = sum.transparency;
         add_behind(Radiance<V>{rgb[0], rgb[1], rgb[2], transparency}, here, sum);
-        if (HWY_UNLIKELY(frame_.with_details)) add_depth(d, to, before, sum);
+        if (HWY_UNLIKELY(frame_.with_details))
+          describer_.add_depth(d, to, hn::Sub(before, sum.transparency));
         double* place = cut_places_.data() + k * lanes();
         hn::StoreU(hn::IfThenElse(here, never, hn::LoadU(d, place)), d, place);
       }
       from = to;
     }
-  }
-
-  // Notes at which part of the segment its transparency fell from `before`.
-  HWY_NOINLINE void add_depth(D d, V u, V before, const Radiance<V>& sum) {
-    const V opacity = hn::Sub(before, sum.transparency);
-    double* weight = depth_sum_.data();
-    hn::StoreU(hn::Add(opacity, hn::LoadU(d, weight)), d, weight);
-    weight += lanes();
-    hn::StoreU(hn::MulAdd(opacity, u, hn::LoadU(d, weight)), d, weight);
   }
 
   HWY_INLINE static void add_behind(const Radiance<V>& radiance, M where, Radiance<V>& sum) {
@@ -412,78 +402,6 @@ class TetrahedronRenderer {
                buffer_.transparency.data() + at);
   }
 
-  // Tells the pixels, or the group, of segments that are about to be composited. `cut`: surfaces
-  // were looked for.
-  HWY_NOINLINE void describe(D d, int row, int x, std::size_t at, bool cut, V length,
-                             const EntryAndExit<V>& e, const Radiance<V>& radiance, M active) {
-    enum {
-      kFront,
-      kBack,
-      kLength,
-      kColor0,
-      kColor1,
-      kTau0,
-      kTau1,
-      kRed,
-      kGreen,
-      kBlue,
-      kZeta,
-      kActive,
-      kCount
-    };
-    HWY_ALIGN double lane[kCount][8];
-    const V all[kCount] = {e.front,
-                           e.back,
-                           length,
-                           e.front_color,
-                           e.back_color,
-                           e.front_extinction,
-                           e.back_extinction,
-                           radiance.red,
-                           radiance.green,
-                           radiance.blue,
-                           radiance.transparency,
-                           hn::IfThenElseZero(active, hn::Set(d, 1.0))};
-    for (std::size_t q = 0; q < kCount; ++q) hn::Store(all[q], d, lane[q]);
-    for (std::size_t k = 0; k < lanes(); ++k) {
-      if (lane[kActive][k] == 0) continue;
-      const double front = lane[kFront][k], back = lane[kBack][k];
-      double first = front, mean = 0.5 * (front + back);
-      offsets_.clear();
-      if (cut) {
-        double nearest = 2;
-        for (std::size_t c = 0; c < cuts_.size(); ++c) {
-          const double u = cuts_found_[c * lanes() + k];
-          offsets_.push_back(
-              {cut_ends_[2 * c * lanes() + k], cut_ends_[(2 * c + 1) * lanes() + k], u <= 1});
-          nearest = std::min(nearest, u);
-        }
-        if (empty_) first = front + nearest * (back - front);
-        const double weight = depth_sum_[k];
-        if (weight > 0) mean = front + depth_sum_[lanes() + k] / weight * (back - front);
-      }
-      const SegmentDetails segment = details_.describe(
-          {.x = x + static_cast<int>(k),
-           .y = row,
-           .front = front,
-           .back = back,
-           .length = lane[kLength][k],
-           .color = {lane[kColor0][k], lane[kColor1][k]},
-           .extinction = {lane[kTau0][k], lane[kTau1][k]},
-           .rgb = {lane[kRed][k], lane[kGreen][k], lane[kBlue][k]},
-           .transparency = lane[kZeta][k],
-           .first = first,
-           .mean = mean,
-           .out_of_order =
-               group_ == nullptr && front < buffer_.last[at + k] - frame_.witness_tolerance,
-           .cuts = offsets_});
-      if (group_ != nullptr)
-        group_->details.push_back(segment);
-      else
-        buffer_.describe(at + k, segment);
-    }
-  }
-
   void collect(D d, std::size_t at, const EntryAndExit<V>& e, const Radiance<V>& radiance,
                M active) {
     HWY_ALIGN double front[8], back[8], red[8], green[8], blue[8], zeta[8], use[8];
@@ -514,10 +432,7 @@ class TetrahedronRenderer {
   std::vector<TetrahedronCut> cuts_;
   ScreenBox cut_box_;               // of all of them
   std::vector<double> cut_places_;  // of one vector of pixels
-  // where details are asked for: what cut_places_ held at first, and the sums of add_depth
-  std::vector<double> cut_ends_, cuts_found_, depth_sum_;
-  std::vector<CutOffsets> offsets_;
-  TetrahedronDetails details_;
+  SegmentDescriber describer_;      // where details are asked for
 };
 
 template <bool kSeparateFields, class Rule>
