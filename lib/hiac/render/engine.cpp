@@ -1,13 +1,14 @@
 #include "hiac/render/engine.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <string>
 
 #include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
+#include "hiac/base/progress.hpp"
+#include "hiac/base/seconds.hpp"
 #include "hiac/render/background.hpp"
 #include "hiac/render/frame.hpp"
 #include "hiac/render/general_cells.hpp"
@@ -25,11 +26,6 @@ constexpr double kWitnessTolerance = 1e-9;
 
 // Between two looks at whether a tile's pixels are all opaque.
 constexpr std::size_t kCellsPerLook = 256;
-
-double seconds_now() {
-  using Clock = std::chrono::steady_clock;
-  return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
-}
 
 double depth_of_mesh(const ZooMesh& mesh, const Projector& projector) {
   double least = std::numeric_limits<double>::infinity(), most = -least;
@@ -238,7 +234,7 @@ TileSummary write_tile(const TileBuffer& buffer, const TileRect& tile, const Fra
 }  // namespace
 
 RenderResult render(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
-                    bool with_background, std::span<const Channel> channels) {
+                    bool with_background, Progress* progress, std::span<const Channel> channels) {
   const double start = seconds_now();
   const Projector projector(scene.camera, scene.image);
   Frame frame = make_frame(mesh, scene, projector);
@@ -253,6 +249,7 @@ RenderResult render(const ZooMesh& mesh, const VisibilityOrder& order, const Sce
   for (const Channel channel : channels) names.emplace_back(channel_name(channel));
   RenderResult result{Image(scene.image.width, scene.image.height, std::move(names)), {}};
   const double prepared = seconds_now();
+  if (progress != nullptr) progress->begin("tiles", bins.tiles.size());
 
   std::vector<TileSummary> summaries(bins.tiles.size());
   parallel_for(bins.tiles.size(), 1, [&](IndexRange range) {
@@ -262,6 +259,7 @@ RenderResult render(const ZooMesh& mesh, const VisibilityOrder& order, const Sce
     summaries[tile] = write_tile(renderer.buffer(), bins.tiles[tile], frame, scene, with_background,
                                  channels, result.image);
     summaries[tile].counts = renderer.counts();
+    if (progress != nullptr) progress->advance();
   });
 
   RenderStatistics& statistics = result.statistics;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "hiac/base/progress.hpp"
 #include "hiac/image/image.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/order/visibility_order.hpp"
@@ -34,9 +35,11 @@ struct RenderResult {
 ///
 /// Requires what check_renderable (renderable.hpp) lets pass.
 /// `with_background`: composite the scene's background behind the volume.
+/// `progress`: told how many tiles are done, where there is one.
 /// `channels`: what the picture says of its pixels besides. They change none of the others. Throws
 /// UsageError for the error of an integration other than exact: no bound is claimed of those.
 RenderResult render(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
-                    bool with_background, std::span<const Channel> channels = {});
+                    bool with_background, Progress* progress = nullptr,
+                    std::span<const Channel> channels = {});
 
 }  // namespace hiac
