@@ -67,6 +67,31 @@ void engine(benchmark::State& state, Projection projection) {
       benchmark::Counter(static_cast<double>(segments), benchmark::Counter::kIsRate);
 }
 
+// Five surfaces of the volume's own field, or of another.
+void with_surfaces(benchmark::State& state, Projection projection, const char* field) {
+  static ZooMesh mesh = [] {
+    ZooMesh m = mesh_of(85000);
+    test::add_node_field(m, "g", [](const test::Position& p) {
+      return 0.5 * (p[0] * p[0] + p[1] * (1 - p[2]) + p[2]);
+    });
+    return m;
+  }();
+  Scene scene = parallel_scene(1000);
+  scene.camera.projection = projection;
+  for (const double value : {0.3, 0.4, 0.55, 0.6, 0.7}) {
+    Isosurface surface;
+    surface.field = field;
+    surface.value = value;
+    surface.opacity = 0.2;
+    scene.isosurfaces.push_back(surface);
+  }
+  const VisibilityOrder order = order_of(mesh, scene).order;
+  for (auto _ : state) {
+    const RenderResult result = render(mesh, order, scene, false);
+    state.counters["prepare_s"] = result.statistics.prepare_seconds;
+  }
+}
+
 BENCHMARK_CAPTURE(engine, orthographic, Projection::orthographic)
     ->ArgNames({"points", "side"})
     ->Args({1600, 1000})
@@ -77,6 +102,15 @@ BENCHMARK_CAPTURE(engine, orthographic, Projection::orthographic)
 BENCHMARK_CAPTURE(engine, perspective, Projection::perspective)
     ->ArgNames({"points", "side"})
     ->Args({85000, 1000})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(with_surfaces, orthographic_own, Projection::orthographic, "f")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(with_surfaces, orthographic_other, Projection::orthographic, "g")
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(with_surfaces, perspective_other, Projection::perspective, "g")
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 

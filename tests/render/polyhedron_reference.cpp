@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hiac/mesh/shape_functions.hpp"
+#include "tests/support/phong.hpp"
 
 namespace hiac::test {
 namespace {
@@ -57,7 +58,8 @@ struct Cell {
   std::size_t count;
   std::array<Vec, 8> corners;
   std::array<Real, 8> color{}, extinction{};
-  Real from, to;  // of the segment
+  Real from, to;                                // of the segment
+  std::vector<std::array<Real, 8>> surfaces{};  // fields of the scene's isosurfaces
 };
 
 bool clip(const Ray& ray, Cell& cell) {
@@ -182,8 +184,8 @@ struct Light {
 
 class Integrator {
  public:
-  Integrator(const Ray& ray, const Cell& cell, const Optics& optics)
-      : ray_(ray), cell_(cell), optics_(optics) {
+  Integrator(const Ray& ray, const Cell& cell, const Optics& optics, const Scene& scene)
+      : ray_(ray), cell_(cell), optics_(optics), scene_(scene) {
     for (const auto& node : reference_nodes(cell.kind))
       xi_ = xi_ + (Real(1) / static_cast<Real>(cell.count)) * vec(node);
   }
@@ -194,10 +196,21 @@ class Integrator {
     std::vector<Real> cuts{cell_.from, cell_.to};
     add_cuts(cell_.color, optics_.color.breakpoints(), cuts);
     add_cuts(cell_.extinction, optics_.extinction.breakpoints(), cuts);
+    std::vector<std::pair<Real, Light>> surfaces;
+    for (std::size_t s = 0; s < cell_.surfaces.size(); ++s) {
+      std::vector<Real> places;
+      const std::array value{scene_.isosurfaces[s].value};
+      add_cuts(cell_.surfaces[s], value, places);
+      for (const Real t : places) surfaces.emplace_back(t, shaded(s, t));
+      cuts.insert(cuts.end(), places.begin(), places.end());
+    }
     std::sort(cuts.begin(), cuts.end());
     Light light;
-    for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
       light = joined(light, refined(cuts[i], cuts[i + 1], panel(cuts[i], cuts[i + 1]), 34));
+      for (const auto& [t, surface] : surfaces)
+        if (t == cuts[i + 1]) light = joined(light, surface);
+    }
     return light;
   }
 
@@ -207,6 +220,28 @@ class Integrator {
     Real f = 0;
     for (std::size_t k = 0; k < cell_.count; ++k) f += shape[k] * values[k];
     return f;
+  }
+
+  // A surface as a piece of volume: its light, and the depth that lets as much through.
+  Light shaded(std::size_t s, Real t) {
+    const Vec point = ray_.origin + t * ray_.direction;
+    std::array<Vec, 8> gradient;
+    shape_at(cell_, point, xi_);
+    shape_gradients<Real>(cell_.kind, xi_, gradient);
+    std::array<Vec, 3> column{};
+    Vec slope{};
+    for (std::size_t k = 0; k < cell_.count; ++k)
+      for (std::size_t a = 0; a < 3; ++a) {
+        column[a] = column[a] + gradient[k][a] * cell_.corners[k];
+        slope[a] += gradient[k][a] * cell_.surfaces[s][k];
+      }
+    // J^-T slope, up to a factor
+    const Vec normal = slope[0] * cross(column[1], column[2]) +
+                       slope[1] * cross(column[2], column[0]) +
+                       slope[2] * cross(column[0], column[1]);
+    const ReferenceShade shade =
+        reference_shade(scene_.isosurfaces[s], scene_.lights, normal, ray_.direction);
+    return {shade.rgb, -std::log(shade.transparency)};
   }
 
   // Where the field takes one of the values, by bisection between points on an even grid.
@@ -277,6 +312,7 @@ class Integrator {
   const Ray& ray_;
   const Cell& cell_;
   const Optics& optics_;
+  const Scene& scene_;
   Vec xi_{};  // of the last point: the next one's first guess
 };
 
@@ -292,14 +328,18 @@ std::array<double, 4> polyhedron_reference(const ZooMesh& mesh, const Scene& sce
   Field color, extinction;
   if (volume.color) color = scalar_field(mesh, volume.color->field);
   if (volume.extinction) extinction = scalar_field(mesh, volume.extinction->field);
+  std::vector<Field> surfaces;
+  for (const Isosurface& surface : scene.isosurfaces)
+    surfaces.push_back(scalar_field(mesh, surface.field));
   std::vector<Cell> segments;
   for (CellId id = 0; id < mesh.cell_count(); ++id) {
-    Cell cell{mesh.kinds[id], corner_count(mesh.kinds[id]), {}, {}, {}, 0, 0};
+    Cell cell{mesh.kinds[id], corner_count(mesh.kinds[id]), {}, {}, {}, 0, 0, {}};
     for (std::size_t k = 0; k < cell.count; ++k)
       cell.corners[k] = vec(mesh.position(mesh.cell_nodes(id)[k]));
     if (!clip(ray, cell)) continue;
     if (volume.color) cell.color = corner_values(mesh, id, color);
     if (volume.extinction) cell.extinction = corner_values(mesh, id, extinction);
+    for (const Field& field : surfaces) cell.surfaces.push_back(corner_values(mesh, id, field));
     segments.push_back(cell);
   }
   std::sort(segments.begin(), segments.end(),
@@ -307,7 +347,7 @@ std::array<double, 4> polyhedron_reference(const ZooMesh& mesh, const Scene& sce
   std::array<Real, 3> rgb{};
   Real depth = 0;
   for (const Cell& segment : segments) {
-    const Light light = Integrator(ray, segment, optics).integrate();
+    const Light light = Integrator(ray, segment, optics, scene).integrate();
     for (std::size_t c = 0; c < 3; ++c) rgb[c] += std::exp(-depth) * light.rgb[c];
     depth += light.depth;
   }

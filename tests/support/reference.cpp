@@ -6,6 +6,8 @@
 #include <numbers>
 #include <vector>
 
+#include "tests/support/phong.hpp"
+
 namespace hiac::test {
 namespace {
 
@@ -64,9 +66,16 @@ struct Line {
   [[nodiscard]] Real at(Real t) const { return value + slope * t; }
 };
 
+// An isosurface that a segment crosses.
+struct Crossing {
+  Real at;
+  ReferenceShade shade;
+};
+
 struct Segment {
   Real from, to;
   Line color, extinction;
+  std::vector<Crossing> crossings;
 };
 
 // Barycentric coordinates of the ray's points are linear in t; the cell is where none is negative.
@@ -103,6 +112,37 @@ Line field_line(const ZooMesh& mesh, CellId cell, const std::string& name,
     line.slope += field.values[at] * barycentric[k].slope;
   }
   return line;
+}
+
+// The gradient of a linear field: by its differences along the cell's edges (Cramer's rule).
+Vec field_gradient(const ZooMesh& mesh, CellId cell, const std::string& name) {
+  const Field field = scalar_field(mesh, name);
+  std::array<Vec, 4> p;
+  std::array<Real, 4> f;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::uint64_t entry = mesh.elems[cell] + k;
+    p[k] = vec(mesh.position(mesh.nodes[entry]));
+    f[k] = field.values[field.location == FieldLocation::node   ? mesh.nodes[entry]
+                        : field.location == FieldLocation::cell ? cell
+                                                                : entry];
+  }
+  const Vec a = p[1] - p[0], b = p[2] - p[0], c = p[3] - p[0];
+  return (1 / dot(a, cross(b, c))) *
+         ((f[1] - f[0]) * cross(b, c) + (f[2] - f[0]) * cross(c, a) + (f[3] - f[0]) * cross(a, b));
+}
+
+void add_crossings(const ZooMesh& mesh, CellId cell, const Scene& scene, const Ray& ray,
+                   const std::array<Line, 4>& barycentric, Segment& segment) {
+  for (const Isosurface& surface : scene.isosurfaces) {
+    const Line line = field_line(mesh, cell, surface.field, barycentric);
+    const Real t = (surface.value - line.value) / line.slope;
+    if (line.slope != 0 && t > segment.from && t <= segment.to)
+      segment.crossings.push_back(
+          {t, reference_shade(surface, scene.lights, field_gradient(mesh, cell, surface.field),
+                              ray.direction)});
+  }
+  std::stable_sort(segment.crossings.begin(), segment.crossings.end(),
+                   [](const Crossing& a, const Crossing& b) { return a.at < b.at; });
 }
 
 // Eight-point Gauss-Legendre rule on [-1, 1]: positive nodes and weights.
@@ -153,30 +193,66 @@ struct Optics {
   PiecewiseLinear<3> color;
   PiecewiseLinear<1> extinction;
   bool emission;
+  Integration integration;
 };
+
+// Five points of the Gauss-Legendre rule on [-1, 1] and their weights, in closed form.
+template <typename Function>
+Real five_points(const Function& f, Real a, Real b) {
+  const Real root = 2 * std::sqrt(10.0L / 7), more = 13 * std::sqrt(70.0L);
+  const Real inner = std::sqrt(5 - root) / 3, outer = std::sqrt(5 + root) / 3;
+  const Real middle = (a + b) / 2, half = (b - a) / 2;
+  return half * (128.0L / 225 * f(middle) +
+                 (322 + more) / 900 * (f(middle - half * inner) + f(middle + half * inner)) +
+                 (322 - more) / 900 * (f(middle - half * outer) + f(middle + half * outer)));
+}
+
+void composite(const ReferenceShade& shade, std::array<Real, 3>& light, Real& transparency) {
+  for (std::size_t c = 0; c < 3; ++c) light[c] += transparency * shade.rgb[c];
+  transparency *= shade.transparency;
+}
 
 void composite(const Segment& s, const Optics& optics, std::array<Real, 3>& light,
                Real& transparency) {
   std::vector<Real> cuts{s.from, s.to};
-  cut_at(s.color, optics.color.breakpoints(), s, cuts);
-  cut_at(s.extinction, optics.extinction.breakpoints(), s, cuts);
+  const bool unsliced = optics.integration == Integration::approximate_unsliced;
+  if (!unsliced) {
+    cut_at(s.color, optics.color.breakpoints(), s, cuts);
+    cut_at(s.extinction, optics.extinction.breakpoints(), s, cuts);
+  }
+  for (const Crossing& crossing : s.crossings) cuts.push_back(crossing.at);
   std::sort(cuts.begin(), cuts.end());
+  auto crossing = s.crossings.begin();
   for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    for (; crossing != s.crossings.end() && crossing->at <= cuts[i]; ++crossing)
+      composite(crossing->shade, light, transparency);
     const Real from = cuts[i], to = cuts[i + 1], middle = (from + to) / 2;
-    const Line tau = on_piece(optics.extinction, 0, s.extinction, middle);
+    const auto line_of = [&](const auto& function, std::size_t c, const Line& scalar) {
+      if (!unsliced) return on_piece(function, c, scalar, middle);
+      const Real front = on_piece(function, c, scalar, from).at(from);
+      const Real back = on_piece(function, c, scalar, to).at(to);
+      const Real slope = (back - front) / (to - from);
+      return Line{front - slope * from, slope};
+    };
+    const Line tau = line_of(optics.extinction, 0, s.extinction);
     const auto depth = [&](Real t) {
       return (t - from) * (tau.value + tau.slope * (t + from) / 2);
     };
     for (std::size_t c = 0; c < 3; ++c) {
-      const Line color = on_piece(optics.color, c, s.color, middle);
+      const Line color = line_of(optics.color, c, s.color);
+      const bool mean = unsliced || optics.integration == Integration::approximate;
       const auto integrand = [&](Real t) {
-        const Real glow = optics.emission ? color.at(t) : color.at(t) * tau.at(t);
-        return glow * std::exp(-depth(t));
+        const Real here = mean ? (color.at(from) + color.at(to)) / 2 : color.at(t);
+        return (optics.emission ? here : here * tau.at(t)) * std::exp(-depth(t));
       };
-      light[c] += transparency * adaptive(integrand, from, to, gauss(integrand, from, to), 40);
+      light[c] +=
+          transparency * (optics.integration == Integration::gauss5
+                              ? five_points(integrand, from, to)
+                              : adaptive(integrand, from, to, gauss(integrand, from, to), 40));
     }
     transparency *= std::exp(-depth(to));
   }
+  for (; crossing != s.crossings.end(); ++crossing) composite(crossing->shade, light, transparency);
 }
 
 }  // namespace
@@ -187,7 +263,7 @@ std::array<double, 4> reference_pixel(const ZooMesh& mesh, const Scene& scene, s
   const auto& volume = scene.volume;
   const Optics optics{volume.color ? volume.color->function() : PiecewiseLinear<3>(),
                       volume.extinction ? volume.extinction->function() : PiecewiseLinear<1>(),
-                      volume.glow == Glow::emission};
+                      volume.glow == Glow::emission, scene.render.integration};
   std::vector<Segment> segments;
   for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {
     std::array<Line, 4> barycentric;
@@ -196,6 +272,7 @@ std::array<double, 4> reference_pixel(const ZooMesh& mesh, const Scene& scene, s
     if (volume.color) segment.color = field_line(mesh, cell, volume.color->field, barycentric);
     if (volume.extinction)
       segment.extinction = field_line(mesh, cell, volume.extinction->field, barycentric);
+    add_crossings(mesh, cell, scene, ray, barycentric, segment);
     segments.push_back(segment);
   }
   std::sort(segments.begin(), segments.end(),

@@ -116,10 +116,24 @@ TEST_F(Pipeline, WhatIsNotDrawnIsRefusedByName) {
             3);
   EXPECT_NE(bytes_of(file("err.txt")).find("tetrahedron10"), std::string::npos);
   ASSERT_EQ(run("$CONVERT -q --corners-only '" + kSample + "' -o m.zoo"), 0);
-  for (const char* key : {"render.integration=gauss5", "render.splat_below=2"}) {
+  for (const char* key : {"render.interpolation=polynomial", "render.splat_below=2"}) {
     EXPECT_EQ(run("$RENDER m.zoo --view '" + kSampleView + "' --set " + key + " -o no.png"), 3);
     EXPECT_FALSE(std::filesystem::exists(file("no.png")));
   }
+}
+
+TEST_F(Pipeline, ChannelsAreWrittenWhereTheyFit) {
+  ASSERT_EQ(run("$CONVERT -q --corners-only '" + kSample + "' -o m.zoo"), 0);
+  const std::string render = "$RENDER -q m.zoo --size 40x30 --view '" + kSampleView + "' ";
+  ASSERT_EQ(run(render + "--channels depth,error -o more.exr"), 0) << bytes_of(file("err.txt"));
+  const Image image = read_image(file("more.exr")).image;
+  EXPECT_EQ(image.channel_count(), 6U);
+  EXPECT_TRUE(image.channel_index("depth") && image.channel_index("error"));
+  EXPECT_EQ(run(render + "--channels depth -o no.png"), 2);
+  EXPECT_EQ(run(render + "--channels depht -o no.npy"), 2);
+  EXPECT_NE(bytes_of(file("err.txt")).find("no channel is called 'depht'"), std::string::npos);
+  EXPECT_EQ(run(render + "--channels error --set render.integration=gauss5 -o no.npy"), 2);
+  EXPECT_FALSE(std::filesystem::exists(file("no.npy")));
 }
 
 TEST_F(Pipeline, SuperPhoenixIsAsBruteForceHasIt) {

@@ -1,10 +1,12 @@
 // hiac-render: a picture of a mesh.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -34,7 +36,7 @@ using namespace hiac;
 using namespace hiac::tools;
 
 struct Options {
-  std::string input, view, order, output, size, under, color_bar;
+  std::string input, view, order, output, size, under, color_bar, channels;
   double color_bar_length = 0;  // 0: a round number near a tenth of the diagonal
   std::vector<std::string> overrides;
   int depth = 0;
@@ -127,7 +129,8 @@ class Renderer {
         mesh_(file.mesh),
         under_(under),
         orderer_(tool, file.mesh),
-        given_(given_orders(options, file)) {}
+        given_(given_orders(options, file)),
+        channels_(parse_channels(options.channels)) {}
 
   // Throws unless there is, or will be, an order for the scene.
   void require_order(const Scene& scene) {
@@ -140,7 +143,8 @@ class Renderer {
     const OrderRecord record = find_order(scene, order_facts);
     const bool with_background = !options_.no_background && !under_;
     RenderResult result = tool_.timed("render", [&] {
-      return hiac::render(mesh_, record.order, scene, with_background, &tool_.progress());
+      return hiac::render(mesh_, record.order, scene, with_background, &tool_.progress(),
+                          channels_);
     });
     if (under_) composite_over(result.image, *under_);
     Json facts = note_work(tool_, options_.all_frames, result.statistics);
@@ -178,6 +182,7 @@ class Renderer {
   const std::optional<Image>& under_;
   Orderer orderer_;
   std::optional<GivenOrders> given_;
+  std::vector<Channel> channels_;
 };
 
 // Numbered pictures of the frames of a camera path.
@@ -248,10 +253,18 @@ void write_color_bar(Tool& tool, const Options& options, const ZooMesh& mesh,
   tool.facts()["color_bar_length"] = length;
 }
 
+void require_room_for_channels(const std::string& path) {
+  const std::array<std::string_view, 3> roomy{".exr", ".npy", ".f32"};
+  if (std::ranges::none_of(roomy, [&](std::string_view e) { return path.ends_with(e); }))
+    throw UsageError("--channels: this format holds colours alone (.exr, .npy or .f32 expected, " +
+                     path + " found)");
+}
+
 void render(Tool& tool, Options options) {
   require_known_image_extension(options.output, options.depth);
   if (!options.color_bar.empty()) require_known_image_extension(options.color_bar);
   add_size(options.size, options.overrides);
+  if (!parse_channels(options.channels).empty()) require_room_for_channels(options.output);
   const ParsedScene parsed = read_scene(options.view, options.overrides);
   for (const std::string& line : parsed.notes) tool.note(line);
   const Scene& scene = parsed.scene;
@@ -280,6 +293,7 @@ int main(int argc, char** argv) {
       "  hiac-render part.zoo --view view.toml --order part.order --size 2048x1536 -o part.exr\n"
       "  hiac-render part.zoo --view view.toml --set camera.fov=20 -o part.npy\n"
       "  hiac-render near.zoo --view view.toml --under far.exr -o both.exr\n"
+      "  hiac-render part.zoo --view view.toml --channels depth,error -o part.exr\n"
       "  hiac-render part.zoo --view turntable.toml --frames -o part-%04d.png");
   Options options;
   auto& app = tool.app();
@@ -302,6 +316,9 @@ int main(int argc, char** argv) {
                  "Put this picture behind the new one, in place of the background: linear values, "
                  "premultiplied by its alpha")
       ->type_name("IMAGE");
+  app.add_option("--channels", options.channels,
+                 "Further channels of the picture, with commas between: " + channel_names())
+      ->type_name("LIST");
   auto* one = app.add_option("--frame", options.frame, "One frame of a camera path, from 0 on")
                   ->type_name("N");
   app.add_flag("--frames", options.all_frames,

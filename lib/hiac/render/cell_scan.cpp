@@ -168,20 +168,26 @@ struct RowSection {
 class RayCrossings {
  public:
   // Keeps them in order.
-  HWY_INLINE void add(double t) {
+  HWY_INLINE void add(double t, std::uint8_t face) {
     std::size_t at = count_++;
-    for (; at > 0 && t_[at - 1] > t; --at) t_[at] = t_[at - 1];
+    for (; at > 0 && t_[at - 1] > t; --at) {
+      t_[at] = t_[at - 1];
+      face_[at] = face_[at - 1];
+    }
     t_[at] = t;
+    face_[at] = face;
   }
 
   // The ray enters and leaves in turn: once each, but that rounding may roughen a surface along
   // which the ray runs.
   HWY_INLINE void append_to(std::vector<CellCrossing>& crossings, int x, int y) const {
-    for (std::size_t k = 0; k + 1 < count_; k += 2) crossings.push_back({x, y, t_[k], t_[k + 1]});
+    for (std::size_t k = 0; k + 1 < count_; k += 2)
+      crossings.push_back({x, y, t_[k], t_[k + 1], face_[k], face_[k + 1]});
   }
 
  private:
   std::array<double, CellSurface::kMostTriangles> t_;
+  std::array<std::uint8_t, CellSurface::kMostTriangles> face_;
   std::size_t count_ = 0;
 };
 
@@ -226,7 +232,7 @@ class ScreenScan {
         const auto& [k, e, f] = section.triangles[i];
         if ((x >= edges[e].column) == (x >= edges[f].column)) continue;
         const double depth = depth_.at(k, edges[e], edges[f], x + 0.5, center);
-        ray.add(perspective_ ? -1 / depth : depth);
+        ray.add(perspective_ ? -1 / depth : depth, surface_.triangles[k].face);
       }
       ray.append_to(crossings, x, y);
     }
@@ -307,7 +313,7 @@ class LineScan {
       for (std::size_t i = 0; i < section.triangle_count; ++i) {
         const CrossedTriangle& t = section.triangles[i];
         if (edges_[t.e].left_of_pixel != edges_[t.f].left_of_pixel)
-          ray.add(parameter(t, x + 0.5, center));
+          ray.add(parameter(t, x + 0.5, center), surface_.triangles[t.triangle].face);
       }
       ray.append_to(crossings, x, y);
     }

@@ -13,6 +13,7 @@ namespace hiac {
 struct CellCrossing {
   int x, y;
   double front, back;
+  std::uint8_t front_face, back_face;  ///< CellSurface::Triangle::face
 };
 
 /// Appends the crossings of a convex cell with the rays of a tile's pixels, ray by ray front to

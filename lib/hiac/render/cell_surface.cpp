@@ -22,7 +22,8 @@ class SurfaceBuilder {
     for (auto& row : edge_) row.fill(kNoEdge);
   }
 
-  void add_face(const ShapeFace& face) {
+  void add_face(const ShapeFace& face, std::size_t number) {
+    face_ = static_cast<Corner>(number);
     std::array<Corner, 4> c{};
     for (std::size_t k = 0; k < face.corner_count; ++k) c[k] = rank_[face.corners[k]];
     if (face.corner_count == 3) return add_triangle({c[0], c[1], c[2]});
@@ -42,7 +43,7 @@ class SurfaceBuilder {
   void add_triangle(std::array<Corner, 3> c) {
     std::sort(c.begin(), c.end());
     surface_.triangles[surface_.triangle_count++] = {
-        c, {edge_between(c[0], c[1]), edge_between(c[0], c[2]), edge_between(c[1], c[2])}};
+        c, {edge_between(c[0], c[1]), edge_between(c[0], c[2]), edge_between(c[1], c[2])}, face_};
   }
 
   Corner edge_between(Corner low, Corner high) {
@@ -55,6 +56,7 @@ class SurfaceBuilder {
   }
 
   CellSurface surface_;
+  Corner face_ = 0;  // at hand
   std::array<Corner, CellSurface::kMostCorners> rank_{};
   std::array<std::array<Corner, CellSurface::kMostCorners>, CellSurface::kMostCorners> edge_;
 };
@@ -63,7 +65,8 @@ class SurfaceBuilder {
 
 CellSurface cell_surface(CellKind kind, std::span<const NodeId> nodes) {
   SurfaceBuilder builder(kind, nodes);
-  for (const ShapeFace& face : topology_of(kind).faces) builder.add_face(face);
+  const auto faces = topology_of(kind).faces;
+  for (std::size_t f = 0; f < faces.size(); ++f) builder.add_face(faces[f], f);
   return builder.surface();
 }
 

@@ -20,6 +20,7 @@ struct CellSurface {
   struct Triangle {
     std::array<std::uint8_t, 3> corners;  ///< ascending
     std::array<std::uint8_t, 3> edges;    ///< (0,1), (0,2), (1,2) of its corners
+    std::uint8_t face;                    ///< that it is part of: index into the kind's faces
   };
 
   std::size_t corner_count = 0, edge_count = 0, triangle_count = 0;

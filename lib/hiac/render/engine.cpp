@@ -57,9 +57,10 @@ Frame make_frame(const ZooMesh& mesh, const Scene& scene, const Projector& proje
               .projector = projector,
               .nodes = project_nodes(mesh, projector),
               .kernel_cells = {},
-              .optics = make_optics_tables(scene.volume),
+              .optics = make_optics_tables(scene.volume, scene.render.integration),
               .color = {},
-              .extinction = {}};
+              .extinction = {},
+              .isosurfaces = make_isosurfaces(mesh, scene, projector)};
   frame.kernel_cells = kernel_cells(mesh, frame.nodes);
   const auto& color = scene.volume.color;
   const auto& extinction = scene.volume.extinction;
@@ -75,9 +76,12 @@ Frame make_frame(const ZooMesh& mesh, const Scene& scene, const Projector& proje
   frame.witness_tolerance = kWitnessTolerance * frame.depth;
   // What lies behind a transparency T adds at most T times the largest colour to a pixel and T to
   // its alpha. Emission has no such bound: it grows with the length of the ray.
+  frame.largest_light = std::max(frame.optics.largest_color, frame.isosurfaces.largest_light);
   frame.least_transparency =
-      frame.optics.emission ? 0
-                            : scene.render.tolerance / std::max(1.0, frame.optics.largest_color);
+      frame.optics.emission
+          ? 0
+          : scene.render.tolerance /
+                std::max({1.0, frame.optics.largest_color, frame.isosurfaces.largest_light});
   return frame;
 }
 
@@ -96,7 +100,7 @@ class TileRenderer {
  public:
   TileRenderer(const Frame& frame, const VisibilityOrder& order, const TileRect& tile)
       : frame_(frame), order_(order), tile_(tile) {
-    buffer_.reset(tile, frame.projector);
+    buffer_.reset(tile, frame.projector, frame.with_details);
   }
 
   void render(std::span<const std::uint32_t> ranks) {
@@ -163,6 +167,33 @@ class TileRenderer {
   TileCounts counts_;
 };
 
+// One channel of a finished pixel. `background`: the largest channel behind it.
+double channel_value(Channel channel, const PixelDetails& pixel, const Frame& frame,
+                     double transparency, double background) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  switch (channel) {
+    case Channel::depth:
+      return frame.projector.distance(pixel.first);
+    case Channel::mean_depth:
+      return pixel.weight > 0 ? frame.projector.distance(pixel.weighted_depth / pixel.weight)
+                              : kInfinity;
+    case Channel::transparency:
+      return transparency;
+    case Channel::cells:
+      return pixel.cells;
+    case Channel::witness:
+      return pixel.violations;
+    case Channel::error:
+      break;
+  }
+  // where the ray was ended early there may be more
+  const bool ended = transparency <= frame.least_transparency;
+  const double behind = ended ? transparency * frame.largest_light : 0;
+  const double lost = pixel.transparency_error + pixel.open_edge + (ended ? transparency : 0);
+  return std::max(pixel.radiance_error + pixel.open_edge + behind + lost * background, lost) +
+         4 * 0x1p-53 * (1 + background);
+}
+
 // What a tile leaves behind besides its pixels.
 struct TileSummary {
   TileCounts counts;
@@ -170,8 +201,9 @@ struct TileSummary {
   std::uint64_t covered = 0;
 };
 
-TileSummary write_tile(const TileBuffer& buffer, const TileRect& tile, const Scene& scene,
-                       bool with_background, Image& image) {
+TileSummary write_tile(const TileBuffer& buffer, const TileRect& tile, const Frame& frame,
+                       const Scene& scene, bool with_background, std::span<const Channel> channels,
+                       Image& image) {
   TileSummary summary;
   for (int y = tile.y0; y < tile.y1; ++y) {
     for (int x = tile.x0; x < tile.x1; ++x) {
@@ -186,6 +218,9 @@ TileSummary write_tile(const TileBuffer& buffer, const TileRect& tile, const Sce
       pixel[1] = buffer.green[at] + transparency * behind[1];
       pixel[2] = buffer.blue[at] + transparency * behind[2];
       pixel[3] = 1 - transparency;
+      for (std::size_t c = 0; c < channels.size(); ++c)
+        pixel[4 + c] = channel_value(channels[c], buffer.details[at], frame, transparency,
+                                     *std::max_element(behind.begin(), behind.end()));
       if (buffer.last[at] == -std::numeric_limits<double>::infinity()) continue;
       const double depth = -std::log(std::max(transparency, std::numeric_limits<double>::min()));
       summary.optical_depth_sum += depth;
@@ -199,12 +234,20 @@ TileSummary write_tile(const TileBuffer& buffer, const TileRect& tile, const Sce
 }  // namespace
 
 RenderResult render(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
-                    bool with_background, Progress* progress) {
+                    bool with_background, Progress* progress, std::span<const Channel> channels) {
   const double start = seconds_now();
   const Projector projector(scene.camera, scene.image);
-  const Frame frame = make_frame(mesh, scene, projector);
+  Frame frame = make_frame(mesh, scene, projector);
+  frame.with_details = !channels.empty();
+  frame.with_error = std::ranges::find(channels, Channel::error) != channels.end();
+  if (frame.with_error && frame.optics.rule != PieceRule::exact)
+    throw UsageError(
+        "channel 'error': no bound is claimed of integrations other than \"exact\" "
+        "(`render.integration`)");
   const TileBins bins = bin_cells(frame, order, scene.image);
-  RenderResult result{Image(scene.image.width, scene.image.height, rgba_channels()), {}};
+  std::vector<std::string> names = rgba_channels();
+  for (const Channel channel : channels) names.emplace_back(channel_name(channel));
+  RenderResult result{Image(scene.image.width, scene.image.height, std::move(names)), {}};
   const double prepared = seconds_now();
   if (progress != nullptr) progress->begin("tiles", bins.tiles.size());
 
@@ -213,8 +256,8 @@ RenderResult render(const ZooMesh& mesh, const VisibilityOrder& order, const Sce
     const std::size_t tile = range.begin;
     TileRenderer renderer(frame, order, bins.tiles[tile]);
     renderer.render(bins.cells_of(tile));
-    summaries[tile] =
-        write_tile(renderer.buffer(), bins.tiles[tile], scene, with_background, result.image);
+    summaries[tile] = write_tile(renderer.buffer(), bins.tiles[tile], frame, scene, with_background,
+                                 channels, result.image);
     summaries[tile].counts = renderer.counts();
     if (progress != nullptr) progress->advance();
   });

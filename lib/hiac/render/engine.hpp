@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "hiac/base/progress.hpp"
 #include "hiac/image/image.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/order/visibility_order.hpp"
+#include "hiac/render/channels.hpp"
 #include "hiac/scene/scene.hpp"
 
 namespace hiac {
@@ -20,7 +22,8 @@ struct RenderStatistics {
 };
 
 struct RenderResult {
-  Image image;  ///< "R" "G" "B" "A", premultiplied, linear; A is 1 - transparency
+  /// "R" "G" "B" "A", premultiplied, linear; A is 1 - transparency; then the channels asked for.
+  Image image;
   RenderStatistics statistics;
 };
 
@@ -33,7 +36,10 @@ struct RenderResult {
 /// Requires what check_renderable (renderable.hpp) lets pass.
 /// `with_background`: composite the scene's background behind the volume.
 /// `progress`: told how many tiles are done, where there is one.
+/// `channels`: what the picture says of its pixels besides. They change none of the others. Throws
+/// UsageError for the error of an integration other than exact: no bound is claimed of those.
 RenderResult render(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
-                    bool with_background, Progress* progress = nullptr);
+                    bool with_background, Progress* progress = nullptr,
+                    std::span<const Channel> channels = {});
 
 }  // namespace hiac

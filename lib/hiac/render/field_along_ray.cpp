@@ -108,7 +108,6 @@ FieldAlongRay::FieldAlongRay(CellKind kind, const CellMap& map, std::span<const 
       fields_(fields),
       exact_degree_(map.affine() ? degree_along_lines(kind) : 0) {}
 
-// Rounding of the ray's points, seen through the field; and of the field itself.
 double FieldAlongRay::rounding(const RayStretch& stretch, const CornerField& field) const {
   const double point =
       largest(stretch.origin) +

@@ -54,6 +54,10 @@ class FieldAlongRay {
   /// Theory and Approximation Practice", 2013, chapters 3 and 8).
   void along(const RayStretch& stretch, std::vector<Piece>& pieces) const;
 
+  /// What of a field's values on a stretch is rounding: of the ray's points, seen through the
+  /// field, and of the field itself.
+  [[nodiscard]] double rounding(const RayStretch& stretch, const CornerField& field) const;
+
  private:
   struct Samples;
   void evaluate(const CellMap::Point& xi, std::span<double, kMostFields> values) const;
@@ -62,8 +66,6 @@ class FieldAlongRay {
               Samples& samples) const;
   void interpolate(const RayStretch& stretch, double begin, double end, int bisections,
                    std::vector<Piece>& pieces) const;
-  [[nodiscard]] double rounding(const RayStretch& stretch, const CornerField& field) const;
-
   CellKind kind_;
   const CellMap& map_;
   std::span<const CornerField> fields_;

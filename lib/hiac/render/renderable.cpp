@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -53,10 +54,6 @@ std::string others(const Failures& failures) {
 }
 
 void check_scene(const Scene& scene) {
-  if (!scene.isosurfaces.empty())
-    throw InputError("key `isosurface`: isosurfaces are not drawn by this version");
-  if (scene.render.integration != Integration::exact)
-    throw InputError("key `render.integration`: this version integrates \"exact\" alone");
   if (scene.render.interpolation != Interpolation::isoparametric)
     throw InputError(
         "key `render.interpolation`: this version interpolates \"isoparametric\" alone");
@@ -233,10 +230,11 @@ void check_renderable(const ZooMesh& mesh, const Scene& scene) {
   check_orders(mesh);
   check_faces(mesh, scene.render.planarity);
   check_convexity(mesh, scene.render.planarity);
-  const Volume& volume = scene.volume;
-  if (volume.color) check_field(mesh, volume.color->field);
-  if (volume.extinction && !(volume.color && volume.color->field == volume.extinction->field))
-    check_field(mesh, volume.extinction->field);
+  std::set<std::string> fields;
+  if (scene.volume.color) fields.insert(scene.volume.color->field);
+  if (scene.volume.extinction) fields.insert(scene.volume.extinction->field);
+  for (const Isosurface& surface : scene.isosurfaces) fields.insert(surface.field);
+  for (const std::string& field : fields) check_field(mesh, field);
 }
 
 }  // namespace hiac

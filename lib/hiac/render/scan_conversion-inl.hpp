@@ -142,25 +142,42 @@ HWY_INLINE void set_quantity(D d, const double* corner, std::size_t f, M swapped
   hn::Store(hn::IfThenElse(swapped, q1, q2), d, quantity.qs + f);
 }
 
+// The bases of the faces from f on, and their edges from there.
+template <class D, class V = hn::Vec<D>>
+struct FaceEdges {
+  V base_x, base_y, x1, y1, x2, y2;
+  hn::Mask<D> swapped;  // column pivot: where the second edge has the largest entry
+};
+
+template <class D>
+HWY_INLINE FaceEdges<D> face_edges(D d, const ProjectedTetrahedron& t, std::size_t f) {
+  HWY_ALIGN double corner[6][4];
+  for (std::size_t k = 0; k < hn::Lanes(d); ++k)
+    for (std::size_t c = 0; c < 3; ++c) {
+      corner[2 * c][k] = t.x[kTetrahedronFaces[f + k][c]];
+      corner[2 * c + 1][k] = t.y[kTetrahedronFaces[f + k][c]];
+    }
+  const auto base_x = hn::Load(d, corner[0]), base_y = hn::Load(d, corner[1]);
+  const auto x1 = hn::Sub(hn::Load(d, corner[2]), base_x);
+  const auto y1 = hn::Sub(hn::Load(d, corner[3]), base_y);
+  const auto x2 = hn::Sub(hn::Load(d, corner[4]), base_x);
+  const auto y2 = hn::Sub(hn::Load(d, corner[5]), base_y);
+  return {base_x,
+          base_y,
+          x1,
+          y1,
+          x2,
+          y2,
+          hn::Lt(hn::Max(hn::Abs(x1), hn::Abs(y1)), hn::Max(hn::Abs(x2), hn::Abs(y2)))};
+}
+
 HWY_INLINE void set_face_planes(const ProjectedTetrahedron& t, bool with_color,
                                 FacePlanes& planes) {
   const hn::CappedTag<double, 4> d;
   const auto one = hn::Set(d, 1.0), zero = hn::Zero(d);
   for (std::size_t f = 0; f < 4; f += hn::Lanes(d)) {
-    HWY_ALIGN double corner[6][4];
-    for (std::size_t k = 0; k < hn::Lanes(d); ++k)
-      for (std::size_t c = 0; c < 3; ++c) {
-        corner[2 * c][k] = t.x[kTetrahedronFaces[f + k][c]];
-        corner[2 * c + 1][k] = t.y[kTetrahedronFaces[f + k][c]];
-      }
-    const auto base_x = hn::Load(d, corner[0]), base_y = hn::Load(d, corner[1]);
-    const auto x1 = hn::Sub(hn::Load(d, corner[2]), base_x);
-    const auto y1 = hn::Sub(hn::Load(d, corner[3]), base_y);
-    const auto x2 = hn::Sub(hn::Load(d, corner[4]), base_x);
-    const auto y2 = hn::Sub(hn::Load(d, corner[5]), base_y);
-    // column pivot: edge m has the largest entry, s is the other
-    const auto swapped =
-        hn::Lt(hn::Max(hn::Abs(x1), hn::Abs(y1)), hn::Max(hn::Abs(x2), hn::Abs(y2)));
+    const auto [base_x, base_y, x1, y1, x2, y2, swapped] = face_edges(d, t, f);
+    // edge m has the largest entry, s is the other
     const auto mx = hn::IfThenElse(swapped, x2, x1), my = hn::IfThenElse(swapped, y2, y1);
     const auto sx = hn::IfThenElse(swapped, x1, x2), sy = hn::IfThenElse(swapped, y1, y2);
     // row pivot: p is the coordinate of the largest entry, q the other
@@ -191,26 +208,42 @@ struct EntryAndExit {
   V front_color, back_color, front_extinction, back_extinction;
 };
 
+// A pixel's place on a face: barycentric coordinates.
+template <class V>
+struct FacePlace {
+  V m, s;
+};
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE FacePlace<V> place_on_face(D d, const FacePlanes& planes, std::size_t f, int row,
+                                      V pixel) {
+  const V x = hn::Add(pixel, hn::Set(d, 0.5));
+  const double dy = row + 0.5 - planes.base_y[f];
+  const V dx = hn::Sub(x, hn::Set(d, planes.base_x[f]));
+  const V s = hn::MulAdd(dx, hn::Set(d, planes.cx[f]), hn::Set(d, planes.cy[f] * dy));
+  const V m =
+      hn::NegMulAdd(hn::Set(d, planes.h[f]), s,
+                    hn::MulAdd(dx, hn::Set(d, planes.gx[f]), hn::Set(d, planes.gy[f] * dy)));
+  return {m, s};
+}
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V on_face(D d, const FacePlanes::Quantity& q, std::size_t f, const FacePlace<V>& at) {
+  return hn::MulAdd(at.s, hn::Set(d, q.qs[f]),
+                    hn::MulAdd(at.m, hn::Set(d, q.qm[f]), hn::Set(d, q.q0[f])));
+}
+
 template <bool kSeparateFields, class D, class V = hn::Vec<D>>
 HWY_INLINE EntryAndExit<V> entry_and_exit(D d, const FacePlanes& planes, const FaceRuns& runs,
                                           int row, V pixel) {
   const std::size_t r = static_cast<std::size_t>(row - runs.row_begin);
-  const V x = hn::Add(pixel, hn::Set(d, 0.5));
   EntryAndExit<V> e;
   e.front = hn::Inf(d);
   e.back = hn::Neg(hn::Inf(d));
   e.front_color = e.back_color = e.front_extinction = e.back_extinction = hn::Zero(d);
   for (std::size_t f = 0; f < 4; ++f) {
-    const double dy = row + 0.5 - planes.base_y[f];
-    const V dx = hn::Sub(x, hn::Set(d, planes.base_x[f]));
-    const V s = hn::MulAdd(dx, hn::Set(d, planes.cx[f]), hn::Set(d, planes.cy[f] * dy));
-    const V m =
-        hn::NegMulAdd(hn::Set(d, planes.h[f]), s,
-                      hn::MulAdd(dx, hn::Set(d, planes.gx[f]), hn::Set(d, planes.gy[f] * dy)));
-    const auto at = [&](const FacePlanes::Quantity& q) {
-      return hn::MulAdd(s, hn::Set(d, q.qs[f]),
-                        hn::MulAdd(m, hn::Set(d, q.qm[f]), hn::Set(d, q.q0[f])));
-    };
+    const FacePlace<V> place = place_on_face(d, planes, f, row, pixel);
+    const auto at = [&](const FacePlanes::Quantity& q) { return on_face(d, q, f, place); };
     const auto covered = hn::And(hn::Ge(pixel, hn::Set(d, runs.first[f][r])),
                                  hn::Lt(pixel, hn::Set(d, runs.last[f][r])));
     const V depth = at(planes.depth), extinction = at(planes.extinction);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <type_traits>
+#include <vector>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "hiac/render/tetrahedron_kernel.cpp"
@@ -10,8 +12,11 @@
 // must come after foreach_target.h
 #include <hwy/highway.h>
 
+#include "hiac/render/isosurface_shading-inl.hpp"
 #include "hiac/render/scan_conversion-inl.hpp"
 #include "hiac/render/shading-inl.hpp"
+#include "hiac/render/tetrahedron_cuts-inl.hpp"
+#include "hiac/render/tetrahedron_describe-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
@@ -63,7 +68,7 @@ HWY_INLINE bool all_zero(const std::vector<std::uint8_t>& zero, IntervalRange ra
 }
 
 // Renders one kind of scene; the template arguments are what the inner loop must not ask about.
-template <bool kSeparateFields, bool kEmission>
+template <bool kSeparateFields, class Rule>
 class TetrahedronRenderer {
  public:
   TetrahedronRenderer(const Frame& frame, const TileRect& tile, TileBuffer& buffer,
@@ -75,13 +80,16 @@ class TetrahedronRenderer {
         counts_(counts),
         perspective_(frame.projector.perspective()),
         clipped_(frame.projector.near() > (perspective_ ? 0.0 : -hwy::HighestValue<double>()) ||
-                 frame.projector.far() < hwy::HighestValue<double>()) {}
+                 frame.projector.far() < hwy::HighestValue<double>()),
+        describer_(frame, buffer, group) {}
 
   HWY_INLINE void render(CellId cell) {
     CellScalars scalars;
     if (!load(cell, scalars)) return;
     if (!scan_faces(corners_, tile_, runs_)) return;
     set_face_planes(corners_, kSeparateFields, planes_);
+    set_cuts(cell);
+    if (HWY_UNLIKELY(frame_.with_details)) describer_.enter(cell);
     const auto [nearest, farthest] =
         std::minmax({corners_.depth[0], corners_.depth[1], corners_.depth[2], corners_.depth[3]});
     const int lanes = static_cast<int>(hn::Lanes(D()));
@@ -99,6 +107,13 @@ class TetrahedronRenderer {
   using V = hn::Vec<D>;
   using M = hn::Mask<D>;
 
+  // Ray parameters.
+  struct RayEnds {
+    V front, back;
+  };
+
+  static HWY_INLINE std::size_t lanes() { return hn::Lanes(D()); }
+
   HWY_INLINE bool load(CellId cell, CellScalars& scalars) {
     const std::uint64_t first_entry = frame_.mesh.elems[cell];
     const NodeId* nodes = frame_.mesh.nodes.data() + first_entry;
@@ -108,13 +123,13 @@ class TetrahedronRenderer {
                    scalars.least_extinction, scalars.most_extinction);
     scalars.color = scalars.extinction;
     if constexpr (kSeparateFields)
-      scalars.color = load_field(frame_.color, cell, first_entry, nodes, corner, corners_.color,
-                                 scalars.least_color, scalars.most_color);
+      scalars.color = load_field(frame_.color_field(), cell, first_entry, nodes, corner,
+                                 corners_.color, scalars.least_color, scalars.most_color);
     // where nothing absorbs, chromaticity has nothing to colour: the cell is empty space
     const OpticsTables& optics = frame_.optics;
-    if (all_zero(optics.no_extinction, scalars.extinction) &&
-        (!kEmission || all_zero(optics.no_color, scalars.color)))
-      return false;
+    empty_ = all_zero(optics.no_extinction, scalars.extinction) &&
+             (!optics.emission || all_zero(optics.no_color, scalars.color));
+    if (empty_ && frame_.isosurfaces.in(cell).empty()) return false;
     for (std::size_t k = 0; k < 4; ++k) {
       const ProjectedNode& node = frame_.nodes[nodes[corner[k]]];
       corners_.x[k] = node.x;
@@ -145,32 +160,171 @@ class TetrahedronRenderer {
     e.back = hn::Min(hn::Max(e.back, hn::Set(d, nearest)), hn::Set(d, farthest));
     to_ray_parameter(d, e);
     clamp_fields(d, scalars, e);
+    const RayEnds whole{e.front, e.back};
     if (clipped_) clip(d, e, active);
     V length = hn::Sub(e.back, e.front);
     if (perspective_) length = hn::Mul(length, hn::LoadU(d, buffer_.ray_scale.data() + at));
     length = hn::IfThenElseZero(active, length);
     counts_.segments += hn::CountTrue(d, active);
 
-    const Radiance<V> radiance = integrate(d, scalars, length, e, active);
+    const bool cut = HWY_UNLIKELY(!cuts_.empty()) &&
+                     cut_box_.meets(row, x, std::min(last, x + static_cast<int>(lanes())));
+    const Radiance<V> radiance =
+        HWY_LIKELY(!cut)
+            ? integrate(d, scalars, length, e, active)
+            : integrate_between_surfaces(d, scalars, row, pixel, at, whole, length, e, active);
+    if (HWY_UNLIKELY(frame_.with_details))
+      describer_.describe(d, {row, x, at, cut, empty_}, length, e, radiance, active);
     if (group_ != nullptr)
       collect(d, at, e, radiance, active);
     else
       composite(d, at, e, radiance, active, behind);
   }
 
+  HWY_INLINE void set_cuts(CellId cell) {
+    cuts_.clear();
+    const auto surfaces = frame_.isosurfaces.in(cell);
+    if (HWY_LIKELY(surfaces.empty())) return;
+    cut_box_ = {};
+    const auto corner = ascending_corners(frame_.mesh.nodes.data() + frame_.mesh.elems[cell]);
+    for (const IsosurfaceCut& cut : surfaces)
+      cuts_.push_back(make_cut(frame_, cell, cut, corner, corners_, cut_box_));
+    cut_places_.resize(2 * cuts_.size() * lanes());
+  }
+
   HWY_INLINE Radiance<V> integrate(D d, const CellScalars& scalars, V length,
                                    const EntryAndExit<V>& e, M active) const {
     if (scalars.uniform())
-      return uniform_radiance<kEmission>(d, frame_.optics, scalars.color.low,
-                                         scalars.extinction.low, length, e.front_color,
-                                         e.back_color, e.front_extinction, e.back_extinction);
+      return uniform_radiance<Rule>(d, frame_.optics, scalars.color.low, scalars.extinction.low,
+                                    length, e.front_color, e.back_color, e.front_extinction,
+                                    e.back_extinction);
+    if constexpr (!std::is_same_v<Rule, ExactChromaticity> && !std::is_same_v<Rule, ExactEmission>)
+      if (frame_.optics.unsliced)
+        return unsliced_radiance<Rule>(d, frame_.optics, scalars.color, scalars.extinction, length,
+                                       e.front_color, e.back_color, e.front_extinction,
+                                       e.back_extinction);
     if constexpr (kSeparateFields)
-      return walked_radiance<kEmission>(d, frame_.optics, scalars.color, scalars.extinction, length,
-                                        e.front_color, e.back_color, e.front_extinction,
-                                        e.back_extinction, active);
+      return walked_radiance<Rule>(d, frame_.optics, scalars.color, scalars.extinction, length,
+                                   e.front_color, e.back_color, e.front_extinction,
+                                   e.back_extinction, active);
     else
-      return sliced_radiance<kEmission>(d, frame_.optics, scalars.extinction, length,
-                                        e.front_extinction, e.back_extinction, active);
+      return sliced_radiance<Rule>(d, frame_.optics, scalars.extinction, length, e.front_extinction,
+                                   e.back_extinction, active);
+  }
+
+  // Stores for every cut at which part of the segment it is crossed: 2 where it is not.
+  HWY_INLINE void place_cuts(D d, int row, V pixel, const RayEnds& whole,
+                             const EntryAndExit<V>& e) {
+    CutScan(frame_, planes_, runs_, cuts_).find(d, row, pixel, cut_places_.data());
+    if (HWY_UNLIKELY(frame_.with_details)) describer_.set_ends(cuts_.size(), cut_places_);
+    const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
+    for (std::size_t k = 0; k < cuts_.size(); ++k) {
+      double* ends = cut_places_.data() + 2 * k * hn::Lanes(d);
+      const V front = hn::LoadU(d, ends), back = hn::LoadU(d, ends + hn::Lanes(d));
+      M crossed = hn::Xor(hn::Ge(front, zero), hn::Ge(back, zero));
+      V u = hn::Min(hn::Div(front, hn::Sub(front, back)), one);
+      if (clipped_) {
+        const V t = hn::MulAdd(hn::Sub(whole.back, whole.front), u, whole.front);
+        crossed = hn::And(crossed, hn::And(hn::Ge(t, hn::Set(d, frame_.projector.near())),
+                                           hn::Le(t, hn::Set(d, frame_.projector.far()))));
+        const V part = hn::Div(hn::Sub(t, e.front), hn::Sub(e.back, e.front));
+        u = hn::Min(hn::Max(part, zero), one);
+      }
+      hn::StoreU(hn::IfThenElse(crossed, u, hn::Set(d, 2.0)), d, cut_places_.data() + k * lanes());
+    }
+  }
+
+  // Unit vectors along the rays of a row's pixels: right, up, forward.
+  HWY_INLINE void set_rays(D d, int row, V pixel, std::size_t at, V (&ray)[3]) const {
+    ray[0] = ray[1] = hn::Zero(d);
+    ray[2] = hn::Set(d, 1.0);
+    if (!perspective_) return;
+    HWY_ALIGN double x[8], right[8];
+    hn::Store(pixel, d, x);
+    double up = 0;
+    for (std::size_t k = 0; k < lanes(); ++k) {
+      const auto slopes = frame_.projector.slopes(x[k] + 0.5, row + 0.5);
+      right[k] = slopes[0];
+      up = slopes[1];
+    }
+    ray[2] = hn::Div(ray[2], hn::LoadU(d, buffer_.ray_scale.data() + at));
+    ray[0] = hn::Mul(hn::Load(d, right), ray[2]);
+    ray[1] = hn::Mul(hn::Set(d, up), ray[2]);
+  }
+
+  // The part of a segment from u0 to u1.
+  HWY_INLINE static EntryAndExit<V> part_of(D d, const EntryAndExit<V>& e, V u0, V u1) {
+    const auto at = [d](V u, V front, V back) {
+      return hn::IfThenElse(hn::Ge(u, hn::Set(d, 1.0)), back,
+                            hn::MulAdd(hn::Sub(back, front), u, front));
+    };
+    return {e.front,
+            e.back,
+            at(u0, e.front_color, e.back_color),
+            at(u1, e.front_color, e.back_color),
+            at(u0, e.front_extinction, e.back_extinction),
+            at(u1, e.front_extinction, e.back_extinction)};
+  }
+
+  // A cell that isosurfaces cross: from surface to surface, the nearest first. What the surfaces
+  // are that come next is up to each lane.
+  HWY_NOINLINE Radiance<V> integrate_between_surfaces(D d, const CellScalars& scalars, int row,
+                                                      V pixel, std::size_t at, const RayEnds& whole,
+                                                      V length, const EntryAndExit<V>& e,
+                                                      M active) {
+    place_cuts(d, row, pixel, whole, e);
+    if (HWY_UNLIKELY(frame_.with_details)) describer_.set_places(cut_places_, lanes());
+    const V zero = hn::Zero(d), one = hn::Set(d, 1.0), never = hn::Set(d, 2.0);
+    Radiance<V> sum{zero, zero, zero, one};
+    V from = zero;
+    for (;;) {
+      V next = never, which = zero;
+      for (std::size_t k = 0; k < cuts_.size(); ++k) {
+        const V u = hn::LoadU(d, cut_places_.data() + k * lanes());
+        const M nearer = hn::Lt(u, next);
+        next = hn::IfThenElse(nearer, u, next);
+        which = hn::IfThenElse(nearer, hn::Set(d, static_cast<double>(k)), which);
+      }
+      const V to = hn::Min(next, one);
+      const M some = hn::And(active, hn::Lt(from, to));
+      if (!empty_ && !hn::AllFalse(d, some)) {
+        const V before = sum.transparency;
+        add_behind(integrate(d, scalars, hn::Mul(length, hn::Sub(to, from)),
+                             part_of(d, e, from, to), some),
+                   some, sum);
+        if (HWY_UNLIKELY(frame_.with_details))
+          describer_.add_depth(d, hn::Mul(hn::Add(from, to), hn::Set(d, 0.5)),
+                               hn::Sub(before, sum.transparency));
+      }
+      const M crossed = hn::And(active, hn::Lt(next, never));
+      if (hn::AllFalse(d, crossed)) return sum;
+      V ray[3];
+      set_rays(d, row, pixel, at, ray);
+      for (std::size_t k = 0; k < cuts_.size(); ++k) {
+        const M here = hn::And(crossed, hn::Eq(which, hn::Set(d, static_cast<double>(k))));
+        if (hn::AllFalse(d, here)) continue;
+        const auto& n = cuts_[k].normal;
+        const V normal[3] = {hn::Set(d, n[0]), hn::Set(d, n[1]), hn::Set(d, n[2])};
+        const auto [rgb, transparency] =
+            shade(d, *cuts_[k].surface, frame_.isosurfaces.lights, normal, ray);
+        const V before = sum.transparency;
+        add_behind(Radiance<V>{rgb[0], rgb[1], rgb[2], transparency}, here, sum);
+        if (HWY_UNLIKELY(frame_.with_details))
+          describer_.add_depth(d, to, hn::Sub(before, sum.transparency));
+        double* place = cut_places_.data() + k * lanes();
+        hn::StoreU(hn::IfThenElse(here, never, hn::LoadU(d, place)), d, place);
+      }
+      from = to;
+    }
+  }
+
+  HWY_INLINE static void add_behind(const Radiance<V>& radiance, M where, Radiance<V>& sum) {
+    const V visible = hn::IfThenElseZero(where, sum.transparency);
+    sum.red = hn::MulAdd(visible, radiance.red, sum.red);
+    sum.green = hn::MulAdd(visible, radiance.green, sum.green);
+    sum.blue = hn::MulAdd(visible, radiance.blue, sum.blue);
+    sum.transparency =
+        hn::IfThenElse(where, hn::Mul(sum.transparency, radiance.transparency), sum.transparency);
   }
 
   HWY_INLINE void to_ray_parameter(D d, EntryAndExit<V>& e) const {
@@ -273,21 +427,34 @@ class TetrahedronRenderer {
   ProjectedTetrahedron corners_;
   FacePlanes planes_;
   FaceRuns runs_;
+  // of the cell at hand
+  bool empty_ = false;  // the volume neither absorbs nor shines
+  std::vector<TetrahedronCut> cuts_;
+  ScreenBox cut_box_;               // of all of them
+  std::vector<double> cut_places_;  // of one vector of pixels
+  SegmentDescriber describer_;      // where details are asked for
 };
 
-template <bool kSeparateFields, bool kEmission>
+template <bool kSeparateFields, class Rule>
 HWY_NOINLINE void render_all(const Frame& frame, std::span<const CellId> cells,
                              const TileRect& tile, TileBuffer& buffer, SegmentList* group,
                              TileCounts& counts) {
-  TetrahedronRenderer<kSeparateFields, kEmission> renderer(frame, tile, buffer, group, counts);
+  TetrahedronRenderer<kSeparateFields, Rule> renderer(frame, tile, buffer, group, counts);
   for (const CellId cell : cells) renderer.render(cell);
 }
 
 void render_tetrahedra_here(const Frame& frame, std::span<const CellId> cells, const TileRect& tile,
                             TileBuffer& buffer, SegmentList* group, TileCounts& counts) {
-  const bool separate = !frame.optics.same_field, emission = frame.optics.emission;
-  const auto render = separate ? (emission ? render_all<true, true> : render_all<true, false>)
-                               : (emission ? render_all<false, true> : render_all<false, false>);
+  const OpticsTables& optics = frame.optics;
+  auto render = render_all<true, AnyRule>;
+  if (optics.rule == PieceRule::exact && !optics.emission)
+    render = optics.same_field ? render_all<false, ExactChromaticity>
+                               : render_all<true, ExactChromaticity>;
+  else if (optics.rule == PieceRule::exact)
+    render = optics.same_field ? render_all<false, ExactEmission> : render_all<true, ExactEmission>;
+  else if (optics.rule == PieceRule::mean_color && !optics.emission)
+    render = optics.same_field ? render_all<false, MeanChromaticity>
+                               : render_all<true, MeanChromaticity>;
   render(frame, cells, tile, buffer, group, counts);
 }
 

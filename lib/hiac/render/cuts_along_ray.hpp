@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "hiac/optics/polynomial_roots.hpp"
+#include "hiac/render/cell_scan.hpp"
+#include "hiac/render/error_bound.hpp"
+#include "hiac/render/face_value.hpp"
+#include "hiac/render/field_along_ray.hpp"
+#include "hiac/render/frame.hpp"
+#include "hiac/render/isosurface_shading.hpp"
+
+namespace hiac {
+
+/// Where a ray crosses an isosurface, and what it sees there.
+struct IsosurfaceCrossing {
+  double t;
+  IsosurfaceShade shade;
+  // where errors are asked for
+  double moved = 0;          ///< what t may be wrong by
+  ErrorBound shade_error{};  ///< of the shade
+};
+
+/// The isosurfaces that cross one linear cell of any kind, met along rays (section 5.2): where the
+/// isoparametric interpolant takes their values, with its gradient as the normal.
+class CutsAlongRay {
+ public:
+  explicit CutsAlongRay(const Frame& frame) : frame_(frame) {}
+
+  /// Takes the surfaces of a cell; `aside` is its displacement (error_bound.hpp), where errors are
+  /// asked for. False, and nothing else may be asked, when there is none.
+  bool enter(CellId cell, double aside);
+
+  /// Replaces `found` by the crossings on a stretch, what `crossing` has after z-clipping, in the
+  /// order in which they are met. `map`: of the cell.
+  ///
+  /// Between the enclosures of its roots (append_roots) the offset from a surface's value has a
+  /// certain sign; what it is on the cell's faces is asked of the faces (face_value.hpp), so that
+  /// neighbours agree. A crossing lies wherever one sign follows another.
+  void find(const CellMap& map, const CellCrossing& crossing, const RayStretch& stretch,
+            std::vector<IsosurfaceCrossing>& found);
+
+  /// Whether the last call of `find` may have missed a crossing, or found one too many: with values
+  /// higher and lower by the error of the field there are not as many. (Where errors are asked
+  /// for.)
+  [[nodiscard]] bool doubtful() const { return doubtful_; }
+
+ private:
+  struct Cut {
+    const FrameIsosurface* surface;
+    CornerField offsets;
+    std::array<FaceOffsets, 6> faces;
+    std::uint8_t closed_faces;
+    double aside = 0;  // the cell's displacement
+  };
+
+  void add_places(const CellMap& map, const CellCrossing& crossing, const RayStretch& stretch,
+                  const Cut& cut);
+  [[nodiscard]] bool below_at_face(const Cut& cut, const CellCrossing& crossing, std::size_t face,
+                                   double t, double offset) const;
+  void add_doubts(const RayStretch& stretch, const Cut& cut, double error);
+  [[nodiscard]] std::array<double, 3> normal_at(const CellMap& map, const RayStretch& stretch,
+                                                const Cut& cut, double t, double& rounding) const;
+  [[nodiscard]] IsosurfaceCrossing crossing_at(const CellMap& map, const CellCrossing& crossing,
+                                               const RayStretch& stretch, const Cut& cut, double u,
+                                               double moved) const;
+
+  const Frame& frame_;
+  CellKind kind_{};
+  std::vector<Cut> cuts_;
+  std::array<CellMap::Point, CellMap::kMostCorners> corners_{};
+  // of the ray and the cut at hand
+  std::vector<FieldAlongRay::Piece> pieces_;
+  std::vector<RootEnclosure> roots_;
+  std::vector<double> places_;
+  std::vector<double> moved_, shifted_;  // what each place may be wrong by; scratch
+  bool doubtful_ = false;
+};
+
+}  // namespace hiac
