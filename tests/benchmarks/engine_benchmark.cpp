@@ -1,4 +1,4 @@
-// The engine alone and the order, on random Delaunay tetrahedra of the unit cube: the view and
+// The engine alone, on random Delaunay tetrahedra of the unit cube: the view and
 // transfer functions of the comparison with other renderers.
 
 #include <map>
@@ -92,19 +92,6 @@ void with_surfaces(benchmark::State& state, Projection projection, const char* f
   }
 }
 
-void adjacency(benchmark::State& state) {
-  const ZooMesh& mesh = mesh_of(state.range(0));
-  for (auto _ : state) benchmark::DoNotOptimize(build_face_adjacency(mesh));
-  state.counters["cells"] = static_cast<double>(mesh.cell_count());
-}
-
-void order(benchmark::State& state) {
-  const ZooMesh& mesh = mesh_of(state.range(0));
-  const Scene scene = parallel_scene(100);
-  for (auto _ : state) benchmark::DoNotOptimize(order_of(mesh, scene));
-  state.counters["cells"] = static_cast<double>(mesh.cell_count());
-}
-
 BENCHMARK_CAPTURE(engine, orthographic, Projection::orthographic)
     ->ArgNames({"points", "side"})
     ->Args({1600, 1000})
@@ -126,8 +113,6 @@ BENCHMARK_CAPTURE(with_surfaces, orthographic_other, Projection::orthographic, "
 BENCHMARK_CAPTURE(with_surfaces, perspective_other, Projection::perspective, "g")
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
-BENCHMARK(adjacency)->Arg(85000)->Unit(benchmark::kMillisecond)->UseRealTime();
-BENCHMARK(order)->Arg(85000)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 }  // namespace
 }  // namespace hiac

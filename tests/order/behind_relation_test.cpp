@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/geometry/predicates.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
 #include "tests/order/order_meshes.hpp"
 
@@ -19,14 +20,15 @@ using Real = long double;
 using Vec = std::array<Real, 3>;
 
 BehindRelation relation_of(const ZooMesh& mesh, const View& view, double planarity = kPlanarity) {
-  return shared_face_relation(mesh, build_face_adjacency(mesh), view, planarity);
+  return shared_face_relation(order_basis(mesh, build_face_adjacency(mesh)), view, planarity);
 }
 
 // Arrows between the two cells of a mesh, as seen from cell 0.
 unsigned arrows_between(const ZooMesh& mesh, const View& view, double planarity = kPlanarity) {
   const BehindRelation relation = relation_of(mesh, view, planarity);
   unsigned arrows = 0;
-  for (std::uint64_t f = 0; f < relation.face_offset[1]; ++f) arrows |= relation.arrows[f];
+  for (std::size_t f = 0; f < face_count(mesh.kinds[0]); ++f)
+    arrows |= relation.of_cell[0].across(f);
   return arrows;
 }
 
@@ -113,6 +115,18 @@ Crossings crossings(const ZooMesh& mesh, std::span<const NodeId> nodes, const Vi
   return found;
 }
 
+// A patch three of whose corner triangles are seen from in front, and the one that spans its plane
+// edge-on: rays cross it all the same.
+TEST(BehindRelation, AWarpedFaceWithOneCornerSeenEdgeOn) {
+  const ZooMesh mesh = two_bricks({0.125, 0, 0, 0});
+  // the lowest node, 4, is the one that was moved; its triangle has the corners 7, 4 and 5
+  const Position along_triangle{-0.25, 1, 1}, back{0.25, -1, -1};
+  EXPECT_EQ(
+      orientation_towards(mesh.position(7), mesh.position(4), mesh.position(5), along_triangle), 0);
+  EXPECT_EQ(arrows_between(mesh, along("", along_triangle).view), kNeighborFirst);
+  EXPECT_EQ(arrows_between(mesh, along("", back).view), kCellFirst);
+}
+
 // Bricks with every inner node pushed about: a face has arrows both ways exactly when rays cross
 // its bilinear patch both ways.
 TEST(BehindRelation, ArrowsAreTheWaysThatRaysCrossAPatch) {
@@ -121,15 +135,14 @@ TEST(BehindRelation, ArrowsAreTheWaysThatRaysCrossAPatch) {
   const ZooMesh mesh = moved(structured(3, Cut::bricks), [&](const Position& p) {
     return Position{p[0] + push(random), p[1] + push(random), p[2] + push(random)};
   });
-  const FaceAdjacency adjacency = build_face_adjacency(mesh);
+  const OrderBasis basis = order_basis(mesh, build_face_adjacency(mesh));
   std::size_t both = 0, one = 0;
   for (const auto& [name, view] : many_views()) {
     SCOPED_TRACE(name);
-    const BehindRelation relation = shared_face_relation(mesh, adjacency, view, kPlanarity);
+    const BehindRelation relation = shared_face_relation(basis, view, kPlanarity);
     for (CellId cell = 0; cell < mesh.cell_count(); ++cell)
       for (std::size_t f = 0; f < 6; ++f) {
-        const std::uint64_t face = relation.face_offset[cell] + f;
-        if (adjacency.neighbors[face] == kNoCell) continue;
+        if (basis.adjacency.neighbors[basis.faces.first(cell) + f] == kNoCell) continue;
         std::array<NodeId, 4> nodes;  // counter-clockwise seen from outside the cell
         for (std::size_t k = 0; k < 4; ++k)
           nodes[k] = mesh.cell_nodes(cell)[topology_of(CellShape::brick).faces[f].corners[k]];
@@ -137,7 +150,7 @@ TEST(BehindRelation, ArrowsAreTheWaysThatRaysCrossAPatch) {
         // along the outward normal rays leave the cell
         const unsigned arrows =
             (truth.positive ? kCellFirst : kNoArrow) | (truth.negative ? kNeighborFirst : kNoArrow);
-        ASSERT_EQ(relation.arrows[face], arrows) << "cell " << cell << ", face " << f;
+        ASSERT_EQ(relation.of_cell[cell].across(f), arrows) << "cell " << cell << ", face " << f;
         ++(arrows == kBothWays ? both : one);
       }
   }
@@ -151,13 +164,21 @@ TEST(BehindRelation, CellsWithoutVolumeBesideOneAnother) {
       make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 2, 0}},
                 {{CellKind::tetrahedron4, {0, 1, 2, 3}}, {CellKind::tetrahedron4, {1, 2, 3, 4}}});
   EXPECT_EQ(arrows_between(mesh, along("", {0, 0, 1}).view), kBothWays);
+  EXPECT_EQ(arrows_between(mesh, along("", {1, 2, 0}).view), kNoArrow);
+}
+
+// Two bricks of a layer without height: what they share is a line, which no ray crosses.
+TEST(BehindRelation, CellsWithoutVolumeBesideOneAnotherInALayer) {
+  const ZooMesh mesh = moved(two_bricks({}), [](const Position& p) {
+    return Position{p[0], p[1], 0.25};
+  });
+  EXPECT_EQ(arrows_between(mesh, from_eye("", {-3, 0.5, 0.75}).view), kNoArrow);
 }
 
 // A stored adjacency may say anything.
 TEST(BehindRelation, AnAdjacencyThatIsNotMutualIsRefused) {
   const ZooMesh mesh = structured(2, Cut::tetrahedra);
   const FaceAdjacency good = build_face_adjacency(mesh);
-  const View view = many_views()[0].view;
   std::vector<CellId> neighbors(good.neighbors.begin(), good.neighbors.end());
   const auto at = static_cast<std::size_t>(
       std::ranges::find_if(neighbors, [](CellId cell) { return cell != kNoCell; }) -
@@ -165,7 +186,7 @@ TEST(BehindRelation, AnAdjacencyThatIsNotMutualIsRefused) {
   for (const CellId wrong : {kNoCell, (neighbors[at] + 7) % 48, static_cast<CellId>(at / 4)}) {
     auto changed = neighbors;
     changed[at] = wrong;
-    EXPECT_THROW(shared_face_relation(mesh, {std::move(changed), 0}, view, kPlanarity), InputError);
+    EXPECT_THROW(order_basis(mesh, {std::move(changed), 0}), InputError);
   }
 }
 

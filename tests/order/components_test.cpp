@@ -15,37 +15,32 @@ namespace {
 
 using testing::ElementsAre;
 
-// A relation made by hand: cells with any number of faces.
-struct HandMade {
-  BehindRelation relation;
-  std::vector<CellId> neighbors;
-};
-
-// Every pair of cells shares a face with the arrows given for it. Arrows in `gaps` are left out.
-HandMade across_faces(std::size_t cells, const Arrows& arrows) {
-  std::vector<std::vector<std::pair<CellId, std::uint8_t>>> faces(cells);
-  for (const auto& [front, behind] : arrows) {
-    faces[front].emplace_back(behind, kCellFirst);
-    faces[behind].emplace_back(front, kNeighborFirst);
-  }
-  HandMade made;
-  made.relation.face_offset.push_back(0);
-  for (const auto& of_cell : faces) {
-    for (const auto& [neighbor, arrow] : of_cell) {
-      made.neighbors.push_back(neighbor);
-      made.relation.arrows.push_back(arrow);
-    }
-    made.neighbors.push_back(kNoCell);  // and one on the boundary
-    made.relation.arrows.push_back(kNoArrow);
-    made.relation.face_offset.push_back(made.neighbors.size());
-  }
-  return made;
+// Cells of the most faces that a cell can have.
+ZooMesh bricks(std::size_t cells) {
+  ZooMesh mesh;
+  mesh.kinds = std::vector<CellKind>(cells, CellKind::brick8);
+  return mesh;
 }
 
-VisibilityOrder order_of(std::size_t cells, const Arrows& faces,
-                         const std::vector<GapArrow>& gaps = {}) {
-  const HandMade made = across_faces(cells, faces);
-  return order_of_components(made.relation, made.neighbors, gaps);
+// The order of a relation made by hand: the arrows of `faces` run across shared faces as long as
+// both cells have one left, the others and those of `gaps` across gaps.
+VisibilityOrder order_of(std::size_t cells, const Arrows& faces, std::vector<GapArrow> gaps = {}) {
+  const FaceNumbering numbering(bricks(cells));
+  BehindRelation relation;
+  relation.of_cell.resize(cells);
+  std::vector<CellId> neighbors(numbering.first(cells), kNoCell);
+  std::vector<std::size_t> used(cells, 0);
+  for (const auto& [front, behind] : faces) {
+    if (used[front] == 6 || used[behind] == 6) {
+      gaps.push_back({front, behind});
+      continue;
+    }
+    neighbors[6 * front + used[front]] = behind;
+    neighbors[6 * behind + used[behind]] = front;
+    relation.of_cell[front].set(used[front]++, kCellFirst);
+    relation.of_cell[behind].set(used[behind]++, kNeighborFirst);
+  }
+  return order_of_components(relation, numbering, neighbors, sorted_by_cell(cells, gaps));
 }
 
 std::vector<CellId> cells_of(const VisibilityOrder& order) {

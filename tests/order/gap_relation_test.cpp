@@ -127,6 +127,22 @@ TEST(GapRelation, PartsFarApartAreInOrder) {
   expect_exact(parts, "parts");
 }
 
+// Bricks with an edge of their tops and bottoms collapsed: quadrilaterals of which two corners are
+// at one place. Seen along z, the lower one comes first.
+TEST(GapRelation, CollapsedEdgesHideNothing) {
+  const ZooMesh brick = test::moved(test::structured(1, Cut::bricks), [](const Position& p) {
+    return Position{p[1] == 1 ? 0.5 : p[0], p[1], p[2]};
+  });
+  const ZooMesh mesh = test::side_by_side(brick, test::moved(brick, [](const Position& p) {
+                                            return Position{p[0], p[1], p[2] + 1.5};
+                                          }));
+  const GapRelation relation = gap_relation(order_basis(mesh, build_face_adjacency(mesh)),
+                                            {false, {}, {0, 0, 1}}, kPlanarity);
+  ASSERT_EQ(relation.behind.size(), 1U);
+  ASSERT_EQ(relation.behind_cell(0).size(), 1U);
+  EXPECT_EQ(relation.behind_cell(0)[0], 1U);
+}
+
 // Three slabs leaning on one another in a ring: each is in front of the next.
 TEST(GapRelation, ACycleIsOneGroupOfThree) {
   const auto slab = [](double angle) {

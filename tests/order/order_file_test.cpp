@@ -181,22 +181,25 @@ TEST_F(OrderFile, RandomChanges) {
 
 TEST_F(OrderFile, AnotherMeshOrViewIsRefused) {
   const ZooMesh mesh = structured(1, Cut::tetrahedra);
-  const Camera camera;
-  OrderRecord record{content_hash(mesh), camera_hash(camera), {}};
+  const Scene scene;
+  OrderRecord record{content_hash(mesh), view_hash(scene), {}};
   record.order.cells = std::vector<CellId>{0, 1, 2, 3, 4, 5};
-  const auto fit = [&](const ZooMesh& m, const Camera& c, const OrderRecord& r) {
-    return error_of([&] { tools::require_fitting_order(r, m, c, "x.order"); });
+  const auto fit = [&](const ZooMesh& m, const Scene& s, const OrderRecord& r) {
+    return error_of([&] { tools::require_fitting_order(r, m, s, "x.order"); });
   };
-  EXPECT_EQ(fit(mesh, camera, record), "no error");
-  Camera other_camera = camera;
-  other_camera.eye[0] += 1e-12;
-  EXPECT_THAT(fit(mesh, other_camera, record), HasSubstr("another view"));
+  EXPECT_EQ(fit(mesh, scene, record), "no error");
+  Scene other_scene = scene;
+  other_scene.camera.eye[0] += 1e-12;
+  EXPECT_THAT(fit(mesh, other_scene, record), HasSubstr("another view"));
+  other_scene = scene;
+  other_scene.render.planarity = 1e-6;
+  EXPECT_THAT(fit(mesh, other_scene, record), HasSubstr("another view"));
   const ZooMesh other_mesh = moved(mesh, [](const Position& p) -> Position {
     return {p[0], p[1], p[2] == 1 ? 1 + 1e-15 : p[2]};
   });
-  EXPECT_THAT(fit(other_mesh, camera, record), HasSubstr("another mesh"));
+  EXPECT_THAT(fit(other_mesh, scene, record), HasSubstr("another mesh"));
   record.order.cells = std::vector<CellId>{0, 1, 2};
-  EXPECT_THAT(fit(mesh, camera, record), HasSubstr("6 cells expected, 3 found"));
+  EXPECT_THAT(fit(mesh, scene, record), HasSubstr("6 cells expected, 3 found"));
 }
 
 }  // namespace

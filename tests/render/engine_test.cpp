@@ -166,6 +166,33 @@ TEST(Engine, RaysInFacesAndEdgesMissNothing) {
 
 // A row of vectors must not depend on what other pixels share a vector or a tile with it, nor on
 // who draws the tile.
+// Looking along an axis from the middle, diagonal faces are seen edge-on and run through centres of
+// pixels: such a ray stays on one side of a face's plane from front to back, and one that is hardly
+// beside the plane crosses it once.
+TEST(Engine, RaysInDiagonalFacesOrHardlyBesideThem) {
+  for (const Cut cut : {Cut::tetrahedra, Cut::prisms})
+    for (const auto& up : {test::Position{0, 1, 0}, {1, 1, 0}, {1, 3, 0}}) {
+      ZooMesh mesh = test::structured(4, cut);
+      test::add_node_field(mesh, "f", test::smooth_field);
+      Scene scene = scene_of(Projection::perspective, 31, 31);
+      scene.camera.eye = {0.5, 0.5, 3.5};
+      scene.camera.up = up;
+      const RenderResult edge_on = draw(mesh, scene);
+      EXPECT_EQ(edge_on.statistics.violations, 0U);
+      for (const double size : {1e-5, 1e-7, 1e-12, 1e-14})
+        for (const double sign : {-1, 1}) {
+          SCOPED_TRACE(sign * size);
+          scene.camera.eye = {0.5 + sign * size, 0.5 + 0.3 * sign * size, 3.5};
+          const RenderResult beside = draw(mesh, scene);
+          EXPECT_EQ(beside.statistics.violations, 0U);
+          for (std::uint32_t y = 0; y < 31; ++y)
+            for (std::uint32_t x = 0; x < 31; ++x)
+              for (std::size_t c = 0; c < 4; ++c)
+                ASSERT_NEAR(edge_on.image.at(x, y, c), beside.image.at(x, y, c), 5 * size + 1e-11);
+        }
+    }
+}
+
 TEST(Engine, ThreadsDoNotChangeABit) {
   const ZooMesh mesh = delaunay_with_fields(300, 5);
   const Scene scene = scene_of(Projection::perspective, 200, 150);

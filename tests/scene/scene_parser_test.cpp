@@ -363,31 +363,47 @@ TEST(SceneParser, SurvivesMutatedText) {
   }
 }
 
-TEST(CameraHash, KeepsToWhatDecidesTheOrder) {
-  Camera camera{Projection::perspective, {1, 2, 3}, {4, 5, 6}, {0, 0, 1}, 30, 0, {}};
-  const std::string hash = camera_hash(camera);
+TEST(ViewHash, KeepsToWhatDecidesTheOrder) {
+  Scene scene;
+  scene.camera = {Projection::perspective, {1, 2, 3}, {4, 5, 6}, {0, 0, 1}, 30, 0, {}};
+  const std::string hash = view_hash(scene);
   EXPECT_EQ(hash.size(), 32u);
-  Camera other = camera;
-  other.look_at = {7, 8, 9};
-  other.fov = 20;
-  other.up = {1, 0, 0};
-  EXPECT_EQ(camera_hash(other), hash);
-  other.eye[0] += 1e-15;
-  EXPECT_NE(camera_hash(other), hash);
+  Scene other = scene;
+  other.camera.look_at = {7, 8, 9};
+  other.camera.fov = 20;
+  other.camera.up = {1, 0, 0};
+  other.image = {7, 5};
+  other.render.tolerance = 1e-3;
+  EXPECT_EQ(view_hash(other), hash);
+  other.camera.eye[0] += 1e-15;
+  EXPECT_NE(view_hash(other), hash);
 
-  camera.projection = Projection::orthographic;
-  EXPECT_NE(camera_hash(camera), hash);
-  other = camera;
-  other.eye = {11, 12, 13};
-  other.look_at = {20, 21, 22};  // the same direction, three times as long
-  EXPECT_EQ(camera_hash(other), camera_hash(camera));
-  other.look_at = {2, 3, 4};  // the other way
-  EXPECT_NE(camera_hash(other), camera_hash(camera));
+  scene.camera.projection = Projection::orthographic;
+  EXPECT_NE(view_hash(scene), hash);
+  other = scene;
+  other.camera.eye = {11, 12, 13};
+  other.camera.look_at = {20, 21, 22};  // the same direction, three times as long
+  EXPECT_EQ(view_hash(other), view_hash(scene));
+  other.camera.look_at = {2, 3, 4};  // the other way
+  EXPECT_NE(view_hash(other), view_hash(scene));
+}
 
-  Camera zero{Projection::perspective, {0.0, 1, 1}, {0, 0, 0}, {0, 0, 1}, 30, 0, {}};
-  Camera minus_zero = zero;
-  minus_zero.eye[0] = -0.0;
-  EXPECT_EQ(camera_hash(zero), camera_hash(minus_zero));
+// What counts as planar decides about arrows of faces that are seen edge-on.
+TEST(ViewHash, KnowsThePlanarity) {
+  Scene scene;
+  Scene other = scene;
+  other.render.planarity = 1e-6;
+  EXPECT_NE(view_hash(other), view_hash(scene));
+}
+
+TEST(ViewHash, TheTwoZerosAreOne) {
+  Scene zero;
+  zero.camera = {Projection::perspective, {0.0, 1, 1}, {0, 0, 0}, {0, 0, 1}, 30, 0, {}};
+  zero.render.planarity = 0.0;
+  Scene minus_zero = zero;
+  minus_zero.camera.eye[0] = -0.0;
+  minus_zero.render.planarity = -0.0;
+  EXPECT_EQ(view_hash(zero), view_hash(minus_zero));
 }
 
 }  // namespace

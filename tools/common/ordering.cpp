@@ -35,20 +35,20 @@ OrderRecord order_mesh(Tool& tool, const ZooMesh& mesh, const Scene& scene) {
                   s.shared_faces, s.unmatched_faces, s.cells_in_groups, mesh.cell_count(),
                   result.order.groups.size(), s.largest_group, scene.render.planarity));
   const std::string hash = tool.timed("hash", [&] { return content_hash(mesh); });
-  return {hash, camera_hash(scene.camera), std::move(result.order)};
+  return {hash, view_hash(scene), std::move(result.order)};
 }
 
-void require_fitting_order(const OrderRecord& record, const ZooMesh& mesh, const Camera& camera,
+void require_fitting_order(const OrderRecord& record, const ZooMesh& mesh, const Scene& scene,
                            const std::string& subject) {
-  const std::string mesh_hash = content_hash(mesh), view_hash = camera_hash(camera);
+  const std::string mesh_hash = content_hash(mesh), view = view_hash(scene);
   if (record.mesh_hash != mesh_hash)
     throw InputError(subject, fmt::format("the order belongs to another mesh (hash {} expected, {} "
                                           "found)",
                                           mesh_hash, record.mesh_hash));
-  if (record.view_hash != view_hash)
+  if (record.view_hash != view)
     throw InputError(subject, fmt::format("the order belongs to another view (hash {} expected, {} "
                                           "found)",
-                                          view_hash, record.view_hash));
+                                          view, record.view_hash));
   if (record.order.cells.size() != mesh.cell_count())
     throw InputError(subject, fmt::format("the order is of another mesh ({} cells expected, {} "
                                           "found)",

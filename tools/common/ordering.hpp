@@ -13,8 +13,8 @@ View view_of(const Camera& camera);
 /// Uses the adjacency that the mesh brings, or computes it. Puts what was met among the facts.
 OrderRecord order_mesh(Tool& tool, const ZooMesh& mesh, const Scene& scene);
 
-/// Throws InputError(subject, ...) unless the order belongs to this mesh and this camera.
-void require_fitting_order(const OrderRecord& record, const ZooMesh& mesh, const Camera& camera,
+/// Throws InputError(subject, ...) unless the order belongs to this mesh and this scene's view.
+void require_fitting_order(const OrderRecord& record, const ZooMesh& mesh, const Scene& scene,
                            const std::string& subject);
 
 }  // namespace hiac::tools

@@ -55,7 +55,7 @@ OrderRecord find_order(Tool& tool, const Options& options, const ZooFile& file,
       if (chunk.type == kOrderChunk) record = decode_order(chunk, subject);
   }
   if (!record) return order_mesh(tool, file.mesh, scene);
-  tool.timed("hash", [&] { require_fitting_order(*record, file.mesh, scene.camera, subject); });
+  tool.timed("hash", [&] { require_fitting_order(*record, file.mesh, scene, subject); });
   return std::move(*record);
 }
 

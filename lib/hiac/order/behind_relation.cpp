@@ -2,74 +2,116 @@
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cmath>
 
-#include <fmt/format.h>
-
-#include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
-#include "hiac/geometry/predicates.hpp"
 #include "hiac/order/cell_side.hpp"
+#include "hiac/order/eye_side.hpp"
 
 namespace hiac {
 namespace {
 
-constexpr std::size_t kGrain = 1 << 14;
+constexpr std::size_t kGrain = 1 << 13;
 
 using Corners = std::array<Point3, 4>;
 
-int side_of_view(Point3 a, Point3 b, Point3 c, const View& view) {
-  if (view.perspective) return orientation(a, b, c, Point3(view.eye));
-  // rays run along `direction`: the eye is infinitely far against it
-  return -orientation_towards(a, b, c, Point3(view.direction));
+unsigned arrows_of_sides(int eye, int cell) {
+  if (eye == 0 || cell == 0) return kNoArrow;
+  return eye == cell ? kCellFirst : kNeighborFirst;
 }
 
-std::uint8_t arrows_of_sides(int eye_side, int cell_side) {
-  if (eye_side == 0 || cell_side == 0) return kNoArrow;
-  return eye_side == cell_side ? kCellFirst : kNeighborFirst;
-}
+// Which way rays cross a bilinear patch: +1, -1, 0 (none do), or 2: both ways. The sign of
+// (P - e).(P_u x P_v) is bilinear in u, v and so is bounded by its signs at the corners, each the
+// orientation of one corner's triangle. With signs of both kinds rays cross both ways, unless the
+// patch is planar for this purpose and seen edge-on to within the rounding of its coordinates.
+constexpr int kBothSides = 2;
 
-// The four-sign rule for a bilinear patch: the sign of (P - e).(P_u x P_v) is bilinear in u, v and
-// so is bounded by its signs at the corners, each the orientation of one corner's triangle. With
-// signs of both kinds rays cross both ways, unless the patch is planar for this purpose and seen
-// edge-on to within the rounding of its coordinates.
-bool crossed_both_ways(const Corners& p, const View& view, double planarity) {
-  bool positive = false, negative = false;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const int side = side_of_view(p[(k + 3) % 4], p[k], p[(k + 1) % 4], view);
+int eye_side_of_patch(const Corners& p, const View& view, double planarity) {
+  const int plane = eye_side(p[0], p[1], p[2], view);
+  bool positive = plane > 0, negative = plane < 0;
+  for (std::size_t k = 2; k < 5; ++k) {
+    const int side = eye_side(p[(k + 3) % 4], p[k % 4], p[(k + 1) % 4], view);
     positive = positive || side > 0;
     negative = negative || side < 0;
   }
-  return positive && negative && quadrilateral_deviation(p[0], p[1], p[2], p[3]) > planarity;
+  if (positive != negative) return positive ? 1 : -1;
+  if (!positive) return 0;
+  return quadrilateral_deviation(p[0], p[1], p[2], p[3]) > planarity ? kBothSides : plane;
 }
 
-std::uint8_t face_arrows(const ZooMesh& mesh, CellId cell, const ShapeFace& face, const View& view,
-                         double planarity) {
+struct Question {
+  const OrderBasis& basis;
+  const View& view;
+  double planarity;
+};
+
+int eye_side_of_face(const Question& q, CellId cell, std::size_t face) {
+  const ZooMesh& mesh = *q.basis.mesh;
+  const ShapeFace& shape = topology_of(mesh.kinds[cell]).faces[face];
   const auto nodes = mesh.cell_nodes(cell);
-  const auto at = plane_corners(mesh, cell, face);
+  const auto at = corners_from(shape, q.basis.sides[cell].start(face));
   const auto corner = [&](std::size_t k) { return mesh.position(nodes[at[k]]); };
-  const Corners p{corner(0), corner(1), corner(2), corner(3)};
-  if (face.corner_count == 4 && crossed_both_ways(p, view, planarity)) return kBothWays;
-  return arrows_of_sides(side_of_view(p[0], p[1], p[2], view), side_of_cell(mesh, cell, face));
+  if (shape.corner_count == 3) return eye_side(corner(0), corner(1), corner(2), q.view);
+  return eye_side_of_patch({corner(0), corner(1), corner(2), corner(3)}, q.view, q.planarity);
 }
 
-// A tetrahedron needs one orientation for itself, and one a face for the eye.
-void tetrahedron_arrows(const ZooMesh& mesh, CellId cell, std::span<const CellId> neighbors,
-                        const View& view, std::span<std::uint8_t> arrows) {
-  const auto nodes = mesh.cell_nodes(cell);
-  const auto faces = topology_of(CellShape::tetrahedron).faces;
-  const int volume = orientation(mesh.position(nodes[0]), mesh.position(nodes[1]),
-                                 mesh.position(nodes[2]), mesh.position(nodes[3]));
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    if (neighbors[f] == kNoCell || volume == 0) continue;
-    const auto& c = faces[f].corners;
-    const int eye = side_of_view(mesh.position(nodes[c[0]]), mesh.position(nodes[c[1]]),
-                                 mesh.position(nodes[c[2]]), view);
-    arrows[f] = arrows_of_sides(eye, -volume);  // faces run counter-clockwise seen from outside
+// What a cell says of its settled faces.
+CellArrows settled_arrows(const Question& q, CellId cell) {
+  const ZooMesh& mesh = *q.basis.mesh;
+  const CellSides& sides = q.basis.sides[cell];
+  const unsigned asked = (sides.positive | sides.negative) & ~unsigned{sides.unsettled};
+  unsigned positive = 0, negative = 0;
+  if (shape_of(mesh.kinds[cell]) == CellShape::tetrahedron) {
+    const auto nodes = mesh.cell_nodes(cell);
+    const auto at = [&](std::size_t k) { return mesh.position(nodes[k]).data(); };
+    const EyeSides eye = eye_sides_of_tetrahedron({at(0), at(1), at(2), at(3)}, q.view);
+    positive = eye.positive & asked;
+    negative = eye.negative & asked;
+  } else {
+    for (unsigned left = asked; left != 0; left &= left - 1) {
+      const int face = std::countr_zero(left);
+      const int eye = eye_side_of_face(q, cell, static_cast<std::size_t>(face));
+      positive |= (eye > 0 ? 1U : 0U) << face;
+      negative |= (eye < 0 || eye == kBothSides ? 1U : 0U) << face;
+    }
   }
+  return {static_cast<std::uint8_t>((positive & sides.positive) | (negative & sides.negative)),
+          static_cast<std::uint8_t>((positive & sides.negative) | (negative & sides.positive))};
+}
+
+// Neighbouring numbers need not be neighbouring nodes: without this, most of the time goes into
+// waiting for their positions.
+constexpr std::size_t kFetchAhead = 12;
+
+void fetch_corners(const ZooMesh& mesh, CellId cell) {
+  const auto nodes = mesh.cell_nodes(cell).first(corner_count(mesh.kinds[cell]));
+  for (const NodeId node : nodes) __builtin_prefetch(mesh.position(node).data());
 }
 
 unsigned mirrored(unsigned arrows) { return ((arrows & 1U) << 1) | (arrows >> 1); }
+
+// What a cell says of all the faces that it shares with another one, and whether rays cross any of
+// them: a face without area is always seen edge-on.
+struct Said {
+  unsigned arrows = kNoArrow;
+  bool crossed = false;
+};
+
+Said said_of(const Question& q, CellId cell, CellId other) {
+  const CellSides& sides = q.basis.sides[cell];
+  const std::uint64_t first = q.basis.faces.first(cell);
+  Said said;
+  for (std::size_t f = 0; f < q.basis.faces.count(cell); ++f) {
+    if (q.basis.adjacency.neighbors[first + f] != other) continue;
+    const int side =
+        static_cast<int>((sides.positive >> f) & 1U) - static_cast<int>((sides.negative >> f) & 1U);
+    const int eye = eye_side_of_face(q, cell, f);
+    said.arrows |= eye == kBothSides ? unsigned{kBothWays} : arrows_of_sides(eye, side);
+    said.crossed = said.crossed || eye != 0;
+  }
+  return said;
+}
 
 bool has_volume(const ZooMesh& mesh, CellId cell) {
   return std::ranges::any_of(topology_of(mesh.kinds[cell]).faces, [&](const ShapeFace& face) {
@@ -77,51 +119,27 @@ bool has_volume(const ZooMesh& mesh, CellId cell) {
   });
 }
 
-// What a cell says of all the faces that it shares with another one, and how many those are.
-struct Said {
-  unsigned arrows = kNoArrow, faces = 0;
-};
-
-Said said_of(CellId cell, CellId other, const FaceAdjacency& adjacency,
-             const std::vector<std::uint64_t>& offset, const std::vector<std::uint8_t>& said) {
-  Said all;
-  for (std::uint64_t face = offset[cell]; face < offset[cell + 1]; ++face) {
-    if (adjacency.neighbors[face] != other) continue;
-    all.arrows |= said[face];
-    ++all.faces;
-  }
-  return all;
+// Joins what both cells of an unsettled face say.
+unsigned joined_arrows(const Question& q, const UnsettledFace& at) {
+  const CellId other = q.basis.adjacency.neighbors[q.basis.faces.first(at.cell) + at.face];
+  const Said here = said_of(q, at.cell, other);
+  const unsigned arrows = here.arrows | mirrored(said_of(q, other, at.cell).arrows);
+  const bool nobody_knows = here.crossed && arrows == kNoArrow &&
+                            !has_volume(*q.basis.mesh, at.cell) &&
+                            !has_volume(*q.basis.mesh, other);
+  return nobody_knows ? unsigned{kBothWays} : arrows;
 }
 
-// Joins what the two sides of every shared face say.
-std::uint64_t join_sides(const ZooMesh& mesh, const FaceAdjacency& adjacency,
-                         const std::vector<std::uint64_t>& offset,
-                         const std::vector<std::uint8_t>& said, std::vector<std::uint8_t>& joined) {
-  std::atomic<std::uint64_t> both_ways{0};
-  parallel_for(mesh.cell_count(), kGrain, [&](IndexRange range) {
-    std::uint64_t both = 0;
-    for (std::size_t i = range.begin; i < range.end; ++i) {
-      const auto cell = static_cast<CellId>(i);
-      for (std::uint64_t face = offset[cell]; face < offset[cell + 1]; ++face) {
-        const CellId other = adjacency.neighbors[face];
-        if (other == kNoCell) continue;
-        const Said here = said_of(cell, other, adjacency, offset, said);
-        const Said there = said_of(other, cell, adjacency, offset, said);
-        if (here.faces != there.faces || other == cell)
-          throw InputError("face adjacency",
-                           fmt::format("cells {} and {} are not neighbours of one another ({} "
-                                       "common faces expected, {} found)",
-                                       cell, other, here.faces, there.faces));
-        unsigned arrows = here.arrows | mirrored(there.arrows);
-        if (arrows == kNoArrow && !has_volume(mesh, cell) && !has_volume(mesh, other))
-          arrows = kBothWays;
-        joined[face] = static_cast<std::uint8_t>(arrows);
-        if (arrows == kBothWays && other > cell) ++both;
-      }
-    }
-    both_ways += both;
+// Parallel over the cells' ranges: unsettled faces are listed by cell.
+void join_unsettled(const Question& q, std::vector<CellArrows>& of_cell) {
+  const auto& unsettled = q.basis.unsettled;
+  std::vector<std::uint8_t> arrows(unsettled.size());
+  parallel_for(unsettled.size(), 256, [&](IndexRange range) {
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      arrows[i] = static_cast<std::uint8_t>(joined_arrows(q, unsettled[i]));
   });
-  return both_ways;
+  for (std::size_t i = 0; i < unsettled.size(); ++i)
+    of_cell[unsettled[i].cell].set(unsettled[i].face, arrows[i]);
 }
 
 }  // namespace
@@ -141,28 +159,32 @@ double quadrilateral_deviation(Point3 a, Point3 b, Point3 c, Point3 d) {
   return gap / size;
 }
 
-BehindRelation shared_face_relation(const ZooMesh& mesh, const FaceAdjacency& adjacency,
-                                    const View& view, double planarity) {
+BehindRelation shared_face_relation(const OrderBasis& basis, const View& view, double planarity) {
+  const Question q{basis, view, planarity};
+  const ZooMesh& mesh = *basis.mesh;
   BehindRelation relation;
-  relation.face_offset = face_offsets(mesh);
-  const auto& offset = relation.face_offset;
-  std::vector<std::uint8_t> said(offset.back(), kNoArrow);
-  parallel_for(mesh.cell_count(), kGrain, [&](IndexRange range) {
-    for (std::size_t i = range.begin; i < range.end; ++i) {
-      const auto cell = static_cast<CellId>(i);
-      const auto faces = topology_of(mesh.kinds[cell]).faces;
-      const auto neighbors = adjacency.neighbors.view().subspan(offset[i], faces.size());
-      const auto arrows = std::span(said).subspan(offset[i], faces.size());
-      if (shape_of(mesh.kinds[cell]) == CellShape::tetrahedron) {
-        tetrahedron_arrows(mesh, cell, neighbors, view, arrows);
-        continue;
-      }
-      for (std::size_t f = 0; f < faces.size(); ++f)
-        if (neighbors[f] != kNoCell) arrows[f] = face_arrows(mesh, cell, faces[f], view, planarity);
+  relation.of_cell.resize(basis.sides.size());
+  parallel_for(relation.of_cell.size(), kGrain, [&](IndexRange range) {
+    for (std::size_t cell = range.begin; cell < range.end; ++cell) {
+      if (cell + kFetchAhead < range.end)
+        fetch_corners(mesh, static_cast<CellId>(cell + kFetchAhead));
+      relation.of_cell[cell] = settled_arrows(q, static_cast<CellId>(cell));
     }
   });
-  relation.arrows.assign(said.size(), kNoArrow);
-  relation.both_ways = join_sides(mesh, adjacency, offset, said, relation.arrows);
+  join_unsettled(q, relation.of_cell);
+  std::atomic<std::uint64_t> arrows{0}, both_ways{0};
+  parallel_for(relation.of_cell.size(), kGrain, [&](IndexRange range) {
+    std::uint64_t some = 0, both = 0;
+    for (std::size_t cell = range.begin; cell < range.end; ++cell) {
+      const auto [first, behind] = relation.of_cell[cell];
+      some += count_faces(unsigned{first} | behind);
+      both += count_faces(unsigned{first} & behind);
+    }
+    arrows += some;
+    both_ways += both;
+  });
+  relation.both_ways = both_ways / 2;
+  relation.edge_on = basis.shared_faces - arrows / 2;
   return relation;
 }
 

@@ -20,28 +20,23 @@ double doubled_area(Point3 a, Point3 b, Point3 c) {
 
 }  // namespace
 
-std::array<std::uint8_t, 4> plane_corners(const ZooMesh& mesh, CellId cell, const ShapeFace& face) {
+unsigned plane_start(const ZooMesh& mesh, CellId cell, const ShapeFace& face) {
+  if (face.corner_count == 3) return 0;
   const auto& c = face.corners;
-  if (face.corner_count == 3) return {c[0], c[1], c[2], c[2]};
   const auto nodes = mesh.cell_nodes(cell);
   const auto lowest = std::ranges::min_element(c, {}, [&](std::uint8_t k) { return nodes[k]; });
   const auto middle = static_cast<std::size_t>(lowest - c.begin());
-  // the corners from the one before `middle` on; measured from `middle`, so that rounding is the
-  // same in the other order
-  const auto from = [&](std::size_t start) {
-    return std::array{c[(start + 3) % 4], c[start % 4], c[(start + 1) % 4], c[(start + 2) % 4]};
+  // measured from the corner itself, so that rounding is the same in the other order
+  const auto area_at = [&](std::size_t k) {
+    return doubled_area(mesh.position(nodes[c[k % 4]]), mesh.position(nodes[c[(k + 3) % 4]]),
+                        mesh.position(nodes[c[(k + 1) % 4]]));
   };
-  const auto area = [&](const std::array<std::uint8_t, 4>& k) {
-    return doubled_area(mesh.position(nodes[k[1]]), mesh.position(nodes[k[0]]),
-                        mesh.position(nodes[k[2]]));
-  };
-  const auto corners = from(middle), opposite = from(middle + 2);
-  return area(corners) < kNearlyInLine * area(opposite) ? opposite : corners;
+  const bool in_line = area_at(middle) < kNearlyInLine * area_at(middle + 2);
+  return static_cast<unsigned>((in_line ? middle + 1 : middle + 3) % 4);
 }
 
-int side_of_cell(const ZooMesh& mesh, CellId cell, const ShapeFace& face) {
+int side_of_cell(const ZooMesh& mesh, CellId cell, const std::array<std::uint8_t, 4>& plane) {
   const auto nodes = mesh.cell_nodes(cell);
-  const auto plane = plane_corners(mesh, cell, face);
   const auto on_plane = [&](std::size_t k) { return mesh.position(nodes[plane[k]]); };
   for (std::size_t k = 0; k < corner_count(mesh.kinds[cell]); ++k) {
     if (std::ranges::find(plane, k) != plane.end()) continue;

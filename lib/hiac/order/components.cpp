@@ -1,6 +1,7 @@
 #include "hiac/order/components.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -8,86 +9,106 @@
 namespace hiac {
 namespace {
 
-// The relation as a graph: arrows run from a cell to the cells behind it. A cell's arrows are
-// numbered: first its faces', then those across gaps.
+// The relation as a graph: arrows run from a cell to the cells behind it, across its faces and
+// across gaps.
 class Graph {
  public:
-  Graph(const BehindRelation& relation, std::span<const CellId> neighbors,
-        std::span<const GapArrow> gap_arrows)
-      : relation_(relation), neighbors_(neighbors), gap_arrows_(gap_arrows) {
-    if (gap_arrows.empty()) return;
-    gap_start_.assign(cell_count() + 1, 0);
-    for (const GapArrow& arrow : gap_arrows) ++gap_start_[arrow.front + 1];
-    for (std::size_t cell = 0; cell < cell_count(); ++cell)
-      gap_start_[cell + 1] += gap_start_[cell];
+  Graph(const BehindRelation& relation, const FaceNumbering& numbering,
+        std::span<const CellId> neighbors, const GapRelation& gaps)
+      : relation_(relation), numbering_(numbering), neighbors_(neighbors), gaps_(gaps) {}
+
+  [[nodiscard]] std::size_t cell_count() const { return relation_.of_cell.size(); }
+  [[nodiscard]] bool has_gaps() const { return !gaps_.behind.empty(); }
+
+  // The faces of a cell with a cell behind them, and those with a cell before them; bit f: face f.
+  [[nodiscard]] unsigned faces_behind(CellId cell) const {
+    return relation_.of_cell[cell].cell_first;
   }
-
-  [[nodiscard]] std::size_t cell_count() const { return relation_.face_offset.size() - 1; }
-
-  // The number of arrows that end in each cell.
-  [[nodiscard]] std::vector<std::uint32_t> arrows_into() const {
-    std::vector<std::uint32_t> count(cell_count(), 0);
-    const auto& offset = relation_.face_offset;
-    for (std::size_t cell = 0; cell < cell_count(); ++cell)
-      for (std::uint64_t face = offset[cell]; face < offset[cell + 1]; ++face)
-        count[cell] += (relation_.arrows[face] & kNeighborFirst) != 0 ? 1U : 0U;
-    for (const GapArrow& arrow : gap_arrows_) ++count[arrow.behind];
+  [[nodiscard]] unsigned faces_before(CellId cell) const {
+    return relation_.of_cell[cell].neighbor_first;
+  }
+  [[nodiscard]] CellId neighbor(CellId cell, unsigned face) const {
+    return neighbors_[numbering_.first(cell) + face];
+  }
+  void fetch_neighbors(CellId cell) const {
+    __builtin_prefetch(&neighbors_[numbering_.first(cell)]);
+  }
+  // The cells behind a cell across gaps.
+  [[nodiscard]] std::span<const CellId> gaps_behind(CellId cell) const {
+    return gaps_.behind_cell(cell);
+  }
+  // The number of arrows across gaps into each cell.
+  [[nodiscard]] std::vector<std::uint32_t> gaps_into() const {
+    std::vector<std::uint32_t> count(has_gaps() ? cell_count() : 0, 0);
+    for (const CellId behind : gaps_.behind) ++count[behind];
     return count;
   }
 
-  // How many numbers a cell's arrows take.
+  // A cell's arrows, numbered: those across its faces, then those across gaps. The cell behind
+  // arrow number `slot`, or kNoCell when that number has no arrow.
   [[nodiscard]] std::uint32_t arrow_slots(CellId cell) const {
-    return face_count(cell) + gap_count(cell);
+    return numbering_.count(cell) + static_cast<std::uint32_t>(gaps_behind(cell).size());
   }
-  // The cell behind arrow number `slot` of a cell, or kNoCell when that number has no arrow.
   [[nodiscard]] CellId behind(CellId cell, std::uint32_t slot) const {
-    if (slot >= face_count(cell))
-      return gap_arrows_[gap_start_[cell] + slot - face_count(cell)].behind;
-    const std::uint64_t face = relation_.face_offset[cell] + slot;
-    return (relation_.arrows[face] & kCellFirst) != 0 ? neighbors_[face] : kNoCell;
+    const std::uint32_t faces = numbering_.count(cell);
+    if (slot >= faces) return gaps_behind(cell)[slot - faces];
+    return (faces_behind(cell) >> slot & 1U) != 0 ? neighbor(cell, slot) : kNoCell;
   }
 
  private:
-  [[nodiscard]] std::uint32_t face_count(CellId cell) const {
-    return static_cast<std::uint32_t>(relation_.face_offset[cell + 1] -
-                                      relation_.face_offset[cell]);
-  }
-  [[nodiscard]] std::uint32_t gap_count(CellId cell) const {
-    return gap_start_.empty() ? 0 : gap_start_[cell + 1] - gap_start_[cell];
-  }
-
   const BehindRelation& relation_;
+  const FaceNumbering& numbering_;
   std::span<const CellId> neighbors_;
-  std::span<const GapArrow> gap_arrows_;
-  std::vector<std::uint32_t> gap_start_;
+  const GapRelation& gaps_;
 };
 
-// Appends to `order` every cell that no cycle keeps from being output. Of `waiting` remains, for
-// each cell, the number of cells that must come before it and have not: 0 for those appended.
-void peel(const Graph& graph, std::vector<std::uint32_t>& waiting, std::vector<CellId>& order) {
+// What peeling keeps of a cell, on one cache line's worth of neighbours.
+struct Waiting {
+  std::uint8_t faces_behind;
+  // Faces with a cell before them that has not come yet, and one more while arrows across gaps from
+  // such cells are left.
+  std::uint8_t for_cells;
+};
+
+// Appends to `order` every cell that no cycle keeps from being output; what remains waits for some.
+std::vector<Waiting> peel(const Graph& graph, std::vector<CellId>& order) {
+  std::vector<Waiting> waiting(graph.cell_count());
+  std::vector<std::uint32_t> gaps = graph.gaps_into();
   std::vector<CellId> ready;
-  for (std::size_t cell = graph.cell_count(); cell-- > 0;)
-    if (waiting[cell] == 0) ready.push_back(static_cast<CellId>(cell));
-  // last in, first out: consecutive cells of the order are neighbours, which caches reward
+  for (std::size_t i = waiting.size(); i-- > 0;) {
+    const auto cell = static_cast<CellId>(i);
+    const unsigned cells =
+        count_faces(graph.faces_before(cell)) + (graph.has_gaps() && gaps[cell] > 0 ? 1U : 0U);
+    waiting[cell] = {static_cast<std::uint8_t>(graph.faces_behind(cell)),
+                     static_cast<std::uint8_t>(cells)};
+    if (cells == 0) ready.push_back(cell);
+  }
+  // Last in, first out: consecutive cells of the order are neighbours. That serves whoever draws
+  // them more than this loop would gain from first in, first out.
   while (!ready.empty()) {
     const CellId cell = ready.back();
     ready.pop_back();
     order.push_back(cell);
-    for (std::uint32_t slot = 0; slot < graph.arrow_slots(cell); ++slot) {
-      const CellId behind = graph.behind(cell, slot);
-      if (behind != kNoCell && --waiting[behind] == 0) ready.push_back(behind);
+    for (unsigned faces = waiting[cell].faces_behind; faces != 0; faces &= faces - 1) {
+      const CellId behind = graph.neighbor(cell, static_cast<unsigned>(std::countr_zero(faces)));
+      if (--waiting[behind].for_cells > 0) continue;
+      graph.fetch_neighbors(behind);
+      ready.push_back(behind);
     }
+    for (const CellId behind : graph.gaps_behind(cell))
+      if (--gaps[behind] == 0 && --waiting[behind].for_cells == 0) ready.push_back(behind);
   }
+  return waiting;
 }
 
-// Tarjan's algorithm on the cells with waiting > 0, without recursion. Components come out last
+// Tarjan's algorithm on the cells that still wait, without recursion. Components come out last
 // first, each as a run of `reversed`; `ends` holds where each run ends.
 class Tarjan {
  public:
-  Tarjan(const Graph& graph, const std::vector<std::uint32_t>& waiting)
+  Tarjan(const Graph& graph, const std::vector<Waiting>& waiting)
       : graph_(graph), waiting_(waiting), index_(waiting.size(), kUnseen), low_(waiting.size(), 0) {
     for (std::size_t cell = 0; cell < waiting.size(); ++cell)
-      if (waiting[cell] > 0 && index_[cell] == kUnseen) visit(static_cast<CellId>(cell));
+      if (waiting[cell].for_cells > 0 && index_[cell] == kUnseen) visit(static_cast<CellId>(cell));
   }
 
   std::vector<CellId> reversed;
@@ -112,7 +133,8 @@ class Tarjan {
         continue;
       }
       const CellId behind = graph_.behind(cell, slot++);
-      if (behind == kNoCell || waiting_[behind] == 0 || index_[behind] == kClosed) continue;
+      if (behind == kNoCell || waiting_[behind].for_cells == 0 || index_[behind] == kClosed)
+        continue;
       if (index_[behind] == kUnseen)
         open(behind);
       else
@@ -135,7 +157,7 @@ class Tarjan {
   }
 
   const Graph& graph_;
-  const std::vector<std::uint32_t>& waiting_;
+  const std::vector<Waiting>& waiting_;
   std::vector<std::uint32_t> index_, low_;
   std::vector<CellId> stack_;
   std::vector<std::pair<CellId, std::uint32_t>> path_;  // cell, its next arrow
@@ -144,14 +166,12 @@ class Tarjan {
 
 }  // namespace
 
-VisibilityOrder order_of_components(const BehindRelation& relation,
-                                    std::span<const CellId> neighbors,
-                                    std::span<const GapArrow> gap_arrows) {
-  const Graph graph(relation, neighbors, gap_arrows);
-  std::vector<std::uint32_t> waiting = graph.arrows_into();
+VisibilityOrder order_of_components(const BehindRelation& relation, const FaceNumbering& numbering,
+                                    std::span<const CellId> neighbors, const GapRelation& gaps) {
+  const Graph graph(relation, numbering, neighbors, gaps);
   std::vector<CellId> order;
   order.reserve(graph.cell_count());
-  peel(graph, waiting, order);
+  const std::vector<Waiting> waiting = peel(graph, order);
   std::vector<CellGroup> groups;
   if (order.size() < graph.cell_count()) {
     const Tarjan tarjan(graph, waiting);

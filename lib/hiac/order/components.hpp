@@ -14,10 +14,9 @@ namespace hiac {
 /// Sorting of Large Networks", 1962); what a cycle holds back goes through R. Tarjan, "Depth-First
 /// Search and Linear Graph Algorithms", 1972. Linear in cells, faces and arrows.
 ///
-/// `neighbors` are those of the FaceAdjacency that the relation was made of; `gap_arrows` are
-/// further arrows, sorted.
-VisibilityOrder order_of_components(const BehindRelation& relation,
-                                    std::span<const CellId> neighbors,
-                                    std::span<const GapArrow> gap_arrows);
+/// `numbering` and `neighbors` are those of the adjacency that the relation was made of; `gaps` are
+/// further arrows.
+VisibilityOrder order_of_components(const BehindRelation& relation, const FaceNumbering& numbering,
+                                    std::span<const CellId> neighbors, const GapRelation& gaps);
 
 }  // namespace hiac

@@ -8,18 +8,17 @@
 #include <cmath>
 #include <optional>
 
+#include "hiac/order/eye_side.hpp"
+
 namespace hiac {
 namespace {
 
 // The side of the plane through the eye, a and b on which p is seen: +1 to the left of the edge
 // a -> b as seen from the eye.
 int side_of_edge(Point3 a, Point3 b, Point3 p, const View& view) {
-  if (view.perspective) return orientation(a, b, p, Point3(view.eye));
-  return -orientation_towards(a, b, p, Point3(view.direction));
-}
-
-int side_of_eye(const SeenFace& face, const View& view) {
-  return side_of_edge(face.corner(0), face.corner(1), face.corner(2), view);
+  // faces that touch have corners in common
+  if (p.data() == a.data() || p.data() == b.data()) return 0;
+  return eye_side(a, b, p, view);
 }
 
 // Whether an edge of `f` has all of `g` on its outer side or in its plane.
@@ -82,18 +81,23 @@ bool separated_by_corners(const SeenFace& f, const SeenFace& g, const View& view
   return false;
 }
 
+// Whether a node is one of the first three corners of a face, which span its plane.
+bool has_corner(const SeenFace& face, const double* node) {
+  return node == face.corners[0] || node == face.corners[1] || node == face.corners[2];
+}
+
 // How the corners of `face` lie to the plane of `plane`: on the eye's side, beyond, or in it.
 struct Sides {
   bool any_nearer = false, any_beyond = false;
 };
 
-Sides sides_of(const SeenFace& plane, const SeenFace& face, const View& view) {
-  const int eye = side_of_eye(plane, view);
+Sides sides_of(const SeenFace& plane, const SeenFace& face) {
   Sides sides;
   for (std::size_t k = 0; k < face.count; ++k) {
+    if (has_corner(plane, face.corners[k])) continue;
     const int side = orientation(plane.corner(0), plane.corner(1), plane.corner(2), face.corner(k));
-    sides.any_nearer = sides.any_nearer || (side != 0 && side == eye);
-    sides.any_beyond = sides.any_beyond || (side != 0 && side != eye);
+    sides.any_nearer = sides.any_nearer || (side != 0 && side == plane.winding);
+    sides.any_beyond = sides.any_beyond || (side != 0 && side != plane.winding);
   }
   return sides;
 }
@@ -129,29 +133,27 @@ bool strictly_covers(const SeenFace& face, Point3 p, const View& view) {
 
 // Whether a corner of `face` that `cover` hides or is hidden by lies beyond the plane of `cover`.
 std::optional<bool> corner_beyond(const SeenFace& cover, const SeenFace& face, const View& view) {
-  const int eye = side_of_eye(cover, view);
   for (std::size_t k = 0; k < face.count; ++k) {
     if (!strictly_covers(cover, face.corner(k), view)) continue;
     const int side = orientation(cover.corner(0), cover.corner(1), cover.corner(2), face.corner(k));
-    if (side != 0) return side != eye;
+    if (side != 0) return side != cover.winding;
   }
   return std::nullopt;
 }
 
 // Distance of the corner of `face` that is farthest in front of the plane of `plane`.
-double depth_in_front(const SeenFace& plane, const SeenFace& face, const View& view) {
+double depth_in_front(const SeenFace& plane, const SeenFace& face) {
   const Point3 a = plane.corner(0), b = plane.corner(1), c = plane.corner(2);
   const std::array<double, 3> u{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
   const std::array<double, 3> v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
   const std::array<double, 3> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
                                 u[0] * v[1] - u[1] * v[0]};
   const double length = std::hypot(n[0], n[1], n[2]);
-  const int eye = side_of_eye(plane, view);
   double most = 0;
   for (std::size_t k = 0; k < face.count; ++k) {
     const Point3 p = face.corner(k);
     const double height = (n[0] * (p[0] - a[0]) + n[1] * (p[1] - a[1]) + n[2] * (p[2] - a[2]));
-    most = std::max(most, eye * height / length);
+    most = std::max(most, plane.winding * height / length);
   }
   return most;
 }
@@ -164,11 +166,11 @@ bool projections_overlap(const SeenFace& f, const SeenFace& g, const View& view)
 }
 
 bool reached_first(const SeenFace& f, const SeenFace& g, const View& view, double slack) {
-  const Sides g_to_f = sides_of(f, g, view);
+  const Sides g_to_f = sides_of(f, g);
   if (!g_to_f.any_nearer) return true;  // all of g lies beyond the plane of f, or in it
-  const Sides f_to_g = sides_of(g, f, view);
+  const Sides f_to_g = sides_of(g, f);
   if (!f_to_g.any_beyond) return true;  // all of f lies before the plane of g, or in it
-  if (depth_in_front(f, g, view) <= slack) return true;
+  if (depth_in_front(f, g) <= slack) return true;
   if (!g_to_f.any_beyond || !f_to_g.any_nearer) return false;
   // each plane cuts the other face: a ray that crosses both must be asked
   if (const auto first = by_crossing_edges(f, g, view)) return *first;

@@ -2,317 +2,230 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
-#include <limits>
-#include <mutex>
 #include <span>
+#include <utility>
 
-#include "hiac/base/parallel.hpp"
-#include "hiac/order/behind_relation.hpp"
-#include "hiac/order/cell_side.hpp"
+#include "hiac/base/collect.hpp"
+#include "hiac/order/eye_side.hpp"
+#include "hiac/order/face_grid.hpp"
 #include "hiac/order/face_obstruction.hpp"
+#include "hiac/order/gap_window.hpp"
 
 namespace hiac {
 namespace {
 
-using Vector = std::array<double, 3>;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t kMostTilesPerSide = 1024;
+constexpr std::size_t kFaceGrain = 1 << 11;
+constexpr std::size_t kTileGrain = 64;
 
-Vector minus(Point3 a, Point3 b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-struct Interval {
-  double low = kInfinity, high = -kInfinity;
-
-  void include(double x) {
-    low = std::min(low, x);
-    high = std::max(high, x);
-  }
-  // widened by more than the rounding of what it was made of
-  void widen(double scale) {
-    const double slack = 1e-12 * (std::abs(low) + std::abs(high) + scale);
-    low -= slack;
-    high += slack;
-  }
-  [[nodiscard]] bool meets(const Interval& other) const {
-    return low <= other.high && other.low <= high;
-  }
-};
-
-// An unmatched face that rays cross, and its bounds in a window.
+// An unmatched face that rays cross, as a window has it.
 struct GapFace {
   SeenFace seen;
   CellId cell;
+  bool exit;    // rays leave the cell through it; else they enter
   double size;  // longest edge or diagonal from its first corner
-  Interval x, y, depth;
+  Outline outline;
 };
 
-// What rays leave through and what they enter through.
-struct GapFaces {
-  std::vector<GapFace> exits, entries;
+struct Question {
+  const OrderBasis& basis;
+  const View& view;
+  double planarity;
 };
 
-void add_face(const ZooMesh& mesh, CellId cell, std::span<const std::uint8_t> corners,
-              const View& view, int cell_side, GapFaces& faces) {
+// Appends a face, or a triangle of a warped one, unless no ray crosses it in the window.
+void add_face(const Question& q, const Window& window, const UnmatchedFace& face,
+              std::span<const NodeId> corners, std::vector<GapFace>& faces) {
   GapFace gap{};
-  gap.cell = cell;
+  gap.cell = face.cell;
   gap.seen.count = corners.size();
-  const auto nodes = mesh.cell_nodes(cell);
   for (std::size_t k = 0; k < corners.size(); ++k)
-    gap.seen.corners[k] = mesh.position(nodes[corners[k]]).data();
-  const Point3 a = gap.seen.corner(0), b = gap.seen.corner(1), c = gap.seen.corner(2);
-  const int eye = view.perspective ? orientation(a, b, c, Point3(view.eye))
-                                   : -orientation_towards(a, b, c, Point3(view.direction));
-  if (eye == 0 || cell_side == 0) return;
+    gap.seen.corners[k] = q.basis.mesh->position(corners[k]).data();
+  const Point3 a = gap.seen.corner(0);
+  const int eye = eye_side(a, gap.seen.corner(1), gap.seen.corner(2), q.view);
+  if (eye == 0 || face.side == 0) return;
   gap.seen.winding = eye;
+  gap.exit = eye == face.side;
   for (std::size_t k = 1; k < corners.size(); ++k) {
-    const Vector edge = minus(gap.seen.corner(k), a);
-    gap.size = std::max(gap.size, std::hypot(edge[0], edge[1], edge[2]));
+    const Point3 p = gap.seen.corner(k);
+    gap.size = std::max(gap.size, std::hypot(p[0] - a[0], p[1] - a[1], p[2] - a[2]));
   }
-  (eye == cell_side ? faces.exits : faces.entries).push_back(gap);
+  if (window.place(gap.seen, gap.outline)) faces.push_back(gap);
 }
 
-GapFaces find_gap_faces(const ZooMesh& mesh, const FaceAdjacency& adjacency, const View& view,
-                        double planarity) {
-  GapFaces faces;
-  std::size_t slot = 0;
-  for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {
-    const auto nodes = mesh.cell_nodes(cell);
-    for (const ShapeFace& face : topology_of(mesh.kinds[cell]).faces) {
-      if (adjacency.neighbors[slot++] != kNoCell) continue;
-      const int side = side_of_cell(mesh, cell, face);
-      const auto c = plane_corners(mesh, cell, face);
-      const auto at = [&](std::size_t k) { return mesh.position(nodes[c[k]]); };
-      const auto first_three = std::span(c).first<3>();
-      if (face.corner_count == 3) {
-        add_face(mesh, cell, first_three, view, side, faces);
-      } else if (quadrilateral_deviation(at(0), at(1), at(2), at(3)) <= planarity) {
-        add_face(mesh, cell, c, view, side, faces);
-      } else {
-        add_face(mesh, cell, first_three, view, side, faces);
-        add_face(mesh, cell, std::array{c[0], c[2], c[3]}, view, side, faces);
-      }
-    }
-  }
-  return faces;
+std::vector<GapFace> faces_in(const Question& q, const Window& window) {
+  const auto& unmatched = q.basis.unmatched;
+  return collect<GapFace>(unmatched.size(), kFaceGrain, [&](std::size_t i, auto& faces) {
+    const UnmatchedFace& face = unmatched[i];
+    const auto nodes = std::span(face.nodes);
+    const bool warped = face.corner_count == 4 && face.deviation > q.planarity;
+    const bool whole = face.corner_count == 4 && !warped;
+    add_face(q, window, face, nodes.first(whole ? 4 : 3), faces);
+    if (warped) add_face(q, window, face, std::array{nodes[0], nodes[2], nodes[3]}, faces);
+  });
 }
 
-// A plane to project on. A face is bounded by its corners in it when all of them lie before the
-// eye; else only what lies inside the window's pyramid |x|, |y| <= depth counts.
-class Window {
- public:
-  Window(const View& view, const Vector& axis, bool pyramid)
-      : view_(view), axis_(axis), pyramid_(pyramid) {
-    const std::size_t least = std::abs(axis[0]) <= std::abs(axis[1])
-                                  ? (std::abs(axis[0]) <= std::abs(axis[2]) ? 0U : 2U)
-                                  : (std::abs(axis[1]) <= std::abs(axis[2]) ? 1U : 2U);
-    Vector other{};
-    other[least] = 1;
-    right_ = unit(cross(axis_, other));
-    up_ = cross(unit(axis_), right_);
-    axis_ = unit(axis_);
-  }
+// What the corners of a face in a window tell, given how far they may be off.
+enum class Overlap { none, certain, unknown };
 
-  // False when nothing of the face is seen in the window.
-  bool bound(GapFace& face) const {
-    std::vector<Vector> points;
-    for (std::size_t k = 0; k < face.seen.count; ++k) points.push_back(seen(face.seen.corner(k)));
-    if (pyramid_) clip(points);
-    face.x = face.y = face.depth = {};
-    for (const Vector& p : points) {
-      const double scale = view_.perspective ? p[2] : 1;
-      face.x.include(p[0] / scale);
-      face.y.include(p[1] / scale);
-      face.depth.include(p[2]);
+double extent(const Outline& face) { return face.x.high - face.x.low + face.y.high - face.y.low; }
+
+// Two convex polygons in a plane are apart exactly when an edge of one of them has the other on its
+// outer side or on its line; corners that both have in common lie on it for sure. What rounding can
+// have done to a corner's distance from an edge, times the edge's length, is within `margin`.
+Overlap overlap_across_edges(const GapFace& f, const GapFace& g, double margin) {
+  const double inner = Window::kWinding * f.seen.winding;
+  bool all_reached = true;
+  for (std::size_t k = 0; k < f.seen.count; ++k) {
+    const std::size_t next = k + 1 == f.seen.count ? 0 : k + 1;
+    const double px = f.outline.at_x[k], py = f.outline.at_y[k];
+    const double dx = inner * (f.outline.at_x[next] - px), dy = inner * (f.outline.at_y[next] - py);
+    std::array<double, 4> turn;  // how far inside the edge the corners of g are
+    for (std::size_t j = 0; j < 4; ++j)
+      turn[j] = dx * (g.outline.at_y[j] - py) - dy * (g.outline.at_x[j] - px);
+    const double most = std::max(std::max(turn[0], turn[1]), std::max(turn[2], turn[3]));
+    if (most > margin) continue;
+    all_reached = false;
+    bool outside = true;
+    for (std::size_t j = 0; j < g.seen.count && outside; ++j) {
+      const double* const corner = g.seen.corners[j];
+      outside = turn[j] < -margin || corner == f.seen.corners[k] || corner == f.seen.corners[next];
     }
-    if (points.empty()) return false;
-    face.x.widen(pyramid_ ? 1 : face.size);
-    face.y.widen(pyramid_ ? 1 : face.size);
-    face.depth.widen(face.size);
-    return true;
+    if (outside) return Overlap::none;
   }
-
- private:
-  static Vector cross(const Vector& a, const Vector& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-  }
-  static Vector unit(const Vector& v) {
-    const double length = std::hypot(v[0], v[1], v[2]);
-    return {v[0] / length, v[1] / length, v[2] / length};
-  }
-  [[nodiscard]] Vector seen(Point3 p) const {
-    const Vector v = view_.perspective ? minus(p, Point3(view_.eye)) : Vector{p[0], p[1], p[2]};
-    return {dot(v, right_), dot(v, up_), dot(v, axis_)};
-  }
-
-  // Keeps the part of a polygon inside the window's pyramid, a little widened.
-  static void clip(std::vector<Vector>& polygon) {
-    constexpr double kOpening = 1 + 1e-9;
-    for (std::size_t side = 0; side < 4; ++side) {
-      const auto inside = [side](const Vector& p) {
-        const double coordinate = side < 2 ? p[0] : p[1];
-        return kOpening * p[2] - (side % 2 == 0 ? coordinate : -coordinate);
-      };
-      std::vector<Vector> kept;
-      for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const Vector &p = polygon[k], &q = polygon[(k + 1) % polygon.size()];
-        const double p_in = inside(p), q_in = inside(q);
-        if (p_in >= 0) kept.push_back(p);
-        if ((p_in < 0) == (q_in < 0)) continue;
-        const double u = p_in / (p_in - q_in);
-        kept.push_back(
-            {p[0] + u * (q[0] - p[0]), p[1] + u * (q[1] - p[1]), p[2] + u * (q[2] - p[2])});
-      }
-      polygon = std::move(kept);
-    }
-    std::erase_if(polygon, [](const Vector& p) { return !(p[2] > 0); });
-  }
-
-  const View& view_;
-  Vector axis_, right_{}, up_{};
-  bool pyramid_;
-};
-
-// The windows that together see the whole mesh: one when it lies on one side of the eye, else the
-// six sides of a cube around the eye.
-std::vector<Window> windows_of(const ZooMesh& mesh, const View& view) {
-  if (!view.perspective) return {Window(view, view.direction, false)};
-  std::array<Interval, 3> box;
-  for (std::size_t i = 0; i < mesh.xyz.size(); ++i) box[i % 3].include(mesh.xyz[i]);
-  Vector axis;
-  for (std::size_t c = 0; c < 3; ++c)
-    axis[c] = std::clamp(view.eye[c], box[c].low, box[c].high) - view.eye[c];
-  if (dot(axis, axis) > 0) return {Window(view, axis, false)};
-  std::vector<Window> sides;
-  for (std::size_t c = 0; c < 3; ++c)
-    for (const double sign : {-1.0, 1.0}) {
-      Vector towards{};
-      towards[c] = sign;
-      sides.emplace_back(view, towards, true);
-    }
-  return sides;
+  return all_reached ? Overlap::certain : Overlap::unknown;
 }
 
-// A regular grid over the window, and the faces whose bounds meet each of its tiles.
-class FaceGrid {
- public:
-  FaceGrid(Interval x, Interval y, std::size_t tiles_per_side)
-      : x_(x), y_(y), side_(tiles_per_side) {}
-
-  [[nodiscard]] std::size_t tiles() const { return side_ * side_; }
-  [[nodiscard]] std::size_t tile_of(double x, double y) const {
-    return place(y, y_) * side_ + place(x, x_);
-  }
-
-  // Faces by tile: those of tile t are members[start[t]] ... members[start[t + 1] - 1].
-  struct Bins {
-    std::vector<std::uint32_t> start, members;
-  };
-  [[nodiscard]] Bins bin(std::span<const GapFace> faces) const {
-    Bins bins;
-    bins.start.assign(tiles() + 1, 0);
-    for_each_place(faces, [&](std::size_t tile, std::uint32_t) { ++bins.start[tile + 1]; });
-    for (std::size_t t = 0; t < tiles(); ++t) bins.start[t + 1] += bins.start[t];
-    bins.members.resize(bins.start.back());
-    std::vector<std::uint32_t> next(bins.start.begin(), bins.start.end() - 1);
-    for_each_place(faces,
-                   [&](std::size_t tile, std::uint32_t f) { bins.members[next[tile]++] = f; });
-    return bins;
-  }
-
- private:
-  [[nodiscard]] std::size_t place(double v, const Interval& range) const {
-    const double u = (v - range.low) / (range.high - range.low) * static_cast<double>(side_);
-    return static_cast<std::size_t>(std::clamp(u, 0.0, static_cast<double>(side_ - 1)));
-  }
-  template <typename Visit>
-  void for_each_place(std::span<const GapFace> faces, const Visit& visit) const {
-    for (std::uint32_t f = 0; f < faces.size(); ++f)
-      for (std::size_t r = place(faces[f].y.low, y_); r <= place(faces[f].y.high, y_); ++r)
-        for (std::size_t c = place(faces[f].x.low, x_); c <= place(faces[f].x.high, x_); ++c)
-          visit(r * side_ + c, f);
-  }
-
-  Interval x_, y_;
-  std::size_t side_;
-};
-
-std::vector<GapFace> seen_in(const Window& window, std::vector<GapFace> faces) {
-  std::erase_if(faces, [&](GapFace& face) { return !window.bound(face); });
-  return faces;
+// For faces whose bounds in the window meet.
+Overlap overlap_in_window(const GapFace& f, const GapFace& g) {
+  const double off = f.outline.error + g.outline.error;
+  const double margin = 8 * off * (extent(f.outline) + extent(g.outline) + off);
+  const Overlap across_f = overlap_across_edges(f, g, margin);
+  if (across_f == Overlap::none) return Overlap::none;
+  const Overlap across_g = overlap_across_edges(g, f, margin);
+  if (across_g == Overlap::none) return Overlap::none;
+  return across_f == across_g ? across_f : Overlap::unknown;
 }
 
 class PairSearch {
  public:
-  PairSearch(const View& view, double planarity, const Window& window, const GapFaces& faces)
-      : view_(view),
-        planarity_(planarity),
-        exits_(seen_in(window, faces.exits)),
-        entries_(seen_in(window, faces.entries)) {}
+  PairSearch(const Question& q, const Window& window)
+      : q_(q), window_(window), faces_(faces_in(q, window)) {}
 
-  void run(GapRelation& relation) {
-    if (exits_.empty() || entries_.empty()) return;
-    Interval x, y;
-    for (const auto* list : {&exits_, &entries_})
-      for (const GapFace& face : *list) {
-        x.include(face.x.low), x.include(face.x.high);
-        y.include(face.y.low), y.include(face.y.high);
-      }
-    const auto per_side = static_cast<std::size_t>(
-        std::sqrt(static_cast<double>(exits_.size() + entries_.size()) / 2));
-    const FaceGrid grid(x, y, std::clamp<std::size_t>(per_side, 1, kMostTilesPerSide));
-    const auto exits = grid.bin(exits_), entries = grid.bin(entries_);
-    std::mutex joining;
-    parallel_for(grid.tiles(), 64, [&](IndexRange tiles) {
-      std::vector<GapArrow> arrows;
-      std::uint64_t pairs = 0;
-      for (std::size_t tile = tiles.begin; tile < tiles.end; ++tile)
-        for (std::uint32_t i = exits.start[tile]; i < exits.start[tile + 1]; ++i)
-          for (std::uint32_t j = entries.start[tile]; j < entries.start[tile + 1]; ++j)
-            pairs +=
-                decide(grid, tile, exits_[exits.members[i]], entries_[entries.members[j]], arrows)
-                    ? 1
-                    : 0;
-      const std::scoped_lock lock(joining);
-      relation.candidate_pairs += pairs;
-      relation.arrows.insert(relation.arrows.end(), arrows.begin(), arrows.end());
+  // Appends the arrows, and returns the number of pairs that had to be decided.
+  std::uint64_t run(std::vector<GapArrow>& arrows) const {
+    FaceExtent extent;
+    for (const GapFace& face : faces_) extent.include(face.outline);
+    const FaceGrid grid(extent);
+    const FaceBins exits = bins_of(grid, true), entries = bins_of(grid, false);
+    std::atomic<std::uint64_t> pairs{0};
+    const auto found = collect<GapArrow>(grid.tiles(), kTileGrain, [&](std::size_t t, auto& list) {
+      pairs += decide_tile(grid, t, exits[t], entries[t], list);
     });
+    arrows.insert(arrows.end(), found.begin(), found.end());
+    return pairs;
   }
 
  private:
-  // True when the pair had to be asked the exact questions.
-  bool decide(const FaceGrid& grid, std::size_t tile, const GapFace& exit, const GapFace& entry,
-              std::vector<GapArrow>& arrows) const {
-    if (exit.cell == entry.cell || !exit.x.meets(entry.x) || !exit.y.meets(entry.y)) return false;
-    // nothing of the entry lies behind the exit, not even by the slack for faces that touch
-    const double slack = planarity_ * std::max(exit.size, entry.size);
-    if (entry.depth.high + slack < exit.depth.low) return false;
-    // of the tiles that both are in, the first one decides
-    if (grid.tile_of(std::max(exit.x.low, entry.x.low), std::max(exit.y.low, entry.y.low)) != tile)
-      return false;
-    if (projections_overlap(exit.seen, entry.seen, view_) &&
-        reached_first(exit.seen, entry.seen, view_, slack))
+  // Exits keep where they begin, entries where they end, in depth; either with the slack by which
+  // faces that touch may be out of order. By ascending depth.
+  [[nodiscard]] FaceBins bins_of(const FaceGrid& grid, bool exit) const {
+    std::vector<BinnedFace> faces;
+    for (std::uint32_t f = 0; f < faces_.size(); ++f) {
+      const GapFace& face = faces_[f];
+      if (face.exit != exit) continue;
+      const double slack = q_.planarity * face.size;
+      const double depth = exit ? face.outline.depth.low - slack : face.outline.depth.high + slack;
+      faces.push_back(grid.binned(face.outline, depth, !exit, f));
+    }
+    std::ranges::sort(faces, {}, &BinnedFace::depth);
+    return grid.bin(faces);
+  }
+
+  // Decides the pairs of a tile. Returns their number.
+  std::uint64_t decide_tile(const FaceGrid& grid, std::size_t tile,
+                            std::span<const BinnedFace> exits, std::span<const BinnedFace> entries,
+                            std::vector<GapArrow>& arrows) const {
+    std::vector<std::uint64_t> prepared;
+    for (const BinnedFace& entry : entries) prepared.push_back(MeetingTest::prepared(entry.bounds));
+    std::uint64_t decided = 0;
+    std::size_t first_behind = 0;
+    for (const BinnedFace& exit : exits) {
+      while (first_behind < entries.size() && entries[first_behind].depth < exit.depth)
+        ++first_behind;
+      const MeetingTest test(exit.bounds);
+      for (std::size_t e = first_behind; e < entries.size(); ++e) {
+        if (!test.meets(prepared[e])) continue;
+        const BinnedFace& entry = entries[e];
+        // of the tiles that both are in, the first one decides
+        if (grid.tile_at(std::max(exit.bounds.x_low, entry.bounds.x_low),
+                         std::max(exit.bounds.y_low, entry.bounds.y_low)) != tile)
+          continue;
+        decided += decide(faces_[exit.face], faces_[entry.face], arrows) ? 1 : 0;
+      }
+    }
+    return decided;
+  }
+
+  // True when the pair had to be asked more than its bounds.
+  bool decide(const GapFace& exit, const GapFace& entry, std::vector<GapArrow>& arrows) const {
+    if (exit.cell == entry.cell) return false;
+    const Overlap overlap = window_.pyramid() ? Overlap::unknown : overlap_in_window(exit, entry);
+    if (overlap == Overlap::none) return true;
+    if (overlap == Overlap::unknown && !projections_overlap(exit.seen, entry.seen, q_.view))
+      return true;
+    const double slack = q_.planarity * std::max(exit.size, entry.size);
+    // before an entry all of which is farther than all of the exit there is nothing to ask; a
+    // pyramid bounds but parts of them, and they may overlap where they lie the other way round
+    const bool farther = !window_.pyramid() && exit.outline.depth.high < entry.outline.depth.low;
+    if (farther || reached_first(exit.seen, entry.seen, q_.view, slack))
       arrows.push_back({exit.cell, entry.cell});
     return true;
   }
 
-  const View& view_;
-  double planarity_;
-  std::vector<GapFace> exits_, entries_;
+  const Question& q_;
+  const Window& window_;
+  std::vector<GapFace> faces_;
 };
 
 }  // namespace
 
-GapRelation gap_relation(const ZooMesh& mesh, const FaceAdjacency& adjacency, const View& view,
-                         double planarity) {
+GapRelation sorted_by_cell(std::size_t cells, std::span<const GapArrow> arrows) {
   GapRelation relation;
-  const GapFaces faces = find_gap_faces(mesh, adjacency, view, planarity);
-  for (const Window& window : windows_of(mesh, view))
-    PairSearch(view, planarity, window, faces).run(relation);
-  std::sort(relation.arrows.begin(), relation.arrows.end());
-  relation.arrows.erase(std::unique(relation.arrows.begin(), relation.arrows.end()),
-                        relation.arrows.end());
+  if (arrows.empty()) return relation;
+  auto& [start, behind, pairs] = relation;
+  start.assign(cells + 1, 0);
+  for (const GapArrow& arrow : arrows) ++start[arrow.front + 1];
+  for (std::size_t cell = 0; cell < cells; ++cell) start[cell + 1] += start[cell];
+  behind.resize(arrows.size());
+  // from here on start[c] is where the next arrow of cell c goes; in the end, where they end
+  for (const GapArrow& arrow : arrows) behind[start[arrow.front]++] = arrow.behind;
+  std::uint64_t begin = 0, kept = 0;
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    const std::uint64_t end = std::exchange(start[cell], kept);
+    const auto first = behind.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto last = behind.begin() + static_cast<std::ptrdiff_t>(end);
+    begin = end;
+    if (first == last) continue;
+    std::sort(first, last);
+    const auto to = behind.begin() + static_cast<std::ptrdiff_t>(kept);
+    kept =
+        static_cast<std::uint64_t>(std::move(first, std::unique(first, last), to) - behind.begin());
+  }
+  start.back() = kept;
+  behind.resize(kept);
+  return relation;
+}
+
+GapRelation gap_relation(const OrderBasis& basis, const View& view, double planarity) {
+  const Question question{basis, view, planarity};
+  std::vector<GapArrow> arrows;
+  std::uint64_t pairs = 0;
+  for (const Window& window : windows_of(*basis.mesh, view))
+    pairs += PairSearch(question, window).run(arrows);
+  GapRelation relation = sorted_by_cell(basis.mesh->cell_count(), arrows);
+  relation.candidate_pairs = pairs;
   return relation;
 }
 

@@ -1,24 +1,34 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "hiac/geometry/view.hpp"
-#include "hiac/mesh/zoo_mesh.hpp"
+#include "hiac/order/order_basis.hpp"
 
 namespace hiac {
 
 /// An arrow of the behind-relation between cells that share no face.
 struct GapArrow {
   CellId front, behind;
-
-  auto operator<=>(const GapArrow&) const = default;  // NOLINT(modernize-use-nullptr)
 };
 
+/// Arrows across gaps by the cell in front: those of cell c lead to behind[start[c]] ...
+/// behind[start[c + 1] - 1], each once, in ascending order. Without any, `start` is empty.
 struct GapRelation {
-  std::vector<GapArrow> arrows;       ///< sorted, each once
+  std::vector<std::uint64_t> start;
+  std::vector<CellId> behind;
   std::uint64_t candidate_pairs = 0;  ///< pairs of faces that were decided
+
+  [[nodiscard]] std::span<const CellId> behind_cell(CellId cell) const {
+    if (start.empty()) return {};
+    return std::span(behind).subspan(start[cell], start[cell + 1] - start[cell]);
+  }
 };
+
+/// The same from arrows in any order, any number of times each.
+GapRelation sorted_by_cell(std::size_t cells, std::span<const GapArrow> arrows);
 
 /// Arrows across gaps, sliding interfaces and hanging nodes (design: source 2): a viewing ray
 /// leaves cell P through an unmatched face F and later enters cell Q through an unmatched face G.
@@ -32,7 +42,6 @@ struct GapRelation {
 ///
 /// With those of shared_face_relation these arrows order all cells along every ray: consecutive
 /// cells on a ray either share a face or are joined by an arrow from here.
-GapRelation gap_relation(const ZooMesh& mesh, const FaceAdjacency& adjacency, const View& view,
-                         double planarity);
+GapRelation gap_relation(const OrderBasis& basis, const View& view, double planarity);
 
 }  // namespace hiac

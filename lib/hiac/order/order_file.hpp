@@ -11,7 +11,7 @@ namespace hiac {
 /// A visibility order and what it belongs to.
 struct OrderRecord {
   std::string mesh_hash;  ///< content_hash of the mesh
-  std::string view_hash;  ///< camera_hash of the camera
+  std::string view_hash;  ///< view_hash of the scene
   VisibilityOrder order;
 };
 

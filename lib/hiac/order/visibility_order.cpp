@@ -5,31 +5,34 @@
 
 #include "hiac/order/behind_relation.hpp"
 #include "hiac/order/components.hpp"
-#include "hiac/order/convexity.hpp"
 #include "hiac/order/gap_relation.hpp"
 
 namespace hiac {
 
-OrderResult exact_order(const ZooMesh& mesh, const FaceAdjacency& adjacency, const View& view,
-                        double planarity) {
+OrderResult exact_order(const OrderBasis& basis, const View& view, double planarity) {
   OrderResult result;
   OrderStatistics& statistics = result.statistics;
-  for (const CellId neighbor : adjacency.neighbors)
-    ++(neighbor == kNoCell ? statistics.unmatched_faces : statistics.shared_faces);
-  statistics.shared_faces /= 2;
-  const BehindRelation relation = shared_face_relation(mesh, adjacency, view, planarity);
+  statistics.shared_faces = basis.shared_faces;
+  statistics.unmatched_faces = basis.unmatched.size();
+  statistics.convex = basis.convex;
+  const BehindRelation relation = shared_face_relation(basis, view, planarity);
   statistics.both_ways = relation.both_ways;
+  statistics.edge_on = relation.edge_on;
   GapRelation gaps;
-  statistics.convex = boundary_is_convex(mesh, adjacency);
-  if (!statistics.convex) gaps = gap_relation(mesh, adjacency, view, planarity);
+  if (!basis.convex) gaps = gap_relation(basis, view, planarity);
   statistics.gap_pairs = gaps.candidate_pairs;
-  statistics.gap_arrows = gaps.arrows.size();
-  result.order = order_of_components(relation, adjacency.neighbors, gaps.arrows);
+  statistics.gap_arrows = gaps.behind.size();
+  result.order = order_of_components(relation, basis.faces, basis.adjacency.neighbors, gaps);
   for (const CellGroup& group : result.order.groups) {
     statistics.cells_in_groups += group.count;
     statistics.largest_group = std::max<std::uint64_t>(statistics.largest_group, group.count);
   }
   return result;
+}
+
+OrderResult exact_order(const ZooMesh& mesh, const FaceAdjacency& adjacency, const View& view,
+                        double planarity) {
+  return exact_order(order_basis(mesh, adjacency), view, planarity);
 }
 
 }  // namespace hiac

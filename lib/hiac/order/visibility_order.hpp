@@ -6,6 +6,7 @@
 
 #include "hiac/geometry/view.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
+#include "hiac/order/order_basis.hpp"
 
 namespace hiac {
 
@@ -31,6 +32,7 @@ struct OrderStatistics {
   std::uint64_t shared_faces = 0;
   std::uint64_t unmatched_faces = 0;
   std::uint64_t both_ways = 0;   ///< shared faces with arrows both ways
+  std::uint64_t edge_on = 0;     ///< shared faces that no ray crosses
   std::uint64_t gap_pairs = 0;   ///< pairs of unmatched faces that were decided
   std::uint64_t gap_arrows = 0;  ///< arrows between cells that share no face
   std::uint64_t cells_in_groups = 0;
@@ -48,6 +50,9 @@ struct OrderResult {
 /// a topological order of those (front to back). `planarity` is the deviation, relative to the size
 /// of a face, below which a quadrilateral counts as planar. The result does not depend on the
 /// number of threads.
+OrderResult exact_order(const OrderBasis& basis, const View& view, double planarity);
+
+/// The same for a single view.
 OrderResult exact_order(const ZooMesh& mesh, const FaceAdjacency& adjacency, const View& view,
                         double planarity);
 

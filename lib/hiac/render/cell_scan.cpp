@@ -28,10 +28,11 @@ HWY_INLINE double neg_mul_add(double a, double b, double c) {
   return hn::GetLane(hn::NegMulAdd(hn::Set(d, a), hn::Set(d, b), hn::Set(d, c)));
 }
 
-// The first pixel in [low, high] whose centre lies at or after a coordinate.
-HWY_INLINE int first_center(double coordinate, int low, int high) {
-  const double clamped =
-      std::min(std::max(coordinate - 0.5, static_cast<double>(low)), static_cast<double>(high));
+// The first pixel in [low, high] whose centre lies at or after a coordinate, or before it by no
+// more than `slack`.
+HWY_INLINE int first_center(double coordinate, int low, int high, double slack = 0) {
+  const double clamped = std::min(std::max(coordinate - (0.5 + slack), static_cast<double>(low)),
+                                  static_cast<double>(high));
   return static_cast<int>(std::ceil(clamped));
 }
 
@@ -51,7 +52,8 @@ HWY_INLINE RowCrossing cross_row(const ProjectedNode& a, const ProjectedNode& b,
   const double x = a.x + offset;
   // a is on one side of the row and b on the other, so this is a mean of their depths
   const double s = (center - a.y) / (b.y - a.y);
-  return {x, a.depth + s * (b.depth - a.depth), first_center(x, tile.x0, tile.x1)};
+  return {x, a.depth + s * (b.depth - a.depth),
+          first_center(x, tile.x0, tile.x1, on_crossing(slope))};
 }
 
 // Pixels between the edges of a triangle: narrower than this it is seen edge-on, and where it lies

@@ -9,9 +9,10 @@
 namespace hiac {
 namespace {
 
-// Width in pixels of a projected triangle below which digits of depth are lost that matter: an ulp
-// of a coordinate is about 1e-13.
-constexpr double kThinnest = 0x1p-30;
+// Width in pixels of a projected triangle below which digits of depth are lost that matter: with an
+// ulp of a coordinate of about 1e-13, depths on wider ones keep to 1e-9 of their range, as the
+// witness asks.
+constexpr double kThinnest = 0x1p-13;
 
 bool is_thin(const ProjectedNode& a, const ProjectedNode& b, const ProjectedNode& c) {
   const double x1 = b.x - a.x, y1 = b.y - a.y, x2 = c.x - a.x, y2 = c.y - a.y;

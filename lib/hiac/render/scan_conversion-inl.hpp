@@ -72,8 +72,9 @@ HWY_INLINE int first_center_at_or_after(double coordinate, int low, int high) {
 //
 // On a row, an edge is crossed when one end lies on or above the row and the other strictly below
 // it (y runs down: the centre counts as moved down by an infinitesimal amount); the first centre
-// right of the crossing, or on it, starts or ends a run. No fused operations: the scalar twin for
-// other cells (cell_runs.cpp) must find the same crossings on every machine.
+// right of the crossing, or on it, starts or ends a run; a centre that rounding alone tells from
+// the crossing lies on it (on_crossing). No fused operations: the scalar twin for other cells
+// (cell_scan.cpp) must find the same crossings on every machine.
 HWY_INLINE bool scan_faces(const ProjectedTetrahedron& t, const TileRect& tile, FaceRuns& runs) {
   const auto [y_low, y_high] = std::minmax({t.y[0], t.y[1], t.y[2], t.y[3]});
   runs.row_begin = first_center_at_or_after(y_low, tile.y0, tile.y1);
@@ -83,17 +84,17 @@ HWY_INLINE bool scan_faces(const ProjectedTetrahedron& t, const TileRect& tile, 
   const hn::CappedTag<double, 8> d;
   using V = hn::Vec<decltype(d)>;
   const std::size_t lanes = hn::Lanes(d);
-  HWY_ALIGN double slope[8];
+  HWY_ALIGN double slope[8], on_it[8];
   for (std::size_t e = 0; e < 6; ++e) {
     const auto [i, j] = kTetrahedronEdges[e];
     slope[e] = (t.x[j] - t.x[i]) / (t.y[j] - t.y[i]);
+    on_it[e] = 0.5 + on_crossing(slope[e]);
   }
   const V left = hn::Set(d, tile.x0), right = hn::Set(d, tile.x1);
   const V never_first = hn::Set(d, tile.x1 + 1.0), never_last = hn::Set(d, tile.x0 - 1.0);
-  const V half = hn::Set(d, 0.5);
   const int rows = runs.row_end - runs.row_begin;
   for (int r = 0; r < rows; r += static_cast<int>(lanes)) {
-    const V center = hn::Add(hn::Iota(d, runs.row_begin + r), half);
+    const V center = hn::Add(hn::Iota(d, runs.row_begin + r), hn::Set(d, 0.5));
     V first[6], last[6];
     for (std::size_t e = 0; e < 6; ++e) {
       const auto [i, j] = kTetrahedronEdges[e];
@@ -103,7 +104,8 @@ HWY_INLINE bool scan_faces(const ProjectedTetrahedron& t, const TileRect& tile, 
       const V dy = hn::Sub(center, hn::Set(d, t.y[i]));
       const V crossing = hn::Add(hn::Set(d, t.x[i]), hn::Mul(dy, hn::Set(d, slope[e])));
       // clamped to the tile; a crossing that is not a number is not used
-      const V column = hn::Ceil(hn::Min(hn::Max(hn::Sub(crossing, half), left), right));
+      const V column =
+          hn::Ceil(hn::Min(hn::Max(hn::Sub(crossing, hn::Set(d, on_it[e])), left), right));
       first[e] = hn::IfThenElse(crossed, column, never_first);
       last[e] = hn::IfThenElse(crossed, column, never_last);
     }

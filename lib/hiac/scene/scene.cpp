@@ -12,9 +12,10 @@ std::array<double, 3> view_direction(const Camera& camera) {
           camera.look_at[2] - camera.eye[2]};
 }
 
-std::string camera_hash(const Camera& camera) {
-  // Four numbers, the projection first; adding 0 makes one zero of the two.
-  std::array<double, 4> decisive{};
+std::string view_hash(const Scene& scene) {
+  const Camera& camera = scene.camera;
+  // Five numbers, the projection first; adding 0 makes one zero of the two.
+  std::array<double, 5> decisive{};
   decisive[0] = static_cast<double>(camera.projection);
   if (camera.projection == Projection::perspective) {
     for (std::size_t i = 0; i < 3; ++i) decisive[i + 1] = camera.eye[i] + 0.0;
@@ -24,6 +25,7 @@ std::string camera_hash(const Camera& camera) {
     for (const double d : direction) largest = std::fmax(largest, std::fabs(d));
     for (std::size_t i = 0; i < 3; ++i) decisive[i + 1] = direction[i] / largest + 0.0;
   }
+  decisive[4] = scene.render.planarity + 0.0;
   const XXH128_hash_t hash = XXH3_128bits(decisive.data(), sizeof decisive);
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
 }

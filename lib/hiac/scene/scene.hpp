@@ -157,9 +157,10 @@ struct Scene {
 /// and rendering share.
 std::array<double, 3> view_direction(const Camera& camera);
 
-/// 128 bits, 32 hexadecimal digits, over what decides a visibility order: the projection and, in
-/// perspective, the eye; orthographic, the view direction whatever its length. Two cameras with one
-/// hash order every mesh alike.
-std::string camera_hash(const Camera& camera);
+/// 128 bits, 32 hexadecimal digits, over what decides the visibility order of a mesh: the
+/// projection and, in perspective, the eye; orthographic, the view direction whatever its length;
+/// and the deviation below which a face counts as planar. Two scenes with one hash order every mesh
+/// alike.
+std::string view_hash(const Scene& scene);
 
 }  // namespace hiac

@@ -1,0 +1,133 @@
+#include "hiac/order/order_basis.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "hiac/base/collect.hpp"
+#include "hiac/base/error.hpp"
+#include "hiac/order/behind_relation.hpp"
+#include "hiac/order/cell_side.hpp"
+#include "hiac/order/convexity.hpp"
+
+namespace hiac {
+namespace {
+
+constexpr std::size_t kGrain = 1 << 13;
+
+// The sides of one cell to its shared faces, and its unmatched faces.
+CellSides sides_of(const ZooMesh& mesh, CellId cell, std::span<const CellId> neighbors,
+                   std::vector<UnmatchedFace>& unmatched) {
+  CellSides sides;
+  const auto nodes = mesh.cell_nodes(cell);
+  const auto faces = topology_of(mesh.kinds[cell]).faces;
+  const bool tetrahedron = shape_of(mesh.kinds[cell]) == CellShape::tetrahedron;
+  // the faces of a tetrahedron all have it on the side that its own orientation tells
+  const int tetrahedron_side = tetrahedron
+                                   ? -orientation(mesh.position(nodes[0]), mesh.position(nodes[1]),
+                                                  mesh.position(nodes[2]), mesh.position(nodes[3]))
+                                   : 0;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const unsigned start = plane_start(mesh, cell, faces[f]);
+    const auto plane = corners_from(faces[f], start);
+    const int side = tetrahedron ? tetrahedron_side : side_of_cell(mesh, cell, plane);
+    if (neighbors[f] == kNoCell) {
+      UnmatchedFace face{cell, {}, faces[f].corner_count, static_cast<std::int8_t>(side), 0};
+      for (std::size_t k = 0; k < 4; ++k) face.nodes[k] = nodes[plane[k]];
+      const auto at = [&](std::size_t k) { return mesh.position(face.nodes[k]); };
+      // an edge without length is none: it has no side on which other faces could be
+      if (std::ranges::equal(at(3), at(0)) || std::ranges::equal(at(3), at(2))) {
+        face.corner_count = 3;
+        face.nodes[3] = face.nodes[2];
+      }
+      if (face.corner_count == 4)
+        face.deviation = quadrilateral_deviation(at(0), at(1), at(2), at(3));
+      unmatched.push_back(face);
+      continue;
+    }
+    const auto bit = static_cast<std::uint8_t>(1U << f);
+    if (side > 0) sides.positive |= bit;
+    if (side < 0) sides.negative |= bit;
+    sides.plane_start = static_cast<std::uint16_t>(sides.plane_start | (start << (2 * f)));
+  }
+  return sides;
+}
+
+// The nodes of the corners that span the plane of a face.
+std::array<NodeId, 3> plane_nodes(const OrderBasis& basis, CellId cell, std::size_t face) {
+  const ZooMesh& mesh = *basis.mesh;
+  const auto nodes = mesh.cell_nodes(cell);
+  const auto plane =
+      corners_from(topology_of(mesh.kinds[cell]).faces[face], basis.sides[cell].start(face));
+  return {nodes[plane[0]], nodes[plane[1]], nodes[plane[2]]};
+}
+
+// +1 when both triples go round their triangle the same way, -1 when the opposite way, 0 when they
+// are not the same three different nodes.
+int same_winding(const std::array<NodeId, 3>& a, const std::array<NodeId, 3>& b) {
+  const auto at = static_cast<std::size_t>(std::ranges::find(b, a[0]) - b.begin());
+  if (at == 3 || a[0] == a[1] || a[1] == a[2] || a[0] == a[2]) return 0;
+  if (b[(at + 1) % 3] == a[1] && b[(at + 2) % 3] == a[2]) return 1;
+  if (b[(at + 1) % 3] == a[2] && b[(at + 2) % 3] == a[1]) return -1;
+  return 0;
+}
+
+int side_of(const CellSides& sides, std::size_t face) {
+  return static_cast<int>((sides.positive >> face) & 1U) -
+         static_cast<int>((sides.negative >> face) & 1U);
+}
+
+std::span<const CellId> neighbors_of(const OrderBasis& basis, CellId cell) {
+  return basis.adjacency.neighbors.view().subspan(basis.faces.first(cell), basis.faces.count(cell));
+}
+
+// Whether nothing but the eye's place decides about a shared face: it is the only one that its two
+// cells share, and they lie on either side of it.
+bool settled(const OrderBasis& basis, CellId cell, std::size_t face) {
+  const CellId other = neighbors_of(basis, cell)[face];
+  const auto here = neighbors_of(basis, cell);
+  const auto there = other < basis.mesh->cell_count() && other != cell ? neighbors_of(basis, other)
+                                                                       : std::span<const CellId>();
+  const auto shared = std::ranges::count(here, other);
+  const auto shared_back = std::ranges::count(there, cell);
+  if (shared != shared_back)
+    throw InputError("face adjacency",
+                     fmt::format("cells {} and {} are not neighbours of one another ({} common "
+                                 "faces expected, {} found)",
+                                 cell, other, shared, shared_back));
+  if (shared != 1) return false;
+  const auto back = static_cast<std::size_t>(std::ranges::find(there, cell) - there.begin());
+  const int winding = same_winding(plane_nodes(basis, cell, face), plane_nodes(basis, other, back));
+  return winding * side_of(basis.sides[cell], face) * side_of(basis.sides[other], back) < 0;
+}
+
+}  // namespace
+
+OrderBasis order_basis(const ZooMesh& mesh, FaceAdjacency adjacency) {
+  OrderBasis basis{&mesh, std::move(adjacency), FaceNumbering(mesh), {}, {}, {}};
+  const std::size_t cells = mesh.cell_count();
+  if (basis.adjacency.neighbors.size() != basis.faces.first(cells))
+    throw InputError("face adjacency",
+                     fmt::format("wrong size ({} faces expected, {} found)",
+                                 basis.faces.first(cells), basis.adjacency.neighbors.size()));
+  basis.sides.resize(cells);
+  basis.unmatched = collect<UnmatchedFace>(cells, kGrain, [&](std::size_t i, auto& unmatched) {
+    const auto cell = static_cast<CellId>(i);
+    basis.sides[i] = sides_of(mesh, cell, neighbors_of(basis, cell), unmatched);
+  });
+  basis.unsettled = collect<UnsettledFace>(cells, kGrain, [&](std::size_t i, auto& unsettled) {
+    const auto cell = static_cast<CellId>(i);
+    const auto neighbors = neighbors_of(basis, cell);
+    for (std::size_t f = 0; f < neighbors.size(); ++f)
+      if (neighbors[f] != kNoCell && !settled(basis, cell, f))
+        unsettled.push_back({cell, static_cast<std::uint32_t>(f)});
+  });
+  for (const auto& [cell, face] : basis.unsettled)
+    basis.sides[cell].unsettled |= static_cast<std::uint8_t>(1U << face);
+  basis.shared_faces = (basis.adjacency.neighbors.size() - basis.unmatched.size()) / 2;
+  basis.convex = boundary_is_convex(mesh, basis.adjacency);
+  return basis;
+}
+
+}  // namespace hiac

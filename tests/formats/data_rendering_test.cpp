@@ -1,0 +1,169 @@
+// Real meshes, ordered and drawn from all sides: no ray segment may be met out of order.
+//
+// By default those of a few thousand cells; HIAC_ALL_DATA=1 in the environment takes all of them
+// and prints what became of each.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <limits>
+#include <numbers>
+#include <set>
+
+#include "formats/keep_corners.hpp"
+#include "hiac/mesh/face_adjacency.hpp"
+#include "hiac/order/order_basis.hpp"
+#include "hiac/render/engine.hpp"
+#include "hiac/render/renderable.hpp"
+#include "tests/formats/files.hpp"
+#include "tests/support/meshes.hpp"
+
+namespace hiac::formats {
+namespace {
+
+namespace fs = std::filesystem;
+using test::Position;
+
+constexpr std::size_t kMostCells = 4000;
+constexpr std::uintmax_t kMostBytes = 2'000'000;
+
+// Meshes of cells that overlap, some of them inside out: no order is right for them.
+const std::set<std::string> kInvalid{"nasty/curved/sphereCylinder_22492_inv.vtk",
+                                     "nasty/tangled/tet_4_tangled.vtk"};
+
+struct Box {
+  Position center{};
+  double diagonal = 0;
+};
+
+Box box_of(const ZooMesh& mesh) {
+  Position low, high;
+  low.fill(std::numeric_limits<double>::infinity());
+  high.fill(-std::numeric_limits<double>::infinity());
+  for (const NodeId node : mesh.nodes)
+    for (std::size_t c = 0; c < 3; ++c) {
+      low[c] = std::min(low[c], mesh.position(node)[c]);
+      high[c] = std::max(high[c], mesh.position(node)[c]);
+    }
+  Box box;
+  for (std::size_t c = 0; c < 3; ++c) box.center[c] = 0.5 * (low[c] + high[c]);
+  box.diagonal = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  return box;
+}
+
+// Direction i of n, spread evenly over the sphere (a Fibonacci lattice).
+Position direction(int i, int n) {
+  const double z = 1 - (2 * i + 1.0) / n, angle = 2 * std::numbers::pi * i / std::numbers::phi;
+  const double r = std::sqrt(1 - z * z);
+  return {r * std::cos(angle), r * std::sin(angle), z};
+}
+
+// Ten parallel views, three of them along the axes, and ten in perspective, one from the middle.
+std::vector<Camera> cameras_around(const Box& box) {
+  std::vector<Camera> cameras;
+  const auto add = [&](Projection projection, const Position& from, double distance) {
+    Camera camera;
+    camera.projection = projection;
+    for (std::size_t c = 0; c < 3; ++c)
+      camera.eye[c] = box.center[c] + distance * box.diagonal * from[c];
+    camera.look_at = box.center;
+    camera.up = std::abs(from[2]) < 0.9 ? Position{0, 0, 1} : Position{0, 1, 0};
+    camera.fov = 40;
+    camera.height = box.diagonal;
+    cameras.push_back(camera);
+  };
+  for (const Position& axis : {Position{1, 0, 0}, {0, -1, 0}, {0, 0, 1}})
+    add(Projection::orthographic, axis, 2);
+  for (int i = 0; i < 7; ++i) add(Projection::orthographic, direction(i, 7), 2);
+  for (int i = 0; i < 9; ++i) add(Projection::perspective, direction(i, 9), 1.6);
+  add(Projection::perspective, direction(1, 3), 0.01);
+  return cameras;
+}
+
+Scene scene_of(const Camera& camera) {
+  Scene scene;
+  scene.image = {48, 48};
+  scene.camera = camera;
+  scene.volume.color = ColorTransfer{"shade", {{0, {0.1, 0.2, 0.9}}, {1, {0.9, 0.1, 0.1}}}};
+  scene.volume.extinction = ExtinctionTransfer{"shade", {{0, {0.01}}}};
+  return scene;
+}
+
+struct Outcome {
+  std::string refused;  // why there is no picture
+  std::size_t cells = 0;
+  std::uint64_t segments = 0, violations = 0, largest_group = 1;
+};
+
+Outcome draw_from_all_sides(ZooMesh mesh) {
+  Outcome outcome;
+  outcome.cells = mesh.cell_count();
+  const Box box = box_of(mesh);
+  mesh.fields.clear();
+  test::add_node_field(mesh, "shade", [&](const Position& p) {
+    return 0.5 + 0.5 * std::sin(7 * (p[0] + 2 * p[1] + 3 * p[2]) / box.diagonal);
+  });
+  const auto cameras = cameras_around(box);
+  try {
+    check_renderable(mesh, scene_of(cameras[0]));
+  } catch (const InputError& error) {
+    outcome.refused = error.what();
+    return outcome;
+  }
+  const OrderBasis basis = order_basis(mesh, build_face_adjacency(mesh));
+  for (const Camera& camera : cameras) {
+    const Scene scene = scene_of(camera);
+    const View view{camera.projection == Projection::perspective, camera.eye,
+                    view_direction(camera)};
+    const OrderResult sorted = exact_order(basis, view, scene.render.planarity);
+    const RenderStatistics drawn = render(mesh, sorted.order, scene, false).statistics;
+    outcome.segments += drawn.segments;
+    outcome.violations += drawn.violations;
+    outcome.largest_group = std::max(outcome.largest_group, sorted.statistics.largest_group);
+  }
+  return outcome;
+}
+
+std::vector<std::string> data_files() {
+  std::vector<std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(data_dir()))
+    if (entry.is_regular_file()) files.push_back(entry.path().string());
+  std::ranges::sort(files);
+  return files;
+}
+
+TEST(DataRendering, NoSegmentIsOutOfOrder) {
+  if (!fs::exists(data_dir())) GTEST_SKIP() << data_dir() << " is not there";
+  const bool all = std::getenv("HIAC_ALL_DATA") != nullptr;
+  std::size_t drawn = 0;
+  for (const std::string& path : data_files()) {
+    if (!all && fs::file_size(path) > kMostBytes) continue;
+    const std::string name = fs::relative(path, data_dir()).string();
+    Reading reading;
+    try {
+      reading = read_any(path);
+    } catch (const InputError& error) {
+      if (all) std::printf("%s | not read: %s\n", name.c_str(), error.what());
+      continue;
+    }
+    keep_corners(reading.mesh, reading.notes);
+    if (!all && reading.mesh.cell_count() > kMostCells) continue;
+    const Outcome outcome = draw_from_all_sides(std::move(reading.mesh));
+    if (all)
+      std::printf("%s | %zu cells | %s%lu segments, %lu violations, largest group %lu\n",
+                  name.c_str(), outcome.cells,
+                  outcome.refused.empty() ? "" : ("refused: " + outcome.refused + " | ").c_str(),
+                  outcome.segments, outcome.violations, outcome.largest_group);
+    if (!outcome.refused.empty()) continue;
+    ++drawn;
+    EXPECT_GT(outcome.segments, 0U) << name;
+    EXPECT_EQ(outcome.violations > 0, kInvalid.contains(name))
+        << name << ": " << outcome.violations;
+  }
+  EXPECT_GT(drawn, 20U);
+}
+
+}  // namespace
+}  // namespace hiac::formats
