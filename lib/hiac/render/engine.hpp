@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "hiac/image/image.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/order/visibility_order.hpp"
+#include "hiac/render/crop.hpp"
 #include "hiac/scene/scene.hpp"
 
 namespace hiac {
@@ -15,7 +17,11 @@ struct RenderStatistics {
   double mean_optical_depth = 0,
          largest_optical_depth = 0;  ///< over the pixels that the mesh covers
   std::uint64_t covered_pixels = 0;
+  std::uint64_t splatted_cells = 0;  ///< in the whole picture, also where a part is rendered
   double prepare_seconds = 0, tile_seconds = 0;
+
+  /// Those of two parts of a picture together.
+  RenderStatistics& operator+=(const RenderStatistics& other);
 };
 
 struct RenderResult {
@@ -33,5 +39,27 @@ struct RenderResult {
 /// `with_background`: composite the scene's background behind the volume.
 RenderResult render(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
                     bool with_background);
+
+/// The same picture part by part. What the parts share is made once.
+class PartRenderer {
+ public:
+  /// Mesh, order and scene must outlive it.
+  PartRenderer(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene);
+  ~PartRenderer();
+  PartRenderer(const PartRenderer&) = delete;
+  PartRenderer& operator=(const PartRenderer&) = delete;
+
+  /// An image of the part alone, with the pixels of the whole picture, bit for bit. Only the tiles
+  /// that meet the part are worked on; segments and violations are counted in all of these,
+  /// optical depths and covered pixels in the part. Throws UsageError as require_inside does.
+  [[nodiscard]] RenderResult render(const PixelRect& part, bool with_background) const;
+
+  /// What making it took; not in the parts' statistics.
+  [[nodiscard]] double prepare_seconds() const;
+
+ private:
+  struct Prepared;
+  std::unique_ptr<const Prepared> prepared_;
+};
 
 }  // namespace hiac

@@ -57,6 +57,8 @@ class Projector {
   /// Perspective: the direction's components along right and up, that along forward being 1.
   /// Orthographic: the origin's, from look_at.
   [[nodiscard]] std::array<double, 2> slopes(double x, double y) const;
+  /// Pixels per unit of slope (perspective) or of world length across the view (orthographic).
+  [[nodiscard]] double pixels_per_unit() const { return scale_; }
   /// World length per unit of t on the ray through (x, y).
   [[nodiscard]] double ray_scale(double x, double y) const;
 
