@@ -95,6 +95,32 @@ TEST(Engine, StepsInTransferFunctionsAgreeWithBruteForce) {
   EXPECT_LE(largest_error(mesh, scene, draw(mesh, scene).image), 1e-12);
 }
 
+TEST(Engine, OtherIntegrationsAgreeWithTheirDefinitions) {
+  const ZooMesh mesh = delaunay_with_fields(40, 10);
+  for (const Integration integration :
+       {Integration::gauss5, Integration::approximate, Integration::approximate_unsliced})
+    for (const Glow glow : {Glow::chromaticity, Glow::emission})
+      for (const char* color : {"f", "g"}) {
+        Scene scene = scene_of(Projection::perspective, 20, 18);
+        scene.render.integration = integration;
+        scene.volume.glow = glow;
+        scene.volume.color->field = std::string(color);
+        for (auto& point : scene.volume.extinction->points) point.value[0] *= 4;
+        scene.isosurfaces.resize(1);
+        scene.isosurfaces[0].field = std::string("g");
+        scene.isosurfaces[0].value = 0.3;
+        scene.isosurfaces[0].opacity = 0.3;
+        EXPECT_LE(largest_error(mesh, scene, draw(mesh, scene).image), 1e-12)
+            << static_cast<int>(integration) << " emission " << (glow == Glow::emission) << color;
+        // cells beside the eye
+        scene.camera.eye = {0.43, 0.52, 0.61};
+        scene.camera.fov = 100;
+        scene.image = {10, 9};
+        EXPECT_LE(largest_error(mesh, scene, draw(mesh, scene).image), 1e-12)
+            << static_cast<int>(integration) << " emission " << (glow == Glow::emission) << color;
+      }
+}
+
 TEST(Engine, ClippingSlabAgreesWithBruteForce) {
   const ZooMesh mesh = delaunay_with_fields(60, 3);
   for (const Projection projection : {Projection::orthographic, Projection::perspective}) {

@@ -127,6 +127,28 @@ TEST(GeneralCells, ClippingSlabAgreesWithBruteForce) {
   }
 }
 
+// What the methods are wrong by on a coarse mesh, and that they are not the exact one.
+TEST(GeneralCells, OtherIntegrationsAreNearTheExactOne) {
+  ZooMesh mesh = test::moved(test::mixed_columns(2), test::tapered);
+  test::add_node_field(mesh, "f", test::smooth_field);
+  for (const Glow glow : {Glow::chromaticity, Glow::emission})
+    for (const auto& [integration, near] : {std::pair{Integration::gauss5, 1e-7},
+                                            {Integration::approximate, 0.05},
+                                            {Integration::approximate_unsliced, 0.1}}) {
+      Scene scene = cube_scene(Projection::perspective, 16, 14);
+      scene.volume.glow = glow;
+      const Image exact = draw(mesh, scene).image;
+      scene.render.integration = integration;
+      check_renderable(mesh, scene);
+      const Image other = draw(mesh, scene).image;
+      double largest = 0;
+      for (std::size_t i = 0; i < exact.values().size(); ++i)
+        largest = std::max(largest, std::abs(exact.values()[i] - other.values()[i]));
+      EXPECT_LE(largest, near) << static_cast<int>(integration);
+      EXPECT_GT(largest, near * 1e-6) << static_cast<int>(integration);
+    }
+}
+
 // The eye inside the mesh: cells beside and behind it.
 TEST(GeneralCells, EyeInsideAgreesWithBruteForce) {
   for (auto& [name, straight] : meshes()) {

@@ -193,7 +193,19 @@ struct Optics {
   PiecewiseLinear<3> color;
   PiecewiseLinear<1> extinction;
   bool emission;
+  Integration integration;
 };
+
+// Five points of the Gauss-Legendre rule on [-1, 1] and their weights, in closed form.
+template <typename Function>
+Real five_points(const Function& f, Real a, Real b) {
+  const Real root = 2 * std::sqrt(10.0L / 7), more = 13 * std::sqrt(70.0L);
+  const Real inner = std::sqrt(5 - root) / 3, outer = std::sqrt(5 + root) / 3;
+  const Real middle = (a + b) / 2, half = (b - a) / 2;
+  return half * (128.0L / 225 * f(middle) +
+                 (322 + more) / 900 * (f(middle - half * inner) + f(middle + half * inner)) +
+                 (322 - more) / 900 * (f(middle - half * outer) + f(middle + half * outer)));
+}
 
 void composite(const ReferenceShade& shade, std::array<Real, 3>& light, Real& transparency) {
   for (std::size_t c = 0; c < 3; ++c) light[c] += transparency * shade.rgb[c];
@@ -203,8 +215,11 @@ void composite(const ReferenceShade& shade, std::array<Real, 3>& light, Real& tr
 void composite(const Segment& s, const Optics& optics, std::array<Real, 3>& light,
                Real& transparency) {
   std::vector<Real> cuts{s.from, s.to};
-  cut_at(s.color, optics.color.breakpoints(), s, cuts);
-  cut_at(s.extinction, optics.extinction.breakpoints(), s, cuts);
+  const bool unsliced = optics.integration == Integration::approximate_unsliced;
+  if (!unsliced) {
+    cut_at(s.color, optics.color.breakpoints(), s, cuts);
+    cut_at(s.extinction, optics.extinction.breakpoints(), s, cuts);
+  }
   for (const Crossing& crossing : s.crossings) cuts.push_back(crossing.at);
   std::sort(cuts.begin(), cuts.end());
   auto crossing = s.crossings.begin();
@@ -212,17 +227,28 @@ void composite(const Segment& s, const Optics& optics, std::array<Real, 3>& ligh
     for (; crossing != s.crossings.end() && crossing->at <= cuts[i]; ++crossing)
       composite(crossing->shade, light, transparency);
     const Real from = cuts[i], to = cuts[i + 1], middle = (from + to) / 2;
-    const Line tau = on_piece(optics.extinction, 0, s.extinction, middle);
+    const auto line_of = [&](const auto& function, std::size_t c, const Line& scalar) {
+      if (!unsliced) return on_piece(function, c, scalar, middle);
+      const Real front = on_piece(function, c, scalar, from).at(from);
+      const Real back = on_piece(function, c, scalar, to).at(to);
+      const Real slope = (back - front) / (to - from);
+      return Line{front - slope * from, slope};
+    };
+    const Line tau = line_of(optics.extinction, 0, s.extinction);
     const auto depth = [&](Real t) {
       return (t - from) * (tau.value + tau.slope * (t + from) / 2);
     };
     for (std::size_t c = 0; c < 3; ++c) {
-      const Line color = on_piece(optics.color, c, s.color, middle);
+      const Line color = line_of(optics.color, c, s.color);
+      const bool mean = unsliced || optics.integration == Integration::approximate;
       const auto integrand = [&](Real t) {
-        const Real glow = optics.emission ? color.at(t) : color.at(t) * tau.at(t);
-        return glow * std::exp(-depth(t));
+        const Real here = mean ? (color.at(from) + color.at(to)) / 2 : color.at(t);
+        return (optics.emission ? here : here * tau.at(t)) * std::exp(-depth(t));
       };
-      light[c] += transparency * adaptive(integrand, from, to, gauss(integrand, from, to), 40);
+      light[c] +=
+          transparency * (optics.integration == Integration::gauss5
+                              ? five_points(integrand, from, to)
+                              : adaptive(integrand, from, to, gauss(integrand, from, to), 40));
     }
     transparency *= std::exp(-depth(to));
   }
@@ -237,7 +263,7 @@ std::array<double, 4> reference_pixel(const ZooMesh& mesh, const Scene& scene, s
   const auto& volume = scene.volume;
   const Optics optics{volume.color ? volume.color->function() : PiecewiseLinear<3>(),
                       volume.extinction ? volume.extinction->function() : PiecewiseLinear<1>(),
-                      volume.glow == Glow::emission};
+                      volume.glow == Glow::emission, scene.render.integration};
   std::vector<Segment> segments;
   for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {
     std::array<Line, 4> barycentric;

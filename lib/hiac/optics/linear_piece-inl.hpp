@@ -124,6 +124,31 @@ struct Emission {
   }
 };
 
+/// Chromaticity glow of the piece's mean colour: half its opacity for either end.
+struct MeanChromaticity {
+  template <class Kind, class D, class V>
+  static HWY_INLINE PieceWeights<V> evaluate(D d, V b, V a) {
+    const V sigma = hn::Mul(hn::Set(d, 0.25), hn::Add(a, b));
+    const V sigma2 = hn::Mul(sigma, sigma);
+    const V s = sinhc_from<Kind, 0>(d, sigma2);
+    const V sinh_sigma = hn::Mul(sigma, s);
+    const V cosh_sigma = hn::MulAdd(sigma2, rho_row<Kind, 0, 0>(d, sigma2), s);
+    V h;
+    if constexpr (Kind::kSigma <= 0.5) {
+      h = hn::Sub(cosh_sigma, sinh_sigma);
+    } else {
+      h = hn::Div(hn::Set(d, 1.0), hn::Add(cosh_sigma, sinh_sigma));
+    }
+    const V half = hn::Mul(h, sinh_sigma);
+    return {hn::Mul(h, h), half, half};
+  }
+  static LinearPieceWeights scalar(double b, double a) {
+    const LinearPieceWeights w = ::hiac::linear_piece_weights(b, a);
+    const double half = 0.5 * (w.front + w.back);
+    return {w.transparency, half, half};
+  }
+};
+
 template <class V, class M>
 HWY_INLINE PieceWeights<V> select(M mask, const PieceWeights<V>& yes, const PieceWeights<V>& no) {
   return {hn::IfThenElse(mask, yes.transparency, no.transparency),
@@ -190,6 +215,12 @@ HWY_INLINE PieceWeights<V> linear_piece_weights(D d, V b, V a) {
 template <class D, class V>
 HWY_INLINE PieceWeights<V> linear_piece_emission(D d, V b, V a) {
   return linear_piece_detail::evaluate<linear_piece_detail::Emission>(d, b, a);
+}
+
+/// Transparency and twice (1 - zeta) / 2: PieceRule::mean_color with chromaticity glow.
+template <class D, class V>
+HWY_INLINE PieceWeights<V> linear_piece_mean_color(D d, V b, V a) {
+  return linear_piece_detail::evaluate<linear_piece_detail::MeanChromaticity>(d, b, a);
 }
 
 }  // namespace HWY_NAMESPACE

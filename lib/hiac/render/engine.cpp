@@ -62,7 +62,7 @@ Frame make_frame(const ZooMesh& mesh, const Scene& scene, const Projector& proje
               .projector = projector,
               .nodes = project_nodes(mesh, projector),
               .kernel_cells = {},
-              .optics = make_optics_tables(scene.volume),
+              .optics = make_optics_tables(scene.volume, scene.render.integration),
               .color = {},
               .extinction = {},
               .isosurfaces = make_isosurfaces(mesh, scene, projector),

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "hiac/optics/linear_piece.hpp"
+#include "hiac/optics/piece_rule.hpp"
 #include "hiac/optics/polynomial_piece.hpp"
 #include "hiac/render/cell_scan.hpp"
 #include "hiac/render/cell_surface.hpp"
@@ -21,17 +21,6 @@ constexpr double kFieldShare = 0.25, kIntegrationShare = 0.5;
 
 // Behind an opaque surface nothing is seen; a tolerance divided by this is a number still.
 constexpr double kLeastVisible = 1e-100;
-
-// What a ray segment adds to a pixel.
-struct Radiance {
-  std::array<double, 3> rgb{};
-  double transparency = 1;
-
-  void add_behind(const std::array<double, 3>& light, double zeta) {
-    for (std::size_t c = 0; c < 3; ++c) rgb[c] += transparency * light[c];
-    transparency *= zeta;
-  }
-};
 
 // Intervals of a transfer table, inclusive.
 struct IntervalRange {
@@ -195,9 +184,9 @@ class GeneralCellRenderer {
     ++counts_.segments;
     const double visible = group_ != nullptr ? 1 : buffer_.transparency[at];
     const double scale = buffer_.ray_scale[at];
-    const Radiance radiance = is_cut_
-                                  ? between_surfaces(crossing, map, stretch, scale, field, visible)
-                                  : radiance_of(stretch, scale, field, visible);
+    const PlainRadiance radiance =
+        is_cut_ ? between_surfaces(crossing, map, stretch, scale, field, visible)
+                : radiance_of(stretch, scale, field, visible);
     if (group_ != nullptr)
       group_->append(static_cast<std::uint32_t>(at), stretch.front, stretch.back, radiance.rgb[0],
                      radiance.rgb[1], radiance.rgb[2], radiance.transparency);
@@ -206,63 +195,80 @@ class GeneralCellRenderer {
   }
 
   // `scale`: world length per unit of the ray parameter; `visible`: the transparency in front.
-  [[nodiscard]] Radiance radiance_of(const RayStretch& stretch, double scale,
-                                     const FieldAlongRay& field, double visible) {
+  [[nodiscard]] PlainRadiance radiance_of(const RayStretch& stretch, double scale,
+                                          const FieldAlongRay& field, double visible) {
     const double length = (stretch.back - stretch.front) * scale;
     return is_uniform_ ? uniform_radiance(length) : integrated(stretch, length, field, visible);
   }
 
   // From surface to surface.
-  [[nodiscard]] Radiance between_surfaces(const CellCrossing& crossing, const CellMap& map,
-                                          const RayStretch& stretch, double scale,
-                                          const FieldAlongRay& field, double visible) {
+  [[nodiscard]] PlainRadiance between_surfaces(const CellCrossing& crossing, const CellMap& map,
+                                               const RayStretch& stretch, double scale,
+                                               const FieldAlongRay& field, double visible) {
     cuts_.find(map, crossing, stretch, surfaces_);
-    Radiance sum;
+    PlainRadiance sum;
     const auto add_volume = [&](double front, double back) {
       if (is_empty_ || !(front < back)) return;
-      const Radiance r = radiance_of({stretch.origin, stretch.direction, front, back}, scale, field,
-                                     std::max(visible * sum.transparency, kLeastVisible));
-      sum.add_behind(r.rgb, r.transparency);
+      const PlainRadiance r =
+          radiance_of({stretch.origin, stretch.direction, front, back}, scale, field,
+                      std::max(visible * sum.transparency, kLeastVisible));
+      sum.add_behind(r);
     };
     double front = stretch.front;
     for (const IsosurfaceCrossing& surface : surfaces_) {
       add_volume(front, surface.t);
-      sum.add_behind(surface.shade.rgb, surface.shade.transparency);
+      sum.add_behind({surface.shade.rgb, surface.shade.transparency});
       front = std::max(front, surface.t);
     }
     add_volume(front, stretch.back);
     return sum;
   }
 
-  [[nodiscard]] Radiance uniform_radiance(double length) const {
+  [[nodiscard]] PlainRadiance uniform_radiance(double length) const {
     const double depth = optics_.extinction_function(extinction_.corners.least)[0] * length;
     const auto color = optics_.color_function(color_.corners.least);
-    const LinearPieceWeights weights =
-        optics_.emission ? linear_piece_emission(depth, depth) : linear_piece_weights(depth, depth);
+    const LinearPieceWeights weights = linear_piece_by_rule(optics_.rule, glow_, depth, depth);
     const double weight = (weights.front + weights.back) * (optics_.emission ? length : 1);
     return {{weight * color[0], weight * color[1], weight * color[2]}, weights.transparency};
   }
 
   // Every segment may use a part of the tolerance in proportion to its length.
-  [[nodiscard]] Radiance integrated(const RayStretch& stretch, double length,
-                                    const FieldAlongRay& field, double visible) {
+  [[nodiscard]] PlainRadiance integrated(const RayStretch& stretch, double length,
+                                         const FieldAlongRay& field, double visible) {
     const double part = (stretch.back - stretch.front) / frame_.depth;
     const double tolerance = kIntegrationShare * frame_.tolerance * part / visible;
     field.along(stretch, pieces_);
-    Radiance radiance;
+    if (optics_.unsliced) return unsliced(length);
+    PlainRadiance radiance;
     for (const FieldAlongRay::Piece& piece : pieces_) {
       const double share = piece.end - piece.begin;
       const PolynomialSegment segment{piece.fields[optics_.same_field ? 0 : 1], piece.fields[0],
                                       share * length};
+      if (optics_.rule != PieceRule::exact) {
+        radiance.add_behind(integrate_segment_by_rule(optics_.rule, segment, optics_.color_function,
+                                                      optics_.extinction_function, glow_));
+        continue;
+      }
       const SegmentRadiance r =
           integrate_segment(segment, optics_.color_function, optics_.extinction_function, glow_,
                             std::max(share * tolerance, std::numeric_limits<double>::min()));
-      radiance.add_behind(r.rgb, r.transparency);
+      radiance.add_behind({r.rgb, r.transparency});
     }
     return radiance;
   }
 
-  void composite(std::size_t at, const RayStretch& stretch, const Radiance& radiance) {
+  // From the ends of what lies in pieces_.
+  [[nodiscard]] PlainRadiance unsliced(double length) const {
+    const std::size_t color = optics_.same_field ? 0 : 1;
+    const auto &front = pieces_.front().fields, &back = pieces_.back().fields;
+    return integrate_unsliced(optics_.rule, length,
+                              optics_.color_function(evaluate(front[color], 0)),
+                              optics_.color_function(evaluate(back[color], 1)),
+                              optics_.extinction_function(evaluate(front[0], 0))[0],
+                              optics_.extinction_function(evaluate(back[0], 1))[0], glow_);
+  }
+
+  void composite(std::size_t at, const RayStretch& stretch, const PlainRadiance& radiance) {
     double& last = buffer_.last[at];
     // a segment shorter than the tolerance may be rounding, and lie anywhere
     const double tolerance = frame_.witness_tolerance;

@@ -54,8 +54,6 @@ std::string others(const Failures& failures) {
 }
 
 void check_scene(const Scene& scene) {
-  if (scene.render.integration != Integration::exact)
-    throw InputError("key `render.integration`: this version integrates \"exact\" alone");
   if (scene.render.interpolation != Interpolation::isoparametric)
     throw InputError(
         "key `render.interpolation`: this version interpolates \"isoparametric\" alone");

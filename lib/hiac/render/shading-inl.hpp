@@ -132,36 +132,71 @@ class ScalarWalk {
   M rising_;
 };
 
+// How a piece's weights are found: PieceRule, as far as an inner loop must not ask about it. The
+// weights of emission are times the length.
+struct ExactChromaticity {
+  template <class D, class V>
+  static HWY_INLINE PieceWeights<V> weights(D d, const OpticsTables&, V, V b, V a) {
+    return linear_piece_weights(d, b, a);
+  }
+};
+
+struct ExactEmission {
+  template <class D, class V>
+  static HWY_INLINE PieceWeights<V> weights(D d, const OpticsTables&, V length, V b, V a) {
+    const auto w = linear_piece_emission(d, b, a);
+    return {w.transparency, hn::Mul(w.front, length), hn::Mul(w.back, length)};
+  }
+};
+
+struct MeanChromaticity {
+  template <class D, class V>
+  static HWY_INLINE PieceWeights<V> weights(D d, const OpticsTables&, V, V b, V a) {
+    return linear_piece_mean_color(d, b, a);
+  }
+};
+
+// The rest: what OpticsTables says, asked for every piece.
+struct AnyRule {
+  template <class D, class V>
+  static HWY_INLINE PieceWeights<V> weights(D d, const OpticsTables& optics, V length, V b, V a) {
+    constexpr std::size_t kLanes = hn::MaxLanes(d);
+    HWY_ALIGN double front[kLanes], back[kLanes], zeta[kLanes];
+    hn::Store(b, d, front);
+    hn::Store(a, d, back);
+    for (std::size_t k = 0; k < hn::Lanes(d); ++k) {
+      const LinearPieceWeights w = linear_piece_by_rule(
+          optics.rule, optics.emission ? Glow::emission : Glow::chromaticity, front[k], back[k]);
+      zeta[k] = w.transparency;
+      front[k] = w.front;
+      back[k] = w.back;
+    }
+    const V unit = optics.emission ? length : hn::Set(d, 1.0);
+    return {hn::Load(d, zeta), hn::Mul(hn::Load(d, front), unit), hn::Mul(hn::Load(d, back), unit)};
+  }
+};
+
 // One piece on which colour and extinction are linear, composited behind what is there (eq. 5 and
 // its closed form: linear_piece-inl.hpp).
-template <bool kEmission, class D, class V = hn::Vec<D>>
-HWY_INLINE void composite_piece(D d, V length, V tau_front, V tau_back, const V (&front)[3],
-                                const V (&back)[3], hn::Mask<D> active, Radiance<V>& sum) {
+template <class Rule, class D, class V = hn::Vec<D>>
+HWY_INLINE void composite_piece(D d, const OpticsTables& optics, V length, V tau_front, V tau_back,
+                                const V (&front)[3], const V (&back)[3], hn::Mask<D> active,
+                                Radiance<V>& sum) {
   const V zero = hn::Zero(d);
   const V b = hn::Mul(hn::Max(tau_front, zero), length);
   const V a = hn::Mul(hn::Max(tau_back, zero), length);
-  V front_weight, back_weight, zeta;
-  if constexpr (kEmission) {
-    const auto weights = linear_piece_emission(d, b, a);
-    front_weight = hn::Mul(weights.front, length);
-    back_weight = hn::Mul(weights.back, length);
-    zeta = weights.transparency;
-  } else {
-    const auto weights = linear_piece_weights(d, b, a);
-    front_weight = weights.front;
-    back_weight = weights.back;
-    zeta = weights.transparency;
-  }
+  const PieceWeights<V> weights = Rule::weights(d, optics, length, b, a);
   const V visible = hn::IfThenElseZero(active, sum.transparency);
-  const V wf = hn::Mul(visible, front_weight), wb = hn::Mul(visible, back_weight);
+  const V wf = hn::Mul(visible, weights.front), wb = hn::Mul(visible, weights.back);
   sum.red = hn::MulAdd(wf, front[0], hn::MulAdd(wb, back[0], sum.red));
   sum.green = hn::MulAdd(wf, front[1], hn::MulAdd(wb, back[1], sum.green));
   sum.blue = hn::MulAdd(wf, front[2], hn::MulAdd(wb, back[2], sum.blue));
-  sum.transparency = hn::IfThenElse(active, hn::Mul(sum.transparency, zeta), sum.transparency);
+  sum.transparency =
+      hn::IfThenElse(active, hn::Mul(sum.transparency, weights.transparency), sum.transparency);
 }
 
 // A piece on which both fields stay within one interval of their tables, the same for all lanes.
-template <bool kEmission, class D, class V = hn::Vec<D>>
+template <class Rule, class D, class V = hn::Vec<D>>
 HWY_INLINE void composite_interval_piece(D d, const OpticsTables& optics,
                                          std::size_t color_interval,
                                          std::size_t extinction_interval, V length, V front_color,
@@ -173,25 +208,25 @@ HWY_INLINE void composite_interval_piece(D d, const OpticsTables& optics,
   color.ends(optics.color, 1, front_color, back_color, front[1], back[1]);
   color.ends(optics.color, 2, front_color, back_color, front[2], back[2]);
   extinction.ends(optics.extinction, 0, front_extinction, back_extinction, tau_front, tau_back);
-  composite_piece<kEmission>(d, length, tau_front, tau_back, front, back, active, sum);
+  composite_piece<Rule>(d, optics, length, tau_front, tau_back, front, back, active, sum);
 }
 
 // The segment lies within one interval of both tables.
-template <bool kEmission, class D, class V = hn::Vec<D>>
+template <class Rule, class D, class V = hn::Vec<D>>
 HWY_INLINE Radiance<V> uniform_radiance(D d, const OpticsTables& optics, std::size_t color_interval,
                                         std::size_t extinction_interval, V length, V front_color,
                                         V back_color, V front_extinction, V back_extinction) {
   Radiance<V> sum{hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Set(d, 1.0)};
-  composite_interval_piece<kEmission>(d, optics, color_interval, extinction_interval, length,
-                                      front_color, back_color, front_extinction, back_extinction,
-                                      hn::Eq(length, length), sum);
+  composite_interval_piece<Rule>(d, optics, color_interval, extinction_interval, length,
+                                 front_color, back_color, front_extinction, back_extinction,
+                                 hn::Eq(length, length), sum);
   return sum;
 }
 
 // Adds the pieces of segments along which one scalar moves from `front` to `back`, interval by
 // interval in the order in which it passes them: upwards, or with kRising false downwards. All
 // lanes take part in every interval with whatever part of their segment lies in it.
-template <bool kRising, bool kEmission, class D, class V = hn::Vec<D>>
+template <bool kRising, class Rule, class D, class V = hn::Vec<D>>
 HWY_INLINE void composite_intervals(D d, const OpticsTables& optics, IntervalRange range, V length,
                                     V front, V back, hn::Mask<D> active, Radiance<V>& sum) {
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
@@ -207,8 +242,8 @@ HWY_INLINE void composite_intervals(D d, const OpticsTables& optics, IntervalRan
         ends_inside, one, hn::Min(hn::Max(hn::Mul(hn::Sub(exit, front), inverse), u), one));
     const V next = hn::IfThenElse(ends_inside, back, exit);
     if (!hn::AllFalse(d, here)) {
-      composite_interval_piece<kEmission>(d, optics, k, k, hn::Mul(length, hn::Sub(next_u, u)), now,
-                                          next, now, next, here, sum);
+      composite_interval_piece<Rule>(d, optics, k, k, hn::Mul(length, hn::Sub(next_u, u)), now,
+                                     next, now, next, here, sum);
       u = hn::IfThenElse(here, next_u, u);
       now = hn::IfThenElse(here, next, now);
       active = hn::AndNot(hn::And(here, ends_inside), active);
@@ -220,22 +255,22 @@ HWY_INLINE void composite_intervals(D d, const OpticsTables& optics, IntervalRan
 // The segment is cut at every breakpoint that its scalar passes; colour and extinction depend on
 // the same field. Neighbouring rays pass the same breakpoints: the intervals are common to all
 // lanes, so that nothing is gathered.
-template <bool kEmission, class D, class V = hn::Vec<D>>
+template <class Rule, class D, class V = hn::Vec<D>>
 HWY_INLINE Radiance<V> sliced_radiance(D d, const OpticsTables& optics, IntervalRange range,
                                        V length, V front, V back, hn::Mask<D> active) {
   Radiance<V> sum{hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Set(d, 1.0)};
   const auto rising = hn::Ge(back, front);
   const auto up = hn::And(active, rising), down = hn::AndNot(rising, active);
   if (!hn::AllFalse(d, up))
-    composite_intervals<true, kEmission>(d, optics, range, length, front, back, up, sum);
+    composite_intervals<true, Rule>(d, optics, range, length, front, back, up, sum);
   if (!hn::AllFalse(d, down))
-    composite_intervals<false, kEmission>(d, optics, range, length, front, back, down, sum);
+    composite_intervals<false, Rule>(d, optics, range, length, front, back, down, sum);
   return sum;
 }
 
 // The segment is cut along the ray at every breakpoint of either table that its two scalars pass,
 // lane by lane. `active` lanes alone are followed.
-template <bool kEmission, class D, class V = hn::Vec<D>>
+template <class Rule, class D, class V = hn::Vec<D>>
 HWY_INLINE Radiance<V> walked_radiance(D d, const OpticsTables& optics, IntervalRange color_range,
                                        IntervalRange extinction_range, V length, V front_color,
                                        V back_color, V front_extinction, V back_extinction,
@@ -254,13 +289,48 @@ HWY_INLINE Radiance<V> walked_radiance(D d, const OpticsTables& optics, Interval
       color.reader().ends(optics.color, c, color.now(), next_color, front[c], back[c]);
     extinction.reader().ends(optics.extinction, 0, extinction.now(), next_extinction, tau_front,
                              tau_back);
-    composite_piece<kEmission>(d, hn::Mul(length, hn::Sub(next, u)), tau_front, tau_back, front,
-                               back, active, sum);
+    composite_piece<Rule>(d, optics, hn::Mul(length, hn::Sub(next, u)), tau_front, tau_back, front,
+                          back, active, sum);
     color.advance(next, next_color, active);
     extinction.advance(next, next_extinction, active);
     active = hn::And(active, hn::Lt(next, one));
     u = next;
   }
+  return sum;
+}
+
+// The interval of each lane's scalar, which lies in one of `range`.
+template <std::size_t N, class D, class V = hn::Vec<D>>
+HWY_INLINE IntervalReader<D> reader_at(D d, const TransferTable<N>& table, IntervalRange range,
+                                       V scalar) {
+  const hn::RebindToSigned<D> di;
+  auto interval = hn::Set(di, static_cast<std::int64_t>(range.low));
+  for (std::size_t k = range.low; k < range.high; ++k) {
+    const auto passed = hn::Ge(scalar, hn::Set(d, table.upper[k]));
+    interval = hn::Sub(interval, hn::VecFromMask(di, hn::RebindMask(di, passed)));
+  }
+  return IntervalReader<D>(d, interval);
+}
+
+// The segment is not cut: colour and extinction as if linear between their values at its ends.
+template <class Rule, class D, class V = hn::Vec<D>>
+HWY_INLINE Radiance<V> unsliced_radiance(D d, const OpticsTables& optics, IntervalRange color_range,
+                                         IntervalRange extinction_range, V length, V front_color,
+                                         V back_color, V front_extinction, V back_extinction) {
+  Radiance<V> sum{hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Set(d, 1.0)};
+  const auto color0 = reader_at(d, optics.color, color_range, front_color);
+  const auto color1 = reader_at(d, optics.color, color_range, back_color);
+  const auto tau0 = reader_at(d, optics.extinction, extinction_range, front_extinction);
+  const auto tau1 = reader_at(d, optics.extinction, extinction_range, back_extinction);
+  V front[3], back[3], tau_front, tau_back, other;
+  for (std::size_t c = 0; c < 3; ++c) {
+    color0.ends(optics.color, c, front_color, front_color, front[c], other);
+    color1.ends(optics.color, c, back_color, back_color, back[c], other);
+  }
+  tau0.ends(optics.extinction, 0, front_extinction, front_extinction, tau_front, other);
+  tau1.ends(optics.extinction, 0, back_extinction, back_extinction, tau_back, other);
+  composite_piece<Rule>(d, optics, length, tau_front, tau_back, front, back, hn::Eq(length, length),
+                        sum);
   return sum;
 }
 

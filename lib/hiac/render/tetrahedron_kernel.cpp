@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #undef HWY_TARGET_INCLUDE
@@ -66,7 +67,7 @@ HWY_INLINE bool all_zero(const std::vector<std::uint8_t>& zero, IntervalRange ra
 }
 
 // Renders one kind of scene; the template arguments are what the inner loop must not ask about.
-template <bool kSeparateFields, bool kEmission>
+template <bool kSeparateFields, class Rule>
 class TetrahedronRenderer {
  public:
   TetrahedronRenderer(const Frame& frame, const TileRect& tile, TileBuffer& buffer,
@@ -119,12 +120,12 @@ class TetrahedronRenderer {
                    scalars.least_extinction, scalars.most_extinction);
     scalars.color = scalars.extinction;
     if constexpr (kSeparateFields)
-      scalars.color = load_field(frame_.color, cell, first_entry, nodes, corner, corners_.color,
-                                 scalars.least_color, scalars.most_color);
+      scalars.color = load_field(frame_.color_field(), cell, first_entry, nodes, corner,
+                                 corners_.color, scalars.least_color, scalars.most_color);
     // where nothing absorbs, chromaticity has nothing to colour: the cell is empty space
     const OpticsTables& optics = frame_.optics;
     empty_ = all_zero(optics.no_extinction, scalars.extinction) &&
-             (!kEmission || all_zero(optics.no_color, scalars.color));
+             (!optics.emission || all_zero(optics.no_color, scalars.color));
     if (empty_ && frame_.isosurfaces.in(cell).empty()) return false;
     for (std::size_t k = 0; k < 4; ++k) {
       const ProjectedNode& node = frame_.nodes[nodes[corner[k]]];
@@ -188,16 +189,21 @@ class TetrahedronRenderer {
   HWY_INLINE Radiance<V> integrate(D d, const CellScalars& scalars, V length,
                                    const EntryAndExit<V>& e, M active) const {
     if (scalars.uniform())
-      return uniform_radiance<kEmission>(d, frame_.optics, scalars.color.low,
-                                         scalars.extinction.low, length, e.front_color,
-                                         e.back_color, e.front_extinction, e.back_extinction);
+      return uniform_radiance<Rule>(d, frame_.optics, scalars.color.low, scalars.extinction.low,
+                                    length, e.front_color, e.back_color, e.front_extinction,
+                                    e.back_extinction);
+    if constexpr (!std::is_same_v<Rule, ExactChromaticity> && !std::is_same_v<Rule, ExactEmission>)
+      if (frame_.optics.unsliced)
+        return unsliced_radiance<Rule>(d, frame_.optics, scalars.color, scalars.extinction, length,
+                                       e.front_color, e.back_color, e.front_extinction,
+                                       e.back_extinction);
     if constexpr (kSeparateFields)
-      return walked_radiance<kEmission>(d, frame_.optics, scalars.color, scalars.extinction, length,
-                                        e.front_color, e.back_color, e.front_extinction,
-                                        e.back_extinction, active);
+      return walked_radiance<Rule>(d, frame_.optics, scalars.color, scalars.extinction, length,
+                                   e.front_color, e.back_color, e.front_extinction,
+                                   e.back_extinction, active);
     else
-      return sliced_radiance<kEmission>(d, frame_.optics, scalars.extinction, length,
-                                        e.front_extinction, e.back_extinction, active);
+      return sliced_radiance<Rule>(d, frame_.optics, scalars.extinction, length, e.front_extinction,
+                                   e.back_extinction, active);
   }
 
   // Stores for every cut at which part of the segment it is crossed: 2 where it is not.
@@ -412,19 +418,26 @@ class TetrahedronRenderer {
   std::vector<double> cut_places_;  // of one vector of pixels
 };
 
-template <bool kSeparateFields, bool kEmission>
+template <bool kSeparateFields, class Rule>
 HWY_NOINLINE void render_all(const Frame& frame, std::span<const CellId> cells,
                              const TileRect& tile, TileBuffer& buffer, SegmentList* group,
                              TileCounts& counts) {
-  TetrahedronRenderer<kSeparateFields, kEmission> renderer(frame, tile, buffer, group, counts);
+  TetrahedronRenderer<kSeparateFields, Rule> renderer(frame, tile, buffer, group, counts);
   for (const CellId cell : cells) renderer.render(cell);
 }
 
 void render_tetrahedra_here(const Frame& frame, std::span<const CellId> cells, const TileRect& tile,
                             TileBuffer& buffer, SegmentList* group, TileCounts& counts) {
-  const bool separate = !frame.optics.same_field, emission = frame.optics.emission;
-  const auto render = separate ? (emission ? render_all<true, true> : render_all<true, false>)
-                               : (emission ? render_all<false, true> : render_all<false, false>);
+  const OpticsTables& optics = frame.optics;
+  auto render = render_all<true, AnyRule>;
+  if (optics.rule == PieceRule::exact && !optics.emission)
+    render = optics.same_field ? render_all<false, ExactChromaticity>
+                               : render_all<true, ExactChromaticity>;
+  else if (optics.rule == PieceRule::exact)
+    render = optics.same_field ? render_all<false, ExactEmission> : render_all<true, ExactEmission>;
+  else if (optics.rule == PieceRule::mean_color && !optics.emission)
+    render = optics.same_field ? render_all<false, MeanChromaticity>
+                               : render_all<true, MeanChromaticity>;
   render(frame, cells, tile, buffer, group, counts);
 }
 

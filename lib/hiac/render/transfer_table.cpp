@@ -54,13 +54,18 @@ std::vector<std::uint8_t> zero_intervals(const TransferTable<N>& table) {
 
 }  // namespace
 
-OpticsTables make_optics_tables(const Volume& volume) {
+OpticsTables make_optics_tables(const Volume& volume, Integration integration) {
   OpticsTables tables;
   if (volume.color) tables.color_function = volume.color->function();
   if (volume.extinction) tables.extinction_function = volume.extinction->function();
   const auto& color = tables.color_function;
   const auto& extinction = tables.extinction_function;
   tables.emission = volume.glow == Glow::emission;
+  if (integration == Integration::gauss5)
+    tables.rule = PieceRule::five_points;
+  else if (integration != Integration::exact)
+    tables.rule = PieceRule::mean_color;
+  tables.unsliced = integration == Integration::approximate_unsliced;
   tables.same_field =
       !volume.color || !volume.extinction || volume.color->field == volume.extinction->field;
   if (tables.same_field) {

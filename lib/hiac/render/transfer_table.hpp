@@ -7,6 +7,7 @@
 
 #include "hiac/base/piecewise_linear.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
+#include "hiac/optics/piece_rule.hpp"
 #include "hiac/scene/scene.hpp"
 
 namespace hiac {
@@ -31,13 +32,15 @@ struct OpticsTables {
   TransferTable<1> extinction;
   bool same_field = true;
   bool emission = false;
+  PieceRule rule = PieceRule::exact;
+  bool unsliced = false;  ///< segments are not cut at breakpoints (with mean_color alone)
   /// Largest colour component that the colour function takes anywhere.
   double largest_color = 0;
   /// For every interval of its table: whether the function is zero on all of it.
   std::vector<std::uint8_t> no_color, no_extinction;
 };
 
-OpticsTables make_optics_tables(const Volume& volume);
+OpticsTables make_optics_tables(const Volume& volume, Integration integration);
 
 /// For one scalar: how many breakpoints lie below it, and how many do not lie above it. Equal, the
 /// scalar is inside an interval, and both are that interval's number.
