@@ -1,10 +1,13 @@
 // hiac-render: a picture of a mesh.
 
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -14,6 +17,7 @@
 #include "hiac/order/order_file.hpp"
 #include "hiac/render/engine.hpp"
 #include "hiac/render/renderable.hpp"
+#include "hiac/render/supersampling.hpp"
 #include "hiac/scene/scene_parser.hpp"
 #include "hiac/scene/scene_writer.hpp"
 #include "tools/common/mesh_io.hpp"
@@ -27,8 +31,9 @@ using namespace hiac;
 using namespace hiac::tools;
 
 struct Options {
-  std::string input, view, order, output, size;
+  std::string input, view, order, output, size, crop, filter = "box";
   std::vector<std::string> overrides;
+  std::optional<std::uint32_t> samples;
   bool no_background = false, linear = false;
 };
 
@@ -98,15 +103,53 @@ void note_work(Tool& tool, const ZooMesh& mesh, const RenderStatistics& s) {
   tool.facts()["cells"] = mesh.cell_count();
   tool.facts()["segments"] = s.segments;
   tool.facts()["covered_pixels"] = s.covered_pixels;
+  tool.facts()["splatted_cells"] = s.splatted_cells;
   tool.facts()["witness_violations"] = s.violations;
   tool.facts()["seconds"]["prepare"] = s.prepare_seconds;
   tool.facts()["seconds"]["tiles"] = s.tile_seconds;
   tool.detail(fmt::format("{} segments in {:.3f} s", s.segments, s.tile_seconds));
+  if (s.splatted_cells > 0)
+    tool.note(fmt::format("{} of {} cells splatted", s.splatted_cells, mesh.cell_count()));
   if (s.violations > 0)
     tool.warn(
         fmt::format("{} ray segments were met out of order: the picture is wrong there (cells "
                     "overlap, or the order does not fit)",
                     s.violations));
+}
+
+// The part of the picture that is wanted, from X,Y,W,H.
+PixelRect part_of_picture(const std::string& crop, const Scene& scene) {
+  if (crop.empty()) return whole_picture(scene.image);
+  PixelRect part;
+  const char *at = crop.data(), *end = crop.data() + crop.size();
+  for (std::uint32_t* number : {&part.x, &part.y, &part.width, &part.height}) {
+    const auto [next, error] = std::from_chars(at, end, *number);
+    const bool last = number == &part.height;
+    if (error != std::errc() || (last ? next != end : next == end || *next != ','))
+      throw UsageError("--crop: expected X,Y,WIDTH,HEIGHT in pixels, as 300,200,64,64 (found " +
+                       crop + ")");
+    at = last ? next : next + 1;
+  }
+  require_inside(part, scene.image);
+  return part;
+}
+
+std::optional<Supersampling> sampling_of(const Options& options, const Scene& scene) {
+  if (!options.samples) return std::nullopt;
+  const Supersampling sampling{*options.samples,
+                               options.filter == "box" ? SampleFilter::box : SampleFilter::bspline};
+  require_possible(sampling, scene.image);
+  return sampling;
+}
+
+RenderResult render_part(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
+                         const PixelRect& part, const std::optional<Supersampling>& sampling,
+                         bool with_background) {
+  if (sampling) return render_supersampled(mesh, order, scene, part, *sampling, with_background);
+  const PartRenderer renderer(mesh, order, scene);
+  RenderResult result = renderer.render(part, with_background);
+  result.statistics.prepare_seconds += renderer.prepare_seconds();
+  return result;
 }
 
 void render(Tool& tool, Options options) {
@@ -115,11 +158,13 @@ void render(Tool& tool, Options options) {
   const ParsedScene parsed = read_scene(options.view, options.overrides);
   for (const std::string& line : parsed.notes) tool.note(line);
   const Scene& scene = parsed.scene;
+  const PixelRect part = part_of_picture(options.crop, scene);
+  const auto sampling = sampling_of(options, scene);
   const ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
   check_renderable(file.mesh, scene);
   const OrderRecord record = find_order(tool, options, file, scene);
   const RenderResult result = tool.timed("render", [&] {
-    return hiac::render(file.mesh, record.order, scene, !options.no_background);
+    return render_part(file.mesh, record.order, scene, part, sampling, !options.no_background);
   });
   note_work(tool, file.mesh, result.statistics);
   note_optics(tool, file.mesh, scene, result.statistics);
@@ -140,7 +185,10 @@ int main(int argc, char** argv) {
       "hiac-render", "Makes a volume-rendered picture of a mesh.",
       "  hiac-render part.zoo --view view.toml -o part.png\n"
       "  hiac-render part.zoo --view view.toml --order part.order --size 2048x1536 -o part.exr\n"
-      "  hiac-render part.zoo --view view.toml --set camera.fov=20 -o part.npy");
+      "  hiac-render part.zoo --view view.toml --set camera.fov=20 -o part.npy\n"
+      "  hiac-render part.zoo --view view.toml --crop 300,200,64,64 -o detail.npy\n"
+      "  hiac-render part.zoo --view view.toml --samples 8 --filter bspline -o truth.exr\n"
+      "  hiac-render part.zoo --view view.toml --set render.splat_below=2 -o splatted.exr");
   Options options;
   auto& app = tool.app();
   app.add_option("MESH", options.input, "Zoo mesh; - or none: stdin");
@@ -158,6 +206,17 @@ int main(int argc, char** argv) {
   app.add_option("--set", options.overrides, "Override KEY=VALUE of the specification; repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  app.add_option("--crop", options.crop,
+                 "Only these W x H pixels, from column X and row Y on; as in the whole picture")
+      ->type_name("X,Y,W,H");
+  CLI::Option* samples =
+      app.add_option("--samples", options.samples, "N x N rays a pixel, filtered, instead of one")
+          ->type_name("N");
+  app.add_option("--filter", options.filter,
+                 "Of the samples: box (their mean; the default) or bspline (three pixels wide)")
+      ->needs(samples)
+      ->check(CLI::IsMember({"box", "bspline"}))
+      ->type_name("FILTER");
   app.add_flag("--no-background", options.no_background,
                "Leave the background out, so that images can be accumulated");
   app.add_flag("--linear", options.linear, "8-bit images: linear values instead of sRGB");

@@ -21,12 +21,6 @@ std::uint32_t margin_of(SampleFilter filter) { return filter == SampleFilter::bs
 // The scene whose pixels are the samples.
 Scene scene_of_samples(const Scene& scene, const Supersampling& sampling) {
   const std::uint32_t margin = margin_of(sampling.filter);
-  const auto most = static_cast<std::uint64_t>(std::max(scene.image.width, scene.image.height));
-  if (sampling.samples == 0 || (most + 2 * margin) * sampling.samples > kMaxImageSide)
-    throw UsageError(
-        fmt::format("samples: expected 1 to {} x {} a pixel for a picture of {} x {} (found {})",
-                    kMaxImageSide / (most + 2 * margin), kMaxImageSide / (most + 2 * margin),
-                    scene.image.width, scene.image.height, sampling.samples));
   Scene result = scene;
   result.image = {(scene.image.width + 2 * margin) * sampling.samples,
                   (scene.image.height + 2 * margin) * sampling.samples};
@@ -123,10 +117,21 @@ void put_background_behind(const Scene& scene, const PixelRect& part, Image& ima
 
 }  // namespace
 
+void require_possible(const Supersampling& sampling, ImageSize size) {
+  const std::uint64_t most =
+      std::uint64_t{std::max(size.width, size.height)} + 2 * margin_of(sampling.filter);
+  if (sampling.samples > 0 && most * sampling.samples <= kMaxImageSide) return;
+  throw UsageError(
+      fmt::format("samples: expected N x N a pixel, N from 1 to {} for a picture of {} "
+                  "x {} (found {})",
+                  kMaxImageSide / most, size.width, size.height, sampling.samples));
+}
+
 RenderResult render_supersampled(const ZooMesh& mesh, const VisibilityOrder& order,
                                  const Scene& scene, const PixelRect& part,
                                  const Supersampling& sampling, bool with_background) {
   require_inside(part, scene.image);
+  require_possible(sampling, scene.image);
   const Scene samples = scene_of_samples(scene, sampling);
   const std::uint32_t beside = 2 * margin_of(sampling.filter), n = sampling.samples;
   // of the part, in the picture of samples

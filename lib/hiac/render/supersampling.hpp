@@ -16,6 +16,10 @@ struct Supersampling {
   SampleFilter filter = SampleFilter::box;
 };
 
+/// Throws UsageError when there are no samples, or so many that the picture of them all, with its
+/// margin (below), would be wider or higher than kMaxImageSide.
+void require_possible(const Supersampling& sampling, ImageSize size);
+
 /// The image convolved with the filter, as the sum over the samples has it: the truth that
 /// splatting approximates, and that edges and cells smaller than pixels are judged by.
 ///
@@ -27,8 +31,8 @@ struct Supersampling {
 /// pixels: memory is proportional to the picture. A part of a picture has the pixels of the whole
 /// one, and no number of threads changes them, bit for bit.
 ///
-/// Throws UsageError when `samples` is 0, when the picture of all samples would be wider or higher
-/// than kMaxImageSide, or as require_inside does. Statistics are those of the samples.
+/// Throws UsageError as require_possible and require_inside do. Statistics are those of the
+/// samples.
 RenderResult render_supersampled(const ZooMesh& mesh, const VisibilityOrder& order,
                                  const Scene& scene, const PixelRect& part,
                                  const Supersampling& sampling, bool with_background);
