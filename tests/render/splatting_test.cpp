@@ -390,6 +390,32 @@ TEST(Splatting, GroupsMayHoldSplats) {
     EXPECT_LE(largest_difference(grouped.image, expected.image, c), 1e-12);
 }
 
+// Cells without volume, and light without absorption.
+TEST(Splatting, FlatCellsAddNothingAndLightNeedsNoExtinction) {
+  ZooMesh mesh =
+      test::make_mesh({{0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}, {0, 0, 0.01}, {0.01, 0.01, 0}},
+                      {{CellKind::tetrahedron4, {0, 1, 2, 3}},
+                       {CellKind::tetrahedron4, {0, 1, 4, 2}},  // flat
+                       {CellKind::tetrahedron4, {0, 0, 0, 0}},
+                       {CellKind::pyramid5, {0, 1, 4, 2, 2}}});
+  test::add_node_field(mesh, "f", [](const Position& p) { return 100 * p[0]; });
+  Scene scene = test::cube_scene(Projection::orthographic, 20, 20);
+  scene.camera.look_at = {0, 0, 0};
+  scene.volume.glow = Glow::emission;
+  scene.volume.extinction.reset();
+  scene.volume.color->points = {{0, {0, 0, 0}}, {1, {80, 40, 0}}};
+  scene.render.splat_below = 5;
+  const VisibilityOrder order{std::vector<CellId>{0, 1, 2, 3}, {}, "any"};
+  const RenderResult result = render(mesh, order, scene, false);
+  EXPECT_EQ(result.statistics.splatted_cells, 4U);
+  const double pixels = 20 / scene.camera.height;
+  // a quarter of 80 at the centre of the one cell that has a volume
+  EXPECT_NEAR(sum(result.image, 0), 20 * 1e-6 / 6 * pixels * pixels, 1e-15);
+  EXPECT_NEAR(sum(result.image, 1), 10 * 1e-6 / 6 * pixels * pixels, 1e-15);
+  EXPECT_EQ(sum(result.image, 2), 0);
+  EXPECT_EQ(sum(result.image, 3), 0);
+}
+
 TEST(Splatting, ThreadsDoNotChangeABit) {
   ZooMesh mesh = test::random_delaunay(300, 7);
   test::add_node_field(mesh, "f", test::smooth_field);

@@ -28,7 +28,8 @@ namespace hiac {
 /// The kernel reaches pixels that the cell does not cover, and of cells that do not cover each
 /// other a visibility order may have any first. In a pixel splats therefore come by the depth of
 /// their centres of gravity, among themselves and among the ray segments that begin before and
-/// behind them.
+/// behind them. In a tile with splats segments are put in order by depth too, 256 cells at a time;
+/// there the witness sees what is wrong between these.
 ///
 /// Where extinction is thin over a pixel, the picture so is the exact one convolved with the
 /// kernel. Where it is thick, optical depth is what is blurred, rather than light; and as section
