@@ -31,7 +31,7 @@ void expect_part_of(const Image& whole, const Image& part, const PixelRect& rect
   ASSERT_EQ(part.height(), rect.height);
   for (std::uint32_t y = 0; y < rect.height; ++y)
     for (std::uint32_t x = 0; x < rect.width; ++x)
-      for (std::size_t c = 0; c < 4; ++c)
+      for (std::size_t c = 0; c < whole.channel_count(); ++c)
         ASSERT_EQ(part.at(x, y, c), whole.at(rect.x + x, rect.y + y, c)) << x << ' ' << y;
 }
 
@@ -46,9 +46,11 @@ TEST(Crop, HasThePixelsOfTheWholePicture) {
       scene.render.splat_below = splat_below;
       scene.render.tolerance = 1e-3;
       const VisibilityOrder order = order_of_scene(mesh, scene);
-      const RenderResult whole = render(mesh, order, scene, true);
+      const auto channels = parse_channels(splat_below > 0 ? "depth,mean_depth,cells,witness"
+                                                           : "depth,mean_depth,cells,error");
+      const RenderResult whole = render(mesh, order, scene, true, channels);
       EXPECT_GT(whole.statistics.covered_pixels, 500U);
-      const PartRenderer renderer(mesh, order, scene);
+      const PartRenderer renderer(mesh, order, scene, channels);
       for (const PixelRect& rect : {PixelRect{0, 0, 100, 75},
                                     {60, 28, 10, 8},
                                     {64, 32, 36, 32},

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
 #include "hiac/render/supersampling.hpp"
 #include "tests/render/general_meshes.hpp"
@@ -414,6 +415,35 @@ TEST(Splatting, FlatCellsAddNothingAndLightNeedsNoExtinction) {
   EXPECT_NEAR(sum(result.image, 1), 10 * 1e-6 / 6 * pixels * pixels, 1e-15);
   EXPECT_EQ(sum(result.image, 2), 0);
   EXPECT_EQ(sum(result.image, 3), 0);
+}
+
+TEST(Splatting, ChannelsSayWhatIsKnownOfSplats) {
+  ZooMesh mesh = test::make_mesh({{0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}, {0, 0, 0.01}},
+                                 {{CellKind::tetrahedron4, {0, 1, 2, 3}}});
+  test::add_node_field(mesh, "f", [](const Position&) { return 0.5; });
+  for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
+    Scene scene = test::cube_scene(projection, 21, 21);
+    test::make_uniform(scene);
+    scene.camera.eye = {0, 0, 3};
+    scene.camera.look_at = {0, 0, 0};
+    scene.camera.up = {0, 1, 0};
+    scene.render.splat_below = 9;
+    const VisibilityOrder order = order_of_scene(mesh, scene);
+    const Image image =
+        render(mesh, order, scene, false, parse_channels("depth,mean_depth,cells,transparency"))
+            .image;
+    for (std::uint32_t y = 0; y < 21; ++y)
+      for (std::uint32_t x = 0; x < 21; ++x) {
+        const bool reached = image.at(x, y, 3) > 0;
+        EXPECT_EQ(reached, x >= 9 && x <= 11 && y >= 9 && y <= 11);
+        EXPECT_EQ(image.at(x, y, 6), reached ? 1 : 0);
+        EXPECT_NEAR(1 - image.at(x, y, 7), image.at(x, y, 3), 1e-15);
+        if (!reached) continue;
+        EXPECT_NEAR(image.at(x, y, 4), 3 - 0.0025, 1e-12);
+        EXPECT_NEAR(image.at(x, y, 5), 3 - 0.0025, 1e-12);
+      }
+    EXPECT_THROW((void)render(mesh, order, scene, false, parse_channels("error")), UsageError);
+  }
 }
 
 TEST(Splatting, ThreadsDoNotChangeABit) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -31,7 +32,7 @@ using namespace hiac;
 using namespace hiac::tools;
 
 struct Options {
-  std::string input, view, order, output, size, crop, filter = "box";
+  std::string input, view, order, output, size, channels, crop, filter = "box";
   std::vector<std::string> overrides;
   std::optional<std::uint32_t> samples;
   bool no_background = false, linear = false;
@@ -144,9 +145,9 @@ std::optional<Supersampling> sampling_of(const Options& options, const Scene& sc
 
 RenderResult render_part(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
                          const PixelRect& part, const std::optional<Supersampling>& sampling,
-                         bool with_background) {
+                         std::span<const Channel> channels, bool with_background) {
   if (sampling) return render_supersampled(mesh, order, scene, part, *sampling, with_background);
-  const PartRenderer renderer(mesh, order, scene);
+  const PartRenderer renderer(mesh, order, scene, channels);
   RenderResult result = renderer.render(part, with_background);
   result.statistics.prepare_seconds += renderer.prepare_seconds();
   return result;
@@ -155,6 +156,9 @@ RenderResult render_part(const ZooMesh& mesh, const VisibilityOrder& order, cons
 void render(Tool& tool, Options options) {
   require_known_image_extension(options.output);
   add_size(options.size, options.overrides);
+  const std::vector<Channel> channels = parse_channels(options.channels);
+  if (!channels.empty() && options.output.ends_with(".png"))
+    throw UsageError("--channels: PNG holds colours alone (.exr, .npy or .f32 expected)");
   const ParsedScene parsed = read_scene(options.view, options.overrides);
   for (const std::string& line : parsed.notes) tool.note(line);
   const Scene& scene = parsed.scene;
@@ -164,7 +168,8 @@ void render(Tool& tool, Options options) {
   check_renderable(file.mesh, scene);
   const OrderRecord record = find_order(tool, options, file, scene);
   const RenderResult result = tool.timed("render", [&] {
-    return render_part(file.mesh, record.order, scene, part, sampling, !options.no_background);
+    return render_part(file.mesh, record.order, scene, part, sampling, channels,
+                       !options.no_background);
   });
   note_work(tool, file.mesh, result.statistics);
   note_optics(tool, file.mesh, scene, result.statistics);
@@ -186,6 +191,7 @@ int main(int argc, char** argv) {
       "  hiac-render part.zoo --view view.toml -o part.png\n"
       "  hiac-render part.zoo --view view.toml --order part.order --size 2048x1536 -o part.exr\n"
       "  hiac-render part.zoo --view view.toml --set camera.fov=20 -o part.npy\n"
+      "  hiac-render part.zoo --view view.toml --channels depth,error -o part.exr\n"
       "  hiac-render part.zoo --view view.toml --crop 300,200,64,64 -o detail.npy\n"
       "  hiac-render part.zoo --view view.toml --samples 8 --filter bspline -o truth.exr\n"
       "  hiac-render part.zoo --view view.toml --set render.splat_below=2 -o splatted.exr");
@@ -206,11 +212,16 @@ int main(int argc, char** argv) {
   app.add_option("--set", options.overrides, "Override KEY=VALUE of the specification; repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  CLI::Option* channels =
+      app.add_option("--channels", options.channels,
+                     "Further channels of the picture, with commas between: " + channel_names())
+          ->type_name("LIST");
   app.add_option("--crop", options.crop,
                  "Only these W x H pixels, from column X and row Y on; as in the whole picture")
       ->type_name("X,Y,W,H");
   CLI::Option* samples =
       app.add_option("--samples", options.samples, "N x N rays a pixel, filtered, instead of one")
+          ->excludes(channels)
           ->type_name("N");
   app.add_option("--filter", options.filter,
                  "Of the samples: box (their mean; the default) or bspline (three pixels wide)")

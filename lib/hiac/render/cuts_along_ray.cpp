@@ -13,6 +13,9 @@ namespace {
 // Of the largest offset in a cell: smaller ones may have the wrong sign by rounding.
 constexpr double kDoubt = 1e-9;
 
+// Normals are wrong by this times the condition of the gradient.
+constexpr double kAngleUnit = 16 * 0x1p-53;
+
 // Follows the sign of an offset along [0, 1] and notes where it changes.
 class SignChanges {
  public:
@@ -57,7 +60,7 @@ void follow(const FieldAlongRay::Piece& piece, double rounding, std::vector<Root
 
 }  // namespace
 
-bool CutsAlongRay::enter(CellId cell) {
+bool CutsAlongRay::enter(CellId cell, double aside) {
   cuts_.clear();
   const auto in_cell = frame_.isosurfaces.in(cell);
   if (in_cell.empty()) return false;
@@ -81,6 +84,7 @@ bool CutsAlongRay::enter(CellId cell) {
       cut.offsets.least = std::min(cut.offsets.least, offset);
       cut.offsets.most = std::max(cut.offsets.most, offset);
     }
+    cut.aside = aside;
     const auto faces = topology_of(kind_).faces;
     for (std::size_t f = 0; f < faces.size(); ++f)
       for (std::size_t k = 0; k < faces[f].corner_count; ++k)
@@ -98,6 +102,29 @@ bool CutsAlongRay::below_at_face(const Cut& cut, const CellCrossing& crossing, s
   if (std::abs(offset) > kDoubt * std::max(-cut.offsets.least, cut.offsets.most)) return offset < 0;
   return face_value(frame_.mesh, frame_.projector, cut.faces[face], crossing.x + 0.5,
                     crossing.y + 0.5, t) < 0;
+}
+
+// How far places_ move, and whether as many stay, when the offsets are wrong by `error`.
+void CutsAlongRay::add_doubts(const RayStretch& stretch, const Cut& cut, double error) {
+  moved_.assign(places_.size(), 0);
+  const auto count_at = [&](double level) {
+    shifted_.clear();
+    SignChanges changes(std::nullopt, shifted_);
+    for (FieldAlongRay::Piece piece : pieces_) {
+      for (std::size_t i = 0; i <= piece.fields[0].degree; ++i) piece.fields[0].c[i] -= level;
+      follow(piece, 0, roots_, changes);
+    }
+    if (shifted_.size() != places_.size()) {
+      doubtful_ = true;
+      return;
+    }
+    for (std::size_t i = 0; i < places_.size(); ++i)
+      moved_[i] = std::max(moved_[i], 2 * std::abs(shifted_[i] - places_[i]));
+  };
+  count_at(error);
+  count_at(-error);
+  for (double& moved : moved_) moved *= stretch.back - stretch.front;
+  if (pieces_.empty() && cut.offsets.least < cut.offsets.most) doubtful_ = true;
 }
 
 // Fills places_ with the parts of the stretch at which the surface is crossed.
@@ -121,10 +148,17 @@ void CutsAlongRay::add_places(const CellMap& map, const CellCrossing& crossing,
     changes.certain(below_at_face(cut, crossing, crossing.back_face, crossing.back,
                                   pieces_.empty() ? 0 : end_value(pieces_.back(), 1)),
                     1, 1);
+  if (frame_.with_error)
+    add_doubts(stretch, cut,
+               field_error({cut.offsets.least, cut.offsets.most},
+                           kSteepest * map.steepness() * (cut.offsets.most - cut.offsets.least),
+                           cut.aside) +
+                   2 * rounding);
 }
 
-IsosurfaceShade CutsAlongRay::shade(const CellMap& map, const CellCrossing& crossing,
-                                    const RayStretch& stretch, const Cut& cut, double t) const {
+// In the camera's frame; `rounding`: what its direction is wrong by.
+std::array<double, 3> CutsAlongRay::normal_at(const CellMap& map, const RayStretch& stretch,
+                                              const Cut& cut, double t, double& rounding) const {
   const CellMap::Point xi = map.reference(stretch.at(t), map.middle());
   std::array<std::array<double, 3>, CellMap::kMostCorners> shape;
   shape_gradients<double>(kind_, xi, shape);
@@ -136,6 +170,13 @@ IsosurfaceShade CutsAlongRay::shade(const CellMap& map, const CellCrossing& cros
       for (std::size_t c = 0; c < 3; ++c)
         columns[a][c] += shape[k][a] * (corners_[k][c] - corners_[0][c]);
     }
+  if (frame_.with_error) rounding = kAngleUnit * gradient_condition(columns, gradient);
+  return frame_.projector.camera_vector(gradient_direction(columns, gradient));
+}
+
+IsosurfaceCrossing CutsAlongRay::crossing_at(const CellMap& map, const CellCrossing& crossing,
+                                             const RayStretch& stretch, const Cut& cut, double u,
+                                             double moved) const {
   const Projector& projector = frame_.projector;
   std::array<double, 3> ray{0, 0, 1};
   if (projector.perspective()) {
@@ -143,19 +184,37 @@ IsosurfaceShade CutsAlongRay::shade(const CellMap& map, const CellCrossing& cros
     const double length = projector.ray_scale(crossing.x + 0.5, crossing.y + 0.5);
     ray = {right / length, up / length, 1 / length};
   }
-  return shade_isosurface(*cut.surface, frame_.isosurfaces.lights,
-                          projector.camera_vector(gradient_direction(columns, gradient)), ray);
+  double angle = 0;
+  IsosurfaceCrossing found;
+  found.t = u >= 1 ? stretch.back : stretch.front + u * (stretch.back - stretch.front);
+  const auto normal = normal_at(map, stretch, cut, found.t, angle);
+  found.shade = shade_isosurface(*cut.surface, frame_.isosurfaces.lights, normal, ray);
+  if (!frame_.with_error) return found;
+  found.moved = moved;
+  for (const double t : {std::max(stretch.front, found.t - moved - cut.aside),
+                         std::min(stretch.back, found.t + moved + cut.aside)}) {
+    double other_angle = 0;
+    const auto other = normal_at(map, stretch, cut, t, other_angle);
+    // normals point to either side
+    const double apart =
+        std::hypot(other[0] - normal[0], other[1] - normal[1], other[2] - normal[2]);
+    const double against =
+        std::hypot(other[0] + normal[0], other[1] + normal[1], other[2] + normal[2]);
+    angle = std::max(angle, other_angle) + 2 * std::min(apart, against);
+  }
+  found.shade_error = shade_bound(*cut.surface, frame_.isosurfaces.lights, normal, ray, angle);
+  return found;
 }
 
 void CutsAlongRay::find(const CellMap& map, const CellCrossing& crossing, const RayStretch& stretch,
                         std::vector<IsosurfaceCrossing>& found) {
   found.clear();
+  doubtful_ = false;
   for (const Cut& cut : cuts_) {
     add_places(map, crossing, stretch, cut);
-    for (const double u : places_) {
-      const double t = u >= 1 ? stretch.back : stretch.front + u * (stretch.back - stretch.front);
-      found.push_back({t, shade(map, crossing, stretch, cut, t)});
-    }
+    for (std::size_t i = 0; i < places_.size(); ++i)
+      found.push_back(
+          crossing_at(map, crossing, stretch, cut, places_[i], frame_.with_error ? moved_[i] : 0));
   }
   std::ranges::stable_sort(found, {}, &IsosurfaceCrossing::t);
 }

@@ -6,6 +6,7 @@
 
 #include "hiac/optics/polynomial_roots.hpp"
 #include "hiac/render/cell_scan.hpp"
+#include "hiac/render/error_bound.hpp"
 #include "hiac/render/face_value.hpp"
 #include "hiac/render/field_along_ray.hpp"
 #include "hiac/render/frame.hpp"
@@ -17,6 +18,9 @@ namespace hiac {
 struct IsosurfaceCrossing {
   double t;
   IsosurfaceShade shade;
+  // where errors are asked for
+  double moved = 0;          ///< what t may be wrong by
+  ErrorBound shade_error{};  ///< of the shade
 };
 
 /// The isosurfaces that cross one linear cell of any kind, met along rays (section 5.2): where the
@@ -25,8 +29,9 @@ class CutsAlongRay {
  public:
   explicit CutsAlongRay(const Frame& frame) : frame_(frame) {}
 
-  /// Takes the surfaces of a cell. False, and nothing else may be asked, when there is none.
-  bool enter(CellId cell);
+  /// Takes the surfaces of a cell; `aside` is its displacement (error_bound.hpp), where errors are
+  /// asked for. False, and nothing else may be asked, when there is none.
+  bool enter(CellId cell, double aside);
 
   /// Replaces `found` by the crossings on a stretch, what `crossing` has after z-clipping, in the
   /// order in which they are met. `map`: of the cell.
@@ -37,20 +42,30 @@ class CutsAlongRay {
   void find(const CellMap& map, const CellCrossing& crossing, const RayStretch& stretch,
             std::vector<IsosurfaceCrossing>& found);
 
+  /// Whether the last call of `find` may have missed a crossing, or found one too many: with values
+  /// higher and lower by the error of the field there are not as many. (Where errors are asked
+  /// for.)
+  [[nodiscard]] bool doubtful() const { return doubtful_; }
+
  private:
   struct Cut {
     const FrameIsosurface* surface;
     CornerField offsets;
     std::array<FaceOffsets, 6> faces;
     std::uint8_t closed_faces;
+    double aside = 0;  // the cell's displacement
   };
 
   void add_places(const CellMap& map, const CellCrossing& crossing, const RayStretch& stretch,
                   const Cut& cut);
   [[nodiscard]] bool below_at_face(const Cut& cut, const CellCrossing& crossing, std::size_t face,
                                    double t, double offset) const;
-  [[nodiscard]] IsosurfaceShade shade(const CellMap& map, const CellCrossing& crossing,
-                                      const RayStretch& stretch, const Cut& cut, double t) const;
+  void add_doubts(const RayStretch& stretch, const Cut& cut, double error);
+  [[nodiscard]] std::array<double, 3> normal_at(const CellMap& map, const RayStretch& stretch,
+                                                const Cut& cut, double t, double& rounding) const;
+  [[nodiscard]] IsosurfaceCrossing crossing_at(const CellMap& map, const CellCrossing& crossing,
+                                               const RayStretch& stretch, const Cut& cut, double u,
+                                               double moved) const;
 
   const Frame& frame_;
   CellKind kind_{};
@@ -60,6 +75,8 @@ class CutsAlongRay {
   std::vector<FieldAlongRay::Piece> pieces_;
   std::vector<RootEnclosure> roots_;
   std::vector<double> places_;
+  std::vector<double> moved_, shifted_;  // what each place may be wrong by; scratch
+  bool doubtful_ = false;
 };
 
 }  // namespace hiac

@@ -84,6 +84,7 @@ Frame make_frame(const ZooMesh& mesh, const Scene& scene, const Projector& proje
   frame.witness_tolerance = kWitnessTolerance * frame.depth;
   // What lies behind a transparency T adds at most T times the largest colour to a pixel and T to
   // its alpha. Emission has no such bound: it grows with the length of the ray.
+  frame.largest_light = std::max(frame.optics.largest_color, frame.isosurfaces.largest_light);
   frame.least_transparency =
       frame.optics.emission
           ? 0
@@ -112,7 +113,7 @@ class TileRenderer {
         tile_(tile),
         ranks_(ranks),
         splats_(frame, order.cells, ranks, tile) {
-    buffer_.reset(tile, frame.projector);
+    buffer_.reset(tile, frame.projector, frame.with_details);
   }
 
   void render() {
@@ -189,6 +190,33 @@ class TileRenderer {
   TileCounts counts_;
 };
 
+// One channel of a finished pixel. `background`: the largest channel behind it.
+double channel_value(Channel channel, const PixelDetails& pixel, const Frame& frame,
+                     double transparency, double background) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  switch (channel) {
+    case Channel::depth:
+      return frame.projector.distance(pixel.first);
+    case Channel::mean_depth:
+      return pixel.weight > 0 ? frame.projector.distance(pixel.weighted_depth / pixel.weight)
+                              : kInfinity;
+    case Channel::transparency:
+      return transparency;
+    case Channel::cells:
+      return pixel.cells;
+    case Channel::witness:
+      return pixel.violations;
+    case Channel::error:
+      break;
+  }
+  // where the ray was ended early there may be more
+  const bool ended = transparency <= frame.least_transparency;
+  const double behind = ended ? transparency * frame.largest_light : 0;
+  const double lost = pixel.transparency_error + pixel.open_edge + (ended ? transparency : 0);
+  return std::max(pixel.radiance_error + pixel.open_edge + behind + lost * background, lost) +
+         4 * 0x1p-53 * (1 + background);
+}
+
 // What a tile leaves behind besides its pixels.
 struct TileSummary {
   TileCounts counts;
@@ -197,8 +225,9 @@ struct TileSummary {
 };
 
 // Writes what of a tile lies in the part of the picture that the image shows.
-TileSummary write_tile(const TileBuffer& buffer, const TileRect& tile, const Scene& scene,
-                       bool with_background, const PixelRect& part, Image& image) {
+TileSummary write_tile(const TileBuffer& buffer, const TileRect& tile, const Frame& frame,
+                       const Scene& scene, bool with_background, std::span<const Channel> channels,
+                       const PixelRect& part, Image& image) {
   TileSummary summary;
   const int left = static_cast<int>(part.x), top = static_cast<int>(part.y);
   const int x0 = std::max(tile.x0, left), y0 = std::max(tile.y0, top);
@@ -217,6 +246,9 @@ TileSummary write_tile(const TileBuffer& buffer, const TileRect& tile, const Sce
       pixel[1] = buffer.green[at] + transparency * behind[1];
       pixel[2] = buffer.blue[at] + transparency * behind[2];
       pixel[3] = 1 - transparency;
+      for (std::size_t c = 0; c < channels.size(); ++c)
+        pixel[4 + c] = channel_value(channels[c], buffer.details[at], frame, transparency,
+                                     *std::max_element(behind.begin(), behind.end()));
       if (buffer.last[at] == -std::numeric_limits<double>::infinity()) continue;
       const double depth = -std::log(std::max(transparency, std::numeric_limits<double>::min()));
       summary.optical_depth_sum += depth;
@@ -248,24 +280,42 @@ RenderStatistics& RenderStatistics::operator+=(const RenderStatistics& other) {
 struct PartRenderer::Prepared {
   const VisibilityOrder& order;
   const Scene& scene;
+  std::vector<Channel> channels;
   double start;
   Projector projector;
   Frame frame;
   std::uint64_t splatted;
-  double seconds;
+  double seconds = 0;
 
-  Prepared(const ZooMesh& mesh, const VisibilityOrder& visibility, const Scene& what)
+  Prepared(const ZooMesh& mesh, const VisibilityOrder& visibility, const Scene& what,
+           std::span<const Channel> wanted)
       : order(visibility),
         scene(what),
+        channels(wanted.begin(), wanted.end()),
         start(seconds_now()),
         projector(scene.camera, scene.image),
         frame(make_frame(mesh, scene, projector)),
-        splatted(static_cast<std::uint64_t>(std::ranges::count(frame.splatted_cells, 1))),
-        seconds(seconds_now() - start) {}
+        splatted(static_cast<std::uint64_t>(std::ranges::count(frame.splatted_cells, 1))) {
+    frame.with_details = !channels.empty();
+    frame.with_error = std::ranges::find(channels, Channel::error) != channels.end();
+    require_bound();
+    seconds = seconds_now() - start;
+  }
+
+  void require_bound() const {
+    if (!frame.with_error) return;
+    if (frame.optics.rule != PieceRule::exact)
+      throw UsageError(
+          "channel 'error': no bound is claimed of integrations other than \"exact\" "
+          "(`render.integration`)");
+    if (scene.render.splat_below > 0)
+      throw UsageError("channel 'error': no bound is claimed of splats (`render.splat_below`)");
+  }
 };
 
-PartRenderer::PartRenderer(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene)
-    : prepared_(std::make_unique<const Prepared>(mesh, order, scene)) {}
+PartRenderer::PartRenderer(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
+                           std::span<const Channel> channels)
+    : prepared_(std::make_unique<const Prepared>(mesh, order, scene, channels)) {}
 
 PartRenderer::~PartRenderer() = default;
 
@@ -278,7 +328,9 @@ RenderResult PartRenderer::render(const PixelRect& part, bool with_background) c
   require_inside(part, scene.image);
   const double start = seconds_now();
   const TileBins bins = bin_cells(frame, order, scene.image, part);
-  RenderResult result{Image(part.width, part.height, rgba_channels()), {}};
+  std::vector<std::string> names = rgba_channels();
+  for (const Channel channel : prepared_->channels) names.emplace_back(channel_name(channel));
+  RenderResult result{Image(part.width, part.height, std::move(names)), {}};
   const double prepared = seconds_now();
 
   std::vector<TileSummary> summaries(bins.tiles.size());
@@ -286,8 +338,8 @@ RenderResult PartRenderer::render(const PixelRect& part, bool with_background) c
     const std::size_t tile = range.begin;
     TileRenderer renderer(frame, order, bins.tiles[tile], bins.cells_of(tile));
     renderer.render();
-    summaries[tile] =
-        write_tile(renderer.buffer(), bins.tiles[tile], scene, with_background, part, result.image);
+    summaries[tile] = write_tile(renderer.buffer(), bins.tiles[tile], frame, scene, with_background,
+                                 prepared_->channels, part, result.image);
     summaries[tile].counts = renderer.counts();
   });
 
@@ -309,8 +361,8 @@ RenderResult PartRenderer::render(const PixelRect& part, bool with_background) c
 }
 
 RenderResult render(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
-                    bool with_background) {
-  const PartRenderer renderer(mesh, order, scene);
+                    bool with_background, std::span<const Channel> channels) {
+  const PartRenderer renderer(mesh, order, scene, channels);
   RenderResult result = renderer.render(whole_picture(scene.image), with_background);
   result.statistics.prepare_seconds += renderer.prepare_seconds();
   return result;

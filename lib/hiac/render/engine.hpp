@@ -2,10 +2,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 
 #include "hiac/image/image.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/order/visibility_order.hpp"
+#include "hiac/render/channels.hpp"
 #include "hiac/render/crop.hpp"
 #include "hiac/scene/scene.hpp"
 
@@ -25,7 +27,8 @@ struct RenderStatistics {
 };
 
 struct RenderResult {
-  Image image;  ///< "R" "G" "B" "A", premultiplied, linear; A is 1 - transparency
+  /// "R" "G" "B" "A", premultiplied, linear; A is 1 - transparency; then the channels asked for.
+  Image image;
   RenderStatistics statistics;
 };
 
@@ -37,14 +40,18 @@ struct RenderResult {
 ///
 /// Requires what check_renderable (renderable.hpp) lets pass.
 /// `with_background`: composite the scene's background behind the volume.
+/// `channels`: what the picture says of its pixels besides. They change none of the others. Throws
+/// UsageError for the error of an integration other than exact, or of splats: no bound is claimed
+/// of those.
 RenderResult render(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
-                    bool with_background);
+                    bool with_background, std::span<const Channel> channels = {});
 
 /// The same picture part by part. What the parts share is made once.
 class PartRenderer {
  public:
-  /// Mesh, order and scene must outlive it.
-  PartRenderer(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene);
+  /// Mesh, order and scene must outlive it. `channels` and what is thrown are those of render.
+  PartRenderer(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
+               std::span<const Channel> channels = {});
   ~PartRenderer();
   PartRenderer(const PartRenderer&) = delete;
   PartRenderer& operator=(const PartRenderer&) = delete;

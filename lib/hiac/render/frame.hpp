@@ -26,6 +26,10 @@ struct Frame {
   double least_transparency = 0;
   /// Segments may overlap the one before by this much of the ray parameter: rounding.
   double witness_tolerance = 0;
+  bool with_details = false;  ///< pixels' details are asked for
+  bool with_error = false;    ///< among them bounds of errors
+  /// Of the volume's colours and of what isosurfaces shine with, any channel.
+  double largest_light = 0;
   double depth = 0;      ///< extent of the mesh in the ray parameter
   double tolerance = 0;  ///< absolute error allowed per pixel and channel
 

@@ -11,6 +11,7 @@
 #include "hiac/render/cell_scan.hpp"
 #include "hiac/render/cell_surface.hpp"
 #include "hiac/render/cuts_along_ray.hpp"
+#include "hiac/render/error_bound.hpp"
 #include "hiac/render/field_along_ray.hpp"
 
 namespace hiac {
@@ -81,9 +82,10 @@ class GeneralCellRenderer {
   void render(CellId cell) {
     load(cell);
     is_empty_ = empty_space();
-    is_cut_ = cuts_.enter(cell);
+    aside_ = frame_.with_error ? displacement(frame_, cell) : 0;
+    is_cut_ = cuts_.enter(cell, aside_);
     if (is_empty_ && !is_cut_) return;
-    const CellKind kind = frame_.mesh.kinds[cell];
+    const CellKind kind = kind_ = frame_.mesh.kinds[cell];
     const auto nodes = frame_.mesh.cell_nodes(cell);
     find_crossings(kind, nodes);
     if (crossings_.empty()) return;
@@ -96,6 +98,10 @@ class GeneralCellRenderer {
     const std::array<CornerField, 2> fields{extinction_.corners, color_.corners};
     const FieldAlongRay field(kind, map, std::span(fields).first(optics_.same_field ? 1 : 2));
     is_uniform_ = uniform_optics();
+    if (frame_.with_error) {
+      corners_ = corners;
+      set_errors(map);
+    }
     for (const CellCrossing& crossing : crossings_) render(crossing, map, field);
   }
 
@@ -184,9 +190,12 @@ class GeneralCellRenderer {
     ++counts_.segments;
     const double visible = group_ != nullptr ? 1 : buffer_.transparency[at];
     const double scale = buffer_.ray_scale[at];
+    details_ = {.front = stretch.front, .back = stretch.back, .first = stretch.front};
+    weight_ = weighted_depth_ = 0;
     const PlainRadiance radiance =
         is_cut_ ? between_surfaces(crossing, map, stretch, scale, field, visible)
                 : radiance_of(stretch, scale, field, visible);
+    if (frame_.with_details) describe(at, crossing, map, stretch, scale, radiance);
     if (group_ != nullptr)
       group_->append(static_cast<std::uint32_t>(at), stretch.front, stretch.back, radiance.rgb[0],
                      radiance.rgb[1], radiance.rgb[2], radiance.transparency);
@@ -209,15 +218,19 @@ class GeneralCellRenderer {
     PlainRadiance sum;
     const auto add_volume = [&](double front, double back) {
       if (is_empty_ || !(front < back)) return;
+      const double before = sum.transparency;
       const PlainRadiance r =
           radiance_of({stretch.origin, stretch.direction, front, back}, scale, field,
                       std::max(visible * sum.transparency, kLeastVisible));
       sum.add_behind(r);
+      add_depth(0.5 * (front + back), before - sum.transparency);
     };
     double front = stretch.front;
     for (const IsosurfaceCrossing& surface : surfaces_) {
       add_volume(front, surface.t);
+      const double before = sum.transparency;
       sum.add_behind({surface.shade.rgb, surface.shade.transparency});
+      add_depth(surface.t, before - sum.transparency);
       front = std::max(front, surface.t);
     }
     add_volume(front, stretch.back);
@@ -253,6 +266,8 @@ class GeneralCellRenderer {
           integrate_segment(segment, optics_.color_function, optics_.extinction_function, glow_,
                             std::max(share * tolerance, std::numeric_limits<double>::min()));
       radiance.add_behind({r.rgb, r.transparency});
+      details_.radiance_error += r.error + details_.transparency_error * std::ranges::max(r.rgb);
+      details_.transparency_error += r.transparency_error;
     }
     return radiance;
   }
@@ -268,12 +283,119 @@ class GeneralCellRenderer {
                               optics_.extinction_function(evaluate(back[0], 1))[0], glow_);
   }
 
+  // Notes at what depth a part of the segment's opacity is.
+  void add_depth(double t, double opacity) {
+    weight_ += opacity;
+    weighted_depth_ += opacity * t;
+  }
+
+  // What the fields are wrong by, rounding along the ray and what is allowed of their polynomials
+  // included.
+  void set_errors(const CellMap& map) {
+    const auto range = [](const CellScalars& s) {
+      return ValueRange{s.corners.least, s.corners.most};
+    };
+    optics_here_ = cell_optics(optics_, range(color_), range(extinction_));
+    const auto error = [&](const CellScalars& s) {
+      const double difference = s.corners.most - s.corners.least;
+      const double allowed = std::isfinite(s.corners.allowed) ? s.corners.allowed : difference;
+      return field_error(range(s), kSteepest * map.steepness() * difference, aside_) +
+             std::min(difference, 2 * allowed);
+    };
+    color_error_ = error(color_);
+    extinction_error_ = error(extinction_);
+  }
+
+  // By how much a field changes along a stretch where it is linear: in tetrahedra; else 0.
+  [[nodiscard]] double change_of(const CellScalars& s, const CellMap& map,
+                                 const RayStretch& stretch) const {
+    if (shape_of(kind_) != CellShape::tetrahedron) return 0;
+    const auto front = map.reference(stretch.at(stretch.front), map.middle());
+    const auto back = map.reference(stretch.at(stretch.back), map.middle());
+    double change = 0;
+    for (std::size_t a = 0; a < 3; ++a)
+      change += (back[a] - front[a]) * (s.corners.values[a + 1] - s.corners.values[0]);
+    return std::abs(change);
+  }
+
+  // Completes details_ and tells the pixel, or the group.
+  void describe(std::size_t at, const CellCrossing& crossing, const CellMap& map,
+                const RayStretch& stretch, double scale, const PlainRadiance& radiance) {
+    details_.light = std::ranges::max(radiance.rgb);
+    details_.transparency = radiance.transparency;
+    details_.mean = weight_ > 0 ? weighted_depth_ / weight_ : 0.5 * (stretch.front + stretch.back);
+    if (is_empty_ && !surfaces_.empty()) details_.first = surfaces_.front().t;
+    if (frame_.with_error) add_errors(crossing, map, stretch, scale);
+    if (group_ != nullptr) return group_->details.push_back(details_);
+    details_.out_of_order = out_of_order(at, stretch);
+    buffer_.describe(at, details_);
+  }
+
+  void add_errors(const CellCrossing& crossing, const CellMap& map, const RayStretch& stretch,
+                  double scale) {
+    const bool emission = optics_.emission;
+    const double length = (stretch.back - stretch.front) * scale;
+    ErrorBound sum = segment_bound(optics_here_, emission,
+                                   {.length = length,
+                                    .color_error = color_error_,
+                                    .extinction_error = extinction_error_,
+                                    .color_change = change_of(color_, map, stretch),
+                                    .extinction_change = change_of(extinction_, map, stretch),
+                                    .opacity = 1 - details_.transparency,
+                                    .transparency = is_cut_ ? 1 : details_.transparency});
+    const double largest = frame_.isosurfaces.largest_light;
+    const double volume = optics_here_.color_most * (emission ? length : 1);
+    if (is_cut_) {
+      for (const IsosurfaceCrossing& surface : surfaces_) {
+        const double moved = edge_bound(optics_here_, emission, surface.moved * scale);
+        sum.radiance += surface.shade_error.radiance + moved * (1 + largest);
+        sum.transparency += surface.shade_error.transparency;
+      }
+      if (cuts_.doubtful()) sum = {largest + volume, 1};
+      sum.radiance += sum.transparency * (largest + volume);
+    }
+    details_.radiance_error += sum.radiance;
+    details_.transparency_error = std::min(1.0, details_.transparency_error + sum.transparency);
+    details_.front_edge =
+        edge_bound(optics_here_, emission, face_doubt(crossing.front_face, stretch));
+    details_.back_edge =
+        edge_bound(optics_here_, emission, face_doubt(crossing.back_face, stretch));
+    if (frame_.color_field().location == FieldLocation::node &&
+        frame_.extinction.location == FieldLocation::node)
+      return;
+    details_.radiance_error += details_.front_edge + details_.back_edge;
+    details_.transparency_error += details_.front_edge + details_.back_edge;
+  }
+
+  // How far along the ray the displacement moves the crossing of a face.
+  [[nodiscard]] double face_doubt(std::size_t face, const RayStretch& stretch) const {
+    const ShapeFace& f = topology_of(kind_).faces[face];
+    const auto edge = [&](std::size_t from, std::size_t to) {
+      std::array<double, 3> v;
+      for (std::size_t c = 0; c < 3; ++c)
+        v[c] = corners_[f.corners[to]][c] - corners_[f.corners[from]][c];
+      return v;
+    };
+    const auto a = f.corner_count == 3 ? edge(0, 1) : edge(0, 2);
+    const auto b = f.corner_count == 3 ? edge(0, 2) : edge(1, 3);
+    const std::array<double, 3> n{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                                  a[0] * b[1] - a[1] * b[0]};
+    const auto& d = stretch.direction;
+    const double towards = std::abs(n[0] * d[0] + n[1] * d[1] + n[2] * d[2]);
+    const double slope = std::hypot(n[0], n[1], n[2]) * std::hypot(d[0], d[1], d[2]) / towards;
+    const double most = frame_.depth * longest_unit_;
+    return aside_ * slope < most ? aside_ * slope : most;
+  }
+
+  // A segment shorter than the tolerance may be rounding, and lie anywhere.
+  [[nodiscard]] bool out_of_order(std::size_t at, const RayStretch& stretch) const {
+    const double tolerance = frame_.witness_tolerance;
+    return stretch.front < buffer_.last[at] - tolerance && stretch.back - stretch.front > tolerance;
+  }
+
   void composite(std::size_t at, const RayStretch& stretch, const PlainRadiance& radiance) {
     double& last = buffer_.last[at];
-    // a segment shorter than the tolerance may be rounding, and lie anywhere
-    const double tolerance = frame_.witness_tolerance;
-    if (stretch.front < last - tolerance && stretch.back - stretch.front > tolerance)
-      ++counts_.violations;
+    if (out_of_order(at, stretch)) ++counts_.violations;
     last = std::max(last, stretch.back);
     double& transparency = buffer_.transparency[at];
     buffer_.red[at] += transparency * radiance.rgb[0];
@@ -299,6 +421,13 @@ class GeneralCellRenderer {
   std::vector<CellCrossing> crossings_;
   std::vector<FieldAlongRay::Piece> pieces_;
   std::vector<IsosurfaceCrossing> surfaces_;
+  // where details are asked for
+  CellKind kind_{};
+  std::array<CellMap::Point, CellMap::kMostCorners> corners_{};
+  CellOptics optics_here_;
+  double aside_ = 0, color_error_ = 0, extinction_error_ = 0;
+  SegmentDetails details_;  // of the segment at hand
+  double weight_ = 0, weighted_depth_ = 0;
 };
 
 }  // namespace

@@ -53,11 +53,11 @@ Projector::Projector(const Camera& camera, ImageSize size)
   const double half = size.height / 2.0;
   scale_ = perspective_ ? half / std::tan(camera.fov * (std::numbers::pi / 360))
                         : size.height / camera.height;
+  const Vector to_eye = view_direction(camera);
+  offset_ = perspective_ ? 0 : std::hypot(to_eye[0], to_eye[1], to_eye[2]);
   if (camera.clip) {
-    const Vector to_eye = view_direction(camera);
-    const double offset = perspective_ ? 0 : std::hypot(to_eye[0], to_eye[1], to_eye[2]);
-    near_ = (*camera.clip)[0] - offset;
-    far_ = (*camera.clip)[1] - offset;
+    near_ = (*camera.clip)[0] - offset_;
+    far_ = (*camera.clip)[1] - offset_;
   }
 }
 

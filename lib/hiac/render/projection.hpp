@@ -57,7 +57,9 @@ class Projector {
   /// Perspective: the direction's components along right and up, that along forward being 1.
   /// Orthographic: the origin's, from look_at.
   [[nodiscard]] std::array<double, 2> slopes(double x, double y) const;
-  /// Pixels per unit of slope (perspective) or of world length across the view (orthographic).
+  /// Distance from the eye plane along the view direction at the ray parameter t.
+  [[nodiscard]] double distance(double t) const { return t + offset_; }
+  /// Pixels per world unit: of things parallel to the screen, in perspective at t = 1.
   [[nodiscard]] double pixels_per_unit() const { return scale_; }
   /// World length per unit of t on the ray through (x, y).
   [[nodiscard]] double ray_scale(double x, double y) const;
@@ -69,6 +71,7 @@ class Projector {
   double scale_;  // pixels per unit of x / z, or per world unit
   double center_x_, center_y_;
   double near_, far_;
+  double offset_;  // distance of the eye plane from where t is 0
 };
 
 /// All nodes of a mesh. Nodes that cannot be projected have depth NaN.

@@ -244,6 +244,12 @@ void TileSplats::append(std::size_t at, double before, const TileBuffer& buffer,
     const double light = (weights.front + weights.back) * (emission ? length : 1);
     segments.append(static_cast<std::uint32_t>(at), splat.t, kNoEnd, light * splat.color[0],
                     light * splat.color[1], light * splat.color[2], weights.transparency);
+    if (!frame_.with_details) continue;
+    SegmentDetails details;
+    details.front = details.back = details.first = details.mean = splat.t;
+    details.light = light * *std::ranges::max_element(splat.color);
+    details.transparency = weights.transparency;
+    segments.details.push_back(details);
   }
 }
 

@@ -16,6 +16,7 @@
 #include "hiac/render/scan_conversion-inl.hpp"
 #include "hiac/render/shading-inl.hpp"
 #include "hiac/render/tetrahedron_cuts-inl.hpp"
+#include "hiac/render/tetrahedron_describe-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
@@ -79,7 +80,8 @@ class TetrahedronRenderer {
         counts_(counts),
         perspective_(frame.projector.perspective()),
         clipped_(frame.projector.near() > (perspective_ ? 0.0 : -hwy::HighestValue<double>()) ||
-                 frame.projector.far() < hwy::HighestValue<double>()) {}
+                 frame.projector.far() < hwy::HighestValue<double>()),
+        describer_(frame, buffer, group) {}
 
   HWY_INLINE void render(CellId cell) {
     CellScalars scalars;
@@ -87,6 +89,7 @@ class TetrahedronRenderer {
     if (!scan_faces(corners_, tile_, runs_)) return;
     set_face_planes(corners_, kSeparateFields, planes_);
     set_cuts(cell);
+    if (HWY_UNLIKELY(frame_.with_details)) describer_.enter(cell);
     const auto [nearest, farthest] =
         std::minmax({corners_.depth[0], corners_.depth[1], corners_.depth[2], corners_.depth[3]});
     const int lanes = static_cast<int>(hn::Lanes(D()));
@@ -164,11 +167,14 @@ class TetrahedronRenderer {
     length = hn::IfThenElseZero(active, length);
     counts_.segments += hn::CountTrue(d, active);
 
+    const bool cut = HWY_UNLIKELY(!cuts_.empty()) &&
+                     cut_box_.meets(row, x, std::min(last, x + static_cast<int>(lanes())));
     const Radiance<V> radiance =
-        HWY_LIKELY(cuts_.empty() ||
-                   !cut_box_.meets(row, x, std::min(last, x + static_cast<int>(lanes()))))
+        HWY_LIKELY(!cut)
             ? integrate(d, scalars, length, e, active)
             : integrate_between_surfaces(d, scalars, row, pixel, at, whole, length, e, active);
+    if (HWY_UNLIKELY(frame_.with_details))
+      describer_.describe(d, {row, x, at, cut, empty_}, length, e, radiance, active);
     if (group_ != nullptr)
       collect(d, at, e, radiance, active);
     else
@@ -210,6 +216,7 @@ class TetrahedronRenderer {
   HWY_INLINE void place_cuts(D d, int row, V pixel, const RayEnds& whole,
                              const EntryAndExit<V>& e) {
     CutScan(frame_, planes_, runs_, cuts_).find(d, row, pixel, cut_places_.data());
+    if (HWY_UNLIKELY(frame_.with_details)) describer_.set_ends(cuts_.size(), cut_places_);
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
     for (std::size_t k = 0; k < cuts_.size(); ++k) {
       double* ends = cut_places_.data() + 2 * k * hn::Lanes(d);
@@ -266,6 +273,7 @@ class TetrahedronRenderer {
                                                       V length, const EntryAndExit<V>& e,
                                                       M active) {
     place_cuts(d, row, pixel, whole, e);
+    if (HWY_UNLIKELY(frame_.with_details)) describer_.set_places(cut_places_, lanes());
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0), never = hn::Set(d, 2.0);
     Radiance<V> sum{zero, zero, zero, one};
     V from = zero;
@@ -279,10 +287,15 @@ class TetrahedronRenderer {
       }
       const V to = hn::Min(next, one);
       const M some = hn::And(active, hn::Lt(from, to));
-      if (!empty_ && !hn::AllFalse(d, some))
+      if (!empty_ && !hn::AllFalse(d, some)) {
+        const V before = sum.transparency;
         add_behind(integrate(d, scalars, hn::Mul(length, hn::Sub(to, from)),
                              part_of(d, e, from, to), some),
                    some, sum);
+        if (HWY_UNLIKELY(frame_.with_details))
+          describer_.add_depth(d, hn::Mul(hn::Add(from, to), hn::Set(d, 0.5)),
+                               hn::Sub(before, sum.transparency));
+      }
       const M crossed = hn::And(active, hn::Lt(next, never));
       if (hn::AllFalse(d, crossed)) return sum;
       V ray[3];
@@ -294,7 +307,10 @@ class TetrahedronRenderer {
         const V normal[3] = {hn::Set(d, n[0]), hn::Set(d, n[1]), hn::Set(d, n[2])};
         const auto [rgb, transparency] =
             shade(d, *cuts_[k].surface, frame_.isosurfaces.lights, normal, ray);
+        const V before = sum.transparency;
         add_behind(Radiance<V>{rgb[0], rgb[1], rgb[2], transparency}, here, sum);
+        if (HWY_UNLIKELY(frame_.with_details))
+          describer_.add_depth(d, to, hn::Sub(before, sum.transparency));
         double* place = cut_places_.data() + k * lanes();
         hn::StoreU(hn::IfThenElse(here, never, hn::LoadU(d, place)), d, place);
       }
@@ -416,6 +432,7 @@ class TetrahedronRenderer {
   std::vector<TetrahedronCut> cuts_;
   ScreenBox cut_box_;               // of all of them
   std::vector<double> cut_places_;  // of one vector of pixels
+  SegmentDescriber describer_;      // where details are asked for
 };
 
 template <bool kSeparateFields, class Rule>

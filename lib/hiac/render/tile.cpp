@@ -5,7 +5,7 @@
 
 namespace hiac {
 
-void TileBuffer::reset(const TileRect& tile, const Projector& projector) {
+void TileBuffer::reset(const TileRect& tile, const Projector& projector, bool with_details) {
   const std::size_t size = kTileStride * kTileHeight;
   red.assign(size, 0);
   green.assign(size, 0);
@@ -13,6 +13,7 @@ void TileBuffer::reset(const TileRect& tile, const Projector& projector) {
   transparency.assign(size, 1);
   last.assign(size, -std::numeric_limits<double>::infinity());
   ray_scale.assign(size, 1);
+  details.assign(with_details ? size : 0, {});
   if (!projector.perspective()) return;
   for (int y = tile.y0; y < tile.y1; ++y)
     for (int x = tile.x0; x < tile.x1; ++x)
@@ -20,8 +21,14 @@ void TileBuffer::reset(const TileRect& tile, const Projector& projector) {
                 static_cast<std::size_t>(x - tile.x0)] = projector.ray_scale(x + 0.5, y + 0.5);
 }
 
+void TileBuffer::describe(std::size_t at, const SegmentDetails& segment) {
+  const double light = std::max({red[at], green[at], blue[at]});
+  details[at].add(segment, transparency[at], light);
+}
+
 void SegmentList::clear() {
   pixel.clear();
+  details.clear();
   for (auto* array : {&front, &back, &red, &green, &blue, &transparency}) array->clear();
 }
 
@@ -58,8 +65,12 @@ void composite_sorted(const SegmentList& segments, double witness_tolerance, Til
       const std::uint32_t s = sorted[i];
       // a segment shorter than the tolerance may be rounding, and lie anywhere
       if (segments.front[s] < last - witness_tolerance &&
-          segments.back[s] - segments.front[s] > witness_tolerance)
+          segments.back[s] - segments.front[s] > witness_tolerance) {
         ++counts.violations;
+        if (!segments.details.empty()) ++buffer.details[p].violations;
+      }
+      if (!segments.details.empty())
+        buffer.details[p].add(segments.details[s], transparency, std::max({red, green, blue}));
       last = std::max(last, segments.back[s]);
       red += transparency * segments.red[s];
       green += transparency * segments.green[s];

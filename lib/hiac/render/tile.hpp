@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hiac/render/pixel_details.hpp"
 #include "hiac/render/projection.hpp"
 
 namespace hiac {
@@ -27,9 +28,13 @@ struct TileBuffer {
   std::vector<double> transparency;      ///< of all that lies in front so far
   std::vector<double> last;              ///< ray parameter at which the last segment ended
   std::vector<double> ray_scale;         ///< world length per unit of ray parameter
+  std::vector<PixelDetails> details;     ///< empty where no channel needs them
 
   /// Empties the buffer for a tile.
-  void reset(const TileRect& tile, const Projector& projector);
+  void reset(const TileRect& tile, const Projector& projector, bool with_details);
+
+  /// Tells a pixel's details of a segment that is about to be composited.
+  void describe(std::size_t at, const SegmentDetails& segment);
 };
 
 /// Ray segments whose order is yet to be found: those of a group of cells in one tile. Arrays of
@@ -38,6 +43,7 @@ struct SegmentList {
   std::vector<std::uint32_t> pixel;  ///< index into the tile's planes
   std::vector<double> front, back;   ///< ray parameters
   std::vector<double> red, green, blue, transparency;
+  std::vector<SegmentDetails> details;  ///< empty where no channel needs them
 
   [[nodiscard]] std::size_t size() const { return pixel.size(); }
   void clear();

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+namespace hiac {
+
+/// What a ray segment tells about itself where channels are asked for. Depths are ray parameters.
+struct SegmentDetails {
+  double front = 0, back = 0;
+  double light = 0;         ///< largest channel of what the segment shines with
+  double transparency = 1;  ///< of the segment
+  double first = 0;         ///< where it begins to shine or absorb
+  double mean = 0;          ///< depth of its opacity
+  double radiance_error = 0, transparency_error = 0;  ///< ErrorBound
+  double front_edge = 0, back_edge = 0;  ///< errors more where nothing adjoins (edge_bound)
+  bool out_of_order = false;
+};
+
+/// What is known of a pixel besides its colour, segment by segment, front to back.
+struct PixelDetails {
+  double first = std::numeric_limits<double>::infinity();
+  double weight = 0, weighted_depth = 0;
+  double radiance_error = 0, transparency_error = 0;
+  double last = -std::numeric_limits<double>::infinity();  ///< where the last segment ended
+  double open_edge = 0;                                    ///< its back_edge, times what is visible
+  std::uint32_t cells = 0, violations = 0;
+
+  /// `visible`: the transparency in front; `light`: the pixel's largest channel so far.
+  void add(const SegmentDetails& segment, double visible, double light);
+};
+
+}  // namespace hiac

@@ -1,0 +1,166 @@
+#include "hiac/render/tetrahedron_details.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hiac/render/gradient_direction.hpp"
+
+namespace hiac {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+double length(const Vector& a) { return std::hypot(a[0], a[1], a[2]); }
+
+constexpr double kAngleUnit = 16 * 0x1p-53;
+
+}  // namespace
+
+std::array<double, 4> TetrahedronDetails::values_of(const FrameField& field, double from,
+                                                    ValueRange& range) const {
+  const auto nodes = frame_.mesh.cell_nodes(cell_);
+  std::array<double, 4> values;
+  for (std::size_t k = 0; k < 4; ++k)
+    values[k] = field.values[field.index(cell_, frame_.mesh.elems[cell_] + k, nodes[k])] - from;
+  const auto [least, most] = std::ranges::minmax(values);
+  range = {least, most};
+  return values;
+}
+
+double TetrahedronDetails::error_of(const std::array<double, 4>& values, ValueRange range) const {
+  const Vector differences{values[1] - values[0], values[2] - values[0], values[3] - values[0]};
+  return field_error(range, gradient_length(edges_, differences), aside_);
+}
+
+void TetrahedronDetails::enter(CellId cell) {
+  cell_ = cell;
+  if (!frame_.with_error) return;
+  const auto nodes = frame_.mesh.cell_nodes(cell);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto p = frame_.mesh.position(nodes[k]);
+    corners_[k] = {p[0], p[1], p[2]};
+    if (k > 0) edges_[k - 1] = minus(corners_[k], corners_[0]);
+  }
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Vector& a = corners_[(k + 1) % 4];
+    normals_[k] = cross(minus(corners_[(k + 2) % 4], a), minus(corners_[(k + 3) % 4], a));
+    if (dot(normals_[k], minus(corners_[k], a)) < 0)
+      for (double& x : normals_[k]) x = -x;
+  }
+  aside_ = displacement(frame_, cell);
+  ValueRange color, extinction;
+  const auto color_values = values_of(frame_.color_field(), 0, color);
+  const auto extinction_values = values_of(frame_.extinction, 0, extinction);
+  optics_ = cell_optics(frame_.optics, color, extinction);
+  color_error_ = error_of(color_values, color);
+  extinction_error_ = error_of(extinction_values, extinction);
+  continuous_ = frame_.color_field().location == FieldLocation::node &&
+                frame_.extinction.location == FieldLocation::node;
+  cuts_.clear();
+  for (const IsosurfaceCut& in : frame_.isosurfaces.in(cell)) {
+    const FrameIsosurface& surface = frame_.isosurfaces.surfaces[in.surface];
+    ValueRange range;
+    const auto v = values_of(frame_.isosurfaces.fields[surface.field], surface.value, range);
+    const Vector differences{v[1] - v[0], v[2] - v[0], v[3] - v[0]};
+    cuts_.push_back({&surface,
+                     frame_.projector.camera_vector(gradient_direction(edges_, differences)),
+                     kAngleUnit * gradient_condition(edges_, differences), error_of(v, range)});
+  }
+}
+
+// The planes through which the ray enters and leaves, and how much the displacement moves them
+// along it.
+void TetrahedronDetails::add_edges(const TetrahedronSegment& segment,
+                                   SegmentDetails& details) const {
+  const double x = segment.x + 0.5, y = segment.y + 0.5;
+  const Vector origin = frame_.projector.origin(x, y);
+  const Vector direction = frame_.projector.direction(x, y);
+  const double scale = length(direction);
+  double enter = -std::numeric_limits<double>::infinity(), leave = -enter;
+  double enter_slope = 0, leave_slope = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double towards = dot(normals_[k], direction);
+    const double t = dot(normals_[k], minus(corners_[(k + 1) % 4], origin)) / towards;
+    const double slope = length(normals_[k]) * scale / std::abs(towards);
+    if (towards > 0 && t > enter) {
+      enter = t;
+      enter_slope = slope;
+    } else if (towards < 0 && t < leave) {
+      leave = t;
+      leave_slope = slope;
+    }
+  }
+  const bool emission = frame_.optics.emission;
+  const double most = frame_.depth * scale;
+  details.front_edge = edge_bound(optics_, emission, std::min(most, aside_ * enter_slope));
+  details.back_edge = edge_bound(optics_, emission, std::min(most, aside_ * leave_slope));
+}
+
+SegmentDetails TetrahedronDetails::describe(const TetrahedronSegment& segment) const {
+  SegmentDetails details;
+  details.front = segment.front;
+  details.back = segment.back;
+  details.light = *std::ranges::max_element(segment.rgb);
+  details.transparency = segment.transparency;
+  details.first = segment.first;
+  details.mean = segment.mean;
+  details.out_of_order = segment.out_of_order;
+  if (!frame_.with_error) return details;
+  const bool emission = frame_.optics.emission;
+  ErrorBound sum =
+      segment_bound(optics_, emission,
+                    {.length = segment.length,
+                     .color_error = color_error_,
+                     .extinction_error = extinction_error_,
+                     .color_change = std::abs(segment.color[1] - segment.color[0]),
+                     .extinction_change = std::abs(segment.extinction[1] - segment.extinction[0]),
+                     .opacity = 1 - segment.transparency,
+                     // of the volume alone where surfaces are crossed
+                     .transparency = segment.cuts.empty() ? segment.transparency : 1});
+  const double largest = frame_.isosurfaces.largest_light;
+  for (std::size_t k = 0; k < segment.cuts.size(); ++k) {
+    const CutOffsets& cut = segment.cuts[k];
+    // a face that has the value exactly is not in doubt
+    const auto doubt = [&](double offset) { return offset == 0 ? 0 : cuts_[k].offset; };
+    ErrorBound shade;
+    if (cut.crossed) {
+      Vector ray{0, 0, 1};
+      if (frame_.projector.perspective()) {
+        const auto [right, up] = frame_.projector.slopes(segment.x + 0.5, segment.y + 0.5);
+        const double unit = 1 / std::sqrt(right * right + up * up + 1);
+        ray = {right * unit, up * unit, unit};
+      }
+      shade = shade_bound(*cuts_[k].surface, frame_.isosurfaces.lights, cuts_[k].normal, ray,
+                          cuts_[k].angle);
+    }
+    const ErrorBound bound = cut_bound(optics_, emission, largest,
+                                       {.length = segment.length,
+                                        .front = cut.front,
+                                        .back = cut.back,
+                                        .front_error = doubt(cut.front),
+                                        .back_error = doubt(cut.back),
+                                        .crossed = cut.crossed},
+                                       shade);
+    sum.radiance += bound.radiance;
+    sum.transparency += bound.transparency;
+  }
+  if (!segment.cuts.empty())
+    sum.radiance +=
+        sum.transparency * (largest + optics_.color_most * (emission ? segment.length : 1));
+  details.radiance_error = sum.radiance;
+  details.transparency_error = std::min(1.0, sum.transparency);
+  add_edges(segment, details);
+  if (!continuous_) {
+    details.radiance_error += details.front_edge + details.back_edge;
+    details.transparency_error += details.front_edge + details.back_edge;
+  }
+  return details;
+}
+
+}  // namespace hiac

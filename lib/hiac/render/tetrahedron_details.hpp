@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "hiac/render/error_bound.hpp"
+#include "hiac/render/frame.hpp"
+#include "hiac/render/pixel_details.hpp"
+
+namespace hiac {
+
+/// One isosurface on one segment: the offsets from its value where the ray enters and leaves the
+/// cell, and whether it is crossed.
+struct CutOffsets {
+  double front, back;
+  bool crossed;
+};
+
+/// A segment through a linear tetrahedron, as it was drawn.
+struct TetrahedronSegment {
+  int x, y;
+  double front, back;                       ///< ray parameters
+  double length;                            ///< world units
+  std::array<double, 2> color, extinction;  ///< the fields where it begins and ends
+  std::array<double, 3> rgb;
+  double transparency;
+  double first, mean;  ///< SegmentDetails
+  bool out_of_order;
+  std::span<const CutOffsets> cuts;  ///< of Isosurfaces::in(cell), or none where none is near
+};
+
+/// Details of segments through linear tetrahedra; where errors are asked for, with their bounds.
+class TetrahedronDetails {
+ public:
+  explicit TetrahedronDetails(const Frame& frame) : frame_(frame) {}
+
+  void enter(CellId cell);
+  [[nodiscard]] SegmentDetails describe(const TetrahedronSegment& segment) const;
+
+ private:
+  using Vector = std::array<double, 3>;
+  struct CutErrors {
+    const FrameIsosurface* surface;
+    Vector normal;  // camera frame
+    double angle;   // that it is wrong by
+    double offset;  // that offsets are wrong by
+  };
+
+  // Corners' values of a field less `from`, and the range of the values themselves.
+  std::array<double, 4> values_of(const FrameField& field, double from, ValueRange& range) const;
+  [[nodiscard]] double error_of(const std::array<double, 4>& values, ValueRange range) const;
+  void add_edges(const TetrahedronSegment& segment, SegmentDetails& details) const;
+
+  const Frame& frame_;
+  // of the cell at hand
+  CellId cell_ = 0;
+  std::array<Vector, 4> corners_{};
+  std::array<Vector, 3> edges_{};
+  std::array<Vector, 4> normals_{};  // of the faces opposite the corners, pointing inwards
+  CellOptics optics_;
+  double aside_ = 0, color_error_ = 0, extinction_error_ = 0;
+  bool continuous_ = true;  // fields fit at faces
+  std::vector<CutErrors> cuts_;
+};
+
+}  // namespace hiac

@@ -1,0 +1,260 @@
+#include "hiac/render/channels.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "hiac/base/error.hpp"
+#include "hiac/mesh/face_adjacency.hpp"
+#include "hiac/render/engine.hpp"
+#include "tests/render/general_meshes.hpp"
+#include "tests/render/polyhedron_reference.hpp"
+#include "tests/support/reference.hpp"
+
+namespace hiac {
+namespace {
+
+using test::cube_scene;
+using test::Cut;
+
+VisibilityOrder order_of(const ZooMesh& mesh, const Scene& scene) {
+  return exact_order(mesh, build_face_adjacency(mesh),
+                     {scene.camera.projection == Projection::perspective, scene.camera.eye,
+                      view_direction(scene.camera)},
+                     scene.render.planarity)
+      .order;
+}
+
+Image draw_with(const ZooMesh& mesh, const Scene& scene, std::vector<Channel> channels) {
+  return render(mesh, order_of(mesh, scene), scene, false, channels).image;
+}
+
+Isosurface surface_of(const std::string& field, double value, double opacity) {
+  Isosurface surface;
+  surface.field = field;
+  surface.value = value;
+  surface.color = {0.9, 0.6, 0.3};
+  surface.opacity = opacity;
+  return surface;
+}
+
+ZooMesh with_fields(ZooMesh mesh, std::uint64_t seed) {
+  test::add_node_field(mesh, "f", test::smooth_field);
+  test::add_random_field(mesh, "node", FieldLocation::node, seed + 1);
+  test::add_random_field(mesh, "cell", FieldLocation::cell, seed + 2);
+  test::add_random_field(mesh, "corner", FieldLocation::corner, seed + 3);
+  return mesh;
+}
+
+// A scene of the unit cube with fields, functions, surfaces and a view at random.
+Scene random_scene(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> unit(0, 1);
+  Scene scene =
+      cube_scene(unit(random) < 0.5 ? Projection::perspective : Projection::orthographic, 24, 20);
+  for (double& x : scene.camera.eye) x = 0.5 + 4 * (unit(random) - 0.5);
+  scene.camera.look_at = {unit(random), unit(random), unit(random)};
+  scene.render.tolerance = 1e-9;
+  if (unit(random) < 0.4) scene.volume.glow = Glow::emission;
+  const std::array<std::string, 4> names{"f", "node", "cell", "corner"};
+  const auto name = [&] { return names[static_cast<std::size_t>(4 * unit(random))]; };
+  scene.volume.color->field = name();
+  scene.volume.extinction->field = unit(random) < 0.5 ? scene.volume.color->field : name();
+  const double strength = std::exp(6 * unit(random) - 3);
+  for (auto& point : scene.volume.extinction->points) point.value[0] *= strength;
+  if (unit(random) < 0.3) {  // steps
+    scene.volume.color->points.insert(scene.volume.color->points.begin() + 1,
+                                      {0.45, {0.6, 0.1, 0.4}});
+    scene.volume.extinction->points.insert(scene.volume.extinction->points.begin() + 1,
+                                           {0.6, {9 * unit(random)}});
+  }
+  if (unit(random) < 0.6)
+    for (int k = 0; k < 3; ++k)
+      scene.isosurfaces.push_back(surface_of(name(), 0.02 + 0.96 * unit(random), unit(random)));
+  return scene;
+}
+
+TEST(ErrorChannel, IsNeverBelowTheErrorOfTetrahedra) {
+  std::vector<double> bounds;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const ZooMesh mesh = with_fields(test::random_delaunay(12 + seed, seed), seed);
+    const Scene scene = random_scene(seed);
+    const Image image = draw_with(mesh, scene, {Channel::error});
+    for (std::uint32_t y = 0; y < scene.image.height; ++y)
+      for (std::uint32_t x = 0; x < scene.image.width; ++x) {
+        const auto expected = test::reference_pixel(mesh, scene, x, y);
+        for (std::size_t c = 0; c < 4; ++c)
+          ASSERT_LE(std::abs(expected[c] - image.at(x, y, c)), image.at(x, y, 4))
+              << seed << ' ' << x << ' ' << y << ' ' << c;
+        // where a ray was ended early the bound says by how much at most
+        if (image.at(x, y, 3) > 0 && image.at(x, y, 3) < 1 - 1e-8)
+          bounds.push_back(image.at(x, y, 4));
+      }
+  }
+  ASSERT_GT(bounds.size(), 4000U);
+  std::ranges::sort(bounds);
+  EXPECT_LT(bounds[bounds.size() / 2], 1e-11);
+  EXPECT_LT(bounds[bounds.size() * 9 / 10], 1e-10);
+}
+
+TEST(ErrorChannel, HoldsTheEndOfRays) {
+  const ZooMesh mesh = with_fields(test::random_delaunay(60, 3), 3);
+  Scene scene = cube_scene(Projection::perspective, 24, 20);
+  for (auto& point : scene.volume.extinction->points) point.value[0] *= 30;
+  scene.render.tolerance = 1e-15;
+  const Image exact = draw_with(mesh, scene, {});
+  scene.render.tolerance = 1e-4;
+  const Image ended = draw_with(mesh, scene, {Channel::error});
+  double largest = 0;
+  for (std::uint32_t y = 0; y < 20; ++y)
+    for (std::uint32_t x = 0; x < 24; ++x)
+      for (std::size_t c = 0; c < 4; ++c) {
+        const double error = std::abs(exact.at(x, y, c) - ended.at(x, y, c));
+        largest = std::max(largest, error);
+        ASSERT_LE(error, ended.at(x, y, 4));
+        ASSERT_LE(ended.at(x, y, 4), 2e-4);
+      }
+  EXPECT_GT(largest, 1e-8);
+}
+
+TEST(ErrorChannel, IsNotClaimedOfOtherIntegrations) {
+  const ZooMesh mesh = with_fields(test::random_delaunay(20, 4), 4);
+  Scene scene = cube_scene(Projection::perspective, 8, 8);
+  scene.render.integration = Integration::approximate;
+  EXPECT_THROW(draw_with(mesh, scene, {Channel::error}), UsageError);
+  EXPECT_NO_THROW(draw_with(mesh, scene, {Channel::depth}));
+}
+
+TEST(ErrorChannel, IsNeverBelowTheErrorOfOtherKinds) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const ZooMesh mesh =
+        with_fields(test::moved(test::mixed_columns(1), test::tapered), 100 + seed);
+    Scene scene = random_scene(200 + seed);
+    scene.image = {9, 8};
+    // the reference knows where steps are to 1e-10 only
+    scene.volume.color->points.resize(3);
+    scene.volume.extinction->points.resize(2);
+    const Image image = draw_with(mesh, scene, {Channel::error});
+    for (std::uint32_t y = 0; y < scene.image.height; ++y)
+      for (std::uint32_t x = 0; x < scene.image.width; ++x) {
+        const auto expected = test::polyhedron_reference(mesh, scene, x + 0.5, y + 0.5);
+        for (std::size_t c = 0; c < 4; ++c)
+          ASSERT_LE(std::abs(expected[c] - image.at(x, y, c)), image.at(x, y, 4))
+              << seed << ' ' << x << ' ' << y << ' ' << c;
+      }
+  }
+}
+
+const std::vector<Channel> kAll{Channel::depth, Channel::mean_depth, Channel::transparency,
+                                Channel::cells, Channel::witness,    Channel::error};
+
+TEST(Channels, AreNamedInAList) {
+  EXPECT_EQ(parse_channels("depth,mean_depth,transparency,cells,witness,error"), kAll);
+  EXPECT_EQ(parse_channels("error,cells"), (std::vector{Channel::error, Channel::cells}));
+  EXPECT_TRUE(parse_channels("").empty());
+  EXPECT_THROW(parse_channels("depht"), UsageError);
+  EXPECT_THROW(parse_channels("depth,,cells"), UsageError);
+  EXPECT_THROW(parse_channels("depth,cells,depth"), UsageError);
+}
+
+TEST(Channels, DoNotChangeThePicture) {
+  ZooMesh mesh = with_fields(test::moved(test::mixed_columns(2), test::tapered), 5);
+  Scene scene = cube_scene(Projection::perspective, 70, 40);
+  scene.isosurfaces = {surface_of("node", 0.4, 0.5)};
+  const Image plain = draw_with(mesh, scene, {}), more = draw_with(mesh, scene, kAll);
+  ASSERT_EQ(more.channel_count(), 10U);
+  EXPECT_EQ(more.channel_index("mean_depth"), 5U);
+  for (std::uint32_t y = 0; y < 40; ++y)
+    for (std::uint32_t x = 0; x < 70; ++x) {
+      for (std::size_t c = 0; c < 4; ++c) ASSERT_EQ(plain.at(x, y, c), more.at(x, y, c));
+      ASSERT_NEAR(more.at(x, y, 6), 1 - more.at(x, y, 3), 1e-16);
+    }
+}
+
+// The unit cube along an axis: two layers of cells, of which the first is empty, or nothing but an
+// isosurface.
+TEST(Channels, SayWhereThingsAre) {
+  for (const Cut cut : {Cut::bricks, Cut::tetrahedra})
+    for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
+      ZooMesh mesh = test::structured(2, cut);
+      test::add_node_field(mesh, "z", [](const test::Position& p) { return p[2]; });
+      std::vector<double> filled;
+      for (CellId cell = 0; cell < mesh.cell_count(); ++cell)
+        filled.push_back(cell < mesh.cell_count() / 2 ? 1 : 0);
+      mesh.fields.push_back({"filled", "", FieldLocation::cell, 1, std::move(filled)});
+      Scene scene;
+      scene.image = {6, 6};
+      scene.camera.projection = projection;
+      scene.camera.eye = {0.5, 0.53, 4};
+      scene.camera.look_at = {0.5, 0.53, 0};
+      scene.camera.up = {0, 1, 0};
+      scene.camera.height = 0.7;
+      scene.camera.fov = 8;
+      scene.volume.extinction = ExtinctionTransfer{"filled", {{0, {0}}, {1, {2}}}};
+      const Image volume = draw_with(mesh, scene, kAll);
+      scene.volume = {};
+      scene.isosurfaces = {surface_of("z", 0.8, 0.5), surface_of("z", 0.7, 1)};
+      const Image surfaces = draw_with(mesh, scene, kAll);
+      for (std::uint32_t y = 0; y < 6; ++y)
+        for (std::uint32_t x = 0; x < 6; ++x) {
+          // the lower half absorbs: from z = 0.5 to 0
+          ASSERT_NEAR(volume.at(x, y, 4), 3.5, 1e-12);
+          ASSERT_NEAR(volume.at(x, y, 5), 3.75, cut == Cut::bricks ? 1e-12 : 0.2);
+          ASSERT_GE(volume.at(x, y, 7), 1);
+          ASSERT_EQ(volume.at(x, y, 8), 0);
+          ASSERT_LT(volume.at(x, y, 9), 1e-10);
+          ASSERT_NEAR(surfaces.at(x, y, 4), 3.2, 1e-12);
+          ASSERT_NEAR(surfaces.at(x, y, 5), 3.25, 1e-3);  // half each
+        }
+    }
+}
+
+TEST(Channels, NothingSeenIsInfinitelyFar) {
+  const ZooMesh mesh = with_fields(test::random_delaunay(20, 6), 6);
+  Scene scene = cube_scene(Projection::perspective, 8, 8);
+  scene.camera.look_at = {9, 9, 9};
+  const Image image = draw_with(mesh, scene, kAll);
+  EXPECT_EQ(image.at(0, 0, 4), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(image.at(0, 0, 5), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(image.at(0, 0, 6), 1);
+  EXPECT_EQ(image.at(0, 0, 7), 0);
+}
+
+TEST(Channels, AWrongOrderIsWitnessedWhereItIs) {
+  const ZooMesh mesh = with_fields(test::random_delaunay(60, 7), 7);
+  const Scene scene = cube_scene(Projection::orthographic, 30, 30);
+  const VisibilityOrder right = order_of(mesh, scene);
+  std::vector<CellId> cells(right.cells.begin(), right.cells.end());
+  std::swap(cells.front(), cells.back());
+  const std::array channel{Channel::witness};
+  const RenderResult result = render(mesh, {std::move(cells), {}, "wrong"}, scene, false, channel);
+  double sum = 0;
+  for (std::uint32_t y = 0; y < 30; ++y)
+    for (std::uint32_t x = 0; x < 30; ++x) sum += result.image.at(x, y, 4);
+  EXPECT_GT(sum, 0);
+  EXPECT_EQ(sum, static_cast<double>(result.statistics.violations));
+}
+
+// As one group, in any order, the channels are the same.
+TEST(Channels, GroupsSayTheSame) {
+  const ZooMesh mesh = with_fields(test::random_delaunay(60, 8), 8);
+  Scene scene = cube_scene(Projection::perspective, 24, 20);
+  scene.isosurfaces = {surface_of("f", 0.4, 0.5)};
+  VisibilityOrder order = order_of(mesh, scene);
+  const Image single = render(mesh, order, scene, false, kAll).image;
+  order.groups = std::vector<CellGroup>{{0, static_cast<std::uint32_t>(order.cells.size())}};
+  const Image grouped = render(mesh, order, scene, false, kAll).image;
+  for (std::uint32_t y = 0; y < 20; ++y)
+    for (std::uint32_t x = 0; x < 24; ++x)
+      for (std::size_t c = 4; c < 9; ++c) {
+        if (std::isinf(single.at(x, y, c))) continue;
+        ASSERT_NEAR(single.at(x, y, c), grouped.at(x, y, c), 1e-12) << c;
+      }
+}
+
+}  // namespace
+}  // namespace hiac
