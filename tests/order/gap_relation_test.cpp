@@ -143,6 +143,27 @@ TEST(GapRelation, CollapsedEdgesHideNothing) {
   EXPECT_EQ(relation.behind_cell(0)[0], 1U);
 }
 
+// Two tetrahedra with a face each in the wall x = 0, which rounding tilts: seen along z, rays enter
+// the front one through it and leave the other. The faces lie in one plane by any tolerance, but
+// touch nowhere.
+TEST(GapRelation, FacesOfOneWallDoNotTouch) {
+  constexpr double kTilt = 1e-17;
+  const ZooMesh mesh = test::make_mesh(
+      {{kTilt, 0, 0},
+       {kTilt, 1, 0},
+       {0, 0.5, 1.5},
+       {1, 0.5, 0.3},
+       {0, 0, 1},
+       {kTilt, 0, 3},
+       {kTilt, 1, 3},
+       {1, 0.4, 2.2}},
+      {{CellKind::tetrahedron4, {0, 1, 2, 3}}, {CellKind::tetrahedron4, {4, 5, 6, 7}}});
+  const GapRelation relation = gap_relation(order_basis(mesh, build_face_adjacency(mesh)),
+                                            {false, {}, {0, 0, 1}}, kPlanarity);
+  ASSERT_EQ(relation.behind_cell(0).size(), 1U);
+  EXPECT_EQ(relation.behind_cell(1).size(), 0U);
+}
+
 // Three slabs leaning on one another in a ring: each is in front of the next.
 TEST(GapRelation, ACycleIsOneGroupOfThree) {
   const auto slab = [](double angle) {

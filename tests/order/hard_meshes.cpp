@@ -114,6 +114,11 @@ double determinant(const std::array<Position, 3>& m) {
 Position towards(const Position& a, const Position& b, double s) {
   return {a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1]), a[2] + s * (b[2] - a[2])};
 }
+// To few bits, with which integer arithmetic is quick.
+Position rounded(const Position& p) {
+  const auto of = [](double x) { return std::round(x * 0x1p12) * 0x1p-12; };
+  return {of(p[0]), of(p[1]), of(p[2])};
+}
 Position difference(const Position& a, const Position& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
@@ -185,19 +190,19 @@ std::vector<NamedView> special_views(const ZooMesh& mesh, std::uint64_t seed) {
   };
   const Position middle = positions[positions.size() / 2];
   const auto random_direction = [&] {
-    return Position{normal(random), normal(random), normal(random)};
+    return rounded({normal(random), normal(random), normal(random)});
   };
   const auto anywhere = [&](double distance) {
     const Position v = random_direction();
-    return Position{middle[0] + distance * v[0], middle[1] + distance * v[1],
-                    middle[2] + distance * v[2]};
+    return rounded(
+        {middle[0] + distance * v[0], middle[1] + distance * v[1], middle[2] + distance * v[2]});
   };
   const auto center = [&](const Cell& cell) {
     Position sum{};
     for (const NodeId node : cell.nodes)
       for (std::size_t c = 0; c < 3; ++c)
         sum[c] += positions[node][c] / static_cast<double>(cell.nodes.size());
-    return sum;
+    return rounded(sum);
   };
   const Face f = some_face(), g = some_face(), h = some_face(), d = some_face(), e = some_face();
   const double sign = random() % 2 == 0 ? 1 : -1;

@@ -91,6 +91,40 @@ TEST_F(OrderFile, RoundTrip) {
   }
 }
 
+// Orders of several views, told apart by their heads.
+TEST_F(OrderFile, OfSeveralViews) {
+  const std::string views[] = {std::string(32, 'b'), std::string(32, 'c'), std::string(32, 'd')};
+  std::size_t written = 0;
+  write_order_file(path("a.order"), [&]() -> std::optional<OrderRecord> {
+    if (written == 3) return std::nullopt;
+    OrderRecord record = some_record();
+    record.view_hash = views[written++];
+    return record;
+  });
+  const std::vector<ExtraChunk> chunks = read_order_chunks(path("a.order"));
+  ASSERT_EQ(chunks.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const OrderHead head = decode_order_head(chunks[i], "x.order");
+    EXPECT_EQ(head.view_hash, views[i]);
+    EXPECT_EQ(head.mesh_hash, some_record().mesh_hash);
+    EXPECT_EQ(head.algorithm, "exact");
+    EXPECT_EQ(head.cell_count, 7U);
+    EXPECT_EQ(head.group_count, 2U);
+    EXPECT_EQ(decode_order(chunks[i], "x.order").view_hash, views[i]);
+  }
+  EXPECT_THAT(error_of([&] { read_order_file(path("a.order")); }),
+              HasSubstr("several views (one expected, 3 found)"));
+}
+
+TEST_F(OrderFile, AFailureWhileItIsWrittenLeavesNothing) {
+  const auto fail = [&, first = true]() mutable -> std::optional<OrderRecord> {
+    if (!std::exchange(first, false)) throw InputError("second order", "is missing");
+    return some_record();
+  };
+  EXPECT_THAT(error_of([&] { write_order_file(path("a.order"), fail); }), HasSubstr("second"));
+  EXPECT_TRUE(std::filesystem::is_empty(std::filesystem::path(path("a.order")).parent_path()));
+}
+
 TEST_F(OrderFile, BehindAMesh) {
   ZooFile file{structured(1, Cut::tetrahedra), {encode_order(some_record())}};
   write_zoo_file(path("mesh.zoo"), file);
@@ -185,7 +219,9 @@ TEST_F(OrderFile, AnotherMeshOrViewIsRefused) {
   OrderRecord record{content_hash(mesh), view_hash(scene), {}};
   record.order.cells = std::vector<CellId>{0, 1, 2, 3, 4, 5};
   const auto fit = [&](const ZooMesh& m, const Scene& s, const OrderRecord& r) {
-    return error_of([&] { tools::require_fitting_order(r, m, s, "x.order"); });
+    return error_of([&] {
+      tools::fitting_order({"x.order", {encode_order(r)}}, content_hash(m), m, s);
+    });
   };
   EXPECT_EQ(fit(mesh, scene, record), "no error");
   Scene other_scene = scene;
@@ -200,6 +236,29 @@ TEST_F(OrderFile, AnotherMeshOrViewIsRefused) {
   EXPECT_THAT(fit(other_mesh, scene, record), HasSubstr("another mesh"));
   record.order.cells = std::vector<CellId>{0, 1, 2};
   EXPECT_THAT(fit(mesh, scene, record), HasSubstr("6 cells expected, 3 found"));
+}
+
+TEST_F(OrderFile, TheOrderThatFitsIsFoundAmongSeveral) {
+  const ZooMesh mesh = structured(1, Cut::tetrahedra);
+  const std::string hash = content_hash(mesh);
+  tools::GivenOrders orders{"x.order", {}};
+  Scene scene;
+  for (CellId first = 0; first < 4; ++first) {
+    scene.camera.eye[0] = first;
+    OrderRecord record{hash, view_hash(scene), {}};
+    record.order.cells =
+        std::vector<CellId>{first, (first + 1) % 4, (first + 2) % 4, (first + 3) % 4, 4, 5};
+    orders.chunks.push_back(encode_order(record));
+  }
+  for (CellId first = 0; first < 4; ++first) {
+    scene.camera.eye[0] = first;
+    EXPECT_EQ(tools::fitting_order(orders, hash, mesh, scene).order.cells[0], first);
+  }
+  scene.camera.eye[0] = 4;
+  EXPECT_THAT(error_of([&] { tools::fitting_order(orders, hash, mesh, scene); }),
+              HasSubstr("x.order: the orders all belong to other views"));
+  EXPECT_THAT(error_of([&] { tools::fitting_order(orders, "0", mesh, scene); }),
+              HasSubstr("another mesh"));
 }
 
 }  // namespace

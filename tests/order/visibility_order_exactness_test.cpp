@@ -159,7 +159,7 @@ TEST(VisibilityOrderExactness, OneCellBesideManyOfEveryShape) {
 TEST(VisibilityOrderExactness, SlidingInterfacesAndGapsOfAnUlp) {
   const double ulp = std::nextafter(1.0, 2.0) - 1;
   for (const CellShape shape : kShapes)
-    for (const double gap : {0.0, ulp, 2 * ulp, 1e-13, 1e-9}) {
+    for (const double gap : {0.0, ulp, 1e-9}) {
       SCOPED_TRACE(name_of(shape));
       SCOPED_TRACE(gap);
       const ZooMesh body = blocks(

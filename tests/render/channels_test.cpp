@@ -30,7 +30,7 @@ VisibilityOrder order_of(const ZooMesh& mesh, const Scene& scene) {
 }
 
 Image draw_with(const ZooMesh& mesh, const Scene& scene, std::vector<Channel> channels) {
-  return render(mesh, order_of(mesh, scene), scene, false, channels).image;
+  return render(mesh, order_of(mesh, scene), scene, false, nullptr, channels).image;
 }
 
 Isosurface surface_of(const std::string& field, double value, double opacity) {
@@ -231,7 +231,8 @@ TEST(Channels, AWrongOrderIsWitnessedWhereItIs) {
   std::vector<CellId> cells(right.cells.begin(), right.cells.end());
   std::swap(cells.front(), cells.back());
   const std::array channel{Channel::witness};
-  const RenderResult result = render(mesh, {std::move(cells), {}, "wrong"}, scene, false, channel);
+  const RenderResult result =
+      render(mesh, {std::move(cells), {}, "wrong"}, scene, false, nullptr, channel);
   double sum = 0;
   for (std::uint32_t y = 0; y < 30; ++y)
     for (std::uint32_t x = 0; x < 30; ++x) sum += result.image.at(x, y, 4);
@@ -245,9 +246,9 @@ TEST(Channels, GroupsSayTheSame) {
   Scene scene = cube_scene(Projection::perspective, 24, 20);
   scene.isosurfaces = {surface_of("f", 0.4, 0.5)};
   VisibilityOrder order = order_of(mesh, scene);
-  const Image single = render(mesh, order, scene, false, kAll).image;
+  const Image single = render(mesh, order, scene, false, nullptr, kAll).image;
   order.groups = std::vector<CellGroup>{{0, static_cast<std::uint32_t>(order.cells.size())}};
-  const Image grouped = render(mesh, order, scene, false, kAll).image;
+  const Image grouped = render(mesh, order, scene, false, nullptr, kAll).image;
   for (std::uint32_t y = 0; y < 20; ++y)
     for (std::uint32_t x = 0; x < 24; ++x)
       for (std::size_t c = 4; c < 9; ++c) {

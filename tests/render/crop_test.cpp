@@ -48,7 +48,7 @@ TEST(Crop, HasThePixelsOfTheWholePicture) {
       const VisibilityOrder order = order_of_scene(mesh, scene);
       const auto channels = parse_channels(splat_below > 0 ? "depth,mean_depth,cells,witness"
                                                            : "depth,mean_depth,cells,error");
-      const RenderResult whole = render(mesh, order, scene, true, channels);
+      const RenderResult whole = render(mesh, order, scene, true, nullptr, channels);
       EXPECT_GT(whole.statistics.covered_pixels, 500U);
       const PartRenderer renderer(mesh, order, scene, channels);
       for (const PixelRect& rect : {PixelRect{0, 0, 100, 75},

@@ -429,9 +429,9 @@ TEST(Splatting, ChannelsSayWhatIsKnownOfSplats) {
     scene.camera.up = {0, 1, 0};
     scene.render.splat_below = 9;
     const VisibilityOrder order = order_of_scene(mesh, scene);
-    const Image image =
-        render(mesh, order, scene, false, parse_channels("depth,mean_depth,cells,transparency"))
-            .image;
+    const Image image = render(mesh, order, scene, false, nullptr,
+                               parse_channels("depth,mean_depth,cells,transparency"))
+                            .image;
     for (std::uint32_t y = 0; y < 21; ++y)
       for (std::uint32_t x = 0; x < 21; ++x) {
         const bool reached = image.at(x, y, 3) > 0;
@@ -442,7 +442,8 @@ TEST(Splatting, ChannelsSayWhatIsKnownOfSplats) {
         EXPECT_NEAR(image.at(x, y, 4), 3 - 0.0025, 1e-12);
         EXPECT_NEAR(image.at(x, y, 5), 3 - 0.0025, 1e-12);
       }
-    EXPECT_THROW((void)render(mesh, order, scene, false, parse_channels("error")), UsageError);
+    EXPECT_THROW((void)render(mesh, order, scene, false, nullptr, parse_channels("error")),
+                 UsageError);
   }
 }
 

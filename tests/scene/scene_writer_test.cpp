@@ -53,6 +53,30 @@ TEST(SceneWriter, ItsTextGivesTheSceneBack) {
   }
 }
 
+TEST(SceneWriter, KeepsThePathOfTheCamera) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> normal;
+  for (int trial = 0; trial < 100; ++trial) {
+    Scene scene = random_scene(random);
+    if (trial % 2 == 0) {
+      Turntable table{1 + static_cast<std::uint32_t>(random() % 50), normal(random), {}};
+      if (trial % 4 == 0) table.axis = {normal(random), 1, normal(random)};
+      scene.path = table;
+    } else {
+      KeyframePath path;
+      path.interpolation = static_cast<PathInterpolation>(random() % 2);
+      for (std::uint32_t k = 0; k < 4; ++k) {
+        path.keyframes.push_back({k * k * 7, scene.camera});
+        path.keyframes.back().camera.up[0] = normal(random) * scene.camera.up[2];
+      }
+      scene.camera = path.keyframes[0].camera;
+      scene.path = path;
+    }
+    EXPECT_EQ(round_trip(scene, Comments::none), scene) << to_toml(scene);
+    EXPECT_EQ(round_trip(scene, Comments::explain), scene) << to_toml(scene, Comments::explain);
+  }
+}
+
 TEST(SceneWriter, KeepsAnInfiniteFarPlaneAndTheLeastScene) {
   Scene scene;
   scene.image = {1, 1};

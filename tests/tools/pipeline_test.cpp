@@ -5,51 +5,21 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "hiac/image/image_io.hpp"
 #include "hiac/mesh/zoo_container.hpp"
 #include "hiac/scene/scene_parser.hpp"
 #include "tests/support/reference.hpp"
+#include "tests/tools/tool_folder.hpp"
 
 namespace hiac {
 namespace {
 
-std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << file.rdbuf();
-  return bytes.str();
-}
-
-class Pipeline : public testing::Test {
+class Pipeline : public test::ToolFolder {
  protected:
-  void SetUp() override {
-    std::string name = (std::filesystem::temp_directory_path() / "hiac-pipeline-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  [[nodiscard]] std::string file(const std::string& name) const {
-    return (folder_ / name).string();
-  }
-
-  // Runs a shell command in which $CONVERT, $SORT and $RENDER are the tools; the status is that of
-  // the last command of a pipe.
-  [[nodiscard]] int run(const std::string& command) const {
-    const std::string line = "CONVERT='" HIAC_CONVERT "'; SORT='" HIAC_SORT
-                             "'; RENDER='" HIAC_RENDER "'; cd '" +
-                             folder_.string() + "'; { " + command + " ; } >out.txt 2>err.txt";
-    const int status = std::system(line.c_str());
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-
   // The same picture by pipes, by files, with one thread, and without a sort of its own.
   void expect_one_picture(const std::string& input, const std::string& view) const {
     ASSERT_EQ(run("$CONVERT -q --corners-only '" + input + "' | $SORT -q --view '" + view +
@@ -67,8 +37,6 @@ class Pipeline : public testing::Test {
     EXPECT_TRUE(picture == bytes_of(file("file.npy")));
     EXPECT_TRUE(picture == bytes_of(file("one.npy")));
   }
-
-  std::filesystem::path folder_;
 };
 
 const std::string kSample = HIAC_SOURCE_DIR "/samples/reactor-pool/flow.vtu";

@@ -1,6 +1,5 @@
 #include "tools/common/tool.hpp"
 
-#include <chrono>
 #include <csignal>
 #include <exception>
 #include <fstream>
@@ -14,21 +13,11 @@
 #include "hiac/base/error.hpp"
 #include "hiac/base/output_file.hpp"
 #include "hiac/base/parallel.hpp"
+#include "hiac/base/seconds.hpp"
 #include "tools/common/version.hpp"
 
 namespace hiac::tools {
 namespace {
-
-double seconds_now() {
-  using Clock = std::chrono::steady_clock;
-  return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
-}
-
-std::uint64_t peak_memory_bytes() {
-  struct rusage usage {};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
-}
 
 // A message is one line whatever a library put into it.
 std::string one_line(std::string text) {
@@ -38,6 +27,12 @@ std::string one_line(std::string text) {
 }
 
 }  // namespace
+
+std::uint64_t peak_memory_bytes() {
+  struct rusage usage {};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
 
 Tool::Tool(std::string name, const std::string& description, const std::string& examples)
     : name_(std::move(name)), app_(description, name_) {
@@ -76,6 +71,7 @@ int Tool::run(int argc, char** argv, const std::function<void()>& work) {
     const ThreadLimit limit(common_.threads);
     facts_["tool"] = name_;
     facts_["version"] = version_text();
+    if (!common_.quiet) bar_ = std::make_unique<ProgressBar>(name_, frames_, progress_);
     work();
   } catch (const Error& error) {
     exit_code = error.exit_code();
@@ -87,6 +83,7 @@ int Tool::run(int argc, char** argv, const std::function<void()>& work) {
     exit_code = ExitCode::internal;
     message = error.what();
   }
+  bar_.reset();
   if (exit_code != ExitCode::done) {
     std::cerr << name_ << ": " << one_line(message) << '\n';
     facts_["error"] = message;
@@ -101,16 +98,28 @@ int Tool::run(int argc, char** argv, const std::function<void()>& work) {
 }
 
 void Tool::note(const std::string& line) const {
-  if (!common_.quiet) std::cerr << name_ << ": " << line << '\n';
+  if (!common_.quiet) print(name_ + ": " + line + '\n');
 }
 
 void Tool::detail(const std::string& line) const {
-  if (common_.verbose && !common_.quiet) std::cerr << name_ << ": " << line << '\n';
+  if (common_.verbose) note(line);
+}
+
+void Tool::print(const std::string& text) const {
+  if (bar_)
+    bar_->print(text);
+  else
+    std::cerr << text;
 }
 
 void Tool::warn(const std::string& line) {
   warnings_.push_back(line);
   note("warning: " + line);
+}
+
+void Tool::add_seconds(const std::string& stage, double seconds) {
+  auto& sum = facts_["seconds"][stage];
+  sum = sum.is_null() ? seconds : sum.get<double>() + seconds;
 }
 
 void Tool::write_facts(int exit_code, double seconds) {
@@ -132,11 +141,13 @@ void Tool::write_facts(int exit_code, double seconds) {
 }
 
 Tool::StageClock::StageClock(Tool& tool, std::string name)
-    : tool_(tool), name_(std::move(name)), start_(seconds_now()) {}
+    : tool_(tool), name_(std::move(name)), start_(seconds_now()) {
+  tool_.progress_.begin(name_);
+}
 
 Tool::StageClock::~StageClock() {
   const double seconds = seconds_now() - start_;
-  tool_.facts_["seconds"][name_] = seconds;
+  tool_.add_seconds(name_, seconds);
   tool_.detail(name_ + ": " + std::to_string(seconds) + " s");
 }
 

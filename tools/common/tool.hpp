@@ -1,11 +1,16 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
+
+#include "hiac/base/progress.hpp"
+#include "tools/common/progress_bar.hpp"
 
 namespace hiac::tools {
 
@@ -17,8 +22,11 @@ struct CommonOptions {
   std::string json;      ///< file for the run's facts, "-" for stdout, empty for none
 };
 
-/// One run of one tool: options, log lines, stage timings, facts for --json, and the translation of
-/// exceptions into one line on stderr and an exit code.
+/// The most memory that the process has held so far.
+std::uint64_t peak_memory_bytes();
+
+/// One run of one tool: options, log lines, progress, stage timings, facts for --json, and the
+/// translation of exceptions into one line on stderr and an exit code.
 ///
 ///     int main(int argc, char** argv) {
 ///       Tool tool("hiac-x", "What it does.", "examples ...");
@@ -44,8 +52,17 @@ class Tool {
   void detail(const std::string& line) const;
   /// A line on stderr unless --quiet, also kept among the facts' "warnings".
   void warn(const std::string& line);
+  /// Text on stderr as it is, of whole lines: what an option asks for.
+  void print(const std::string& text) const;
 
-  /// Times `stage`, notes its seconds among the facts, and returns what it returns.
+  /// How far the present stage is; timed() begins one, which may begin parts of its own.
+  Progress& progress() { return progress_; }
+  /// How many of a run's frames are done; a run of one picture leaves it alone.
+  Progress& frames() { return frames_; }
+
+  /// Adds to the seconds of a stage among the facts.
+  void add_seconds(const std::string& stage, double seconds);
+  /// Times `stage`, adds its seconds to the facts, and returns what it returns.
   template <typename Stage>
   auto timed(const std::string& name, Stage&& stage) {
     const StageClock clock(*this, name);
@@ -73,6 +90,8 @@ class Tool {
   CommonOptions common_;
   nlohmann::ordered_json facts_;
   std::vector<std::string> warnings_;
+  Progress progress_, frames_;
+  std::unique_ptr<ProgressBar> bar_;  // while work is done
 };
 
 }  // namespace hiac::tools

@@ -125,29 +125,42 @@ void describe_fields(const ZooMesh& mesh, Description& description) {
   if (mesh.fields.empty()) description.text += line("fields", "none");
 }
 
-void add_order(const OrderRecord& record, Description& description) {
+// The facts of one order; its lines are added to `text`.
+Json describe_order(const OrderRecord& record, std::string& text) {
   std::uint64_t in_groups = 0;
   std::uint32_t largest = 1;
   for (const CellGroup& group : record.order.groups) {
     in_groups += group.count;
     largest = std::max(largest, group.count);
   }
-  description.facts["order"] = {{"algorithm", record.order.algorithm},
-                                {"cells", record.order.cells.size()},
-                                {"groups", record.order.groups.size()},
-                                {"cells_in_groups", in_groups},
-                                {"largest_group", largest},
-                                {"mesh_hash", record.mesh_hash},
-                                {"view_hash", record.view_hash}};
-  description.text += line(
+  text += line(
       "order",
       fmt::format("{} cells by {}; {}", record.order.cells.size(), record.order.algorithm,
                   in_groups == 0 ? "no groups"
                                  : fmt::format("{} groups of {} cells together, {} in the "
                                                "largest",
                                                record.order.groups.size(), in_groups, largest)));
-  description.text += line("for mesh", record.mesh_hash);
-  description.text += line("for view", record.view_hash);
+  text += line("for mesh", record.mesh_hash);
+  text += line("for view", record.view_hash);
+  return {{"algorithm", record.order.algorithm},
+          {"cells", record.order.cells.size()},
+          {"groups", record.order.groups.size()},
+          {"cells_in_groups", in_groups},
+          {"largest_group", largest},
+          {"mesh_hash", record.mesh_hash},
+          {"view_hash", record.view_hash}};
+}
+
+// One order is a fact of its own, several are a list.
+void add_orders(const std::vector<ExtraChunk>& chunks, const std::string& subject,
+                Description& description) {
+  Json list = Json::array();
+  for (const ExtraChunk& chunk : chunks)
+    list.push_back(describe_order(decode_order(chunk, subject), description.text));
+  if (list.size() == 1)
+    description.facts["order"] = list.front();
+  else if (!list.empty())
+    description.facts["orders"] = std::move(list);
 }
 
 }  // namespace
@@ -170,21 +183,25 @@ Description describe_mesh(const ZooFile& file, const std::string& subject) {
     description.facts["metadata"][key] = value;
     description.text += line("metadata", fmt::format("{}: {}", key, value));
   }
+  std::vector<ExtraChunk> orders;
   for (const ExtraChunk& chunk : file.extras) {
     if (chunk.type == kOrderChunk)
-      add_order(decode_order(chunk, subject), description);
+      orders.push_back(chunk);
     else
       description.text += line(
           "chunk", fmt::format("{} ({} bytes, not known here)", chunk.type, chunk.payload.size()));
   }
+  add_orders(orders, subject, description);
   return description;
 }
 
-Description describe_order(const OrderRecord& record, const std::string& subject) {
+Description describe_orders(const std::vector<ExtraChunk>& chunks, const std::string& subject) {
   Description description;
   description.facts["holds"] = "order";
-  description.text = subject + ": visibility order\n";
-  add_order(record, description);
+  description.text =
+      fmt::format("{}: visibility order{}\n", subject,
+                  chunks.size() == 1 ? "" : fmt::format("s of {} views", chunks.size()));
+  add_orders(chunks, subject, description);
   return description;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -16,10 +17,11 @@ struct Description {  // NOLINT(bugprone-exception-escape): the JSON library's m
   std::string text;
 };
 
-/// A mesh, and the order behind it where the container has one. `subject` stands for the file.
+/// A mesh, and the orders behind it where the container has any. `subject` stands for the file.
 Description describe_mesh(const ZooFile& file, const std::string& subject);
 
-Description describe_order(const OrderRecord& record, const std::string& subject);
+/// The orders of an order file, one or several.
+Description describe_orders(const std::vector<ExtraChunk>& chunks, const std::string& subject);
 
 Description describe_image(const ImageFile& file, const std::string& subject);
 

@@ -49,7 +49,7 @@ Description describe(const Options& options) {
   } catch (const InputError& no_mesh) {
     if (subject == "stdin") throw;
     try {
-      return describe_order(read_order_file(options.input), subject);
+      return describe_orders(read_order_chunks(options.input), subject);
     } catch (const InputError&) {
       throw no_mesh;
     }

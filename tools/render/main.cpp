@@ -1,30 +1,31 @@
 // hiac-render: a picture of a mesh.
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <span>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/base/progress.hpp"
 #include "hiac/image/image_io.hpp"
+#include "hiac/order/algorithm.hpp"
 #include "hiac/order/order_file.hpp"
 #include "hiac/render/engine.hpp"
 #include "hiac/render/renderable.hpp"
-#include "hiac/render/supersampling.hpp"
+#include "hiac/scene/camera_path.hpp"
 #include "hiac/scene/scene_parser.hpp"
 #include "hiac/scene/scene_writer.hpp"
+#include "tools/common/frames.hpp"
 #include "tools/common/mesh_io.hpp"
 #include "tools/common/ordering.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/common/version.hpp"
+#include "tools/render/picture_options.hpp"
 
 namespace {
 
@@ -32,11 +33,14 @@ using namespace hiac;
 using namespace hiac::tools;
 
 struct Options {
-  std::string input, view, order, output, size, channels, crop, filter = "box";
+  std::string input, view, order, output, size, channels;
   std::vector<std::string> overrides;
-  std::optional<std::uint32_t> samples;
-  bool no_background = false, linear = false;
+  PictureOptions picture;
+  bool no_background = false, linear = false, all_frames = false;
+  std::optional<std::uint32_t> frame;
 };
+
+using Json = nlohmann::ordered_json;
 
 // WxH as overrides of the specification.
 void add_size(const std::string& size, std::vector<std::string>& overrides) {
@@ -48,21 +52,14 @@ void add_size(const std::string& size, std::vector<std::string>& overrides) {
   overrides.push_back("image.height=" + size.substr(cross + 1));
 }
 
-// The order from a file, or behind the mesh in the stream, or made here.
-OrderRecord find_order(Tool& tool, const Options& options, const ZooFile& file,
-                       const Scene& scene) {
-  std::optional<OrderRecord> record;
-  std::string subject = options.order;
-  if (!options.order.empty()) {
-    record = read_order_file(options.order);
-  } else {
-    subject = input_name(options.input);
-    for (const ExtraChunk& chunk : file.extras)
-      if (chunk.type == kOrderChunk) record = decode_order(chunk, subject);
-  }
-  if (!record) return order_mesh(tool, file.mesh, scene);
-  tool.timed("hash", [&] { require_fitting_order(*record, file.mesh, scene, subject); });
-  return std::move(*record);
+// The orders from a file or behind the mesh in the stream; none where they are made here.
+std::optional<GivenOrders> given_orders(const Options& options, const ZooFile& file) {
+  if (!options.order.empty()) return GivenOrders{options.order, read_order_chunks(options.order)};
+  GivenOrders orders{input_name(options.input), {}};
+  for (const ExtraChunk& chunk : file.extras)
+    if (chunk.type == kOrderChunk) orders.chunks.push_back(chunk);
+  if (orders.chunks.empty()) return std::nullopt;
+  return orders;
 }
 
 double diagonal(const ZooMesh& mesh) {
@@ -88,99 +85,155 @@ void note_field(Tool& tool, const ZooMesh& mesh, const std::string& role, const 
   tool.note(fmt::format("{} by {} from {:g} to {:g}", role, name, low, high));
 }
 
-// What a user needs to choose extinctions.
-void note_optics(Tool& tool, const ZooMesh& mesh, const Scene& scene, const RenderStatistics& s) {
-  const double size = diagonal(mesh);
+// What a user needs to choose extinctions, but for the optical depth.
+void note_model(Tool& tool, const ZooMesh& mesh, const Scene& scene) {
   if (scene.volume.color) note_field(tool, mesh, "colour", scene.volume.color->field);
   if (scene.volume.extinction) note_field(tool, mesh, "extinction", scene.volume.extinction->field);
+  const double size = diagonal(mesh);
+  tool.facts()["cells"] = mesh.cell_count();
   tool.facts()["diagonal"] = size;
-  tool.facts()["optical_depth"] = {{"mean", s.mean_optical_depth},
-                                   {"largest", s.largest_optical_depth}};
-  tool.note(fmt::format("diagonal {:g}; optical depth {:.3g} in the mean, {:.3g} at most", size,
-                        s.mean_optical_depth, s.largest_optical_depth));
+  tool.note(fmt::format("diagonal {:g}", size));
 }
 
-void note_work(Tool& tool, const ZooMesh& mesh, const RenderStatistics& s) {
-  tool.facts()["cells"] = mesh.cell_count();
-  tool.facts()["segments"] = s.segments;
-  tool.facts()["covered_pixels"] = s.covered_pixels;
-  tool.facts()["splatted_cells"] = s.splatted_cells;
-  tool.facts()["witness_violations"] = s.violations;
-  tool.facts()["seconds"]["prepare"] = s.prepare_seconds;
-  tool.facts()["seconds"]["tiles"] = s.tile_seconds;
+Json note_work(Tool& tool, bool one_of_many, const RenderStatistics& s) {
+  tool.add_seconds("prepare", s.prepare_seconds);
+  tool.add_seconds("tiles", s.tile_seconds);
+  const std::string depths = fmt::format("optical depth {:.3g} in the mean, {:.3g} at most",
+                                         s.mean_optical_depth, s.largest_optical_depth);
+  one_of_many ? tool.detail(depths) : tool.note(depths);
   tool.detail(fmt::format("{} segments in {:.3f} s", s.segments, s.tile_seconds));
-  if (s.splatted_cells > 0)
-    tool.note(fmt::format("{} of {} cells splatted", s.splatted_cells, mesh.cell_count()));
+  if (s.splatted_cells > 0) {
+    const std::string splats = fmt::format("{} cells splatted", s.splatted_cells);
+    one_of_many ? tool.detail(splats) : tool.note(splats);
+  }
   if (s.violations > 0)
     tool.warn(
         fmt::format("{} ray segments were met out of order: the picture is wrong there (cells "
                     "overlap, or the order does not fit)",
                     s.violations));
+  return {{"segments", s.segments},
+          {"covered_pixels", s.covered_pixels},
+          {"splatted_cells", s.splatted_cells},
+          {"witness_violations", s.violations},
+          {"optical_depth", {{"mean", s.mean_optical_depth}, {"largest", s.largest_optical_depth}}},
+          {"seconds", s.prepare_seconds + s.tile_seconds}};
 }
 
-// The part of the picture that is wanted, from X,Y,W,H.
-PixelRect part_of_picture(const std::string& crop, const Scene& scene) {
-  if (crop.empty()) return whole_picture(scene.image);
-  PixelRect part;
-  const char *at = crop.data(), *end = crop.data() + crop.size();
-  for (std::uint32_t* number : {&part.x, &part.y, &part.width, &part.height}) {
-    const auto [next, error] = std::from_chars(at, end, *number);
-    const bool last = number == &part.height;
-    if (error != std::errc() || (last ? next != end : next == end || *next != ','))
-      throw UsageError("--crop: expected X,Y,WIDTH,HEIGHT in pixels, as 300,200,64,64 (found " +
-                       crop + ")");
-    at = last ? next : next + 1;
+// Makes pictures of one mesh.
+class Renderer {
+ public:
+  Renderer(Tool& tool, const Options& options, const ZooFile& file)
+      : tool_(tool),
+        options_(options),
+        mesh_(file.mesh),
+        orderer_(tool, file.mesh),
+        given_(given_orders(options, file)),
+        channels_(parse_channels(options.channels)) {}
+
+  // Throws unless there is, or will be, an order for the scene.
+  void require_order(const Scene& scene) {
+    if (given_) fitting_order(*given_, orderer_.mesh_hash(), mesh_, scene);
   }
-  require_inside(part, scene.image);
-  return part;
+
+  // One picture of a scene of one frame, and the facts of its making.
+  Json render(const Scene& scene, const std::string& path) {
+    Json order_facts;
+    const OrderRecord record = find_order(scene, order_facts);
+    const RenderResult result = tool_.timed("render", [&] {
+      return render_choice(mesh_, record.order, scene,
+                           picture_choice(options_.picture, scene.image), channels_,
+                           !options_.no_background, &tool_.progress());
+    });
+    Json facts = note_work(tool_, options_.all_frames, result.statistics);
+    facts["order"] = order_facts;
+    tool_.timed("write", [&] {
+      write_image(path, result.image,
+                  {.linear = options_.linear,
+                   .background_included = !options_.no_background,
+                   .attributes = {{"Software", "hiac-render " + version_text()},
+                                  {"hiac:mesh", record.mesh_hash},
+                                  {"hiac:specification", to_toml(scene)}}});
+    });
+    return facts;
+  }
+
+ private:
+  OrderRecord find_order(const Scene& scene, Json& facts) {
+    if (!given_) {
+      MeshOrder made = orderer_.exact(scene);
+      facts = std::move(made.facts);
+      return std::move(made.record);
+    }
+    OrderRecord record = fitting_order(*given_, orderer_.mesh_hash(), mesh_, scene);
+    facts = order_facts(record.order);
+    if (record.order.algorithm != algorithm_name(OrderAlgorithm::exact))
+      tool_.note(fmt::format("{}: the order is by {}, not by the exact algorithm", given_->subject,
+                             record.order.algorithm));
+    return record;
+  }
+
+  Tool& tool_;
+  const Options& options_;
+  const ZooMesh& mesh_;
+  Orderer orderer_;
+  std::optional<GivenOrders> given_;
+  std::vector<Channel> channels_;
+};
+
+// Numbered pictures of the frames of a camera path.
+void render_frames(Tool& tool, const Options& options, const Scene& scene, Renderer& renderer) {
+  const std::vector<std::uint32_t> frames = chosen_frames(scene, options.frame);
+  for (const std::uint32_t frame : frames) renderer.require_order(scene_of_frame(scene, frame));
+  tool.frames().begin("frames", frames.size());
+  for (const std::uint32_t frame : frames) {
+    const bool numbered = options.all_frames || has_frame_number(options.output);
+    const std::string path = numbered ? frame_path(options.output, frame) : options.output;
+    Json facts{{"frame", frame}, {"file", path}};
+    facts.update(renderer.render(scene_of_frame(scene, frame), path));
+    tool.facts()["frames"].push_back(std::move(facts));
+    tool.frames().advance();
+    const Progress::State state = tool.frames().state();
+    const auto left = seconds_left(static_cast<double>(state.done),
+                                   static_cast<double>(state.total), state.seconds);
+    tool.note(fmt::format("{}: {} of {} frames, about {} left", path, state.done, state.total,
+                          duration_text(left.value_or(0))));
+  }
 }
 
-std::optional<Supersampling> sampling_of(const Options& options, const Scene& scene) {
-  if (!options.samples) return std::nullopt;
-  const Supersampling sampling{*options.samples,
-                               options.filter == "box" ? SampleFilter::box : SampleFilter::bspline};
-  require_possible(sampling, scene.image);
-  return sampling;
-}
-
-RenderResult render_part(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
-                         const PixelRect& part, const std::optional<Supersampling>& sampling,
-                         std::span<const Channel> channels, bool with_background) {
-  if (sampling) return render_supersampled(mesh, order, scene, part, *sampling, with_background);
-  const PartRenderer renderer(mesh, order, scene, channels);
-  RenderResult result = renderer.render(part, with_background);
-  result.statistics.prepare_seconds += renderer.prepare_seconds();
-  return result;
+// Pictures are numbered when all frames are wanted, and there is one without a camera path.
+void check_frame_options(const Options& options, const Scene& scene) {
+  if (scene.path && !options.all_frames && !options.frame)
+    throw UsageError(
+        fmt::format("{}: holds a camera path of {} frames: --frames renders all of "
+                    "them, --frame N one",
+                    options.view, frame_count(scene)));
+  if (!scene.path && options.all_frames)
+    throw UsageError(
+        fmt::format("--frames: {} has no camera path (keyframes [[camera]], or a "
+                    "[turntable])",
+                    options.view));
+  if (options.frame) chosen_frames(scene, options.frame);
+  if (options.all_frames) frame_path(options.output, 0);
 }
 
 void render(Tool& tool, Options options) {
   require_known_image_extension(options.output);
   add_size(options.size, options.overrides);
-  const std::vector<Channel> channels = parse_channels(options.channels);
-  if (!channels.empty() && options.output.ends_with(".png"))
+  if (!parse_channels(options.channels).empty() && options.output.ends_with(".png"))
     throw UsageError("--channels: PNG holds colours alone (.exr, .npy or .f32 expected)");
   const ParsedScene parsed = read_scene(options.view, options.overrides);
   for (const std::string& line : parsed.notes) tool.note(line);
   const Scene& scene = parsed.scene;
-  const PixelRect part = part_of_picture(options.crop, scene);
-  const auto sampling = sampling_of(options, scene);
+  check_frame_options(options, scene);
+  picture_choice(options.picture, scene.image);
   const ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
   check_renderable(file.mesh, scene);
-  const OrderRecord record = find_order(tool, options, file, scene);
-  const RenderResult result = tool.timed("render", [&] {
-    return render_part(file.mesh, record.order, scene, part, sampling, channels,
-                       !options.no_background);
-  });
-  note_work(tool, file.mesh, result.statistics);
-  note_optics(tool, file.mesh, scene, result.statistics);
-  tool.timed("write", [&] {
-    write_image(options.output, result.image,
-                {.linear = options.linear,
-                 .background_included = !options.no_background,
-                 .attributes = {{"Software", "hiac-render " + version_text()},
-                                {"hiac:mesh", record.mesh_hash},
-                                {"hiac:specification", to_toml(scene)}}});
-  });
+  note_model(tool, file.mesh, scene);
+  Renderer renderer(tool, options, file);
+  if (scene.path)
+    render_frames(tool, options, scene, renderer);
+  else
+    tool.facts().update(renderer.render(scene, options.output));
 }
 
 }  // namespace
@@ -194,7 +247,8 @@ int main(int argc, char** argv) {
       "  hiac-render part.zoo --view view.toml --channels depth,error -o part.exr\n"
       "  hiac-render part.zoo --view view.toml --crop 300,200,64,64 -o detail.npy\n"
       "  hiac-render part.zoo --view view.toml --samples 8 --filter bspline -o truth.exr\n"
-      "  hiac-render part.zoo --view view.toml --set render.splat_below=2 -o splatted.exr");
+      "  hiac-render part.zoo --view view.toml --set render.splat_below=2 -o splatted.exr\n"
+      "  hiac-render part.zoo --view turntable.toml --frames -o part-%04d.png");
   Options options;
   auto& app = tool.app();
   app.add_option("MESH", options.input, "Zoo mesh; - or none: stdin");
@@ -212,22 +266,17 @@ int main(int argc, char** argv) {
   app.add_option("--set", options.overrides, "Override KEY=VALUE of the specification; repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  CLI::Option* channels =
+  auto* channels =
       app.add_option("--channels", options.channels,
                      "Further channels of the picture, with commas between: " + channel_names())
           ->type_name("LIST");
-  app.add_option("--crop", options.crop,
-                 "Only these W x H pixels, from column X and row Y on; as in the whole picture")
-      ->type_name("X,Y,W,H");
-  CLI::Option* samples =
-      app.add_option("--samples", options.samples, "N x N rays a pixel, filtered, instead of one")
-          ->excludes(channels)
-          ->type_name("N");
-  app.add_option("--filter", options.filter,
-                 "Of the samples: box (their mean; the default) or bspline (three pixels wide)")
-      ->needs(samples)
-      ->check(CLI::IsMember({"box", "bspline"}))
-      ->type_name("FILTER");
+  add_picture_options(app, options.picture, channels);
+  auto* one = app.add_option("--frame", options.frame, "One frame of a camera path, from 0 on")
+                  ->type_name("N");
+  app.add_flag("--frames", options.all_frames,
+               "All frames of a camera path, numbered: part.png gives part-0000.png and so on, "
+               "part-%03d.png part-000.png")
+      ->excludes(one);
   app.add_flag("--no-background", options.no_background,
                "Leave the background out, so that images can be accumulated");
   app.add_flag("--linear", options.linear, "8-bit images: linear values instead of sRGB");

@@ -52,6 +52,9 @@ bool shares_zero_coordinate(const std::array<double, 3>& u, const std::array<dou
   return false;
 }
 
+// Certain zeros of neighbouring cells, which have corners in common.
+bool coincide(Point3 a, Point3 b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
+
 std::array<double, 3> difference(Point3 a, Point3 b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
@@ -62,7 +65,10 @@ int orientation(Point3 a, Point3 b, Point3 c, Point3 d) {
   const auto u = difference(b, a), v = difference(c, a), w = difference(d, a);
   const int sign = filtered_sign(determinant(u, v, w));
   if (sign != 2) return sign;
-  return shares_zero_coordinate(u, v, w) ? 0 : exact_orientation(a, b, c, d);
+  if (shares_zero_coordinate(u, v, w) || coincide(a, d) || coincide(b, d) || coincide(c, d) ||
+      coincide(a, b) || coincide(a, c) || coincide(b, c))
+    return 0;
+  return exact_orientation(a, b, c, d);
 }
 
 int orientation_towards(Point3 a, Point3 b, Point3 c, Point3 v) {
@@ -70,7 +76,9 @@ int orientation_towards(Point3 a, Point3 b, Point3 c, Point3 v) {
   const std::array<double, 3> towards{v[0], v[1], v[2]};
   const int sign = filtered_sign(determinant(u, w, towards));
   if (sign != 2) return sign;
-  return shares_zero_coordinate(u, w, towards) ? 0 : exact_orientation_towards(a, b, c, v);
+  if (shares_zero_coordinate(u, w, towards) || coincide(a, b) || coincide(a, c) || coincide(b, c))
+    return 0;
+  return exact_orientation_towards(a, b, c, v);
 }
 
 }  // namespace hiac

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -47,5 +48,9 @@ std::vector<ExtraChunk> read_extra_chunks(const std::string& path);
 
 /// Writes a container that holds extra chunks and no mesh; whole or not at all.
 void write_extra_chunks(const std::string& path, const std::vector<ExtraChunk>& extras);
+
+/// The same with all chunks that `next` returns, one after another; none is kept.
+void write_extra_chunks(const std::string& path,
+                        const std::function<std::optional<ExtraChunk>()>& next);
 
 }  // namespace hiac

@@ -118,10 +118,9 @@ void write_adjacency(ChunkWriter& writer, const FaceAdjacency& adjacency) {
   writer.write(kFaceAdjacency, bytes_of_value(header), bytes_of(adjacency.neighbors.view()));
 }
 
-void check_extras(const std::vector<ExtraChunk>& extras) {
-  for (const ExtraChunk& extra : extras)
-    if (!is_type(extra.type) || is_known(extra.type))
-      throw std::invalid_argument(fmt::format("'{}' cannot be an extra chunk's type", extra.type));
+void check_extra(const ExtraChunk& extra) {
+  if (!is_type(extra.type) || is_known(extra.type))
+    throw std::invalid_argument(fmt::format("'{}' cannot be an extra chunk's type", extra.type));
 }
 
 }  // namespace
@@ -129,7 +128,7 @@ void check_extras(const std::vector<ExtraChunk>& extras) {
 void write_zoo_stream(int descriptor, const ZooFile& file, const std::string& subject) {
   const ZooMesh& mesh = file.mesh;
   validate(mesh, subject);
-  check_extras(file.extras);
+  for (const ExtraChunk& extra : file.extras) check_extra(extra);
   ChunkWriter writer(descriptor, subject);
   write_metadata(writer, mesh, subject);
   writer.write(kKinds, bytes_of(mesh.kinds.view()));
@@ -147,10 +146,20 @@ void write_zoo_file(const std::string& path, const ZooFile& file) {
 }
 
 void write_extra_chunks(const std::string& path, const std::vector<ExtraChunk>& extras) {
-  check_extras(extras);
+  auto extra = extras.begin();
+  write_extra_chunks(path, [&] {
+    return extra == extras.end() ? std::nullopt : std::optional<ExtraChunk>(*extra++);
+  });
+}
+
+void write_extra_chunks(const std::string& path,
+                        const std::function<std::optional<ExtraChunk>()>& next) {
   write_atomically(path, [&](int descriptor) {
     ChunkWriter writer(descriptor, path);
-    for (const ExtraChunk& extra : extras) writer.write(extra.type, extra.payload);
+    for (auto extra = next(); extra; extra = next()) {
+      check_extra(*extra);
+      writer.write(extra->type, extra->payload);
+    }
     writer.write_end();
   });
 }

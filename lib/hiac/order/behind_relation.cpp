@@ -24,20 +24,20 @@ unsigned arrows_of_sides(int eye, int cell) {
 // Which way rays cross a bilinear patch: +1, -1, 0 (none do), or 2: both ways. The sign of
 // (P - e).(P_u x P_v) is bilinear in u, v and so is bounded by its signs at the corners, each the
 // orientation of one corner's triangle. With signs of both kinds rays cross both ways, unless the
-// patch is planar for this purpose and seen edge-on to within the rounding of its coordinates.
+// patch is planar for this purpose and seen edge-on but for the rounding of its coordinates. (An
+// arrow by the plane of some of its corners would be a throw of dice: many make cycles.)
 constexpr int kBothSides = 2;
 
 int eye_side_of_patch(const Corners& p, const View& view, double planarity) {
-  const int plane = eye_side(p[0], p[1], p[2], view);
-  bool positive = plane > 0, negative = plane < 0;
-  for (std::size_t k = 2; k < 5; ++k) {
+  bool positive = false, negative = false;
+  for (std::size_t k = 1; k < 5; ++k) {
     const int side = eye_side(p[(k + 3) % 4], p[k % 4], p[(k + 1) % 4], view);
     positive = positive || side > 0;
     negative = negative || side < 0;
   }
   if (positive != negative) return positive ? 1 : -1;
   if (!positive) return 0;
-  return quadrilateral_deviation(p[0], p[1], p[2], p[3]) > planarity ? kBothSides : plane;
+  return quadrilateral_deviation(p[0], p[1], p[2], p[3]) > planarity ? kBothSides : 0;
 }
 
 struct Question {

@@ -57,9 +57,10 @@ struct BehindRelation {
 /// A face is on the side of its plane on which the rest of its cell lies; the eye's side against
 /// that says which way rays cross. Quadrilaterals are bilinear patches: when the eye lies on one
 /// side of the four corner triangles all rays cross one way, else both arrows are put, unless the
-/// patch deviates from a plane by less than `planarity` of its size. A cell without volume has no
-/// side of its own and takes what its neighbours say; between two such cells go both arrows
-/// where rays cross the face. All faces that the same two cells share get the same arrows.
+/// patch deviates from a plane by less than `planarity` of its size: then it is seen edge-on. A
+/// cell without volume has no side of its own and takes what its neighbours say; between two such
+/// cells go both arrows where rays cross the face. All faces that the same two cells share get the
+/// same arrows.
 BehindRelation shared_face_relation(const OrderBasis& basis, const View& view, double planarity);
 
 /// Deviation of a quadrilateral from a plane: the distance between its two diagonals' lines,

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "hiac/order/eye_side.hpp"
 
@@ -102,19 +101,6 @@ Sides sides_of(const SeenFace& plane, const SeenFace& face) {
   return sides;
 }
 
-// Where edges a-b and c-d cross on the screen: -1 when a-b is nearer, +1 when c-d is, 0 when they
-// meet; nothing when they do not cross properly. With s the side of the line's wedge: c-d passes
-// the triangle of the eye, a and b inside it, and so in front of a-b, exactly when it passes all
-// three edges of that triangle on the same side.
-std::optional<int> nearer_edge(Point3 a, Point3 b, Point3 c, Point3 d, const View& view) {
-  const int c_side = side_of_edge(a, b, c, view), d_side = side_of_edge(a, b, d, view);
-  const int a_side = side_of_edge(c, d, a, view), b_side = side_of_edge(c, d, b, view);
-  if (c_side * d_side >= 0 || a_side * b_side >= 0) return std::nullopt;
-  if (a_side != d_side) return std::nullopt;  // one passes the other's opposite, behind the eye
-  // det[d-c, a-c, eye-c] = a_side: seen from the eye, a lies left of c -> d when it is positive
-  return orientation(c, d, a, b) * a_side * -1;
-}
-
 std::optional<bool> by_crossing_edges(const SeenFace& f, const SeenFace& g, const View& view) {
   for (std::size_t k = 0; k < f.count; ++k)
     for (std::size_t j = 0; j < g.count; ++j) {
@@ -141,13 +127,24 @@ std::optional<bool> corner_beyond(const SeenFace& cover, const SeenFace& face, c
   return std::nullopt;
 }
 
-// Distance of the corner of `face` that is farthest in front of the plane of `plane`.
-double depth_in_front(const SeenFace& plane, const SeenFace& face) {
-  const Point3 a = plane.corner(0), b = plane.corner(1), c = plane.corner(2);
+std::array<double, 3> normal_of(const SeenFace& face) {
+  const Point3 a = face.corner(0), b = face.corner(1), c = face.corner(2);
   const std::array<double, 3> u{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
   const std::array<double, 3> v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-  const std::array<double, 3> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                                u[0] * v[1] - u[1] * v[0]};
+  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+}
+
+// Whether the eye sees both faces from the same side. Faces of one wall that rounding tilts, seen
+// nearly edge-on, are seen from either side: they lie close to one plane, but touch nowhere.
+bool face_alike(const SeenFace& f, const SeenFace& g) {
+  const auto m = normal_of(f), n = normal_of(g);
+  return f.winding * g.winding * (m[0] * n[0] + m[1] * n[1] + m[2] * n[2]) > 0;
+}
+
+// Distance of the corner of `face` that is farthest in front of the plane of `plane`.
+double depth_in_front(const SeenFace& plane, const SeenFace& face) {
+  const Point3 a = plane.corner(0);
+  const auto n = normal_of(plane);
   const double length = std::hypot(n[0], n[1], n[2]);
   double most = 0;
   for (std::size_t k = 0; k < face.count; ++k) {
@@ -160,6 +157,17 @@ double depth_in_front(const SeenFace& plane, const SeenFace& face) {
 
 }  // namespace
 
+// With s the side of the line's wedge: c-d passes the triangle of the eye, a and b inside it, and
+// so in front of a-b, exactly when it passes all three edges of that triangle on the same side.
+std::optional<int> nearer_edge(Point3 a, Point3 b, Point3 c, Point3 d, const View& view) {
+  const int c_side = side_of_edge(a, b, c, view), d_side = side_of_edge(a, b, d, view);
+  const int a_side = side_of_edge(c, d, a, view), b_side = side_of_edge(c, d, b, view);
+  if (c_side * d_side >= 0 || a_side * b_side >= 0) return std::nullopt;
+  if (a_side != d_side) return std::nullopt;  // one passes the other's opposite, behind the eye
+  // det[d-c, a-c, eye-c] = a_side: seen from the eye, a lies left of c -> d when it is positive
+  return orientation(c, d, a, b) * a_side * -1;
+}
+
 bool projections_overlap(const SeenFace& f, const SeenFace& g, const View& view) {
   if (separated_by_edge(f, g, view) || separated_by_edge(g, f, view)) return false;
   return in_one_hemisphere(f, g, view) || !separated_by_corners(f, g, view);
@@ -170,7 +178,7 @@ bool reached_first(const SeenFace& f, const SeenFace& g, const View& view, doubl
   if (!g_to_f.any_nearer) return true;  // all of g lies beyond the plane of f, or in it
   const Sides f_to_g = sides_of(g, f);
   if (!f_to_g.any_beyond) return true;  // all of f lies before the plane of g, or in it
-  if (depth_in_front(f, g) <= slack) return true;
+  if (face_alike(f, g) && depth_in_front(f, g) <= slack) return true;
   if (!g_to_f.any_beyond || !f_to_g.any_nearer) return false;
   // each plane cuts the other face: a ray that crosses both must be asked
   if (const auto first = by_crossing_edges(f, g, view)) return *first;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "hiac/geometry/predicates.hpp"
 #include "hiac/geometry/view.hpp"
@@ -17,6 +18,10 @@ struct SeenFace {
   [[nodiscard]] Point3 corner(std::size_t k) const { return Point3(corners[k % count], 3); }
 };
 
+/// Where edges a-b and c-d cross on the screen: -1 when a-b is nearer, +1 when c-d is, 0 when they
+/// meet; nothing when they do not cross properly. Exact.
+std::optional<int> nearer_edge(Point3 a, Point3 b, Point3 c, Point3 d, const View& view);
+
 /// True when some viewing ray crosses the inner of both faces.
 ///
 /// Exact: two convex polygons on the sphere of directions are apart when the great circle through
@@ -26,7 +31,7 @@ bool projections_overlap(const SeenFace& f, const SeenFace& g, const View& view)
 
 /// True when `f` is met no later than `g` by rays that cross both, given that there are such rays
 /// and that the faces do not pierce each other. `slack` is the distance, world units, that g may
-/// lie in front of f and still count as touching it.
+/// lie in front of f and still count as touching it, where the eye sees both from the same side.
 bool reached_first(const SeenFace& f, const SeenFace& g, const View& view, double slack);
 
 }  // namespace hiac

@@ -51,6 +51,27 @@ SharedArray<T> array_at(const SharedArray<std::uint8_t>& payload, std::uint64_t 
   return {std::span<const T>(data, count), std::make_shared<SharedArray<std::uint8_t>>(payload)};
 }
 
+// The head of a payload that is as long as it says.
+OrderHeader checked_header(const SharedArray<std::uint8_t>& payload, const std::string& subject) {
+  OrderHeader header;
+  if (payload.size() < sizeof header)
+    throw InputError(subject,
+                     fmt::format("chunk ORDER is too short (at least {} bytes expected, {} "
+                                 "found)",
+                                 sizeof header, payload.size()));
+  std::memcpy(&header, payload.data(), sizeof header);
+  if (header.version != kVersion)
+    throw InputError(subject, fmt::format("unknown version of chunk ORDER ({} expected, {} found)",
+                                          kVersion, header.version));
+  const std::uint64_t most = payload.size() / sizeof(CellId);
+  if (header.cell_count > most || header.group_count > most ||
+      groups_offset(header.cell_count) + header.group_count * sizeof(CellGroup) != payload.size())
+    throw InputError(subject, fmt::format("chunk ORDER has a wrong size for {} cells and {} groups "
+                                          "({} bytes found)",
+                                          header.cell_count, header.group_count, payload.size()));
+  return header;
+}
+
 void check_permutation(std::span<const CellId> cells, const std::string& subject) {
   std::vector<bool> seen(cells.size(), false);
   for (const CellId cell : cells) {
@@ -93,24 +114,15 @@ ExtraChunk encode_order(const OrderRecord& record) {
   return {kOrderChunk, std::move(payload)};
 }
 
+OrderHead decode_order_head(const ExtraChunk& chunk, const std::string& subject) {
+  const OrderHeader header = checked_header(chunk.payload, subject);
+  return {text(header.mesh_hash), text(header.view_hash), text(header.algorithm), header.cell_count,
+          header.group_count};
+}
+
 OrderRecord decode_order(const ExtraChunk& chunk, const std::string& subject) {
   const auto& payload = chunk.payload;
-  OrderHeader header;
-  if (payload.size() < sizeof header)
-    throw InputError(subject,
-                     fmt::format("chunk ORDER is too short (at least {} bytes expected, {} "
-                                 "found)",
-                                 sizeof header, payload.size()));
-  std::memcpy(&header, payload.data(), sizeof header);
-  if (header.version != kVersion)
-    throw InputError(subject, fmt::format("unknown version of chunk ORDER ({} expected, {} found)",
-                                          kVersion, header.version));
-  const std::uint64_t most = payload.size() / sizeof(CellId);
-  if (header.cell_count > most || header.group_count > most ||
-      groups_offset(header.cell_count) + header.group_count * sizeof(CellGroup) != payload.size())
-    throw InputError(subject, fmt::format("chunk ORDER has a wrong size for {} cells and {} groups "
-                                          "({} bytes found)",
-                                          header.cell_count, header.group_count, payload.size()));
+  const OrderHeader header = checked_header(payload, subject);
   OrderRecord record{text(header.mesh_hash), text(header.view_hash), {}};
   record.order.algorithm = text(header.algorithm);
   record.order.cells = array_at<CellId>(payload, sizeof header, header.cell_count);
@@ -125,10 +137,28 @@ void write_order_file(const std::string& path, const OrderRecord& record) {
   write_extra_chunks(path, {encode_order(record)});
 }
 
+void write_order_file(const std::string& path,
+                      const std::function<std::optional<OrderRecord>()>& next) {
+  write_extra_chunks(path, [&]() -> std::optional<ExtraChunk> {
+    const auto record = next();
+    if (!record) return std::nullopt;
+    return encode_order(*record);
+  });
+}
+
+std::vector<ExtraChunk> read_order_chunks(const std::string& path) {
+  std::vector<ExtraChunk> chunks = read_extra_chunks(path);
+  std::erase_if(chunks, [](const ExtraChunk& chunk) { return chunk.type != kOrderChunk; });
+  if (chunks.empty()) throw InputError(path, "holds no visibility order (a chunk ORDER expected)");
+  return chunks;
+}
+
 OrderRecord read_order_file(const std::string& path) {
-  for (const ExtraChunk& chunk : read_extra_chunks(path))
-    if (chunk.type == kOrderChunk) return decode_order(chunk, path);
-  throw InputError(path, "holds no visibility order (a chunk ORDER expected)");
+  const std::vector<ExtraChunk> chunks = read_order_chunks(path);
+  if (chunks.size() > 1)
+    throw InputError(path, fmt::format("holds the orders of several views (one expected, {} found)",
+                                       chunks.size()));
+  return decode_order(chunks.front(), path);
 }
 
 }  // namespace hiac

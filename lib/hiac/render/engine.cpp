@@ -1,13 +1,14 @@
 #include "hiac/render/engine.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <string>
 
 #include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
+#include "hiac/base/progress.hpp"
+#include "hiac/base/seconds.hpp"
 #include "hiac/render/background.hpp"
 #include "hiac/render/frame.hpp"
 #include "hiac/render/general_cells.hpp"
@@ -26,11 +27,6 @@ constexpr double kWitnessTolerance = 1e-9;
 
 // Between two looks at whether a tile's pixels are all opaque.
 constexpr std::size_t kCellsPerLook = 256;
-
-double seconds_now() {
-  using Clock = std::chrono::steady_clock;
-  return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
-}
 
 double depth_of_mesh(const ZooMesh& mesh, const Projector& projector) {
   double least = std::numeric_limits<double>::infinity(), most = -least;
@@ -321,7 +317,8 @@ PartRenderer::~PartRenderer() = default;
 
 double PartRenderer::prepare_seconds() const { return prepared_->seconds; }
 
-RenderResult PartRenderer::render(const PixelRect& part, bool with_background) const {
+RenderResult PartRenderer::render(const PixelRect& part, bool with_background,
+                                  Progress* progress) const {
   const Frame& frame = prepared_->frame;
   const VisibilityOrder& order = prepared_->order;
   const Scene& scene = prepared_->scene;
@@ -332,6 +329,7 @@ RenderResult PartRenderer::render(const PixelRect& part, bool with_background) c
   for (const Channel channel : prepared_->channels) names.emplace_back(channel_name(channel));
   RenderResult result{Image(part.width, part.height, std::move(names)), {}};
   const double prepared = seconds_now();
+  if (progress != nullptr) progress->begin("tiles", bins.tiles.size());
 
   std::vector<TileSummary> summaries(bins.tiles.size());
   parallel_for(bins.tiles.size(), 1, [&](IndexRange range) {
@@ -341,6 +339,7 @@ RenderResult PartRenderer::render(const PixelRect& part, bool with_background) c
     summaries[tile] = write_tile(renderer.buffer(), bins.tiles[tile], frame, scene, with_background,
                                  prepared_->channels, part, result.image);
     summaries[tile].counts = renderer.counts();
+    if (progress != nullptr) progress->advance();
   });
 
   RenderStatistics& statistics = result.statistics;
@@ -361,9 +360,9 @@ RenderResult PartRenderer::render(const PixelRect& part, bool with_background) c
 }
 
 RenderResult render(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
-                    bool with_background, std::span<const Channel> channels) {
+                    bool with_background, Progress* progress, std::span<const Channel> channels) {
   const PartRenderer renderer(mesh, order, scene, channels);
-  RenderResult result = renderer.render(whole_picture(scene.image), with_background);
+  RenderResult result = renderer.render(whole_picture(scene.image), with_background, progress);
   result.statistics.prepare_seconds += renderer.prepare_seconds();
   return result;
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 
+#include "hiac/base/progress.hpp"
 #include "hiac/image/image.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/order/visibility_order.hpp"
@@ -40,11 +41,13 @@ struct RenderResult {
 ///
 /// Requires what check_renderable (renderable.hpp) lets pass.
 /// `with_background`: composite the scene's background behind the volume.
+/// `progress`: told how many tiles are done, where there is one.
 /// `channels`: what the picture says of its pixels besides. They change none of the others. Throws
 /// UsageError for the error of an integration other than exact, or of splats: no bound is claimed
 /// of those.
 RenderResult render(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
-                    bool with_background, std::span<const Channel> channels = {});
+                    bool with_background, Progress* progress = nullptr,
+                    std::span<const Channel> channels = {});
 
 /// The same picture part by part. What the parts share is made once.
 class PartRenderer {
@@ -59,7 +62,8 @@ class PartRenderer {
   /// An image of the part alone, with the pixels of the whole picture, bit for bit. Only the tiles
   /// that meet the part are worked on; segments and violations are counted in all of these,
   /// optical depths and covered pixels in the part. Throws UsageError as require_inside does.
-  [[nodiscard]] RenderResult render(const PixelRect& part, bool with_background) const;
+  [[nodiscard]] RenderResult render(const PixelRect& part, bool with_background,
+                                    Progress* progress = nullptr) const;
 
   /// What making it took; not in the parts' statistics.
   [[nodiscard]] double prepare_seconds() const;

@@ -129,7 +129,8 @@ void require_possible(const Supersampling& sampling, ImageSize size) {
 
 RenderResult render_supersampled(const ZooMesh& mesh, const VisibilityOrder& order,
                                  const Scene& scene, const PixelRect& part,
-                                 const Supersampling& sampling, bool with_background) {
+                                 const Supersampling& sampling, bool with_background,
+                                 Progress* progress) {
   require_inside(part, scene.image);
   require_possible(sampling, scene.image);
   const Scene samples = scene_of_samples(scene, sampling);
@@ -142,12 +143,14 @@ RenderResult render_supersampled(const ZooMesh& mesh, const VisibilityOrder& ord
   RenderResult result;
   result.statistics.prepare_seconds = renderer.prepare_seconds();
   const std::size_t band = rows_of_band(part, columns);
+  if (progress != nullptr) progress->begin("rows of samples", rows);
   for (std::uint32_t y = top; y < top + rows;) {
     const auto next = static_cast<std::uint32_t>((y / band + 1) * band);
     const std::uint32_t end = std::min(next, top + rows);
     const RenderResult some = renderer.render({left, y, columns, end - y}, false);
     sum.add(some.image, y - top);
     result.statistics += some.statistics;
+    if (progress != nullptr) progress->advance(end - y);
     y = end;
   }
   result.image = sum.take();

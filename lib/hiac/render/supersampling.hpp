@@ -35,6 +35,7 @@ void require_possible(const Supersampling& sampling, ImageSize size);
 /// samples.
 RenderResult render_supersampled(const ZooMesh& mesh, const VisibilityOrder& order,
                                  const Scene& scene, const PixelRect& part,
-                                 const Supersampling& sampling, bool with_background);
+                                 const Supersampling& sampling, bool with_background,
+                                 Progress* progress = nullptr);
 
 }  // namespace hiac

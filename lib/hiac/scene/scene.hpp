@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "hiac/base/glow.hpp"
@@ -50,6 +51,41 @@ struct Camera {
 
   bool operator==(const Camera&) const = default;
 };
+
+/// Largest number of frames of an animation.
+inline constexpr std::uint32_t kMaxFrames = 100000;
+
+/// The camera at one frame of an animation.
+struct Keyframe {
+  std::uint32_t frame = 0;
+  Camera camera;
+
+  bool operator==(const Keyframe&) const = default;
+};
+
+/// How eye and look_at move between keyframes (camera_path.hpp).
+enum class PathInterpolation : std::uint8_t { catmull_rom, linear };
+
+/// A camera that passes through keyframes.
+struct KeyframePath {
+  /// At least one, the first at frame 0, frames ascending; all of one projection, all with a
+  /// clipping slab or none.
+  std::vector<Keyframe> keyframes;
+  PathInterpolation interpolation = PathInterpolation::catmull_rom;
+
+  bool operator==(const KeyframePath&) const = default;
+};
+
+/// A camera that goes round its look_at, looking there.
+struct Turntable {
+  std::uint32_t frames = 1;
+  double degrees = 360;  ///< from frame 0 to the frame after the last: 360 makes a seamless loop
+  std::optional<std::array<double, 3>> axis;  ///< any length but 0; none: the camera's `up`
+
+  bool operator==(const Turntable&) const = default;
+};
+
+using CameraPath = std::variant<KeyframePath, Turntable>;
 
 /// A piecewise-linear function of one scalar field of the mesh.
 template <std::size_t N>
@@ -143,7 +179,8 @@ struct RenderSettings {
 /// One image specification.
 struct Scene {
   ImageSize image;
-  Camera camera;
+  Camera camera;                   ///< that of frame 0 where there is a path
+  std::optional<CameraPath> path;  ///< none: one view, not an animation
   Volume volume;
   std::vector<Isosurface> isosurfaces;
   std::vector<Light> lights{Light{}};  ///< a white headlight where a file names none

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "hiac/scene/camera_keys.hpp"
 #include "hiac/scene/color_source.hpp"
 #include "hiac/scene/transfer_points.hpp"
 
@@ -15,11 +16,6 @@ namespace {
 
 using Text = std::optional<std::string>;
 
-template <typename E>
-using Names = std::span<const std::pair<std::string_view, E>>;
-
-constexpr std::pair<std::string_view, Projection> kProjections[] = {
-    {"perspective", Projection::perspective}, {"orthographic", Projection::orthographic}};
 constexpr std::pair<std::string_view, Glow> kGlows[] = {{"chromaticity", Glow::chromaticity},
                                                         {"emission", Glow::emission}};
 constexpr std::pair<std::string_view, BackgroundPattern> kPatterns[] = {
@@ -35,33 +31,9 @@ constexpr std::pair<std::string_view, Integration> kIntegrations[] = {
 constexpr std::pair<std::string_view, Interpolation> kInterpolations[] = {
     {"isoparametric", Interpolation::isoparametric}, {"polynomial", Interpolation::polynomial}};
 
-template <typename E>
-std::string name_text(Names<E> names, E value) {
-  for (const auto& [name, entry] : names)
-    if (entry == value) return toml_text(name);
-  return toml_text("");
-}
-
 /// True for the patterns that are made of square fields.
 bool has_fields(BackgroundPattern pattern) {
   return pattern == BackgroundPattern::checker || pattern == BackgroundPattern::grid;
-}
-
-void read_clip(const SpecValue& value, Camera& camera) {
-  const std::vector<SpecValue> planes = value.list(2);
-  const std::array<double, 2> clip{planes[0].number(), planes[1].number_or_infinity()};
-  if (!(clip[0] < clip[1]))
-    value.fail(fmt::format("near must be below far (found near {}, far {})", clip[0], clip[1]));
-  camera.clip = clip;
-}
-
-void read_fov(const SpecValue& value, Camera& camera) {
-  camera.fov = value.number();
-  if (!(camera.fov > 0 && camera.fov < 180))
-    value.fail(
-        fmt::format("an angle between 0 and 180 degrees, both excluded, is expected "
-                    "(found {})",
-                    camera.fov));
 }
 
 void read_light_direction(const SpecValue& value, Light& light) {
@@ -76,35 +48,6 @@ constexpr SpecKey<ImageSize> kImageKeys[] = {
     {"height", "pixels", true,
      [](const SpecValue& v, ImageSize& i) { i.height = v.whole(1, kMaxImageSide); },
      [](const ImageSize& i) -> Text { return std::to_string(i.height); }},
-};
-
-constexpr SpecKey<Camera> kCameraKeys[] = {
-    {"projection", "\"perspective\" or \"orthographic\"", false,
-     [](const SpecValue& v, Camera& c) { c.projection = v.name_of<Projection>(kProjections); },
-     [](const Camera& c) -> Text { return name_text<Projection>(kProjections, c.projection); }},
-    {"eye", "world units", true, [](const SpecValue& v, Camera& c) { c.eye = v.triple(); },
-     [](const Camera& c) -> Text { return toml_text(c.eye); }},
-    {"look_at", "seen at the image's centre", true,
-     [](const SpecValue& v, Camera& c) { c.look_at = v.triple(); },
-     [](const Camera& c) -> Text { return toml_text(c.look_at); }},
-    {"up", "points up in the image", true, [](const SpecValue& v, Camera& c) { c.up = v.triple(); },
-     [](const Camera& c) -> Text { return toml_text(c.up); }},
-    {"fov", "perspective: the image's vertical angle, degrees", false, read_fov,
-     [](const Camera& c) -> Text {
-       if (c.projection != Projection::perspective) return std::nullopt;
-       return toml_text(c.fov);
-     }},
-    {"height", "orthographic: the image's vertical extent, world units", false,
-     [](const SpecValue& v, Camera& c) { c.height = v.positive(); },
-     [](const Camera& c) -> Text {
-       if (c.projection != Projection::orthographic) return std::nullopt;
-       return toml_text(c.height);
-     }},
-    {"clip", "[near, far]: distances from the eye plane along the view direction", false, read_clip,
-     [](const Camera& c) -> Text {
-       if (!c.clip) return std::nullopt;
-       return toml_text(*c.clip);
-     }},
 };
 
 constexpr SpecKey<ExtinctionTransfer> kExtinctionKeys[] = {
@@ -226,50 +169,6 @@ void read_image(const SpecValue& table, Scene& scene) {
                                         kMaxImagePixels, scene.image.width, scene.image.height));
 }
 
-/// The vector with its largest component made 1 or -1, so that products neither over- nor
-/// underflow.
-std::array<double, 3> scaled(std::array<double, 3> v) {
-  const double largest = std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])});
-  for (double& component : v) component /= largest;
-  return v;
-}
-
-double length(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
-
-void check_orientation(const SpecValue& table, const Camera& camera) {
-  const std::array<double, 3> towards = view_direction(camera);
-  if (towards == std::array<double, 3>{}) table.fail_at("look_at", "the same point as `eye`");
-  for (const double component : towards)
-    if (!std::isfinite(component)) table.fail_at("look_at", "too far from `eye`");
-  if (camera.up == std::array<double, 3>{}) table.fail_at("up", "a direction cannot be zero");
-  // below this sine the image's right has lost all but four of its digits
-  constexpr double kSmallestSine = 1e-12;
-  const auto d = scaled(towards);
-  const auto u = scaled(camera.up);
-  const std::array<double, 3> right{d[1] * u[2] - d[2] * u[1], d[2] * u[0] - d[0] * u[2],
-                                    d[0] * u[1] - d[1] * u[0]};
-  if (length(right) <= kSmallestSine * length(d) * length(u))
-    table.fail_at("up", "parallel to the view direction from `eye` to `look_at`");
-}
-
-void read_camera(const SpecValue& table, Scene& scene) {
-  Camera& camera = scene.camera;
-  read_keys(table, camera_keys(), camera);
-  const bool perspective = camera.projection == Projection::perspective;
-  const char* needed = perspective ? "fov" : "height";
-  const char* useless = perspective ? "height" : "fov";
-  const std::string_view projection = perspective ? "perspective" : "orthographic";
-  if (!table.has(needed))
-    table.fail_at(needed,
-                  fmt::format("is missing (a camera of {} projection needs it)", projection));
-  if (table.has(useless))
-    table.fail_at(useless, fmt::format("has no meaning in {} projection (remove it)", projection));
-  check_orientation(table, camera);
-  if (perspective && camera.clip && (*camera.clip)[0] < 0)
-    table.fail_at("clip", fmt::format("near is behind the eye (expected at least 0, found {})",
-                                      (*camera.clip)[0]));
-}
-
 void read_background(const SpecValue& table, Scene& scene) {
   read_keys(table, background_keys(), scene.background);
   const BackgroundPattern pattern = scene.background.pattern;
@@ -282,7 +181,9 @@ void read_background(const SpecValue& table, Scene& scene) {
 
 constexpr SpecKey<Scene> kSceneKeys[] = {
     {"image", "", true, read_image, nullptr},
-    {"camera", "", true, read_camera, nullptr},
+    {"camera", "", true, read_cameras, nullptr},
+    {"camera_path", "", false, read_camera_path, nullptr},
+    {"turntable", "", false, read_turntable, nullptr},
     {"volume", "", false,
      [](const SpecValue& v, Scene& s) { read_keys(v, volume_keys(), s.volume); }, nullptr},
     {"isosurface", "", false,
@@ -306,7 +207,6 @@ constexpr SpecKey<Scene> kSceneKeys[] = {
 }  // namespace
 
 std::span<const SpecKey<ImageSize>> image_keys() { return kImageKeys; }
-std::span<const SpecKey<Camera>> camera_keys() { return kCameraKeys; }
 std::span<const SpecKey<ExtinctionTransfer>> extinction_keys() { return kExtinctionKeys; }
 std::span<const SpecKey<Volume>> volume_keys() { return kVolumeKeys; }
 std::span<const SpecKey<Isosurface>> isosurface_keys() { return kIsosurfaceKeys; }

@@ -8,6 +8,7 @@
 #include <toml++/toml.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/scene/camera_keys.hpp"
 #include "hiac/scene/scene_keys.hpp"
 #include "hiac/scene/spec_override.hpp"
 #include "hiac/scene/spec_text.hpp"
@@ -21,8 +22,11 @@ ParsedScene parse_scene(std::string_view text, const std::string& subject,
   SpecContext context{subject, folder, {}, {}};
   for (const Override& option : overrides)
     context.overrides.push_back(apply_override(document, option));
+  inherit_keyframes(document);
   ParsedScene parsed;
-  read_keys(SpecValue(document, "", context), scene_keys(), parsed.scene);
+  const SpecValue root(document, "", context);
+  read_keys(root, scene_keys(), parsed.scene);
+  check_camera_path(root, parsed.scene);
   parsed.notes = std::move(context.notes);
   return parsed;
 }

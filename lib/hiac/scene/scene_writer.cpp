@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "hiac/scene/camera_keys.hpp"
 #include "hiac/scene/color_source.hpp"
 #include "hiac/scene/scene_keys.hpp"
 
@@ -27,11 +28,27 @@ std::string keys_text(std::span<const SpecKey<T>> keys, const T& from, Comments 
   return text;
 }
 
+std::string cameras_text(const Scene& scene, Comments comments) {
+  const auto* path = scene.path ? std::get_if<KeyframePath>(&*scene.path) : nullptr;
+  std::string text;
+  if (path == nullptr) {
+    text += "\n[camera]\n" + keys_text(camera_keys(), scene.camera, comments);
+    if (scene.path)
+      text += "\n[turntable]\n" +
+              keys_text(turntable_keys(), std::get<Turntable>(*scene.path), comments);
+    return text;
+  }
+  for (const Keyframe& keyframe : path->keyframes)
+    text += fmt::format("\n[[camera]]\nframe = {}\n", keyframe.frame) +
+            keys_text(camera_keys(), keyframe.camera, comments);
+  return text + "\n[camera_path]\n" + keys_text(camera_path_keys(), *path, comments);
+}
+
 }  // namespace
 
 std::string to_toml(const Scene& scene, Comments comments) {
   std::string text = "[image]\n" + keys_text(image_keys(), scene.image, comments);
-  text += "\n[camera]\n" + keys_text(camera_keys(), scene.camera, comments);
+  text += cameras_text(scene, comments);
   text += "\n[volume]\n" + keys_text(volume_keys(), scene.volume, comments);
   if (scene.volume.color) {
     ColorSource source;

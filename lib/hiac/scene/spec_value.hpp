@@ -62,6 +62,8 @@ class SpecValue {
   /// path: messages name the key as a whole.
   [[nodiscard]] std::vector<SpecValue> list(std::size_t count = 0) const;
 
+  /// Whether it is a list, of tables or of other values.
+  [[nodiscard]] bool is_list() const { return node_->is_array(); }
   /// A table, whose keys have paths below this one's.
   [[nodiscard]] const toml::table& table() const;
   /// The value below a key of this table, if there.

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include <oneapi/tbb/parallel_sort.h>
+
+namespace hiac {
+
+/// Sorts by `less`, from any number of threads. `less` must tell any two elements apart: then there
+/// is one result, whatever the number of threads.
+template <typename T, typename Less>
+void parallel_sort(std::vector<T>& elements, const Less& less) {
+  oneapi::tbb::parallel_sort(elements.begin(), elements.end(), less);
+}
+
+}  // namespace hiac

@@ -1,0 +1,67 @@
+#include "hiac/order/published/face_plane.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hiac {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+// More than the forward error of a determinant of rounded differences, for the norms below
+// (J. R. Shewchuk, 1997, section 4.3).
+constexpr double kDeterminantError = 8 * std::numeric_limits<double>::epsilon() / 2;
+
+// What underflow may add to such a determinant is far less than this times a distance.
+constexpr double kUnderflow = std::numeric_limits<double>::min();
+
+Vector minus(Point3 a, Point3 b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+}  // namespace
+
+MeshScale::MeshScale(const ZooMesh& mesh) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Vector low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
+  double largest = 0;
+  for (std::size_t i = 0; i < mesh.xyz.size(); ++i) {
+    low[i % 3] = std::min(low[i % 3], mesh.xyz[i]);
+    high[i % 3] = std::max(high[i % 3], mesh.xyz[i]);
+    largest = std::max(largest, std::abs(mesh.xyz[i]));
+  }
+  extent = mesh.xyz.empty() ? 0 : taxicab(minus(Point3(high), Point3(low)));
+  rounding = std::numeric_limits<double>::epsilon() * largest;
+}
+
+FacePlane plane_of_face(const CellCorners& cell, const ShapeFace& face, const MeshScale& scale) {
+  const auto corner = [&](std::size_t k) { return cell.at(face.corners[k]); };
+  const bool triangle = face.corner_count == 3;
+  // a quadrilateral's diagonals span Newell's plane
+  const Vector u = triangle ? minus(corner(1), corner(0)) : minus(corner(2), corner(0));
+  const Vector v = triangle ? minus(corner(2), corner(0)) : minus(corner(3), corner(1));
+  FacePlane plane{};
+  plane.normal = cross(u, v);
+  const double u_size = taxicab(u), v_size = taxicab(v);
+  plane.size = std::max(u_size, v_size);
+  plane.certain_slope = kDeterminantError * u_size * v_size;
+  plane.touching = 4 * scale.rounding * u_size * v_size;
+  plane.touching_slope = plane.certain_slope + 4 * scale.rounding * (u_size + v_size);
+  for (std::size_t c = 0; c < 3; ++c)
+    plane.point[c] =
+        triangle ? corner(0)[c]
+                 : corner(0)[c] / 4 + corner(1)[c] / 4 + corner(2)[c] / 4 + corner(3)[c] / 4;
+  if (!triangle) {
+    for (std::size_t k = 0; k < 4; ++k)
+      plane.deviation =
+          std::max(plane.deviation, std::abs(plane.value(minus(corner(k), Point3(plane.point)))));
+    plane.touching += plane.deviation;
+  }
+  plane.certain = plane.certain_slope * scale.extent + kUnderflow * (scale.extent + 1);
+  plane.apart = plane.touch(scale.extent) + kUnderflow * (scale.extent + 1);
+  return plane;
+}
+
+}  // namespace hiac

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hiac/geometry/view.hpp"
+#include "hiac/mesh/zoo_mesh.hpp"
+
+namespace hiac {
+
+/// The roughly sorted list that the sort of Stein et al. starts from: cells by their rearmost
+/// depth, back to front, those of one depth by number. A cell's place in it is its rank.
+///
+/// Depths are distances to the eye, or along the direction of a parallel view: they grow along
+/// every ray, wherever the eye is.
+struct RoughOrder {
+  std::vector<CellId> cells;     ///< by rank
+  std::vector<double> rearmost;  ///< by rank, descending
+  /// By rank: what lies no nearer than this is surely behind all of the cell's points.
+  std::vector<double> frontmost;
+};
+
+RoughOrder rough_order(const ZooMesh& mesh, const View& view);
+
+}  // namespace hiac
