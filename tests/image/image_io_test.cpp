@@ -56,15 +56,15 @@ TEST_F(ImageIo, F32WritesOneRawFileAChannel) {
   std::memcpy(&second, &green[4], sizeof second);
   EXPECT_EQ(second, static_cast<float>(image.at(1, 0, 1)));
   EXPECT_EQ(bytes_of(path("a.depth.f32")).size(), 60u);
-  expect_floats(read_image(path("a.f32"), 5).image, image);
+  expect_floats(read_image(path("a.f32"), {.width = 5}).image, image);
 
   EXPECT_THROW(read_image(path("a.f32")), UsageError);
-  EXPECT_THROW(read_image(path("a.f32"), 7), InputError);
-  EXPECT_THROW(read_image(path("b.f32"), 5), InputError);
+  EXPECT_THROW(read_image(path("a.f32"), {.width = 7}), InputError);
+  EXPECT_THROW(read_image(path("b.f32"), {.width = 5}), InputError);
   write_bytes(path("a.b.f32"), "12345");
-  EXPECT_THROW(read_image(path("a.f32"), 5), InputError);
+  EXPECT_THROW(read_image(path("a.f32"), {.width = 5}), InputError);
   write_bytes(path("a.b.f32"), "12345678");
-  EXPECT_THROW(read_image(path("a.f32"), 5), InputError);
+  EXPECT_THROW(read_image(path("a.f32"), {.width = 5}), InputError);
 }
 
 TEST_F(ImageIo, NamesTheExtensionsThatItKnows) {
@@ -73,7 +73,9 @@ TEST_F(ImageIo, NamesTheExtensionsThatItKnows) {
       write_image(path(name), Image(1, 1, {"Y"}));
       ADD_FAILURE() << name;
     } catch (const UsageError& error) {
-      EXPECT_THAT(error.what(), HasSubstr("(expected one of .exr .npy .f32 .png, found "));
+      EXPECT_THAT(error.what(),
+                  HasSubstr("(expected one of .exr .npy .f32 .png .tiff .tif .sgi .rgba .pfm "
+                            ".hdr, found "));
     }
   }
   EXPECT_THROW(require_known_image_extension("a.jpg"), UsageError);
@@ -81,11 +83,12 @@ TEST_F(ImageIo, NamesTheExtensionsThatItKnows) {
 }
 
 TEST_F(ImageIo, SaysWhenAFileCannotBeWrittenOrRead) {
-  for (const char* name : {"none/a.exr", "none/a.npy", "none/a.f32", "none/a.png"}) {
+  for (const char* name : {"none/a.exr", "none/a.npy", "none/a.f32", "none/a.png", "none/a.tiff",
+                           "none/a.sgi", "none/a.pfm", "none/a.hdr"}) {
     EXPECT_THROW(write_image(path(name), random_image(1, 1, rgba_channels())), InputError) << name;
-    EXPECT_THROW(read_image(path(name), 1), InputError) << name;
+    EXPECT_THROW(read_image(path(name), {.width = 1}), InputError) << name;
   }
-  for (const char* name : {"a.exr", "a.npy", "a.png"}) {
+  for (const char* name : {"a.exr", "a.npy", "a.png", "a.tiff", "a.rgba", "a.pfm", "a.hdr"}) {
     std::filesystem::create_directory(folder_ / name);
     EXPECT_THROW(write_image(path(name), random_image(1, 1, rgba_channels())), InputError) << name;
     EXPECT_THROW(read_image(path(name)), InputError) << name;
@@ -95,8 +98,33 @@ TEST_F(ImageIo, SaysWhenAFileCannotBeWrittenOrRead) {
 }
 
 TEST_F(ImageIo, RefusesAnImageWithoutPixels) {
-  for (const char* name : {"a.exr", "a.npy", "a.f32", "a.png"})
+  for (const char* name : {"a.exr", "a.npy", "a.f32", "a.png", "a.tiff", "a.sgi", "a.pfm", "a.hdr"})
     EXPECT_THROW(write_image(path(name), Image(0, 3, rgba_channels())), UsageError);
+}
+
+TEST_F(ImageIo, IsReadByWhatTheFormatsSay) {
+  const std::string python = python_with_numpy();
+  if (python.empty()) GTEST_SKIP() << "SKIPPED: numpy is not installed";
+  const Image image = random_picture(301, 23, {"R", "G", "B", "A", "depth"});
+  for (const char* name : {"truth.npy", "a.sgi", "a.tiff", "a.pfm", "a.hdr"})
+    write_image(path(name), image);
+  for (const char* name : {"linear.sgi", "linear.tiff"})
+    write_image(path(name), image, {.linear = true});
+  for (const char* name : {"16.sgi", "16.tiff"}) write_image(path(name), image, {.depth = 16});
+  write_image(path("float.tiff"), image, {.depth = 32});
+  EXPECT_EQ(std::system((python + " " HIAC_READ_IMAGES " " + folder_.string()).c_str()), 0);
+}
+
+TEST_F(ImageIo, KnowsTheDepthsThatAFormatHas) {
+  const Image image = random_picture(3, 2);
+  const std::pair<const char*, int> wrong[] = {{"a.exr", 16}, {"a.npy", 32}, {"a.png", 32},
+                                               {"a.sgi", 1},  {"a.pfm", 16}, {"a.tiff", 64}};
+  for (const auto& [name, depth] : wrong) {
+    EXPECT_THROW(write_image(path(name), image, {.depth = depth}), UsageError) << name;
+    EXPECT_THROW(require_known_image_extension(name, depth), UsageError) << name;
+  }
+  EXPECT_NO_THROW(require_known_image_extension("a.tiff", 32));
+  EXPECT_EQ(file_count(), 0u);
 }
 
 TEST_F(ImageIo, SurvivesDamagedExrFiles) {
@@ -106,21 +134,7 @@ TEST_F(ImageIo, SurvivesDamagedExrFiles) {
     write_bytes(path("damaged.exr"), bytes);
     return read_image(path("damaged.exr"));
   };
-  for (std::size_t length = 0; length < good.size(); length += 1 + good.size() / 100)
-    EXPECT_THROW(read(good.substr(0, length)), InputError) << length;
-  std::mt19937 random(9);
-  for (int trial = 0; trial < 1500; ++trial) {
-    std::string bytes = good;
-    // the header, mostly: it is what sizes are taken from
-    const std::size_t reach = trial % 4 == 0 ? bytes.size() : std::size_t{400};
-    for (auto edits = 1 + random() % 3; edits > 0; --edits)
-      bytes[random() % reach] = static_cast<char>(random() % 3 == 0 ? 0xff : random());
-    try {
-      read(bytes);
-    } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), testing::StartsWith(path("damaged.exr") + ": "));
-    }
-  }
+  expect_survival(good, 400, 1500, read);
 }
 
 }  // namespace

@@ -57,11 +57,8 @@ TEST_F(Npy, KeepsEveryBit) {
 }
 
 TEST_F(Npy, IsReadByNumpy) {
-  const char* python = nullptr;  // the first one, or the system's, that has numpy
-  for (const char* candidate : {"/usr/bin/python3", "python3"})
-    if (std::system((std::string(candidate) + " -c 'import numpy' 2>/dev/null").c_str()) == 0)
-      python = candidate;
-  if (python == nullptr) GTEST_SKIP() << "SKIPPED: numpy is not installed";
+  const std::string python = python_with_numpy();
+  if (python.empty()) GTEST_SKIP() << "SKIPPED: numpy is not installed";
   Image image(3, 2, rgba_channels());
   for (std::size_t i = 0; i < image.values().size(); ++i)
     image.values()[i] = 0.1 * static_cast<double>(i);
@@ -78,7 +75,7 @@ TEST_F(Npy, IsReadByNumpy) {
       "', a.astype('>f4')); "
       "n.save('" +
       path("i.npy") + "', n.array([[1, -2], [3, 4]]))";
-  ASSERT_EQ(std::system((std::string(python) + " -c \"" + script + "\"").c_str()), 0);
+  ASSERT_EQ(std::system((python + " -c \"" + script + "\"").c_str()), 0);
   const Image column_major = read_image(path("f.npy")).image;
   EXPECT_TRUE(std::equal(column_major.values().begin(), column_major.values().end(),
                          image.values().begin()));

@@ -145,6 +145,28 @@ TEST_F(Png, GivesEveryByteBack) {
     EXPECT_EQ(again.values()[i], image.values()[i]);
 }
 
+TEST_F(Png, WritesSixteenBits) {
+  Image image(3, 1, {"Y", "A"});
+  // 1 / 65535 of each kind of sample, and a value that 8 bits do not have
+  const double values[] = {1 / 65535.0, 1, 0.123456, 1, 0.5, 0.5};
+  std::copy(std::begin(values), std::end(values), image.values().begin());
+  write_image(path("a.png"), image, {.linear = true, .depth = 16});
+  EXPECT_EQ(bytes_of(path("a.png")).substr(12, 14),
+            "IHDR" + big_endian(3) + big_endian(1) + std::string("\x10\x04", 2));
+  const Image linear = read_image(path("a.png")).image;
+  EXPECT_EQ(linear.at(0, 0, 0), 1 / 65535.0);
+  EXPECT_EQ(linear.at(1, 0, 0), 8091 / 65535.0);  // 0.123456 * 65535 = 8090.7
+  EXPECT_EQ(linear.at(2, 0, 1), 32768 / 65535.0);
+
+  const Image picture = random_picture(33, 9);
+  write_image(path("b.png"), picture, {.depth = 16});
+  const Image once = read_image(path("b.png")).image;
+  for (std::size_t i = 0; i < once.values().size(); ++i)
+    ASSERT_NEAR(once.values()[i], picture.values()[i], 4e-5);
+  write_image(path("c.png"), once, {.depth = 16});
+  EXPECT_EQ(bytes_of(path("b.png")), bytes_of(path("c.png")));
+}
+
 TEST_F(Png, RefusesMalformedFiles) {
   const std::string good = png(2, 1, 8, 2, std::string(7, '\0'));
   EXPECT_NO_THROW(read(good));

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -12,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hiac/base/error.hpp"
 #include "hiac/image/image.hpp"
 
 namespace hiac {
@@ -37,6 +40,8 @@ class FolderTest : public testing::Test {
     return {std::istreambuf_iterator<char>(in), {}};
   }
   static void write_bytes(const std::string& file, const std::string& bytes) {
+    std::filesystem::remove(
+        file);  // a new file: some file systems flush one that is cut to nothing
     std::ofstream(file, std::ios::binary)
         .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   }
@@ -47,6 +52,61 @@ class FolderTest : public testing::Test {
 
   std::filesystem::path folder_;
 };
+
+/// A python that has numpy: the first one, or the system's; empty where there is none.
+inline std::string python_with_numpy() {
+  for (const char* candidate : {"python3", "/usr/bin/python3"})
+    if (std::system((std::string(candidate) + " -c 'import numpy' 2>/dev/null").c_str()) == 0)
+      return candidate;
+  return "";
+}
+
+/// A picture as renderers make them: premultiplied, in [0, 1], with even areas, slopes and noise.
+inline Image random_picture(std::size_t width, std::size_t height,
+                            std::vector<std::string> channels = rgba_channels()) {
+  Image image(width, height, std::move(channels));
+  std::mt19937_64 random(23);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const std::size_t alpha = image.channel_index("A").value_or(image.channel_count());
+  for (std::size_t y = 0; y < height; ++y)
+    for (std::size_t x = 0; x < width; ++x) {
+      const double a = x % 7 == 0 ? 1 : 0.1 + 0.9 * uniform(random);
+      for (std::size_t c = 0; c < image.channel_count(); ++c) {
+        const double noise = y % 3 == 0 ? 0.5 : uniform(random);
+        const double straight =
+            x < width / 3 ? 0.25
+                          : noise * static_cast<double>(x + 1) / static_cast<double>(width + 1);
+        image.at(x, y, c) = c == alpha ? a : straight * (alpha < image.channel_count() ? a : 1);
+      }
+    }
+  return image;
+}
+
+/// Reads `good` with its end cut off in a hundred ways, and with some bytes changed, mostly among
+/// the first `header` ones: InputError of one line that names the file, or an image.
+template <typename Read>
+void expect_survival(const std::string& good, std::size_t header, int trials, const Read& read) {
+  const auto complaint = [&](const std::string& bytes) -> std::string {
+    try {
+      read(bytes);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  for (std::size_t length = 0; length < good.size(); length += 1 + good.size() / 100)
+    EXPECT_NE(complaint(good.substr(0, length)), "") << length;
+  std::mt19937 random(9);
+  for (int trial = 0; trial < trials; ++trial) {
+    std::string bytes = good;
+    const std::size_t reach = trial % 4 == 0 ? bytes.size() : std::min(header, bytes.size());
+    for (auto edits = 1 + random() % 3; edits > 0; --edits)
+      bytes[random() % reach] = static_cast<char>(random() % 3 == 0 ? 0xff : random());
+    std::string text;
+    ASSERT_NO_THROW(text = complaint(bytes)) << trial;
+    EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+  }
+}
 
 /// Values of many magnitudes, some of them not finite where `extremes`.
 inline Image random_image(std::size_t width, std::size_t height, std::vector<std::string> channels,

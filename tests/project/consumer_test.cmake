@@ -35,6 +35,6 @@ run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${WORK}/build -G $
     -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF -D HIAC_HEADERS=${WORK}/moved/include)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/consumer ${CMAKE_CURRENT_LIST_DIR}/consumer/view.toml ${WORK}/picture.png)
-foreach(tool sort render)
+foreach(tool sort render compare)
   run(${WORK}/moved/bin/hiac-${tool} --version)
 endforeach()

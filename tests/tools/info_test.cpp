@@ -236,6 +236,14 @@ TEST_F(Info, DescribesAnImage) {
   for (const char* words :
        {"4 x 2 pixels", "R: 0 to 0.75", "G: 0 to 0, 1 not finite", "hiac:mesh: 0123"})
     EXPECT_THAT(answer.output, HasSubstr(words));
+  for (const char* name : {"a.png", "a.tiff", "a.sgi", "a.rgba", "a.pfm", "a.hdr"}) {
+    write_image(path(name), image);
+    EXPECT_THAT(run(path(name)).output, HasSubstr("4 x 2 pixels")) << name;
+  }
+  image.at(3, 1, 3) = 1;
+  write_image(path("a.tif"), image, {.linear = true});
+  EXPECT_THAT(run(path("a.tif")).output, testing::Not(HasSubstr("R: 0 to 0.74902\n")));
+  EXPECT_THAT(run(path("a.tif") + " --linear").output, HasSubstr("R: 0 to 0.74902\n"));
   write_image(path("a.f32"), image);
   EXPECT_EQ(run(path("a.f32")).exit_code, 2);
   EXPECT_THAT(run(path("a.f32") + " --width 2").output, HasSubstr("2 x 4 pixels"));

@@ -69,6 +69,48 @@ TEST_F(Pipeline, AnOrderOfAnotherViewOrMeshIsRefused) {
   EXPECT_FALSE(std::filesystem::exists(file("no.png")));
 }
 
+TEST_F(Pipeline, HalvesAccumulateToTheWhole) {
+  ASSERT_EQ(run("$CONVERT -q --corners-only '" + kSample + "' -o m.zoo"), 0);
+  const std::string render =
+      "$RENDER -q m.zoo --view '" + kSampleView + "' --size 160x120 --set render.tolerance=1e-15 ";
+  const std::string front = "--set 'camera.clip=[0,5.4]' ", back = "--set 'camera.clip=[5.4,100]' ";
+  ASSERT_EQ(run(render + "-o whole.npy && " + render + front + "--no-background -o front.npy && " +
+                render + back + "-o back.npy && " + render + front +
+                "--under back.npy -o accumulated.npy"),
+            0)
+      << bytes_of(file("err.txt"));
+  const Image whole = read_image(file("whole.npy")).image;
+  const Image accumulated = read_image(file("accumulated.npy")).image;
+  std::size_t through_both = 0;
+  const Image in_front = read_image(file("front.npy")).image;
+  const Image behind = read_image(file("back.npy")).image;
+  for (std::size_t y = 0; y < 120; ++y)
+    for (std::size_t x = 0; x < 160; ++x) {
+      through_both += in_front.at(x, y, 3) > 0 && behind.at(x, y, 3) > 0 ? 1 : 0;
+      for (std::size_t c = 0; c < 4; ++c)
+        ASSERT_NEAR(accumulated.at(x, y, c), whole.at(x, y, c), 1e-12) << x << " " << y << " " << c;
+    }
+  EXPECT_GT(through_both, 1000U);
+
+  EXPECT_EQ(run("$RENDER -q m.zoo --view '" + kSampleView + "' --under whole.npy -o no.png"), 3);
+  EXPECT_NE(bytes_of(file("err.txt")).find("whole.npy: a picture of another size"),
+            std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(file("no.png")));
+}
+
+TEST_F(Pipeline, AColourBarIsDrawnBesideThePicture) {
+  ASSERT_EQ(run("$CONVERT -q --corners-only '" + kSample + "' | $RENDER --view '" + kSampleView +
+                "' --size 40x30 --depth 16 -o p.tiff --colorbar bar.png --json facts.json"),
+            0)
+      << bytes_of(file("err.txt"));
+  EXPECT_EQ(read_image(file("p.tiff")).image.width(), 40U);
+  EXPECT_GT(read_image(file("bar.png")).image.width(), 400U);
+  // a tenth of the diagonal, 2.58, rounded down
+  EXPECT_NE(bytes_of(file("facts.json")).find("\"color_bar_length\": 0.2,"), std::string::npos);
+  EXPECT_EQ(run("$RENDER m.zoo --view '" + kSampleView + "' -o p.png --colorbar bar.jpg"), 2);
+  EXPECT_EQ(run("$RENDER m.zoo --view '" + kSampleView + "' -o p.exr --depth 16"), 2);
+}
+
 TEST_F(Pipeline, WhatIsNotDrawnIsRefusedByName) {
   EXPECT_EQ(run("$CONVERT -q '" + kSample + "' | $RENDER --view '" + kSampleView + "' -o no.png"),
             3);

@@ -1,17 +1,15 @@
 // hiac-info: what a zoo, order or image file holds, and a first image specification for a mesh.
 
-#include <cstdio>
-#include <fstream>
 #include <string>
 
 #include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
-#include "hiac/base/output_file.hpp"
 #include "hiac/image/image_io.hpp"
 #include "hiac/order/order_file.hpp"
 #include "hiac/scene/scene_writer.hpp"
 #include "tools/common/mesh_io.hpp"
+#include "tools/common/text_output.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/info/describe.hpp"
 #include "tools/info/starter_view.hpp"
@@ -23,27 +21,14 @@ using namespace hiac::tools;
 
 struct Options {
   std::string input, output;
-  std::size_t width = 0;
+  ReadOptions reading;
   bool starter_view = false;
 };
-
-void write_text(const std::string& path, const std::string& text) {
-  if (is_stdout(path)) {
-    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
-      throw InputError("stdout", "cannot be written");
-    return;
-  }
-  OutputFile file(path);
-  std::ofstream out(file.temporary_path());
-  out << text << std::flush;
-  if (!out) throw InputError(path, "cannot be written");
-  file.commit();
-}
 
 Description describe(const Options& options) {
   const std::string subject = input_name(options.input);
   if (has_image_extension(options.input))
-    return describe_image(read_image(options.input, options.width), subject);
+    return describe_image(read_image(options.input, options.reading), subject);
   try {
     return describe_mesh(read_mesh(options.input), subject);
   } catch (const InputError& no_mesh) {
@@ -88,14 +73,16 @@ int main(int argc, char** argv) {
             "  hiac-info part.exr --json -");
   Options options;
   auto& app = tool.app();
-  app.add_option("FILE", options.input,
-                 "Zoo mesh, order file, or image (.exr .npy .f32 .png); - or none: a mesh from "
-                 "stdin");
+  app.add_option(
+      "FILE", options.input,
+      "Zoo mesh, order file, or image (" + image_extensions() + "); - or none: a mesh from stdin");
   app.add_option("-o,--output", options.output, "Where the text goes; - or none: stdout")
       ->type_name("FILE");
   app.add_flag("--starter-view", options.starter_view,
                "Write an image specification for the mesh: whole model in sight, first field over "
                "its range, mean optical depth about 1");
-  app.add_option("--width", options.width, "Width in pixels of a .f32 image");
+  app.add_option("--width", options.reading.width, "Width in pixels of a .f32 image");
+  app.add_flag("--linear", options.reading.linear,
+               "The integers of a .tiff or .sgi image are linear, not sRGB-encoded");
   return tool.run(argc, argv, [&] { inform(tool, options); });
 }

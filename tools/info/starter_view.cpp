@@ -14,6 +14,7 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
+#include "hiac/image/heat_map.hpp"
 #include "hiac/image/srgb.hpp"
 
 namespace hiac::tools {
@@ -260,15 +261,6 @@ double mean_optical_depth(const ZooMesh& mesh, const FieldRange& range, Silhouet
 
 // The transfer functions --------------------------------------------------------------------------
 
-/// Dark blue over green to yellow (matplotlib's viridis), sRGB.
-constexpr std::array<std::array<int, 3>, 7> kColors{{{0x44, 0x01, 0x54},
-                                                     {0x44, 0x39, 0x83},
-                                                     {0x31, 0x68, 0x8e},
-                                                     {0x21, 0x91, 0x8c},
-                                                     {0x35, 0xb7, 0x79},
-                                                     {0x90, 0xd7, 0x43},
-                                                     {0xfd, 0xe7, 0x25}}};
-
 Color linear_color(const std::array<int, 3>& srgb) {
   Color color;
   for (std::size_t c = 0; c < 3; ++c) color[c] = rounded(srgb_decode(srgb[c] / 255.0), 1);
@@ -278,13 +270,13 @@ Color linear_color(const std::array<int, 3>& srgb) {
 ColorTransfer color_over(const FieldRange& range) {
   ColorTransfer transfer{range.field.name, {}};
   if (!(range.low < range.high)) {
-    transfer.points.push_back({range.low, linear_color(kColors[3])});
+    transfer.points.push_back({range.low, linear_color(kViridis[3])});
     return transfer;
   }
-  constexpr std::size_t kLast = kColors.size() - 1;
+  constexpr std::size_t kLast = kViridis.size() - 1;
   for (std::size_t i = 0; i <= kLast; ++i) {
     const double t = static_cast<double>(i) / kLast;
-    transfer.points.push_back({(1 - t) * range.low + t * range.high, linear_color(kColors[i])});
+    transfer.points.push_back({(1 - t) * range.low + t * range.high, linear_color(kViridis[i])});
   }
   return transfer;
 }

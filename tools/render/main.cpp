@@ -12,6 +12,7 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/base/progress.hpp"
+#include "hiac/image/composite.hpp"
 #include "hiac/image/image_io.hpp"
 #include "hiac/order/algorithm.hpp"
 #include "hiac/order/order_file.hpp"
@@ -25,7 +26,9 @@
 #include "tools/common/ordering.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/common/version.hpp"
+#include "tools/render/color_bar.hpp"
 #include "tools/render/picture_options.hpp"
+#include "tools/render/ticks.hpp"
 
 namespace {
 
@@ -33,9 +36,11 @@ using namespace hiac;
 using namespace hiac::tools;
 
 struct Options {
-  std::string input, view, order, output, size, channels;
+  std::string input, view, order, output, size, channels, under, color_bar;
+  double color_bar_length = 0;  // 0: a round number near a tenth of the diagonal
   std::vector<std::string> overrides;
   PictureOptions picture;
+  int depth = 0;
   bool no_background = false, linear = false, all_frames = false;
   std::optional<std::uint32_t> frame;
 };
@@ -122,10 +127,13 @@ Json note_work(Tool& tool, bool one_of_many, const RenderStatistics& s) {
 // Makes pictures of one mesh.
 class Renderer {
  public:
-  Renderer(Tool& tool, const Options& options, const ZooFile& file)
+  // `under`: the picture to put behind each of them.
+  Renderer(Tool& tool, const Options& options, const ZooFile& file,
+           const std::optional<Image>& under)
       : tool_(tool),
         options_(options),
         mesh_(file.mesh),
+        under_(under),
         orderer_(tool, file.mesh),
         given_(given_orders(options, file)),
         channels_(parse_channels(options.channels)) {}
@@ -139,11 +147,13 @@ class Renderer {
   Json render(const Scene& scene, const std::string& path) {
     Json order_facts;
     const OrderRecord record = find_order(scene, order_facts);
-    const RenderResult result = tool_.timed("render", [&] {
+    const bool with_background = !options_.no_background && !under_;
+    RenderResult result = tool_.timed("render", [&] {
       return render_choice(mesh_, record.order, scene,
                            picture_choice(options_.picture, scene.image), channels_,
-                           !options_.no_background, &tool_.progress());
+                           with_background, &tool_.progress());
     });
+    if (under_) composite_over(result.image, *under_);
     Json facts = note_work(tool_, options_.all_frames, result.statistics);
     facts["order"] = order_facts;
     tool_.timed("write", [&] {
@@ -152,7 +162,8 @@ class Renderer {
                    .background_included = !options_.no_background,
                    .attributes = {{"Software", "hiac-render " + version_text()},
                                   {"hiac:mesh", record.mesh_hash},
-                                  {"hiac:specification", to_toml(scene)}}});
+                                  {"hiac:specification", to_toml(scene)}},
+                   .depth = options_.depth});
     });
     return facts;
   }
@@ -175,6 +186,7 @@ class Renderer {
   Tool& tool_;
   const Options& options_;
   const ZooMesh& mesh_;
+  const std::optional<Image>& under_;
   Orderer orderer_;
   std::optional<GivenOrders> given_;
   std::vector<Channel> channels_;
@@ -216,24 +228,62 @@ void check_frame_options(const Options& options, const Scene& scene) {
   if (options.all_frames) frame_path(options.output, 0);
 }
 
+// The picture behind the new one; none: the specification's background, or nothing.
+std::optional<Image> read_under(const Options& options, const ImageSize& size) {
+  if (options.under.empty()) return std::nullopt;
+  Image under = read_image(options.under, {.width = size.width}).image;
+  if (under.width() != size.width || under.height() != size.height)
+    throw InputError(options.under,
+                     fmt::format("a picture of another size ({} x {} pixels expected, {} x {} "
+                                 "found)",
+                                 size.width, size.height, under.width(), under.height()));
+  if (!color_channels(under))
+    throw InputError(options.under, fmt::format("a picture without colour (channels {})",
+                                                fmt::join(under.channels(), " ")));
+  return under;
+}
+
+// The fields' names, with their units where the mesh knows them.
+std::string label_of(const ZooMesh& mesh, const std::string& field) {
+  const std::string unit = scalar_field(mesh, field).unit;
+  return unit.empty() ? field : fmt::format("{} ({})", field, unit);
+}
+
+void write_color_bar(Tool& tool, const Options& options, const ZooMesh& mesh,
+                     const Volume& volume) {
+  const double size = diagonal(mesh);
+  const double round_length = size > 0 ? round_below(size / 10) : 1;
+  const double length = options.color_bar_length > 0 ? options.color_bar_length : round_length;
+  const ColorBarLabels labels{volume.color ? label_of(mesh, volume.color->field) : "",
+                              volume.extinction ? label_of(mesh, volume.extinction->field) : ""};
+  write_image(options.color_bar, draw_color_bar(volume, labels, length));
+  tool.facts()["color_bar_length"] = length;
+}
+
 void render(Tool& tool, Options options) {
-  require_known_image_extension(options.output);
+  require_known_image_extension(options.output, options.depth);
+  if (!options.color_bar.empty()) require_known_image_extension(options.color_bar);
   add_size(options.size, options.overrides);
   if (!parse_channels(options.channels).empty() && options.output.ends_with(".png"))
     throw UsageError("--channels: PNG holds colours alone (.exr, .npy or .f32 expected)");
   const ParsedScene parsed = read_scene(options.view, options.overrides);
   for (const std::string& line : parsed.notes) tool.note(line);
   const Scene& scene = parsed.scene;
+  const PixelRect part = picture_choice(options.picture, scene.image).part;
+  const std::optional<Image> under = read_under(options, {part.width, part.height});
   check_frame_options(options, scene);
-  picture_choice(options.picture, scene.image);
   const ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
   check_renderable(file.mesh, scene);
   note_model(tool, file.mesh, scene);
-  Renderer renderer(tool, options, file);
-  if (scene.path)
+  if (!options.color_bar.empty()) write_color_bar(tool, options, file.mesh, scene.volume);
+  Renderer renderer(tool, options, file, under);
+  if (scene.path) {
     render_frames(tool, options, scene, renderer);
-  else
-    tool.facts().update(renderer.render(scene, options.output));
+    return;
+  }
+  Json facts = renderer.render(scene, options.output);
+  facts.erase("seconds");  // the run's own, stage by stage, stay
+  tool.facts().update(facts);
 }
 
 }  // namespace
@@ -248,6 +298,7 @@ int main(int argc, char** argv) {
       "  hiac-render part.zoo --view view.toml --crop 300,200,64,64 -o detail.npy\n"
       "  hiac-render part.zoo --view view.toml --samples 8 --filter bspline -o truth.exr\n"
       "  hiac-render part.zoo --view view.toml --set render.splat_below=2 -o splatted.exr\n"
+      "  hiac-render near.zoo --view view.toml --under far.exr -o both.exr\n"
       "  hiac-render part.zoo --view turntable.toml --frames -o part-%04d.png");
   Options options;
   auto& app = tool.app();
@@ -258,7 +309,7 @@ int main(int argc, char** argv) {
   app.add_option("--order", options.order,
                  "Order file of hiac-sort; without one the mesh is sorted first")
       ->type_name("FILE");
-  app.add_option("-o,--output", options.output, "Image: .exr .npy .f32 .png")
+  app.add_option("-o,--output", options.output, "Image: " + image_extensions())
       ->required()
       ->type_name("IMAGE");
   app.add_option("--size", options.size, "Size in pixels instead of the specification's")
@@ -271,6 +322,10 @@ int main(int argc, char** argv) {
                      "Further channels of the picture, with commas between: " + channel_names())
           ->type_name("LIST");
   add_picture_options(app, options.picture, channels);
+  app.add_option("--under", options.under,
+                 "Put this picture behind the new one, in place of the background: linear values, "
+                 "premultiplied by its alpha")
+      ->type_name("IMAGE");
   auto* one = app.add_option("--frame", options.frame, "One frame of a camera path, from 0 on")
                   ->type_name("N");
   app.add_flag("--frames", options.all_frames,
@@ -279,6 +334,16 @@ int main(int argc, char** argv) {
       ->excludes(one);
   app.add_flag("--no-background", options.no_background,
                "Leave the background out, so that images can be accumulated");
-  app.add_flag("--linear", options.linear, "8-bit images: linear values instead of sRGB");
+  app.add_option("--colorbar", options.color_bar,
+                 "Draw the colour map, and the opacity over a length, as a picture of its own")
+      ->type_name("IMAGE");
+  app.add_option("--colorbar-length", options.color_bar_length,
+                 "That length, world units; default: a round number near a tenth of the diagonal")
+      ->check(CLI::PositiveNumber)
+      ->type_name("L");
+  app.add_option("--depth", options.depth,
+                 "Bits a sample: 8 or 16 (.png .sgi), or 32, floating-point (.tiff); default: 8")
+      ->type_name("BITS");
+  app.add_flag("--linear", options.linear, "Integer images: linear values instead of sRGB");
   return tool.run(argc, argv, [&] { render(tool, options); });
 }

@@ -21,8 +21,6 @@ namespace {
 /// Lines converted at a time, as many as make a block of ZIP compression.
 constexpr std::size_t kBlockLines = 16;
 
-/// Deflate cannot make data smaller than by this factor.
-constexpr std::uint64_t kLargestRatio = 1032;
 /// Up to here memory is taken without asking what the file's length makes likely.
 constexpr std::uint64_t kHarmlessBytes = std::uint64_t{64} << 20;
 
@@ -147,7 +145,7 @@ Image read_lines(Imf::InputFile& file, std::uint64_t file_bytes, const std::stri
                     height < 0 ? 0 : static_cast<std::uint64_t>(height), names.size(), path);
   const auto columns = static_cast<std::size_t>(width);
   const std::uint64_t block_bytes = kBlockLines * columns * names.size() * sizeof(float);
-  if (block_bytes > kHarmlessBytes && block_bytes / kLargestRatio > file_bytes)
+  if (block_bytes > kHarmlessBytes && block_bytes / kDeflateRatio > file_bytes)
     throw InputError(path, fmt::format("{} bytes cannot hold lines of {} pixels with {} channels",
                                        file_bytes, columns, names.size()));
   std::vector<float> lines(kBlockLines * columns * names.size());

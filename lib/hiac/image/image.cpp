@@ -39,6 +39,14 @@ std::optional<std::size_t> Image::channel_index(std::string_view name) const {
   return static_cast<std::size_t>(found - channels_.begin());
 }
 
+std::optional<std::array<std::size_t, 3>> color_channels(const Image& image) {
+  const auto r = image.channel_index("R"), g = image.channel_index("G"),
+             b = image.channel_index("B"), grey = image.channel_index("Y");
+  if (r && g && b) return std::array{*r, *g, *b};
+  if (grey) return std::array{*grey, *grey, *grey};
+  return std::nullopt;
+}
+
 std::vector<std::string> rgba_channels() { return {"R", "G", "B", "A"}; }
 
 }  // namespace hiac

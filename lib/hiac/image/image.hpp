@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -54,6 +55,9 @@ class Image {
   std::vector<std::string> channels_;
   std::vector<double> values_;
 };
+
+/// The indices of R, G and B, or that of Y three times; none where an image has neither.
+std::optional<std::array<std::size_t, 3>> color_channels(const Image& image);
 
 /// The channels of a rendered image, in this order, before any further ones.
 std::vector<std::string> rgba_channels();

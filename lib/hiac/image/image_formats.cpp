@@ -33,6 +33,13 @@ void read_exactly(std::FILE* file, std::span<std::byte> into, const std::string&
                                      into.size(), got));
 }
 
+std::vector<std::byte> read_whole(const std::string& path) {
+  const FileHandle file = open_image_file(path);
+  std::vector<std::byte> bytes(remaining_bytes(file.get(), path));
+  read_exactly(file.get(), bytes, path);
+  return bytes;
+}
+
 FileWriter::FileWriter(const std::string& path)
     : path_(path), output_(path), file_(std::fopen(output_.temporary_path().c_str(), "wb")) {
   if (!file_) throw InputError(path_, fmt::format("cannot be written ({})", std::strerror(errno)));
@@ -59,6 +66,28 @@ void require_sane_size(std::uint64_t width, std::uint64_t height, std::uint64_t 
     throw InputError(path, fmt::format("impossible image size (expected 1 to {} pixels a side and "
                                        "1 to {} channels, found {} x {} with {} channels)",
                                        kMaxSide, kMaxChannels, width, height, channels));
+}
+
+void require_possible_size(std::uint64_t row_bytes, std::uint64_t rows, std::uint64_t ratio,
+                           std::uint64_t file_bytes, const std::string& path) {
+  if (row_bytes * rows / ratio > file_bytes)
+    throw InputError(path, fmt::format("the file ends too early ({} bytes cannot hold {} rows of "
+                                       "{} bytes)",
+                                       file_bytes, rows, row_bytes));
+}
+
+std::vector<std::size_t> picked_channels(const std::string& path, const char* format,
+                                         const Image& image, bool with_alpha) {
+  std::vector<std::size_t> picked;
+  for (const char* name : {"R", "G", "B"})
+    if (const auto index = image.channel_index(name)) picked.push_back(*index);
+  if (picked.empty())
+    if (const auto index = image.channel_index("Y")) picked.push_back(*index);
+  if (picked.size() != 1 && picked.size() != 3)
+    throw UsageError(fmt::format("{}: {} needs the channels R G B or Y (found {})", path, format,
+                                 fmt::join(image.channels(), " ")));
+  if (const auto alpha = image.channel_index("A"); alpha && with_alpha) picked.push_back(*alpha);
+  return picked;
 }
 
 std::vector<std::string> default_channel_names(std::size_t count) {

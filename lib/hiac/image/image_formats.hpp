@@ -33,6 +33,18 @@ ImageFile read_exr(const std::string& path);
 void write_png(const std::string& path, const Image& image, const WriteOptions& options);
 ImageFile read_png(const std::string& path);
 
+void write_sgi(const std::string& path, const Image& image, const WriteOptions& options);
+Image read_sgi(const std::string& path, bool linear);
+
+void write_tiff(const std::string& path, const Image& image, const WriteOptions& options);
+Image read_tiff(const std::string& path, bool linear);
+
+void write_pfm(const std::string& path, const Image& image);
+Image read_pfm(const std::string& path);
+
+void write_hdr(const std::string& path, const Image& image);
+Image read_hdr(const std::string& path);
+
 // What they share. --------------------------------------------------------------------------------
 
 struct FileCloser {
@@ -49,6 +61,9 @@ std::uint64_t remaining_bytes(std::FILE* file, const std::string& path);
 
 /// Reads exactly `into.size()` bytes; throws InputError when the file ends before.
 void read_exactly(std::FILE* file, std::span<std::byte> into, const std::string& path);
+
+/// All bytes of a file; throws InputError naming it.
+std::vector<std::byte> read_whole(const std::string& path);
 
 /// A file being written under a temporary name; every member throws InputError naming the file.
 class FileWriter {
@@ -71,6 +86,19 @@ class FileWriter {
 /// what an image of this library may hold; throws InputError otherwise.
 void require_sane_size(std::uint64_t width, std::uint64_t height, std::uint64_t channels,
                        const std::string& path);
+
+/// Deflate cannot make data smaller than by this factor.
+inline constexpr std::uint64_t kDeflateRatio = 1032;
+
+/// Throws InputError when rows of that many bytes, made smaller by at most the factor `ratio`,
+/// cannot be in a file of that length: whoever announces more has cut the file short.
+void require_possible_size(std::uint64_t row_bytes, std::uint64_t rows, std::uint64_t ratio,
+                           std::uint64_t file_bytes, const std::string& path);
+
+/// The image's channels that a format of grey or colour holds: R G B, or else Y; then A where it is
+/// there and wanted. Throws UsageError, which names the path and the format, when neither is there.
+std::vector<std::size_t> picked_channels(const std::string& path, const char* format,
+                                         const Image& image, bool with_alpha);
 
 /// Names for channels that come without: Y; Y A; R G B; R G B A; then "channel4" and so on.
 std::vector<std::string> default_channel_names(std::size_t count);

@@ -1,6 +1,7 @@
 #include "hiac/image/image_io.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 
@@ -15,31 +16,48 @@ namespace {
 using namespace image_files;
 
 using Writer = void (*)(const std::string&, const Image&, const WriteOptions&);
-using Reader = ImageFile (*)(const std::string&, std::size_t width);
+using Reader = ImageFile (*)(const std::string&, const ReadOptions&);
 
 struct Format {
   const char* extension;
+  std::array<int, 3> depths;  ///< bits a sample that write_image can be asked for, then zeros
   Writer write;
   Reader read;
 };
 
+// Formats without a choice write without options; formats without texts are read as images alone.
+template <void (*write)(const std::string&, const Image&)>
+void write_plain(const std::string& path, const Image& image, const WriteOptions&) {
+  write(path, image);
+}
+template <Image (*read)(const std::string&)>
+ImageFile read_plain(const std::string& path, const ReadOptions&) {
+  return {read(path), {}};
+}
+template <Image (*read)(const std::string&, bool)>
+ImageFile read_integers(const std::string& path, const ReadOptions& options) {
+  return {read(path, options.linear), {}};
+}
+template <ImageFile (*read)(const std::string&)>
+ImageFile read_with_texts(const std::string& path, const ReadOptions&) {
+  return read(path);
+}
+
+ImageFile read_raw(const std::string& path, const ReadOptions& options) {
+  return {read_f32(path, options.width), {}};
+}
+
 constexpr Format kFormats[] = {
-    {".exr", write_exr, [](const std::string& path, std::size_t) { return read_exr(path); }},
-    {".npy",
-     [](const std::string& path, const Image& image, const WriteOptions&) {
-       write_npy(path, image);
-     },
-     [](const std::string& path, std::size_t) {
-       return ImageFile{read_npy(path), {}};
-     }},
-    {".f32",
-     [](const std::string& path, const Image& image, const WriteOptions&) {
-       write_f32(path, image);
-     },
-     [](const std::string& path, std::size_t width) {
-       return ImageFile{read_f32(path, width), {}};
-     }},
-    {".png", write_png, [](const std::string& path, std::size_t) { return read_png(path); }},
+    {".exr", {32}, write_exr, read_with_texts<read_exr>},
+    {".npy", {64}, write_plain<write_npy>, read_plain<read_npy>},
+    {".f32", {32}, write_plain<write_f32>, read_raw},
+    {".png", {8, 16}, write_png, read_with_texts<read_png>},
+    {".tiff", {8, 16, 32}, write_tiff, read_integers<read_tiff>},
+    {".tif", {8, 16, 32}, write_tiff, read_integers<read_tiff>},
+    {".sgi", {8, 16}, write_sgi, read_integers<read_sgi>},
+    {".rgba", {8, 16}, write_sgi, read_integers<read_sgi>},
+    {".pfm", {32}, write_plain<write_pfm>, read_plain<read_pfm>},
+    {".hdr", {8}, write_plain<write_hdr>, read_plain<read_hdr>},
 };
 
 /// The format that the name's extension tells, or null.
@@ -55,13 +73,22 @@ const Format* find_format(const std::string& path) {
 
 const Format& format_of(const std::string& path) {
   if (const Format* format = find_format(path)) return *format;
-  std::string known;
-  for (const Format& format : kFormats)
-    known += fmt::format("{}{}", known.empty() ? "" : " ", format.extension);
   const std::string extension = std::filesystem::path(path).extension().string();
   throw UsageError(
       fmt::format("{}: not an image format that is known (expected one of {}, found {})", path,
-                  known, extension.empty() ? "no extension" : extension));
+                  image_extensions(), extension.empty() ? "no extension" : extension));
+}
+
+/// The depth to write with: the one that was asked for, or the format's first.
+int depth_of(const Format& format, const std::string& path, int depth) {
+  if (depth == 0) return format.depths.front();
+  std::string known;
+  for (const int candidate : format.depths) {
+    if (candidate == depth) return depth;
+    if (candidate != 0) known += fmt::format("{}{}", known.empty() ? "" : ", ", candidate);
+  }
+  throw UsageError(fmt::format("{}: {} bits a sample (a {} image has {})", path, depth,
+                               format.extension, known));
 }
 
 }  // namespace
@@ -69,15 +96,26 @@ const Format& format_of(const std::string& path) {
 void write_image(const std::string& path, const Image& image, const WriteOptions& options) {
   const Format& format = format_of(path);
   if (image.values().empty()) throw UsageError(path + ": an image without pixels");
-  format.write(path, image, options);
+  WriteOptions with_depth = options;
+  with_depth.depth = depth_of(format, path, options.depth);
+  format.write(path, image, with_depth);
 }
 
-void require_known_image_extension(const std::string& path) { format_of(path); }
+void require_known_image_extension(const std::string& path, int depth) {
+  depth_of(format_of(path), path, depth);
+}
 
 bool has_image_extension(const std::string& path) { return find_format(path) != nullptr; }
 
-ImageFile read_image(const std::string& path, std::size_t width) {
-  return format_of(path).read(path, width);
+std::string image_extensions() {
+  std::string known;
+  for (const Format& format : kFormats)
+    known += fmt::format("{}{}", known.empty() ? "" : " ", format.extension);
+  return known;
+}
+
+ImageFile read_image(const std::string& path, const ReadOptions& options) {
+  return format_of(path).read(path, options);
 }
 
 }  // namespace hiac

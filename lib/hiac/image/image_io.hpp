@@ -8,7 +8,7 @@
 
 namespace hiac {
 
-/// An image and the texts that its file carries (`.exr` and `.png`; no other format has room).
+/// An image and the texts that its file carries (`.exr` and `.png`; the others carry none).
 struct ImageFile {
   Image image;
   /// Name and text: "hiac:specification", "hiac:mesh", "Software" ...
@@ -16,43 +16,64 @@ struct ImageFile {
 };
 
 struct WriteOptions {
-  /// 8-bit formats: store linear values instead of sRGB-encoded ones.
+  /// Integer formats: store linear values instead of sRGB-encoded ones.
   bool linear = false;
   /// R G B already hold what lies behind, with A still 1 - transparency: formats of straight alpha
   /// are then written opaque, from R G B as they are.
   bool background_included = false;
   /// Texts for the header, where the format has room for them.
-  std::vector<std::pair<std::string, std::string>> attributes;
+  std::vector<std::pair<std::string, std::string>> attributes{};
+  /// Bits a sample, where the format leaves a choice; 0: the first that it has.
+  int depth = 0;
+};
+
+struct ReadOptions {
+  /// Pixels a row of a `.f32` image, whose files do not hold it.
+  std::size_t width = 0;
+  /// Integer samples of a file that does not tell their encoding are linear, not sRGB-encoded.
+  bool linear = false;
 };
 
 /// Writes an image in the format that the name's extension tells:
 ///
-///     .npy  float64, H x W x C, every value to the last bit
-///     .f32  a base name: BASE.r.f32 BASE.g.f32 BASE.b.f32 BASE.a.f32, and BASE.NAME.f32 for each
-///           further channel: raw little-endian float32, top row first
-///     .exr  32-bit float channels, ZIP-compressed without loss; attributes in the header
-///     .png  8 bits, straight alpha, sRGB unless options.linear; R G B, and A where there is one,
-///     or
-///           Y; further channels are left out. What 8 bits of straight alpha cannot hold, values
-///           outside [0, 1] and colours without alpha, is clamped; NaN becomes 0.
+///     .npy   float64, H x W x C, every value to the last bit
+///     .f32   a base name: BASE.r.f32 BASE.g.f32 BASE.b.f32 BASE.a.f32, and BASE.NAME.f32 for each
+///            further channel: raw little-endian float32, top row first
+///     .exr   32-bit float channels, ZIP-compressed without loss; attributes in the header
+///     .png   8 or 16 bits; attributes in the header
+///     .tiff  (.tif) 8 or 16 bits, or float32: premultiplied, linear
+///     .sgi   (.rgba) SGI's format, 8 or 16 bits
+///     .pfm   float32, no alpha
+///     .hdr   Radiance's format: 8 bits a colour with a common exponent, no alpha
+///
+/// The last five hold R G B or Y (.hdr: grey as equal R G B) and, where they have room for it and
+/// it is there, A; further channels are left out. Integer samples are straight alpha and
+/// sRGB-encoded unless options.linear; what they cannot hold, values outside [0, 1] and colours
+/// without alpha, is clamped; NaN becomes 0. Formats without alpha get R G B as they are.
 ///
 /// The file is whole or untouched: a temporary name beside it, then a rename.
-/// Throws UsageError for an extension that is not known or channels that the format cannot hold,
-/// InputError when the file cannot be written.
+/// Throws UsageError for an extension that is not known, a depth that the format does not have, or
+/// channels that it cannot hold, InputError when the file cannot be written.
 void write_image(const std::string& path, const Image& image, const WriteOptions& options = {});
 
-/// Throws UsageError when write_image would refuse the name: to be asked before a long computation.
-void require_known_image_extension(const std::string& path);
+/// Throws UsageError when write_image would refuse the name or the depth: to be asked before a long
+/// computation.
+void require_known_image_extension(const std::string& path, int depth = 0);
 
 /// Whether the name's extension is one that write_image knows.
 bool has_image_extension(const std::string& path);
 
-/// Reads an image that write_image wrote, and those that other programs write in these formats
-/// (numpy: two or three axes of floating-point or integer numbers; PNG: grey or colour, 8 or 16
-/// bits, back to premultiplied linear values; OpenEXR: flat images of any compression). A `.f32`
-/// image is named by its base; its R G B A are read, as many as there are, and since no file holds
-/// its size, `width` must be given and divide the number of pixels (UsageError when it is 0).
+/// The extensions that write_image knows, a space between them.
+std::string image_extensions();
+
+/// Reads an image that write_image wrote, and those that other programs write in these formats:
+/// numpy: two or three axes of floating-point or integer numbers; PNG and SGI: grey or colour, 8 or
+/// 16 bits; TIFF: the same or float32, in strips, plain or packed by PackBits, LZW or Deflate;
+/// OpenEXR: flat images of any compression; PFM and Radiance HDR: the usual orientation. All become
+/// premultiplied linear values. A `.f32` image is named by its base; its R G B A are read, as many
+/// as there are, and since no file holds its size, options.width must be given and divide the
+/// number of pixels (UsageError when it is 0).
 /// Throws InputError naming the file; memory grows with what is there, not with what is announced.
-ImageFile read_image(const std::string& path, std::size_t width = 0);
+ImageFile read_image(const std::string& path, const ReadOptions& options = {});
 
 }  // namespace hiac

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hiac/image/image.hpp"
+#include "hiac/image/image_io.hpp"
+
+namespace hiac::image_files {
+
+/// Pixels as integer formats hold them: whole numbers of 8 or 16 bits, grey or colour, then alpha
+/// where it is there. Colours are straight (not multiplied by alpha) and encoded, alpha is not.
+struct IntegerPixels {
+  std::size_t width = 0;
+  std::size_t height = 0;
+  std::size_t channels = 0;  ///< 1 grey, 2 grey and alpha, 3 colour, 4 colour and alpha
+  int depth = 8;             ///< bits a sample: 8 or 16
+  double gamma = 0;          ///< linear = encoded^(1 / gamma); 0: sRGB
+  /// Colours were multiplied by alpha after they had been encoded (as some TIFF files have them).
+  bool premultiplied = false;
+  /// Sample c of pixel (x, y) is samples[(y * width + x) * channels + c], row 0 the top row.
+  std::vector<std::uint16_t> samples;
+
+  [[nodiscard]] std::uint16_t largest() const { return depth == 16 ? 65535 : 255; }
+  [[nodiscard]] bool has_alpha() const { return channels % 2 == 0; }
+};
+
+/// What an integer format holds of an image: R G B or Y, and A where there is one and the
+/// background is not included; options.depth bits, sRGB unless options.linear, rounded to the
+/// nearest. Values outside [0, 1] and colours without alpha are clamped; NaN becomes 0.
+/// Throws UsageError, which names the path and the format, for other channels.
+IntegerPixels encode_integers(const std::string& path, const char* format, const Image& image,
+                              const WriteOptions& options);
+
+/// Back to linear values, premultiplied by alpha.
+Image decode_integers(const IntegerPixels& pixels);
+
+}  // namespace hiac::image_files

@@ -1,0 +1,236 @@
+// hiac-compare: how far an image is from another.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "hiac/base/error.hpp"
+#include "hiac/image/difference.hpp"
+#include "hiac/image/flip.hpp"
+#include "hiac/image/heat_map.hpp"
+#include "hiac/image/image_io.hpp"
+#include "hiac/image/ssim.hpp"
+#include "tools/common/text_output.hpp"
+#include "tools/common/tool.hpp"
+
+namespace {
+
+using namespace hiac;
+using namespace hiac::tools;
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::string image, reference, heat_map, heat_map_of = "difference";
+  double max_error = std::numeric_limits<double>::infinity();
+  double max_rmse = std::numeric_limits<double>::infinity();
+  ReadOptions reading;
+};
+
+/// What is known of two images of one size.
+struct Comparison {
+  std::vector<Difference> channels;  ///< at least one
+  std::optional<double> psnr, ssim, mean_flip, largest_flip;
+  std::optional<Image> flip;
+};
+
+void require_comparable(const Image& image, const Image& reference, const Options& options) {
+  if (image.width() != reference.width() || image.height() != reference.height())
+    throw JudgementError(
+        fmt::format("{}: an image of another size ({} x {} pixels expected, as {} "
+                    "has; {} x {} found)",
+                    options.image, reference.width(), reference.height(), options.reference,
+                    image.width(), image.height()));
+}
+
+/// Channels that one image has alone are told; without any common one there is nothing to compare.
+void note_lonely_channels(Tool& tool, const Image& image, const Image& reference,
+                          const Options& options) {
+  const auto note_missing = [&](const Image& from, const std::string& name, const Image& in) {
+    for (const std::string& channel : from.channels())
+      if (!in.channel_index(channel))
+        tool.warn(fmt::format("channel {} is in {} alone and not compared", channel, name));
+  };
+  note_missing(image, options.image, reference);
+  note_missing(reference, options.reference, image);
+}
+
+Comparison compare_images(const Image& image, const Image& reference, const Options& options) {
+  Comparison comparison;
+  comparison.channels = channel_differences(image, reference);
+  if (comparison.channels.empty())
+    throw JudgementError(fmt::format(
+        "{}: no channel in common with {} ({} expected, {} found)", options.image,
+        options.reference, fmt::join(reference.channels(), " "), fmt::join(image.channels(), " ")));
+  comparison.psnr = peak_signal_to_noise(image, reference);
+  comparison.ssim = structural_similarity(image, reference);
+  comparison.flip = flip_map(image, reference);
+  if (comparison.flip) {
+    const auto values = comparison.flip->values();
+    comparison.mean_flip =
+        std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+    comparison.largest_flip = *std::max_element(values.begin(), values.end());
+  }
+  return comparison;
+}
+
+bool are_equal(const Comparison& comparison, const Image& image, const Image& reference) {
+  return comparison.channels.size() == image.channel_count() &&
+         comparison.channels.size() == reference.channel_count() &&
+         std::all_of(comparison.channels.begin(), comparison.channels.end(),
+                     [](const Difference& d) { return d.largest == 0; });
+}
+
+// For programs; what is infinite or not defined is null there. ------------------------------------
+
+Json number(const std::optional<double>& value) {
+  return value && std::isfinite(*value) ? Json(*value) : Json();
+}
+
+void put_into(Json& facts, const Comparison& comparison) {
+  facts["channels"] = Json::array();
+  for (const Difference& d : comparison.channels)
+    facts["channels"].push_back({{"name", d.channel},
+                                 {"rmse", number(d.rmse)},
+                                 {"relative_mse", number(d.relative_mse)},
+                                 {"mean_error", number(d.mean_absolute)},
+                                 {"largest_error", number(d.largest)},
+                                 {"largest_at", {d.x, d.y}},
+                                 {"infinite", d.infinite}});
+  facts["psnr"] = number(comparison.psnr);
+  facts["ssim"] = number(comparison.ssim);
+  facts["flip"] = {{"mean", number(comparison.mean_flip)},
+                   {"largest", number(comparison.largest_flip)}};
+}
+
+// For people --------------------------------------------------------------------------------------
+
+std::string summary_line(const char* label, const std::optional<double>& value,
+                         const std::string& unit) {
+  return fmt::format("  {:<10}{}\n", label,
+                     value ? fmt::format("{:.6g}{}", *value, unit) : "not defined");
+}
+
+std::string table(const Comparison& comparison) {
+  std::string text = fmt::format("  {:<10}{:>14}{:>14}{:>14}{:>14}  {}\n", "channel", "RMSE",
+                                 "relative MSE", "mean error", "largest", "at pixel");
+  for (const Difference& d : comparison.channels) {
+    text += fmt::format("  {:<10}{:>14.6g}{:>14.6g}{:>14.6g}{:>14.6g}  {},{}", d.channel, d.rmse,
+                        d.relative_mse, d.mean_absolute, d.largest, d.x, d.y);
+    text += d.infinite > 0 ? fmt::format("  ({} infinite)\n", d.infinite) : "\n";
+  }
+  text += summary_line("PSNR", comparison.psnr, " dB");
+  text += summary_line("SSIM", comparison.ssim, "");
+  text += summary_line("FLIP", comparison.mean_flip,
+                       comparison.largest_flip
+                           ? fmt::format(" in the mean, {:.6g} at most", *comparison.largest_flip)
+                           : "");
+  return text;
+}
+
+/// The scale that colours mean: FLIP's own from 0 to 1; for differences up to the largest finite.
+void write_heat_map(Tool& tool, const Options& options, const Comparison& comparison,
+                    const Image& image, const Image& reference) {
+  const bool of_flip = options.heat_map_of == "flip";
+  if (of_flip && !comparison.flip)
+    throw InputError(options.heat_map,
+                     "no FLIP to draw (images without colour, or with colours "
+                     "that are not finite)");
+  const Image map = of_flip ? *comparison.flip : difference_map(image, reference);
+  double largest = of_flip ? 1 : 0;
+  for (const double value : map.values())
+    if (std::isfinite(value)) largest = std::max(largest, value);
+  write_image(options.heat_map, heat_map(map, largest));
+  tool.facts()["heat_map"] = {{"of", options.heat_map_of}, {"largest", largest}};
+  tool.note(fmt::format("{}: {} from 0 (dark blue) to {:g} (yellow); red: not finite",
+                        options.heat_map, of_flip ? "FLIP" : "largest difference of all channels",
+                        largest));
+}
+
+void judge(const Options& options, const Comparison& comparison) {
+  const auto worst = [&](double Difference::*measure) {
+    return *std::max_element(
+        comparison.channels.begin(), comparison.channels.end(),
+        [&](const Difference& a, const Difference& b) { return a.*measure < b.*measure; });
+  };
+  const Difference by_error = worst(&Difference::largest), by_rmse = worst(&Difference::rmse);
+  if (by_error.largest > options.max_error)
+    throw JudgementError(fmt::format(
+        "{}: too far from {} (at most {:g} allowed; {:g} found in channel {} at pixel {},{})",
+        options.image, options.reference, options.max_error, by_error.largest, by_error.channel,
+        by_error.x, by_error.y));
+  if (by_rmse.rmse > options.max_rmse)
+    throw JudgementError(fmt::format(
+        "{}: too far from {} (RMSE of at most {:g} allowed; {:g} found in channel {})",
+        options.image, options.reference, options.max_rmse, by_rmse.rmse, by_rmse.channel));
+}
+
+void compare(Tool& tool, const Options& options) {
+  if (!options.heat_map.empty()) require_known_image_extension(options.heat_map);
+  const Image image =
+      tool.timed("read", [&] { return read_image(options.image, options.reading).image; });
+  const Image reference = read_image(options.reference, options.reading).image;
+  tool.facts()["image"] = options.image;
+  tool.facts()["reference"] = options.reference;
+  require_comparable(image, reference, options);
+  tool.facts()["width"] = image.width();
+  tool.facts()["height"] = image.height();
+  note_lonely_channels(tool, image, reference, options);
+  const Comparison comparison =
+      tool.timed("compare", [&] { return compare_images(image, reference, options); });
+  const bool equal = are_equal(comparison, image, reference);
+  tool.facts()["equal"] = equal;
+  put_into(tool.facts(), comparison);
+  if (tool.common().json != "-")
+    write_text(
+        "-", fmt::format("{} against {}: {} x {} pixels{}\n{}", options.image, options.reference,
+                         image.width(), image.height(), equal ? ", equal" : "", table(comparison)));
+  if (!options.heat_map.empty()) write_heat_map(tool, options, comparison, image, reference);
+  judge(options, comparison);
+}
+
+void add_options(CLI::App& app, Options& options) {
+  app.add_option("A", options.image, "Image (" + image_extensions() + ")")->required();
+  app.add_option("B", options.reference, "Image to compare it with: the reference")->required();
+  app.add_option("--max-error", options.max_error,
+                 "Fail (exit 1) when a value differs by more than this")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("X");
+  app.add_option("--max-rmse", options.max_rmse,
+                 "Fail (exit 1) when a channel's root mean square error is more than this")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("X");
+  app.add_option("--heatmap", options.heat_map, "Draw the differences pixel by pixel")
+      ->type_name("IMAGE");
+  app.add_option("--heatmap-of", options.heat_map_of,
+                 "What is drawn: the largest absolute difference of all channels, or FLIP")
+      ->check(CLI::IsMember({"difference", "flip"}))
+      ->capture_default_str();
+  app.add_option("--width", options.reading.width, "Width in pixels of .f32 images");
+  app.add_flag("--linear", options.reading.linear,
+               "The integers of .tiff and .sgi images are linear, not sRGB-encoded");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Tool tool("hiac-compare",
+            "Tells how far image A is from image B.\n\n"
+            "Errors are absolute differences of linear, premultiplied values, channel by channel\n"
+            "(by name); the relative mean square error is (a - b)^2 / (|b| + 0.01)^2 in the mean.\n"
+            "A NaN or an infinity equals itself and differs infinitely from everything else. PSNR\n"
+            "is for a signal from 0 to 1; SSIM and FLIP (67 pixels per degree) are of the colours\n"
+            "as displayed, from 0 to 1. Images of different sizes, or without a common channel,\n"
+            "fail the judgement.",
+            "  hiac-compare new.exr reference.exr\n"
+            "  hiac-compare new.npy reference.npy --max-error 1e-12 --json facts.json\n"
+            "  hiac-compare new.png old.png --heatmap where.png --heatmap-of flip");
+  Options options;
+  add_options(tool.app(), options);
+  return tool.run(argc, argv, [&] { compare(tool, options); });
+}

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "hiac/image/image.hpp"
+
+namespace hiac::tools {
+
+/// Text in DejaVu Sans, whose outlines are part of the program, so that a picture does not depend
+/// on what fonts a machine has. Glyphs are not hinted: they only depend on FreeType's rasterizer.
+class Text {
+ public:
+  /// `size`: pixels an em.
+  explicit Text(int size);
+  ~Text();
+  Text(const Text&) = delete;
+  Text& operator=(const Text&) = delete;
+
+  /// How far a line of UTF-8 goes, pixels. What is not valid UTF-8 counts as U+FFFD, and a
+  /// character that the font does not have as its box.
+  [[nodiscard]] double width(std::string_view line) const;
+
+  /// The line, or as much of its start as fits with an ellipsis.
+  [[nodiscard]] std::string shortened(std::string_view line, double width) const;
+
+  /// Darkens every channel of `canvas` (encoded values, 1 is white) where the line's black ink is.
+  /// The line starts at `x` and stands on `baseline`, the upper edge of that row of pixels; what
+  /// lies outside of the canvas is left out.
+  void draw(Image& canvas, double x, int baseline, std::string_view line) const;
+
+ private:
+  struct Font;
+  std::unique_ptr<Font> font_;
+};
+
+}  // namespace hiac::tools
