@@ -116,9 +116,83 @@ TEST_F(Pipeline, WhatIsNotDrawnIsRefusedByName) {
             3);
   EXPECT_NE(bytes_of(file("err.txt")).find("tetrahedron10"), std::string::npos);
   ASSERT_EQ(run("$CONVERT -q --corners-only '" + kSample + "' -o m.zoo"), 0);
-  for (const char* key : {"render.interpolation=polynomial", "render.splat_below=2"}) {
-    EXPECT_EQ(run("$RENDER m.zoo --view '" + kSampleView + "' --set " + key + " -o no.png"), 3);
+  EXPECT_EQ(run("$RENDER m.zoo --view '" + kSampleView +
+                "' --set render.interpolation=polynomial -o no.png"),
+            3);
+  EXPECT_FALSE(std::filesystem::exists(file("no.png")));
+}
+
+// A picture of the sample, small, by hiac-render with these options.
+class SmallPicture : public Pipeline {
+ protected:
+  void SetUp() override {
+    Pipeline::SetUp();
+    ASSERT_EQ(run("$CONVERT -q --corners-only '" + kSample +
+                  "' -o m.zoo && $SORT -q m.zoo --view '" + kSampleView + "' -o m.order"),
+              0);
+  }
+
+  [[nodiscard]] int draw(const std::string& options) const {
+    return run("$RENDER --order m.order --view '" + kSampleView + "' " + options + " m.zoo");
+  }
+
+  [[nodiscard]] Image picture(const std::string& options) const {
+    EXPECT_EQ(draw(options + " -o picture.npy"), 0) << bytes_of(file("err.txt"));
+    return read_image(file("picture.npy")).image;
+  }
+};
+
+void expect_part_of(const Image& whole, const Image& part, std::size_t left, std::size_t top) {
+  for (std::size_t y = 0; y < part.height(); ++y)
+    for (std::size_t x = 0; x < part.width(); ++x)
+      for (std::size_t c = 0; c < 4; ++c)
+        ASSERT_EQ(part.at(x, y, c), whole.at(left + x, top + y, c)) << x << ' ' << y;
+}
+
+TEST_F(SmallPicture, ACropIsAPartOfIt) {
+  for (const std::string options :
+       {"--size 160x120", "--size 160x120 --samples 3 --filter bspline"}) {
+    const Image whole = picture(options), part = picture(options + " --crop 50,27,41,22");
+    EXPECT_EQ(part.width(), 41U);
+    EXPECT_EQ(part.height(), 22U);
+    expect_part_of(whole, part, 50, 27);
+    EXPECT_GT(part.at(20, 10, 3), 0);
+  }
+}
+
+TEST_F(SmallPicture, SamplesAreAveraged) {
+  const Image larger = picture("--size 120x90 --no-background");
+  for (const char* filter : {"", " --filter box"}) {
+    const Image mean = picture("--size 60x45 --no-background --samples 2" + std::string(filter));
+    for (std::size_t y = 0; y < 45; ++y)
+      for (std::size_t x = 0; x < 60; ++x)
+        for (std::size_t c = 0; c < 4; ++c)
+          ASSERT_EQ(mean.at(x, y, c),
+                    ((larger.at(2 * x, 2 * y, c) + larger.at(2 * x + 1, 2 * y, c)) +
+                     (larger.at(2 * x, 2 * y + 1, c) + larger.at(2 * x + 1, 2 * y + 1, c))) /
+                        4);
+  }
+}
+
+TEST_F(SmallPicture, SplattedCellsAreCounted) {
+  ASSERT_EQ(draw("--size 60x45 --set render.splat_below=2 --json facts.json -o splatted.npy"), 0);
+  EXPECT_NE(bytes_of(file("err.txt")).find("cells splatted"), std::string::npos);
+  const std::string facts = bytes_of(file("facts.json"));
+  EXPECT_NE(facts.find("\"splatted_cells\": "), std::string::npos);
+  EXPECT_EQ(facts.find("\"splatted_cells\": 0"), std::string::npos) << facts;
+}
+
+TEST_F(SmallPicture, WhatIsNotInThePictureIsAUsageError) {
+  for (const char* options :
+       {"--crop 1150,0,51,10", "--crop 0,0,0,10", "--crop 1,2,3", "--crop 1,2,3,",
+        "--crop '1, 2,3,4'", "--crop 1,2,3,99999999999", "--crop 1,2,3,4,5", "--crop 1,2,3,-4",
+        "--crop a,2,3,4", "--samples 0", "--samples 100", "--samples -1", "--filter bspline",
+        "--samples 2 --filter tent"}) {
+    EXPECT_EQ(draw(std::string(options) + " -o no.png"), 2) << options;
     EXPECT_FALSE(std::filesystem::exists(file("no.png")));
+    const std::string said = bytes_of(file("err.txt"));
+    EXPECT_EQ(said.rfind("hiac-render: ", 0), 0U) << said;
+    EXPECT_EQ(said.find('\n'), said.size() - 1) << said;
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -28,6 +29,7 @@
 #include "tools/common/tool.hpp"
 #include "tools/common/version.hpp"
 #include "tools/render/color_bar.hpp"
+#include "tools/render/picture_options.hpp"
 #include "tools/render/ticks.hpp"
 
 namespace {
@@ -39,6 +41,7 @@ struct Options {
   std::string input, view, order, output, size, under, color_bar, channels;
   double color_bar_length = 0;  // 0: a round number near a tenth of the diagonal
   std::vector<std::string> overrides;
+  PictureOptions picture;
   int depth = 0;
   bool no_background = false, linear = false, all_frames = false;
   std::optional<std::uint32_t> frame;
@@ -106,6 +109,10 @@ Json note_work(Tool& tool, bool one_of_many, const RenderStatistics& s) {
                                          s.mean_optical_depth, s.largest_optical_depth);
   one_of_many ? tool.detail(depths) : tool.note(depths);
   tool.detail(fmt::format("{} segments in {:.3f} s", s.segments, s.tile_seconds));
+  if (s.splatted_cells > 0) {
+    const std::string splats = fmt::format("{} cells splatted", s.splatted_cells);
+    one_of_many ? tool.detail(splats) : tool.note(splats);
+  }
   if (s.violations > 0)
     tool.warn(
         fmt::format("{} ray segments were met out of order: the picture is wrong there (cells "
@@ -113,6 +120,7 @@ Json note_work(Tool& tool, bool one_of_many, const RenderStatistics& s) {
                     s.violations));
   return {{"segments", s.segments},
           {"covered_pixels", s.covered_pixels},
+          {"splatted_cells", s.splatted_cells},
           {"witness_violations", s.violations},
           {"optical_depth", {{"mean", s.mean_optical_depth}, {"largest", s.largest_optical_depth}}},
           {"seconds", s.prepare_seconds + s.tile_seconds}};
@@ -143,8 +151,9 @@ class Renderer {
     const OrderRecord record = find_order(scene, order_facts);
     const bool with_background = !options_.no_background && !under_;
     RenderResult result = tool_.timed("render", [&] {
-      return hiac::render(mesh_, record.order, scene, with_background, &tool_.progress(),
-                          channels_);
+      return render_choice(mesh_, record.order, scene,
+                           picture_choice(options_.picture, scene.image), channels_,
+                           with_background, &tool_.progress());
     });
     if (under_) composite_over(result.image, *under_);
     Json facts = note_work(tool_, options_.all_frames, result.statistics);
@@ -268,7 +277,8 @@ void render(Tool& tool, Options options) {
   const ParsedScene parsed = read_scene(options.view, options.overrides);
   for (const std::string& line : parsed.notes) tool.note(line);
   const Scene& scene = parsed.scene;
-  const std::optional<Image> under = read_under(options, scene.image);
+  const PixelRect part = picture_choice(options.picture, scene.image).part;
+  const std::optional<Image> under = read_under(options, {part.width, part.height});
   check_frame_options(options, scene);
   const ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
   check_renderable(file.mesh, scene);
@@ -292,8 +302,11 @@ int main(int argc, char** argv) {
       "  hiac-render part.zoo --view view.toml -o part.png\n"
       "  hiac-render part.zoo --view view.toml --order part.order --size 2048x1536 -o part.exr\n"
       "  hiac-render part.zoo --view view.toml --set camera.fov=20 -o part.npy\n"
-      "  hiac-render near.zoo --view view.toml --under far.exr -o both.exr\n"
       "  hiac-render part.zoo --view view.toml --channels depth,error -o part.exr\n"
+      "  hiac-render part.zoo --view view.toml --crop 300,200,64,64 -o detail.npy\n"
+      "  hiac-render part.zoo --view view.toml --samples 8 --filter bspline -o truth.exr\n"
+      "  hiac-render part.zoo --view view.toml --set render.splat_below=2 -o splatted.exr\n"
+      "  hiac-render near.zoo --view view.toml --under far.exr -o both.exr\n"
       "  hiac-render part.zoo --view turntable.toml --frames -o part-%04d.png");
   Options options;
   auto& app = tool.app();
@@ -312,13 +325,15 @@ int main(int argc, char** argv) {
   app.add_option("--set", options.overrides, "Override KEY=VALUE of the specification; repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  auto* channels =
+      app.add_option("--channels", options.channels,
+                     "Further channels of the picture, with commas between: " + channel_names())
+          ->type_name("LIST");
+  add_picture_options(app, options.picture, channels);
   app.add_option("--under", options.under,
                  "Put this picture behind the new one, in place of the background: linear values, "
                  "premultiplied by its alpha")
       ->type_name("IMAGE");
-  app.add_option("--channels", options.channels,
-                 "Further channels of the picture, with commas between: " + channel_names())
-      ->type_name("LIST");
   auto* one = app.add_option("--frame", options.frame, "One frame of a camera path, from 0 on")
                   ->type_name("N");
   app.add_flag("--frames", options.all_frames,

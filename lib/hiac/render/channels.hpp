@@ -18,7 +18,7 @@ enum class Channel : std::uint8_t {
   mean_depth,    ///< mean depth of what makes the pixel opaque, weighted by its share of the
                  ///< opacity; a ray segment lies at its middle
   transparency,  ///< 1 - A, without the rounding of that difference
-  cells,         ///< cells that the ray met before it ended
+  cells,         ///< cells that the ray met before it ended, splats that reached it included
   witness,       ///< of those, the ones that were met out of order (section 4)
   error,         ///< bound of the absolute error of R, G, B and A (error_bound.hpp)
 };

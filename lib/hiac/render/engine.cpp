@@ -13,6 +13,7 @@
 #include "hiac/render/frame.hpp"
 #include "hiac/render/general_cells.hpp"
 #include "hiac/render/kernel_cells.hpp"
+#include "hiac/render/splatting.hpp"
 #include "hiac/render/tetrahedron_kernel.hpp"
 #include "hiac/render/tile.hpp"
 #include "hiac/render/tile_bins.hpp"
@@ -60,8 +61,11 @@ Frame make_frame(const ZooMesh& mesh, const Scene& scene, const Projector& proje
               .optics = make_optics_tables(scene.volume, scene.render.integration),
               .color = {},
               .extinction = {},
-              .isosurfaces = make_isosurfaces(mesh, scene, projector)};
+              .isosurfaces = make_isosurfaces(mesh, scene, projector),
+              .splatted_cells = {}};
   frame.kernel_cells = kernel_cells(mesh, frame.nodes);
+  if (scene.render.splat_below > 0)
+    frame.splatted_cells = splatted_cells(frame, scene.image, scene.render.splat_below);
   const auto& color = scene.volume.color;
   const auto& extinction = scene.volume.extinction;
   if (extinction)
@@ -98,28 +102,40 @@ bool all_opaque(const TileBuffer& buffer, const TileRect& tile, double least) {
 // Renders one tile from its cells.
 class TileRenderer {
  public:
-  TileRenderer(const Frame& frame, const VisibilityOrder& order, const TileRect& tile)
-      : frame_(frame), order_(order), tile_(tile) {
+  TileRenderer(const Frame& frame, const VisibilityOrder& order, const TileRect& tile,
+               std::span<const std::uint32_t> ranks)
+      : frame_(frame),
+        order_(order),
+        tile_(tile),
+        ranks_(ranks),
+        splats_(frame, order.cells, ranks, tile) {
     buffer_.reset(tile, frame.projector, frame.with_details);
   }
 
-  void render(std::span<const std::uint32_t> ranks) {
+  void render() {
     std::size_t begin = 0;
-    while (begin < ranks.size()) {
-      const CellGroup* group = group_of(ranks[begin]);
+    while (begin < ranks_.size()) {
+      const CellGroup* group = group_of(ranks_[begin]);
       const std::uint32_t stop =
-          group != nullptr ? group->first + group->count : next_group_first(ranks[begin]);
+          group != nullptr ? group->first + group->count : next_group_first(ranks_[begin]);
       std::size_t end = begin;
-      while (end < ranks.size() && ranks[end] < stop &&
+      while (end < ranks_.size() && ranks_[end] < stop &&
              (group != nullptr || end - begin < kCellsPerLook))
         ++end;
       segments_.clear();
-      SegmentList* list = group != nullptr ? &segments_ : nullptr;
-      render_run(ranks.subspan(begin, end - begin), list);
-      if (group != nullptr) composite_sorted(segments_, frame_.witness_tolerance, buffer_, counts_);
+      const bool sorted = group != nullptr || !splats_.empty();
+      render_run(ranks_.subspan(begin, end - begin), sorted ? &segments_ : nullptr);
+      if (sorted) {
+        splats_.append_before(buffer_, segments_);
+        composite_sorted(segments_, frame_.witness_tolerance, buffer_, counts_);
+      }
       if (all_opaque(buffer_, tile_, frame_.least_transparency)) return;
       begin = end;
     }
+    if (splats_.empty()) return;
+    segments_.clear();
+    splats_.append_rest(buffer_, segments_);
+    composite_sorted(segments_, frame_.witness_tolerance, buffer_, counts_);
   }
 
   [[nodiscard]] const TileBuffer& buffer() const { return buffer_; }
@@ -151,8 +167,9 @@ class TileRenderer {
     while (begin < ranks.size()) {
       const bool kernel = for_kernel(ranks[begin]);
       cells_.clear();
-      while (begin < ranks.size() && for_kernel(ranks[begin]) == kernel)
-        cells_.push_back(order_.cells[ranks[begin++]]);
+      for (; begin < ranks.size() && for_kernel(ranks[begin]) == kernel; ++begin)
+        if (const CellId cell = order_.cells[ranks[begin]]; !frame_.is_splatted(cell))
+          cells_.push_back(cell);
       const auto draw = kernel ? render_tetrahedra : render_general_cells;
       draw(frame_, cells_, tile_, buffer_, group, counts_);
     }
@@ -161,6 +178,8 @@ class TileRenderer {
   const Frame& frame_;
   const VisibilityOrder& order_;
   TileRect tile_;
+  std::span<const std::uint32_t> ranks_;
+  TileSplats splats_;
   TileBuffer buffer_;
   SegmentList segments_;
   std::vector<CellId> cells_;
@@ -201,17 +220,22 @@ struct TileSummary {
   std::uint64_t covered = 0;
 };
 
+// Writes what of a tile lies in the part of the picture that the image shows.
 TileSummary write_tile(const TileBuffer& buffer, const TileRect& tile, const Frame& frame,
                        const Scene& scene, bool with_background, std::span<const Channel> channels,
-                       Image& image) {
+                       const PixelRect& part, Image& image) {
   TileSummary summary;
-  for (int y = tile.y0; y < tile.y1; ++y) {
-    for (int x = tile.x0; x < tile.x1; ++x) {
+  const int left = static_cast<int>(part.x), top = static_cast<int>(part.y);
+  const int x0 = std::max(tile.x0, left), y0 = std::max(tile.y0, top);
+  const int x1 = std::min(tile.x1, left + static_cast<int>(part.width));
+  const int y1 = std::min(tile.y1, top + static_cast<int>(part.height));
+  for (int y = y0; y < y1; ++y) {
+    for (int x = x0; x < x1; ++x) {
       const std::size_t at = static_cast<std::size_t>(y - tile.y0) * kTileStride +
                              static_cast<std::size_t>(x - tile.x0);
       const auto column = static_cast<std::uint32_t>(x), row = static_cast<std::uint32_t>(y);
       const double transparency = buffer.transparency[at];
-      const auto pixel = image.pixel(column, row);
+      const auto pixel = image.pixel(column - part.x, row - part.y);
       const Color behind =
           with_background ? background_at(scene.background, scene.image, column, row) : Color{};
       pixel[0] = buffer.red[at] + transparency * behind[0];
@@ -233,31 +257,87 @@ TileSummary write_tile(const TileBuffer& buffer, const TileRect& tile, const Fra
 
 }  // namespace
 
-RenderResult render(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
-                    bool with_background, Progress* progress, std::span<const Channel> channels) {
+RenderStatistics& RenderStatistics::operator+=(const RenderStatistics& other) {
+  segments += other.segments;
+  violations += other.violations;
+  const auto pixels = static_cast<double>(covered_pixels),
+             more = static_cast<double>(other.covered_pixels);
+  if (more > 0)
+    mean_optical_depth =
+        (mean_optical_depth * pixels + other.mean_optical_depth * more) / (pixels + more);
+  largest_optical_depth = std::max(largest_optical_depth, other.largest_optical_depth);
+  covered_pixels += other.covered_pixels;
+  splatted_cells = std::max(splatted_cells, other.splatted_cells);
+  prepare_seconds += other.prepare_seconds;
+  tile_seconds += other.tile_seconds;
+  return *this;
+}
+
+struct PartRenderer::Prepared {
+  const VisibilityOrder& order;
+  const Scene& scene;
+  std::vector<Channel> channels;
+  double start;
+  Projector projector;
+  Frame frame;
+  std::uint64_t splatted;
+  double seconds = 0;
+
+  Prepared(const ZooMesh& mesh, const VisibilityOrder& visibility, const Scene& what,
+           std::span<const Channel> wanted)
+      : order(visibility),
+        scene(what),
+        channels(wanted.begin(), wanted.end()),
+        start(seconds_now()),
+        projector(scene.camera, scene.image),
+        frame(make_frame(mesh, scene, projector)),
+        splatted(static_cast<std::uint64_t>(std::ranges::count(frame.splatted_cells, 1))) {
+    frame.with_details = !channels.empty();
+    frame.with_error = std::ranges::find(channels, Channel::error) != channels.end();
+    require_bound();
+    seconds = seconds_now() - start;
+  }
+
+  void require_bound() const {
+    if (!frame.with_error) return;
+    if (frame.optics.rule != PieceRule::exact)
+      throw UsageError(
+          "channel 'error': no bound is claimed of integrations other than \"exact\" "
+          "(`render.integration`)");
+    if (scene.render.splat_below > 0)
+      throw UsageError("channel 'error': no bound is claimed of splats (`render.splat_below`)");
+  }
+};
+
+PartRenderer::PartRenderer(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
+                           std::span<const Channel> channels)
+    : prepared_(std::make_unique<const Prepared>(mesh, order, scene, channels)) {}
+
+PartRenderer::~PartRenderer() = default;
+
+double PartRenderer::prepare_seconds() const { return prepared_->seconds; }
+
+RenderResult PartRenderer::render(const PixelRect& part, bool with_background,
+                                  Progress* progress) const {
+  const Frame& frame = prepared_->frame;
+  const VisibilityOrder& order = prepared_->order;
+  const Scene& scene = prepared_->scene;
+  require_inside(part, scene.image);
   const double start = seconds_now();
-  const Projector projector(scene.camera, scene.image);
-  Frame frame = make_frame(mesh, scene, projector);
-  frame.with_details = !channels.empty();
-  frame.with_error = std::ranges::find(channels, Channel::error) != channels.end();
-  if (frame.with_error && frame.optics.rule != PieceRule::exact)
-    throw UsageError(
-        "channel 'error': no bound is claimed of integrations other than \"exact\" "
-        "(`render.integration`)");
-  const TileBins bins = bin_cells(frame, order, scene.image);
+  const TileBins bins = bin_cells(frame, order, scene.image, part);
   std::vector<std::string> names = rgba_channels();
-  for (const Channel channel : channels) names.emplace_back(channel_name(channel));
-  RenderResult result{Image(scene.image.width, scene.image.height, std::move(names)), {}};
+  for (const Channel channel : prepared_->channels) names.emplace_back(channel_name(channel));
+  RenderResult result{Image(part.width, part.height, std::move(names)), {}};
   const double prepared = seconds_now();
   if (progress != nullptr) progress->begin("tiles", bins.tiles.size());
 
   std::vector<TileSummary> summaries(bins.tiles.size());
   parallel_for(bins.tiles.size(), 1, [&](IndexRange range) {
     const std::size_t tile = range.begin;
-    TileRenderer renderer(frame, order, bins.tiles[tile]);
-    renderer.render(bins.cells_of(tile));
+    TileRenderer renderer(frame, order, bins.tiles[tile], bins.cells_of(tile));
+    renderer.render();
     summaries[tile] = write_tile(renderer.buffer(), bins.tiles[tile], frame, scene, with_background,
-                                 channels, result.image);
+                                 prepared_->channels, part, result.image);
     summaries[tile].counts = renderer.counts();
     if (progress != nullptr) progress->advance();
   });
@@ -273,8 +353,17 @@ RenderResult render(const ZooMesh& mesh, const VisibilityOrder& order, const Sce
   }
   if (statistics.covered_pixels > 0)
     statistics.mean_optical_depth /= static_cast<double>(statistics.covered_pixels);
+  statistics.splatted_cells = prepared_->splatted;
   statistics.prepare_seconds = prepared - start;
   statistics.tile_seconds = seconds_now() - prepared;
+  return result;
+}
+
+RenderResult render(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
+                    bool with_background, Progress* progress, std::span<const Channel> channels) {
+  const PartRenderer renderer(mesh, order, scene, channels);
+  RenderResult result = renderer.render(whole_picture(scene.image), with_background, progress);
+  result.statistics.prepare_seconds += renderer.prepare_seconds();
   return result;
 }
 

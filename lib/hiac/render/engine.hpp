@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 
 #include "hiac/base/progress.hpp"
@@ -8,6 +9,7 @@
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/order/visibility_order.hpp"
 #include "hiac/render/channels.hpp"
+#include "hiac/render/crop.hpp"
 #include "hiac/scene/scene.hpp"
 
 namespace hiac {
@@ -18,7 +20,11 @@ struct RenderStatistics {
   double mean_optical_depth = 0,
          largest_optical_depth = 0;  ///< over the pixels that the mesh covers
   std::uint64_t covered_pixels = 0;
+  std::uint64_t splatted_cells = 0;  ///< in the whole picture, also where a part is rendered
   double prepare_seconds = 0, tile_seconds = 0;
+
+  /// Those of two parts of a picture together.
+  RenderStatistics& operator+=(const RenderStatistics& other);
 };
 
 struct RenderResult {
@@ -37,9 +43,34 @@ struct RenderResult {
 /// `with_background`: composite the scene's background behind the volume.
 /// `progress`: told how many tiles are done, where there is one.
 /// `channels`: what the picture says of its pixels besides. They change none of the others. Throws
-/// UsageError for the error of an integration other than exact: no bound is claimed of those.
+/// UsageError for the error of an integration other than exact, or of splats: no bound is claimed
+/// of those.
 RenderResult render(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
                     bool with_background, Progress* progress = nullptr,
                     std::span<const Channel> channels = {});
+
+/// The same picture part by part. What the parts share is made once.
+class PartRenderer {
+ public:
+  /// Mesh, order and scene must outlive it. `channels` and what is thrown are those of render.
+  PartRenderer(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
+               std::span<const Channel> channels = {});
+  ~PartRenderer();
+  PartRenderer(const PartRenderer&) = delete;
+  PartRenderer& operator=(const PartRenderer&) = delete;
+
+  /// An image of the part alone, with the pixels of the whole picture, bit for bit. Only the tiles
+  /// that meet the part are worked on; segments and violations are counted in all of these,
+  /// optical depths and covered pixels in the part. Throws UsageError as require_inside does.
+  [[nodiscard]] RenderResult render(const PixelRect& part, bool with_background,
+                                    Progress* progress = nullptr) const;
+
+  /// What making it took; not in the parts' statistics.
+  [[nodiscard]] double prepare_seconds() const;
+
+ private:
+  struct Prepared;
+  std::unique_ptr<const Prepared> prepared_;
+};
 
 }  // namespace hiac

@@ -21,6 +21,7 @@ struct Frame {
   OpticsTables optics;
   FrameField color, extinction;  ///< one and the same where optics.same_field
   Isosurfaces isosurfaces;
+  std::vector<std::uint8_t> splatted_cells;  ///< what splatted_cells() says; empty: none
   /// Pixels with less transparency than this are finished.
   double least_transparency = 0;
   /// Segments may overlap the one before by this much of the ray parameter: rounding.
@@ -34,6 +35,9 @@ struct Frame {
 
   [[nodiscard]] const FrameField& color_field() const {
     return optics.same_field ? extinction : color;
+  }
+  [[nodiscard]] bool is_splatted(CellId cell) const {
+    return !splatted_cells.empty() && splatted_cells[cell] != 0;
   }
 };
 

@@ -57,8 +57,6 @@ void check_scene(const Scene& scene) {
   if (scene.render.interpolation != Interpolation::isoparametric)
     throw InputError(
         "key `render.interpolation`: this version interpolates \"isoparametric\" alone");
-  if (scene.render.splat_below != 0)
-    throw InputError("key `render.splat_below`: this version does not splat (expected 0)");
 }
 
 void check_orders(const ZooMesh& mesh) {

@@ -5,6 +5,8 @@
 #include <limits>
 
 #include "hiac/base/parallel.hpp"
+#include "hiac/render/quadratic_bspline.hpp"
+#include "hiac/render/splatting.hpp"
 
 namespace hiac {
 namespace {
@@ -15,8 +17,6 @@ constexpr std::size_t kCellsPerChunk = 1 << 14;
 // Tiles by column and row, half open.
 struct TileRange {
   int column0, row0, column1, row1;
-
-  [[nodiscard]] bool empty() const { return column0 >= column1 || row0 >= row1; }
 };
 
 // The first pixel whose centre is at or after the coordinate, within [0, count].
@@ -37,17 +37,19 @@ struct Box {
 
 class Binner {
  public:
-  Binner(const Frame& frame, ImageSize size)
+  Binner(const Frame& frame, ImageSize size, const PixelRect& part)
       : frame_(frame),
         width_(static_cast<int>(size.width)),
         height_(static_cast<int>(size.height)),
-        columns_((width_ + kWidth - 1) / kWidth),
-        rows_((height_ + kHeight - 1) / kHeight) {}
+        all_(tiles_between(static_cast<int>(part.x), static_cast<int>(part.y),
+                           static_cast<int>(part.x + part.width),
+                           static_cast<int>(part.y + part.height))) {}
 
-  [[nodiscard]] int columns() const { return columns_; }
-  [[nodiscard]] int rows() const { return rows_; }
+  // The tiles that there are.
+  [[nodiscard]] const TileRange& all() const { return all_; }
 
   [[nodiscard]] TileRange range(CellId cell) const {
+    if (frame_.is_splatted(cell)) return tiles_of_splat(splat_of(frame_, cell));
     const auto nodes = frame_.mesh.cell_nodes(cell).first(corner_count(frame_.mesh.kinds[cell]));
     Box box;
     double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
@@ -73,6 +75,21 @@ class Binner {
     const int x0 = first_center(box.x0, width_), x1 = first_center(box.x1, width_);
     const int y0 = first_center(box.y0, height_), y1 = first_center(box.y1, height_);
     if (x0 >= x1 || y0 >= y1) return {};
+    const TileRange range = tiles_between(x0, y0, x1, y1);
+    return {std::max(range.column0, all_.column0), std::max(range.row0, all_.row0),
+            std::min(range.column1, all_.column1), std::min(range.row1, all_.row1)};
+  }
+
+  // Wherever its kernel reaches.
+  [[nodiscard]] TileRange tiles_of_splat(const Splat& splat) const {
+    Box box;
+    box.include(splat.x - kBsplineReach, splat.y - kBsplineReach);
+    box.include(splat.x + kBsplineReach, splat.y + kBsplineReach);
+    return tiles_of(box);
+  }
+
+  // Of columns [x0, x1) and rows [y0, y1), neither empty.
+  static TileRange tiles_between(int x0, int y0, int x1, int y1) {
     return {x0 / kWidth, y0 / kHeight, (x1 - 1) / kWidth + 1, (y1 - 1) / kHeight + 1};
   }
 
@@ -83,17 +100,18 @@ class Binner {
     for (const NodeId node : nodes)
       farthest = std::max(farthest, frame_.projector.parameter(frame_.mesh.position(node)));
     if (!(farthest > frame_.projector.near())) return {};
-    return {0, 0, columns_, rows_};
+    return all_;
   }
 
   const Frame& frame_;
-  int width_, height_, columns_, rows_;
+  int width_, height_;
+  TileRange all_;
 };
 
-std::vector<TileRect> make_tiles(const Binner& binner, ImageSize size) {
+std::vector<TileRect> make_tiles(const TileRange& all, ImageSize size) {
   std::vector<TileRect> tiles;
-  for (int row = 0; row < binner.rows(); ++row)
-    for (int column = 0; column < binner.columns(); ++column)
+  for (int row = all.row0; row < all.row1; ++row)
+    for (int column = all.column0; column < all.column1; ++column)
       tiles.push_back({column * kWidth, row * kHeight,
                        std::min((column + 1) * kWidth, static_cast<int>(size.width)),
                        std::min((row + 1) * kHeight, static_cast<int>(size.height))});
@@ -101,19 +119,21 @@ std::vector<TileRect> make_tiles(const Binner& binner, ImageSize size) {
 }
 
 template <typename Visit>
-void for_each_tile(const TileRange& range, int columns, const Visit& visit) {
+void for_each_tile(const TileRange& range, const TileRange& all, const Visit& visit) {
   for (int row = range.row0; row < range.row1; ++row)
     for (int column = range.column0; column < range.column1; ++column)
-      visit(static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
-            static_cast<std::size_t>(column));
+      visit(static_cast<std::size_t>(row - all.row0) *
+                static_cast<std::size_t>(all.column1 - all.column0) +
+            static_cast<std::size_t>(column - all.column0));
 }
 
 }  // namespace
 
-TileBins bin_cells(const Frame& frame, const VisibilityOrder& order, ImageSize size) {
-  const Binner binner(frame, size);
+TileBins bin_cells(const Frame& frame, const VisibilityOrder& order, ImageSize size,
+                   const PixelRect& part) {
+  const Binner binner(frame, size, part);
   TileBins bins;
-  bins.tiles = make_tiles(binner, size);
+  bins.tiles = make_tiles(binner.all(), size);
   const std::size_t tile_count = bins.tiles.size(), cells = order.cells.size();
   const std::size_t chunks = (cells + kCellsPerChunk - 1) / kCellsPerChunk;
 
@@ -124,7 +144,7 @@ TileBins bin_cells(const Frame& frame, const VisibilityOrder& order, ImageSize s
     std::uint32_t* count = counts.data() + range.begin / kCellsPerChunk * tile_count;
     for (std::size_t i = range.begin; i < range.end; ++i) {
       ranges[i] = binner.range(order.cells[i]);
-      for_each_tile(ranges[i], binner.columns(), [&](std::size_t tile) { ++count[tile]; });
+      for_each_tile(ranges[i], binner.all(), [&](std::size_t tile) { ++count[tile]; });
     }
   });
   bins.start.assign(tile_count + 1, 0);
@@ -142,7 +162,7 @@ TileBins bin_cells(const Frame& frame, const VisibilityOrder& order, ImageSize s
         next[tile] += counts[before * tile_count + tile];
     const std::size_t end = std::min(cells, (c + 1) * kCellsPerChunk);
     for (std::size_t i = c * kCellsPerChunk; i < end; ++i)
-      for_each_tile(ranges[i], binner.columns(), [&](std::size_t tile) {
+      for_each_tile(ranges[i], binner.all(), [&](std::size_t tile) {
         bins.ranks[next[tile]++] = static_cast<std::uint32_t>(i);
       });
   });

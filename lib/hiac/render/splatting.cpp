@@ -1,0 +1,268 @@
+#include "hiac/render/splatting.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "hiac/base/parallel.hpp"
+#include "hiac/geometry/inverse_map.hpp"
+#include "hiac/mesh/shape_functions.hpp"
+#include "hiac/optics/linear_piece.hpp"
+#include "hiac/render/cell_scan.hpp"
+#include "hiac/render/cell_surface.hpp"
+#include "hiac/render/quadratic_bspline.hpp"
+
+namespace hiac {
+namespace {
+
+// Pixel centres farther than this from the picture's first are not counted: beyond, projected
+// coordinates have lost digits that matter, and parallel views have no end.
+constexpr double kFarthestCount = 262144;
+
+// More than on_crossing may put a pixel centre left of an edge that it counts as lying on.
+constexpr double kLeftOfEdge = 0x1p-35;
+
+int first_center(double coordinate) {
+  return static_cast<int>(std::ceil(std::clamp(coordinate - 0.5, -kFarthestCount, kFarthestCount)));
+}
+
+using Vector = std::array<double, 3>;
+
+Vector difference(std::span<const double, 3> a, std::span<const double, 3> b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+// Six times the volume of the tetrahedron with these edges from one corner.
+double box_volume(const Vector& a, const Vector& b, const Vector& c) {
+  return std::abs(a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                  a[2] * (b[0] * c[1] - b[1] * c[0]));
+}
+
+struct Gravity {
+  double volume;
+  Vector center;
+};
+
+// Exact for convex cells with planar faces: tetrahedra between a point inside and their faces.
+Gravity gravity_of(const ZooMesh& mesh, CellId cell) {
+  const auto nodes = mesh.cell_nodes(cell);
+  const std::size_t corners = corner_count(mesh.kinds[cell]);
+  const auto origin = mesh.position(nodes[0]);
+  std::array<Vector, CellMap::kMostCorners> at;  // from the first corner
+  Vector inside{};
+  for (std::size_t k = 0; k < corners; ++k) {
+    at[k] = difference(mesh.position(nodes[k]), origin);
+    for (std::size_t a = 0; a < 3; ++a) inside[a] += at[k][a] / static_cast<double>(corners);
+  }
+  double sum = 0;
+  Vector moment{};  // from the point inside
+  for (const ShapeFace& face : topology_of(mesh.kinds[cell]).faces)
+    for (std::size_t k = 1; k + 1 < face.corner_count; ++k) {
+      const Vector a = difference(at[face.corners[0]], inside);
+      const Vector b = difference(at[face.corners[k]], inside);
+      const Vector c = difference(at[face.corners[k + 1]], inside);
+      const double volume = box_volume(a, b, c);
+      sum += volume;
+      for (std::size_t i = 0; i < 3; ++i) moment[i] += volume * (a[i] + b[i] + c[i]) / 4;
+    }
+  Gravity gravity{sum / 6, {}};
+  for (std::size_t i = 0; i < 3; ++i)
+    gravity.center[i] = origin[i] + inside[i] + (sum > 0 ? moment[i] / sum : 0);
+  return gravity;
+}
+
+// Decides which cells are splatted.
+class SplatChoice {
+ public:
+  SplatChoice(const Frame& frame, ImageSize size, std::uint32_t splat_below)
+      : frame_(frame), width_(size.width), height_(size.height), splat_below_(splat_below) {}
+
+  bool operator()(CellId cell) {
+    if (!frame_.isosurfaces.in(cell).empty()) return false;
+    const auto nodes = frame_.mesh.cell_nodes(cell).first(corner_count(frame_.mesh.kinds[cell]));
+    const Projector& projector = frame_.projector;
+    double left = std::numeric_limits<double>::infinity(), top = left, right = -left,
+           bottom = -left;
+    for (const NodeId node : nodes) {
+      const ProjectedNode& p = frame_.nodes[node];
+      const double t = projector.perspective() ? -1 / p.depth : p.depth;
+      // which excludes NaN, beside the eye
+      if (!(t >= projector.near() && t <= projector.far())) return false;
+      left = std::min(left, p.x);
+      right = std::max(right, p.x);
+      top = std::min(top, p.y);
+      bottom = std::max(bottom, p.y);
+    }
+    const bool may_be_seen = right > -kBsplineReach && left < width_ + kBsplineReach &&
+                             bottom > -kBsplineReach && top < height_ + kBsplineReach;
+    return may_be_seen && !covers_enough(cell, {first_center(left - kLeftOfEdge), first_center(top),
+                                                first_center(right), first_center(bottom)});
+  }
+
+ private:
+  // `box`: the pixels whose centres may be covered.
+  [[nodiscard]] bool covers_enough(CellId cell, const TileRect& box) {
+    const std::int64_t in_box = static_cast<std::int64_t>(box.x1 - box.x0) * (box.y1 - box.y0);
+    if (in_box < splat_below_) return false;
+    const CellSurface surface = cell_surface(frame_.mesh.kinds[cell], frame_.mesh.cell_nodes(cell));
+    std::int64_t covered = 0;
+    for (int y = box.y0; y < box.y1 && covered < splat_below_; ++y) {
+      crossings_.clear();
+      scan_projected_cell(frame_, surface, {box.x0, y, box.x1, y + 1}, crossings_);
+      // a ray in a face may cross it several times
+      for (std::size_t k = 0; k < crossings_.size(); ++k)
+        if (k == 0 || crossings_[k].x != crossings_[k - 1].x) ++covered;
+    }
+    return covered >= splat_below_;
+  }
+
+  const Frame& frame_;
+  double width_, height_;
+  std::int64_t splat_below_;
+  std::vector<CellCrossing> crossings_;
+};
+
+// The interpolant at a point of the cell.
+double value_at(const ZooMesh& mesh, const FrameField& field, CellId cell, const Vector& point) {
+  const CellKind kind = mesh.kinds[cell];
+  const auto nodes = mesh.cell_nodes(cell);
+  const std::size_t corners = corner_count(kind);
+  std::array<double, CellMap::kMostCorners> values, shape;
+  std::array<CellMap::Point, CellMap::kMostCorners> positions;
+  for (std::size_t k = 0; k < corners; ++k) {
+    values[k] = field.values[field.index(cell, mesh.elems[cell] + k, nodes[k])];
+    const auto p = mesh.position(nodes[k]);
+    positions[k] = {p[0], p[1], p[2]};
+  }
+  const auto [least, most] = std::minmax_element(values.data(), values.data() + corners);
+  if (*least == *most) return *least;
+  const CellMap map(kind, std::span(positions).first(corners));
+  shape_functions<double>(kind, map.reference(point, map.middle()), shape);
+  double value = 0;
+  for (std::size_t k = 0; k < corners; ++k) value += shape[k] * values[k];
+  return std::min(std::max(*least, value), *most);
+}
+
+// The first of the three columns or rows of pixels that the kernel reaches.
+int first_reached(double coordinate) { return static_cast<int>(std::floor(coordinate)) - 1; }
+
+}  // namespace
+
+std::vector<std::uint8_t> splatted_cells(const Frame& frame, ImageSize size,
+                                         std::uint32_t splat_below) {
+  std::vector<std::uint8_t> flags(frame.mesh.cell_count());
+  parallel_for(flags.size(), std::size_t{1} << 14, [&](IndexRange range) {
+    SplatChoice choice(frame, size, splat_below);
+    for (std::size_t cell = range.begin; cell < range.end; ++cell)
+      flags[cell] = choice(static_cast<CellId>(cell)) ? 1 : 0;
+  });
+  return flags;
+}
+
+Splat splat_of(const Frame& frame, CellId cell) {
+  const Projector& projector = frame.projector;
+  const Gravity gravity = gravity_of(frame.mesh, cell);
+  ProjectedNode center;
+  projector.project(gravity.center, center);
+  const double t = projector.parameter(gravity.center);
+  // perspective: a point moves by t / pixels_per_unit across the view for each pixel, and a ray by
+  // ray_scale along itself for each unit of t (section 5.1)
+  const double pixels = projector.pixels_per_unit() / (projector.perspective() ? t : 1);
+  return {center.x, center.y, t,
+          gravity.volume * pixels * pixels * projector.ray_scale(center.x, center.y),
+          gravity.center};
+}
+
+TileSplats::TileSplats(const Frame& frame, std::span<const CellId> order,
+                       std::span<const std::uint32_t> ranks, const TileRect& tile)
+    : frame_(frame), tile_(tile) {
+  if (frame.splatted_cells.empty()) return;
+  for (const std::uint32_t rank : ranks)
+    if (frame.is_splatted(order[rank])) add(order[rank]);
+  if (splats_.empty()) return;
+  std::ranges::sort(splats_, [](const Glowing& a, const Glowing& b) {
+    return a.t != b.t ? a.t < b.t : a.cell < b.cell;
+  });
+  deal_out();
+}
+
+void TileSplats::add(CellId cell) {
+  const OpticsTables& optics = frame_.optics;
+  const Splat splat = splat_of(frame_, cell);
+  if (!(splat.length > 0)) return;
+  const double value = value_at(frame_.mesh, frame_.extinction, cell, splat.point);
+  const double extinction = optics.extinction_function(value)[0];
+  const Color color = optics.color_function(
+      optics.same_field ? value : value_at(frame_.mesh, frame_.color_field(), cell, splat.point));
+  if (extinction == 0 && !optics.emission) return;
+  splats_.push_back({splat.x, splat.y, splat.t, splat.length, extinction, color, cell});
+}
+
+// Calls visit(pixel) for the tile's pixels that the kernel reaches.
+template <typename Visit>
+void TileSplats::for_each_pixel(const Glowing& splat, const Visit& visit) const {
+  const int left = first_reached(splat.x), top = first_reached(splat.y);
+  for (int y = std::max(top, tile_.y0); y < std::min(top + 3, tile_.y1); ++y)
+    for (int x = std::max(left, tile_.x0); x < std::min(left + 3, tile_.x1); ++x)
+      visit(static_cast<std::size_t>(y - tile_.y0) * kTileStride +
+            static_cast<std::size_t>(x - tile_.x0));
+}
+
+// Counting sort by pixel.
+void TileSplats::deal_out() {
+  end_.assign(kTileStride * kTileHeight, 0);
+  for (const Glowing& splat : splats_)
+    for_each_pixel(splat, [&](std::size_t pixel) { ++end_[pixel]; });
+  std::size_t sum = 0;
+  for (std::size_t& end : end_) {
+    sum += end;
+    end = sum - end;
+  }
+  next_ = end_;
+  of_pixel_.resize(sum);
+  for (std::uint32_t k = 0; k < splats_.size(); ++k)
+    for_each_pixel(splats_[k], [&](std::size_t pixel) { of_pixel_[end_[pixel]++] = k; });
+}
+
+void TileSplats::append(std::size_t at, double before, const TileBuffer& buffer,
+                        SegmentList& segments) {
+  // A splat has no end that segments behind it would have to respect.
+  constexpr double kNoEnd = std::numeric_limits<double>::lowest();
+  const bool emission = frame_.optics.emission;
+  const double x = static_cast<double>(at % kTileStride) + tile_.x0 + 0.5;
+  const double y = static_cast<double>(at / kTileStride) + tile_.y0 + 0.5;
+  const bool seen = buffer.transparency[at] > frame_.least_transparency;
+  for (; next_[at] < end_[at] && splats_[of_pixel_[next_[at]]].t < before; ++next_[at]) {
+    if (!seen) continue;
+    const Glowing& splat = splats_[of_pixel_[next_[at]]];
+    const double length =
+        splat.length * quadratic_bspline(x - splat.x) * quadratic_bspline(y - splat.y);
+    const double depth = splat.extinction * length;
+    const LinearPieceWeights weights =
+        emission ? linear_piece_emission(depth, depth) : linear_piece_weights(depth, depth);
+    const double light = (weights.front + weights.back) * (emission ? length : 1);
+    segments.append(static_cast<std::uint32_t>(at), splat.t, kNoEnd, light * splat.color[0],
+                    light * splat.color[1], light * splat.color[2], weights.transparency);
+    if (!frame_.with_details) continue;
+    SegmentDetails details;
+    details.front = details.back = details.first = details.mean = splat.t;
+    details.light = light * *std::ranges::max_element(splat.color);
+    details.transparency = weights.transparency;
+    segments.details.push_back(details);
+  }
+}
+
+void TileSplats::append_before(const TileBuffer& buffer, SegmentList& segments) {
+  std::vector<double> farthest(next_.size(), -std::numeric_limits<double>::infinity());
+  for (std::size_t s = 0; s < segments.size(); ++s)
+    farthest[segments.pixel[s]] = std::max(farthest[segments.pixel[s]], segments.front[s]);
+  for (std::size_t at = 0; at < farthest.size(); ++at) append(at, farthest[at], buffer, segments);
+}
+
+void TileSplats::append_rest(const TileBuffer& buffer, SegmentList& segments) {
+  for (std::size_t at = 0; at < next_.size(); ++at)
+    append(at, std::numeric_limits<double>::infinity(), buffer, segments);
+}
+
+}  // namespace hiac

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+
+#include "hiac/render/engine.hpp"
+
+namespace hiac {
+
+/// What a pixel is made of its samples by: their mean, or a mean weighted by the biquadratic
+/// B-spline three pixels wide (Williams, Max, Stein 1998, section 5.3).
+enum class SampleFilter : std::uint8_t { box, bspline };
+
+/// `samples` x `samples` rays a pixel, through the centres of the squares that it is cut into.
+struct Supersampling {
+  std::uint32_t samples = 1;
+  SampleFilter filter = SampleFilter::box;
+};
+
+/// Throws UsageError when there are no samples, or so many that the picture of them all, with its
+/// margin (below), would be wider or higher than kMaxImageSide.
+void require_possible(const Supersampling& sampling, ImageSize size);
+
+/// The image convolved with the filter, as the sum over the samples has it: the truth that
+/// splatting approximates, and that edges and cells smaller than pixels are judged by.
+///
+/// Samples are pixels of a picture so many times as large of the same view. With the B-spline that
+/// picture has a pixel's margin on all sides, so that a pixel at the border is made of what the
+/// camera sees beyond it, and the weights of every pixel sum to one. All channels are filtered as
+/// they are, premultiplied and without background; the background's colour at the pixel is
+/// composited behind afterwards. The samples are rendered in bands of about as many as the part has
+/// pixels: memory is proportional to the picture. A part of a picture has the pixels of the whole
+/// one, and no number of threads changes them, bit for bit.
+///
+/// Throws UsageError as require_possible and require_inside do. Statistics are those of the
+/// samples.
+RenderResult render_supersampled(const ZooMesh& mesh, const VisibilityOrder& order,
+                                 const Scene& scene, const PixelRect& part,
+                                 const Supersampling& sampling, bool with_background,
+                                 Progress* progress = nullptr);
+
+}  // namespace hiac

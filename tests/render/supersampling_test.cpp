@@ -1,0 +1,201 @@
+#include "hiac/render/supersampling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "hiac/base/error.hpp"
+#include "hiac/base/parallel.hpp"
+#include "hiac/render/quadratic_bspline.hpp"
+#include "tests/render/general_meshes.hpp"
+#include "tests/support/sorting.hpp"
+
+namespace hiac {
+namespace {
+
+VisibilityOrder order_of_scene(const ZooMesh& mesh, const Scene& scene) {
+  return test::sorted(mesh, {scene.camera.projection == Projection::perspective, scene.camera.eye,
+                             view_direction(scene.camera)})
+      .order;
+}
+
+Image sampled(const ZooMesh& mesh, const Scene& scene, const Supersampling& sampling,
+              bool with_background = false) {
+  return render_supersampled(mesh, order_of_scene(mesh, scene), scene, whole_picture(scene.image),
+                             sampling, with_background)
+      .image;
+}
+
+ZooMesh mesh_with_field() {
+  ZooMesh mesh = test::moved(test::random_delaunay(30, 3), test::sheared);
+  test::add_random_field(mesh, "f", FieldLocation::node, 3);
+  return mesh;
+}
+
+// The sum of a box of width 1 convolved with itself twice, as truncated powers have it.
+double truncated_powers(double t) {
+  constexpr double kBinomial[4] = {1, -3, 3, -1};
+  double sum = 0;
+  for (int k = 0; k < 4; ++k) sum += kBinomial[k] * std::pow(std::max(t + 1.5 - k, 0.0), 2) / 2;
+  return sum;
+}
+
+TEST(QuadraticBspline, IsTheBoxConvolvedTwiceWithItself) {
+  for (int k = -200; k <= 200; ++k)
+    EXPECT_NEAR(quadratic_bspline(k / 100.0), truncated_powers(k / 100.0), 1e-14) << k;
+}
+
+TEST(QuadraticBspline, ValuesAPixelApartSumToOne) {
+  for (int k = 0; k < 1000; ++k) {
+    double sum = 0;
+    for (int pixel = -3; pixel <= 3; ++pixel) sum += quadratic_bspline(pixel + k / 1000.0);
+    EXPECT_NEAR(sum, 1, 1e-15);
+  }
+}
+
+// The view ends inside the cube: 1 - exp(-1.5) everywhere, at the picture's border as well.
+TEST(Supersampling, AConstantImageStaysConstant) {
+  ZooMesh mesh = test::structured(2, test::Cut::bricks);
+  test::add_random_field(mesh, "f", FieldLocation::node, 4);
+  Scene scene = test::cube_scene(Projection::orthographic, 11, 7);
+  test::make_uniform(scene);
+  scene.camera.eye = {0.5, 0.5, 4};
+  scene.camera.look_at = {0.5, 0.5, 0.5};
+  scene.camera.up = {0.3, 1, 0};
+  scene.camera.height = 0.35;
+  for (const SampleFilter filter : {SampleFilter::box, SampleFilter::bspline})
+    for (const std::uint32_t samples : {1U, 2U, 3U, 8U}) {
+      const Image image = sampled(mesh, scene, {samples, filter});
+      for (std::uint32_t y = 0; y < 7; ++y)
+        for (std::uint32_t x = 0; x < 11; ++x) {
+          EXPECT_NEAR(image.at(x, y, 3), 1 - std::exp(-1.5), 1e-14) << samples;
+          EXPECT_NEAR(image.at(x, y, 1), 0.5 * (1 - std::exp(-1.5)), 1e-14) << samples;
+        }
+    }
+}
+
+TEST(Supersampling, BoxIsTheMeanOfTheLargerPicture) {
+  const ZooMesh mesh = mesh_with_field();
+  for (const std::uint32_t n : {2U, 3U, 5U}) {
+    Scene scene = test::cube_scene(Projection::perspective, 40, 30);
+    const Image image = sampled(mesh, scene, {n, SampleFilter::box});
+    scene.image = {40 * n, 30 * n};
+    const Image larger = test::draw(mesh, scene).image;
+    for (std::uint32_t y = 0; y < 30; ++y)
+      for (std::uint32_t x = 0; x < 40; ++x)
+        for (std::size_t c = 0; c < 4; ++c) {
+          double sum = 0;
+          for (std::uint32_t j = 0; j < n; ++j) {
+            double row = 0;
+            for (std::uint32_t i = 0; i < n; ++i) row += larger.at(x * n + i, y * n + j, c);
+            sum += row;
+          }
+          ASSERT_EQ(image.at(x, y, c), sum / (n * n)) << x << ' ' << y << ' ' << c;
+        }
+  }
+}
+
+// Against the sum over all samples of a picture with a margin of two pixels.
+TEST(Supersampling, BsplineWeighsWhatLiesAround) {
+  const ZooMesh mesh = mesh_with_field();
+  for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+    constexpr std::uint32_t kWidth = 36, kHeight = 28, kSamples = 3;
+    Scene scene = test::cube_scene(projection, kWidth, kHeight);
+    scene.camera.fov = 14;  // the cube goes beyond the picture
+    scene.camera.height = 0.9;
+    const Image image = sampled(mesh, scene, {kSamples, SampleFilter::bspline});
+    scene.image = {(kWidth + 4) * kSamples, (kHeight + 4) * kSamples};
+    scene.camera.height *= (kHeight + 4.0) / kHeight;
+    const double half_degree = std::numbers::pi / 360;
+    scene.camera.fov =
+        std::atan(std::tan(14 * half_degree) * (kHeight + 4.0) / kHeight) / half_degree;
+    const Image larger = test::draw(mesh, scene).image;
+    double largest_at_border = 0;
+    for (std::uint32_t y = 0; y < kHeight; ++y)
+      for (std::uint32_t x = 0; x < kWidth; ++x)
+        for (std::size_t c = 0; c < 4; ++c) {
+          double expected = 0, weights = 0;
+          for (std::uint32_t j = 0; j < scene.image.height; ++j)
+            for (std::uint32_t i = 0; i < scene.image.width; ++i) {
+              const double dx = (i + 0.5) / kSamples - 2 - (x + 0.5);
+              const double dy = (j + 0.5) / kSamples - 2 - (y + 0.5);
+              if (std::abs(dx) > 1.5 || std::abs(dy) > 1.5) continue;
+              const double weight =
+                  truncated_powers(dx) * truncated_powers(dy) / (kSamples * kSamples);
+              weights += weight;
+              expected += weight * larger.at(i, j, c);
+            }
+          ASSERT_NEAR(weights, 1, 1e-13);
+          ASSERT_NEAR(image.at(x, y, c), expected, 1e-9) << x << ' ' << y << ' ' << c;
+          if (x == 0 || y == 0) largest_at_border = std::max(largest_at_border, expected);
+        }
+    EXPECT_GT(largest_at_border, 0.3);
+  }
+}
+
+TEST(Supersampling, BsplineKeepsTheEnergy) {
+  const ZooMesh mesh = mesh_with_field();
+  const Scene scene = test::cube_scene(Projection::perspective, 60, 50);
+  std::array<double, 4> box{}, bspline{};
+  const Image a = sampled(mesh, scene, {4, SampleFilter::box});
+  const Image b = sampled(mesh, scene, {4, SampleFilter::bspline});
+  for (std::size_t i = 0; i < a.values().size(); ++i) {
+    box[i % 4] += a.values()[i];
+    bspline[i % 4] += b.values()[i];
+  }
+  EXPECT_EQ(a.at(0, 0, 3) + a.at(59, 49, 3), 0);
+  for (std::size_t c = 0; c < 4; ++c) EXPECT_NEAR(bspline[c], box[c], 1e-9 * box[c]);
+}
+
+TEST(Supersampling, PartsAndThreadsDoNotChangeABit) {
+  const ZooMesh mesh = mesh_with_field();
+  Scene scene = test::cube_scene(Projection::perspective, 50, 90);
+  scene.background = {BackgroundPattern::grid, {0.1, 0.2, 0.3}, {1, 0.5, 0}, 5};
+  const VisibilityOrder order = order_of_scene(mesh, scene);
+  for (const SampleFilter filter : {SampleFilter::box, SampleFilter::bspline}) {
+    const Supersampling sampling{3, filter};
+    const Image whole =
+        render_supersampled(mesh, order, scene, whole_picture(scene.image), sampling, true).image;
+    for (const unsigned threads : {1U, 3U}) {
+      const ThreadLimit limit(threads);
+      for (const PixelRect& rect :
+           {PixelRect{0, 0, 50, 90}, {17, 9, 20, 41}, {30, 50, 1, 1}, {0, 89, 50, 1}}) {
+        const Image part = render_supersampled(mesh, order, scene, rect, sampling, true).image;
+        for (std::uint32_t y = 0; y < rect.height; ++y)
+          for (std::uint32_t x = 0; x < rect.width; ++x)
+            for (std::size_t c = 0; c < 4; ++c)
+              ASSERT_EQ(part.at(x, y, c), whole.at(rect.x + x, rect.y + y, c));
+      }
+    }
+  }
+}
+
+TEST(Supersampling, BackgroundIsCompositedBehind) {
+  const ZooMesh mesh = mesh_with_field();
+  Scene scene = test::cube_scene(Projection::perspective, 30, 20);
+  scene.background.color = {0.25, 0.5, 0.75};
+  for (const SampleFilter filter : {SampleFilter::box, SampleFilter::bspline}) {
+    const Image bare = sampled(mesh, scene, {2, filter});
+    const Image whole = sampled(mesh, scene, {2, filter}, true);
+    for (std::uint32_t y = 0; y < 20; ++y)
+      for (std::uint32_t x = 0; x < 30; ++x)
+        for (std::size_t c = 0; c < 3; ++c) {
+          ASSERT_EQ(whole.at(x, y, 3), bare.at(x, y, 3));
+          ASSERT_NEAR(whole.at(x, y, c),
+                      bare.at(x, y, c) + (1 - bare.at(x, y, 3)) * scene.background.color[c], 1e-15);
+        }
+  }
+}
+
+TEST(Supersampling, TooManyOrNoSamplesAreRefused) {
+  const ZooMesh mesh = mesh_with_field();
+  const Scene scene = test::cube_scene(Projection::perspective, 1000, 10);
+  for (const std::uint32_t samples : {0U, 66U, 0xffffffffU})
+    EXPECT_THROW((void)sampled(mesh, scene, {samples, SampleFilter::box}), UsageError);
+}
+
+}  // namespace
+}  // namespace hiac

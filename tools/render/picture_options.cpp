@@ -1,0 +1,66 @@
+#include "tools/render/picture_options.hpp"
+
+#include <charconv>
+#include <system_error>
+
+#include "hiac/base/error.hpp"
+
+namespace hiac::tools {
+namespace {
+
+// X,Y,W,H.
+PixelRect parse_crop(const std::string& text) {
+  PixelRect part;
+  const char *at = text.data(), *end = text.data() + text.size();
+  for (std::uint32_t* number : {&part.x, &part.y, &part.width, &part.height}) {
+    const auto [next, error] = std::from_chars(at, end, *number);
+    const bool last = number == &part.height;
+    if (error != std::errc() || (last ? next != end : next == end || *next != ','))
+      throw UsageError("--crop: expected X,Y,WIDTH,HEIGHT in pixels, as 300,200,64,64 (found " +
+                       text + ")");
+    at = last ? next : next + 1;
+  }
+  return part;
+}
+
+}  // namespace
+
+void add_picture_options(CLI::App& app, PictureOptions& options, CLI::Option* channels) {
+  app.add_option("--crop", options.crop,
+                 "Only these W x H pixels, from column X and row Y on; as in the whole picture")
+      ->type_name("X,Y,W,H");
+  CLI::Option* samples =
+      app.add_option("--samples", options.samples, "N x N rays a pixel, filtered, instead of one")
+          ->excludes(channels)
+          ->type_name("N");
+  app.add_option("--filter", options.filter,
+                 "Of the samples: box (their mean; the default) or bspline (three pixels wide)")
+      ->needs(samples)
+      ->check(CLI::IsMember({"box", "bspline"}))
+      ->type_name("FILTER");
+}
+
+PictureChoice picture_choice(const PictureOptions& options, ImageSize size) {
+  PictureChoice choice{options.crop.empty() ? whole_picture(size) : parse_crop(options.crop),
+                       std::nullopt};
+  require_inside(choice.part, size);
+  if (!options.samples) return choice;
+  choice.sampling = {*options.samples,
+                     options.filter == "box" ? SampleFilter::box : SampleFilter::bspline};
+  require_possible(*choice.sampling, size);
+  return choice;
+}
+
+RenderResult render_choice(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
+                           const PictureChoice& choice, std::span<const Channel> channels,
+                           bool with_background, Progress* progress) {
+  if (choice.sampling)
+    return render_supersampled(mesh, order, scene, choice.part, *choice.sampling, with_background,
+                               progress);
+  const PartRenderer renderer(mesh, order, scene, channels);
+  RenderResult result = renderer.render(choice.part, with_background, progress);
+  result.statistics.prepare_seconds += renderer.prepare_seconds();
+  return result;
+}
+
+}  // namespace hiac::tools
