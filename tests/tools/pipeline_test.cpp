@@ -196,6 +196,20 @@ TEST_F(SmallPicture, WhatIsNotInThePictureIsAUsageError) {
   }
 }
 
+TEST_F(Pipeline, ChannelsAreWrittenWhereTheyFit) {
+  ASSERT_EQ(run("$CONVERT -q --corners-only '" + kSample + "' -o m.zoo"), 0);
+  const std::string render = "$RENDER -q m.zoo --size 40x30 --view '" + kSampleView + "' ";
+  ASSERT_EQ(run(render + "--channels depth,error -o more.exr"), 0) << bytes_of(file("err.txt"));
+  const Image image = read_image(file("more.exr")).image;
+  EXPECT_EQ(image.channel_count(), 6U);
+  EXPECT_TRUE(image.channel_index("depth") && image.channel_index("error"));
+  EXPECT_EQ(run(render + "--channels depth -o no.png"), 2);
+  EXPECT_EQ(run(render + "--channels depht -o no.npy"), 2);
+  EXPECT_NE(bytes_of(file("err.txt")).find("no channel is called 'depht'"), std::string::npos);
+  EXPECT_EQ(run(render + "--channels error --set render.integration=gauss5 -o no.npy"), 2);
+  EXPECT_FALSE(std::filesystem::exists(file("no.npy")));
+}
+
 TEST_F(Pipeline, SuperPhoenixIsAsBruteForceHasIt) {
   const char* named = std::getenv("HIAC_DATA_DIR");
   const std::string data = named != nullptr ? named : HIAC_DEFAULT_DATA_DIR;

@@ -1,11 +1,13 @@
 // hiac-render: a picture of a mesh.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -260,12 +262,18 @@ void write_color_bar(Tool& tool, const Options& options, const ZooMesh& mesh,
   tool.facts()["color_bar_length"] = length;
 }
 
+void require_room_for_channels(const std::string& path) {
+  const std::array<std::string_view, 3> roomy{".exr", ".npy", ".f32"};
+  if (std::ranges::none_of(roomy, [&](std::string_view e) { return path.ends_with(e); }))
+    throw UsageError("--channels: this format holds colours alone (.exr, .npy or .f32 expected, " +
+                     path + " found)");
+}
+
 void render(Tool& tool, Options options) {
   require_known_image_extension(options.output, options.depth);
   if (!options.color_bar.empty()) require_known_image_extension(options.color_bar);
   add_size(options.size, options.overrides);
-  if (!parse_channels(options.channels).empty() && options.output.ends_with(".png"))
-    throw UsageError("--channels: PNG holds colours alone (.exr, .npy or .f32 expected)");
+  if (!parse_channels(options.channels).empty()) require_room_for_channels(options.output);
   const ParsedScene parsed = read_scene(options.view, options.overrides);
   for (const std::string& line : parsed.notes) tool.note(line);
   const Scene& scene = parsed.scene;
