@@ -254,6 +254,7 @@ void TileSplats::append(std::size_t at, double before, const TileBuffer& buffer,
 }
 
 void TileSplats::append_before(const TileBuffer& buffer, SegmentList& segments) {
+  if (empty()) return;
   std::vector<double> farthest(next_.size(), -std::numeric_limits<double>::infinity());
   for (std::size_t s = 0; s < segments.size(); ++s)
     farthest[segments.pixel[s]] = std::max(farthest[segments.pixel[s]], segments.front[s]);
