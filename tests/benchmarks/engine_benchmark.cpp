@@ -6,31 +6,12 @@
 #include <benchmark/benchmark.h>
 
 #include "hiac/mesh/face_adjacency.hpp"
-#include "hiac/order/visibility_order.hpp"
 #include "hiac/render/engine.hpp"
+#include "tests/benchmarks/cube_scene.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace hiac {
 namespace {
-
-Scene parallel_scene(std::uint32_t side) {
-  Scene scene;
-  scene.image = {side, side};
-  scene.camera.projection = Projection::orthographic;
-  scene.camera.eye = {3.1, 2.3, 2.7};
-  scene.camera.look_at = {0.5, 0.5, 0.5};
-  scene.camera.up = {0, 0, 1};
-  scene.camera.height = 1.75;
-  scene.camera.fov = 27;
-  scene.volume.color = ColorTransfer{"f",
-                                     {{0.0, {0.1, 0.2, 0.9}},
-                                      {0.35, {0.2, 0.9, 0.3}},
-                                      {0.6, {0.95, 0.8, 0.1}},
-                                      {1, {0.9, 0.1, 0.1}}}};
-  scene.volume.extinction = ExtinctionTransfer{
-      "f", {{0.0, {0.2}}, {0.25, {0.6}}, {0.45, {4}}, {0.55, {0.5}}, {0.8, {6}}, {1, {1}}}};
-  return scene;
-}
 
 // About 6.1 tetrahedra a point.
 const ZooMesh& mesh_of(std::int64_t points) {
@@ -44,16 +25,9 @@ const ZooMesh& mesh_of(std::int64_t points) {
   return mesh;
 }
 
-OrderResult order_of(const ZooMesh& mesh, const Scene& scene) {
-  return exact_order(mesh, *mesh.adjacency,
-                     {scene.camera.projection == Projection::perspective, scene.camera.eye,
-                      view_direction(scene.camera)},
-                     scene.render.planarity);
-}
-
 void engine(benchmark::State& state, Projection projection) {
   const ZooMesh& mesh = mesh_of(state.range(0));
-  Scene scene = parallel_scene(static_cast<std::uint32_t>(state.range(1)));
+  Scene scene = cube_scene(static_cast<std::uint32_t>(state.range(1)));
   scene.camera.projection = projection;
   const VisibilityOrder order = order_of(mesh, scene).order;
   std::uint64_t segments = 0;
@@ -76,7 +50,7 @@ void with_surfaces(benchmark::State& state, Projection projection, const char* f
     });
     return m;
   }();
-  Scene scene = parallel_scene(1000);
+  Scene scene = cube_scene(1000);
   scene.camera.projection = projection;
   for (const double value : {0.3, 0.4, 0.55, 0.6, 0.7}) {
     Isosurface surface;
