@@ -148,6 +148,7 @@ Scene scene_from_above(Projection projection) {
   scene.camera.up = {0, 1, 0};
   scene.camera.height = 0.7;
   scene.camera.fov = 8;
+  scene.render.tolerance = 1e-13;
   scene.volume.extinction = ExtinctionTransfer{"z", {{0, {0.5}}, {1, {2.5}}}};
   scene.volume.color = ColorTransfer{"x", {{0, {0.2, 0, 1}}, {1, {0.2, 1, 0}}}};
   return scene;
