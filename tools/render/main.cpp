@@ -41,7 +41,7 @@ using namespace hiac;
 using namespace hiac::tools;
 
 struct Options {
-  std::string input, view, order, output, size, under, color_bar, channels, pixel;
+  std::string input, view, order, output, size, channels, under, color_bar, pixel;
   double color_bar_length = 0;  // 0: a round number near a tenth of the diagonal
   std::vector<std::string> overrides;
   PictureOptions picture;

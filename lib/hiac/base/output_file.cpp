@@ -26,7 +26,14 @@ namespace {
 constexpr std::size_t kSlots = 64;
 std::array<std::atomic<const char*>, kSlots> open_files{};
 
+// A file that is being made and not yet in the table would survive a signal. So the handler waits
+// for those under way, in other threads, and lets no further one begin.
+std::atomic<int> making{0};
+std::atomic<bool> dying{false};
+
 extern "C" void remove_temporaries_and_die(int signal_number) {
+  dying.store(true);
+  while (making.load() > 0) continue;
   for (auto& slot : open_files) {
     const char* name = slot.load();
     if (name != nullptr) unlink(name);
@@ -56,6 +63,30 @@ std::size_t claim_slot(const char* name) {
   return kSlots;  // more files at once than the handler can clean up: still correct without signals
 }
 
+// Lives while a file is made. Its own thread hears no signals meanwhile: the handler would wait for
+// it forever.
+class Making {
+ public:
+  Making() {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, &before_);
+    ++making;
+    if (!dying.load()) return;
+    --making;
+    for (;;) pause();
+  }
+  ~Making() {
+    --making;
+    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+  Making(const Making&) = delete;
+  Making& operator=(const Making&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
 }  // namespace
 
 OutputFile::OutputFile(std::string path) : path_(std::move(path)), slot_(kSlots) {
@@ -65,6 +96,7 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)), slot_(kSlots)
   const auto target = std::filesystem::canonical(path_, not_there);
   if (!not_there) path_ = target.string();
   std::string name = path_ + ".XXXXXX";
+  const Making guard;
   const int descriptor = mkstemp(name.data());
   if (descriptor < 0)
     throw InputError(path_, std::string("cannot be written (") + std::strerror(errno) + ")");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 
 namespace hiac {
@@ -28,14 +29,6 @@ constexpr double kShortestContinuation = 0x1p-30;
 Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 Point operator+(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 Point operator*(double s, const Point& a) { return {s * a[0], s * a[1], s * a[2]}; }
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double largest(const Point& a) {
-  return std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
-}
-
 // The inverse of the matrix with these columns, as rows.
 Matrix inverse_of_columns(const Point& a, const Point& b, const Point& c) {
   const Point bc = cross(b, c);

@@ -5,22 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/cell_kind.hpp"
 
 namespace hiac {
 namespace {
 
-using Vector = std::array<double, 3>;
-
 Vector minus(const double* a, const double* b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-double largest(const Vector& a) {
-  return std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
-}
-
 // Values whose signs are the sides of the eye, and how far rounding can have moved them. A
 // determinant of three vectors has six products of three factors; every product passes at most
 // three rounded differences, two multiplications and three additions, 8 eps of it to first order

@@ -3,19 +3,10 @@
 #include <cmath>
 #include <utility>
 
+#include "hiac/geometry/vector.hpp"
+
 namespace hiac {
 namespace {
-
-using Vector = std::array<double, 3>;
-
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Vector unit(const Vector& v) {
-  const double length = std::hypot(v[0], v[1], v[2]);
-  return {v[0] / length, v[1] / length, v[2] / length};
-}
 
 // More than the rounding of a coordinate in a window, relative to the largest coordinate that it is
 // made of: one difference, three products and two sums, and along the rays of an orthographic view

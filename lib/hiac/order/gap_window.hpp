@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "hiac/geometry/vector.hpp"
 #include "hiac/geometry/view.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/order/face_obstruction.hpp"
@@ -54,7 +55,6 @@ class Window {
   bool place(const SeenFace& face, Outline& outline) const;
 
  private:
-  using Vector = std::array<double, 3>;
   bool place_whole(std::span<const Vector> corners, double farthest, Outline& outline) const;
 
   View view_;

@@ -4,21 +4,15 @@
 #include <cmath>
 #include <limits>
 
+#include "hiac/geometry/vector.hpp"
+
 namespace hiac {
 namespace {
-
-using Vector = std::array<double, 3>;
 
 constexpr double kUnit = 0x1p-53;
 constexpr double kPieceError = 2e-14;
 constexpr double kSnapPixels = 0x1p-38;  // projection.cpp, kCenterRounding
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double length(const Vector& a) { return std::hypot(a[0], a[1], a[2]); }
 
 // J^-T g without the determinant, and the sum of what was added up.
 struct Cofactors {

@@ -3,18 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hiac/geometry/vector.hpp"
+
 namespace hiac {
 namespace {
-
-using Vector = std::array<double, 3>;
-
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double largest(const Vector& v) {
-  return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
-}
 
 // Divided by its largest component or, for vectors that belong together, by theirs: no product of
 // such can overflow or vanish.

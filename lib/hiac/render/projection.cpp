@@ -5,23 +5,10 @@
 #include <numbers>
 
 #include "hiac/base/parallel.hpp"
+#include "hiac/geometry/vector.hpp"
 
 namespace hiac {
 namespace {
-
-using Vector = std::array<double, 3>;
-
-Vector minus(std::span<const double, 3> a, std::span<const double, 3> b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Vector normalized(const Vector& v) {
-  const double length = std::hypot(v[0], v[1], v[2]);
-  return {v[0] / length, v[1] / length, v[2] / length};
-}
 
 // Beyond this many pixels from the centre a projected coordinate has lost too many digits to be
 // scan converted (an ulp is then 3e-11 pixels); such nodes, close to the eye plane, count as not
@@ -43,12 +30,12 @@ double at_center(double coordinate) {
 Projector::Projector(const Camera& camera, ImageSize size)
     : perspective_(camera.projection == Projection::perspective),
       anchor_(perspective_ ? camera.eye : camera.look_at),
-      forward_(normalized(view_direction(camera))),
+      forward_(unit(view_direction(camera))),
       center_x_(size.width / 2.0),
       center_y_(size.height / 2.0),
       near_(perspective_ ? 0 : -std::numeric_limits<double>::infinity()),
       far_(std::numeric_limits<double>::infinity()) {
-  right_ = normalized(cross(forward_, camera.up));
+  right_ = unit(cross(forward_, camera.up));
   up_ = cross(right_, forward_);
   const double half = size.height / 2.0;
   scale_ = perspective_ ? half / std::tan(camera.fov * (std::numbers::pi / 360))

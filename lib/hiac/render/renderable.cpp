@@ -13,6 +13,7 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
+#include "hiac/geometry/vector.hpp"
 #include "hiac/order/behind_relation.hpp"
 
 namespace hiac {
@@ -128,16 +129,6 @@ constexpr std::array<ShapeFans, kShapeCount> kFans{
     make_fans(CellShape::tetrahedron), make_fans(CellShape::pyramid), make_fans(CellShape::prism),
     make_fans(CellShape::wedge), make_fans(CellShape::brick)};
 
-using Vector = std::array<double, 3>;
-
-Vector difference(std::span<const double, 3> a, std::span<const double, 3> b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 // Whether the cell's surface turns the other way at some corners than at others (the Jacobian
 // changes its sign). A closed surface with convex planar faces that turns the same way at all
 // corners bounds a convex body. Three edges in a plane turn no way.
@@ -150,7 +141,7 @@ bool turns_both_ways(const ZooMesh& mesh, std::size_t cell, double planarity) {
     const CornerFan& fan = kFans[static_cast<std::size_t>(shape)][corner];
     std::array<Vector, 4> edge;
     for (std::size_t k = 0; k < fan.count; ++k)
-      edge[k] = difference(mesh.position(nodes[fan.neighbors[k]]), mesh.position(nodes[corner]));
+      edge[k] = minus(mesh.position(nodes[fan.neighbors[k]]), mesh.position(nodes[corner]));
     for (std::size_t k = 0; k < (fan.count == 3 ? 1 : fan.count); ++k) {
       const Vector &a = edge[k], &b = edge[(k + 1) % fan.count], &c = edge[(k + 2) % fan.count];
       const double volume = dot(a, cross(b, c));
@@ -171,7 +162,7 @@ bool has_bent_face(const ZooMesh& mesh, std::size_t cell, double planarity) {
     std::array<Vector, 4> normal;
     std::array<double, 4> size;
     for (std::size_t k = 0; k < 4; ++k) {
-      const Vector next = difference(at(k + 1), at(k)), before = difference(at(k + 3), at(k));
+      const Vector next = minus(at(k + 1), at(k)), before = minus(at(k + 3), at(k));
       normal[k] = cross(next, before);
       size[k] = dot(next, next) * dot(before, before);
     }

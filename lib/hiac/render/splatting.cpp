@@ -7,6 +7,7 @@
 
 #include "hiac/base/parallel.hpp"
 #include "hiac/geometry/inverse_map.hpp"
+#include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 #include "hiac/optics/linear_piece.hpp"
 #include "hiac/render/cell_scan.hpp"
@@ -25,12 +26,6 @@ constexpr double kLeftOfEdge = 0x1p-35;
 
 int first_center(double coordinate) {
   return static_cast<int>(std::ceil(std::clamp(coordinate - 0.5, -kFarthestCount, kFarthestCount)));
-}
-
-using Vector = std::array<double, 3>;
-
-Vector difference(std::span<const double, 3> a, std::span<const double, 3> b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
 // Six times the volume of the tetrahedron with these edges from one corner.
@@ -52,16 +47,16 @@ Gravity gravity_of(const ZooMesh& mesh, CellId cell) {
   std::array<Vector, CellMap::kMostCorners> at;  // from the first corner
   Vector inside{};
   for (std::size_t k = 0; k < corners; ++k) {
-    at[k] = difference(mesh.position(nodes[k]), origin);
+    at[k] = minus(mesh.position(nodes[k]), origin);
     for (std::size_t a = 0; a < 3; ++a) inside[a] += at[k][a] / static_cast<double>(corners);
   }
   double sum = 0;
   Vector moment{};  // from the point inside
   for (const ShapeFace& face : topology_of(mesh.kinds[cell]).faces)
     for (std::size_t k = 1; k + 1 < face.corner_count; ++k) {
-      const Vector a = difference(at[face.corners[0]], inside);
-      const Vector b = difference(at[face.corners[k]], inside);
-      const Vector c = difference(at[face.corners[k + 1]], inside);
+      const Vector a = minus(at[face.corners[0]], inside);
+      const Vector b = minus(at[face.corners[k]], inside);
+      const Vector c = minus(at[face.corners[k + 1]], inside);
       const double volume = box_volume(a, b, c);
       sum += volume;
       for (std::size_t i = 0; i < 3; ++i) moment[i] += volume * (a[i] + b[i] + c[i]) / 4;
@@ -254,6 +249,7 @@ void TileSplats::append(std::size_t at, double before, const TileBuffer& buffer,
 }
 
 void TileSplats::append_before(const TileBuffer& buffer, SegmentList& segments) {
+  if (empty()) return;
   std::vector<double> farthest(next_.size(), -std::numeric_limits<double>::infinity());
   for (std::size_t s = 0; s < segments.size(); ++s)
     farthest[segments.pixel[s]] = std::max(farthest[segments.pixel[s]], segments.front[s]);

@@ -4,19 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "hiac/geometry/vector.hpp"
 #include "hiac/render/gradient_direction.hpp"
 
 namespace hiac {
 namespace {
-
-using Vector = std::array<double, 3>;
-
-Vector minus(const Vector& a, const Vector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double length(const Vector& a) { return std::hypot(a[0], a[1], a[2]); }
 
 constexpr double kAngleUnit = 16 * 0x1p-53;
 

@@ -5,24 +5,10 @@
 #include <limits>
 #include <numbers>
 
+#include "hiac/geometry/vector.hpp"
+
 namespace hiac {
 namespace {
-
-using Vector = std::array<double, 3>;
-
-double length(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
-
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-Vector unit(Vector v) {
-  const double size = length(v);
-  for (double& component : v) component /= size;
-  return v;
-}
 
 Vector between(const Vector& a, const Vector& b, double s) {
   return {std::lerp(a[0], b[0], s), std::lerp(a[1], b[1], s), std::lerp(a[2], b[2], s)};

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "hiac/base/parallel.hpp"
+#include "hiac/geometry/vector.hpp"
 #include "hiac/order/behind_relation.hpp"
 #include "hiac/order/cell_side.hpp"
 #include "hiac/order/eye_side.hpp"
@@ -13,7 +14,6 @@
 namespace hiac {
 namespace {
 
-using Vector = std::array<double, 3>;
 constexpr std::size_t kGrain = 1 << 13;
 
 // How a face lies to the eye. A face with its plane through the eye is both front and back: no ray
@@ -25,8 +25,6 @@ constexpr unsigned kNearlyBack = 8;
 constexpr unsigned kInward = 16;  // the corners run clockwise seen from outside
 constexpr unsigned kSided = 32;   // the cell has an inner side there: it is not flat
 constexpr unsigned kNearlyEdgeOn = kNearlyFront | kNearlyBack;
-
-Vector minus(Point3 a, Point3 b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 
 // Towards the eye from a point of a plane, and how far that is for FacePlane::touch.
 Vector towards_eye(const View& view, const FacePlane& plane) {

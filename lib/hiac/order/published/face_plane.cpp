@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "hiac/geometry/vector.hpp"
+
 namespace hiac {
 namespace {
-
-using Vector = std::array<double, 3>;
 
 // More than the forward error of a determinant of rounded differences, for the norms below
 // (J. R. Shewchuk, 1997, section 4.3).
@@ -15,11 +15,6 @@ constexpr double kDeterminantError = 8 * std::numeric_limits<double>::epsilon() 
 
 // What underflow may add to such a determinant is far less than this times a distance.
 constexpr double kUnderflow = std::numeric_limits<double>::min();
-
-Vector minus(Point3 a, Point3 b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 }  // namespace
 

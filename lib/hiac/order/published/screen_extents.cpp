@@ -7,11 +7,11 @@
 
 #include "hiac/base/parallel.hpp"
 #include "hiac/geometry/predicates.hpp"
+#include "hiac/geometry/vector.hpp"
 
 namespace hiac {
 namespace {
 
-using Vector = std::array<double, 3>;
 constexpr std::size_t kGrain = 1 << 13;
 // More than the rounding of window coordinates to float, and of what they are computed from.
 constexpr float kWidening = 4e-7F;
@@ -19,15 +19,6 @@ constexpr float kWidening = 4e-7F;
 constexpr double kWellBefore = 1e-2;
 // A node that lies less than this part of its distance before the eye has no place on a window.
 constexpr double kBarelyBefore = 1e-6;
-
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Vector unit(const Vector& v) {
-  const double length = std::hypot(v[0], v[1], v[2]);
-  return {v[0] / length, v[1] / length, v[2] / length};
-}
 
 struct Box {
   Vector low, high;

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "hiac/geometry/predicates.hpp"
+
+namespace hiac {
+
+/// A vector of the world, rounded as the arithmetic is: for what need not be exact.
+using Vector = std::array<double, 3>;
+
+inline Vector minus(Point3 a, Point3 b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+inline double dot(const Vector& a, const Vector& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+inline Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// Its Euclidean length, without overflow or underflow on the way.
+inline double length(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
+/// In its direction, of length 1. Not for the zero vector.
+inline Vector unit(const Vector& v) {
+  const double size = length(v);
+  return {v[0] / size, v[1] / size, v[2] / size};
+}
+/// The largest of its components, without sign.
+inline double largest(const Vector& v) {
+  return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+}
+
+}  // namespace hiac
