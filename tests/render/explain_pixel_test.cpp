@@ -106,7 +106,11 @@ TEST(ExplainPixel, EndsWithWhatThePictureHolds) {
       ASSERT_EQ(pixel.error.has_value(), with_error);
       if (with_error) {
         ASSERT_EQ(pixel.transparency, image.at(x, y, 4));
-        ASSERT_EQ(*pixel.error, image.at(x, y, 6)) << seed << ' ' << x << ' ' << y;
+        // a vector's pixels share the doubts about isosurfaces near any of them
+        ASSERT_LE(*pixel.error, image.at(x, y, 6)) << seed << ' ' << x << ' ' << y;
+        if (scene.isosurfaces.empty()) {
+          ASSERT_EQ(*pixel.error, image.at(x, y, 6)) << seed << ' ' << x << ' ' << y;
+        }
       }
       double front = -1e300;
       for (const PixelSegment& segment : pixel.segments) {
