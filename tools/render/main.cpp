@@ -19,6 +19,7 @@
 #include "hiac/order/algorithm.hpp"
 #include "hiac/order/order_file.hpp"
 #include "hiac/render/engine.hpp"
+#include "hiac/render/explain_pixel.hpp"
 #include "hiac/render/renderable.hpp"
 #include "hiac/scene/camera_path.hpp"
 #include "hiac/scene/scene_parser.hpp"
@@ -26,10 +27,12 @@
 #include "tools/common/frames.hpp"
 #include "tools/common/mesh_io.hpp"
 #include "tools/common/ordering.hpp"
+#include "tools/common/text_output.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/common/version.hpp"
 #include "tools/render/color_bar.hpp"
 #include "tools/render/picture_options.hpp"
+#include "tools/render/pixel_report.hpp"
 #include "tools/render/ticks.hpp"
 
 namespace {
@@ -38,7 +41,7 @@ using namespace hiac;
 using namespace hiac::tools;
 
 struct Options {
-  std::string input, view, order, output, size, channels, under, color_bar;
+  std::string input, view, order, output, size, channels, under, color_bar, pixel;
   double color_bar_length = 0;  // 0: a round number near a tenth of the diagonal
   std::vector<std::string> overrides;
   PictureOptions picture;
@@ -143,6 +146,19 @@ class Renderer {
   // Throws unless there is, or will be, an order for the scene.
   void require_order(const Scene& scene) {
     if (given_) fitting_order(*given_, orderer_.mesh_hash(), mesh_, scene);
+  }
+
+  // One pixel of a scene of one frame, in place of a picture.
+  void explain(const Scene& scene) {
+    Json order_facts;
+    const OrderRecord record = find_order(scene, order_facts);
+    const auto [x, y] = parse_pixel(options_.pixel);
+    const PixelExplanation pixel = tool_.timed("explain", [&] {
+      return explain_pixel(mesh_, record.order, scene, x, y, !options_.no_background);
+    });
+    tool_.facts()["order"] = order_facts;
+    tool_.facts()["pixel"] = pixel_json(pixel, scene);
+    if (tool_.common().json != "-") write_text("-", pixel_table(pixel, scene));
   }
 
   // One picture of a scene of one frame, and the facts of its making.
@@ -269,13 +285,30 @@ void require_room_for_channels(const std::string& path) {
                      path + " found)");
 }
 
+ParsedScene read_specification(Tool& tool, Options& options) {
+  add_size(options.size, options.overrides);
+  ParsedScene parsed = read_scene(options.view, options.overrides);
+  for (const std::string& line : parsed.notes) tool.note(line);
+  return parsed;
+}
+
+void explain(Tool& tool, Options options) {
+  parse_pixel(options.pixel);
+  const ParsedScene parsed = read_specification(tool, options);
+  check_frame_options(options, parsed.scene);
+  const ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
+  check_renderable(file.mesh, parsed.scene);
+  note_model(tool, file.mesh, parsed.scene);
+  Renderer(tool, options, file, std::nullopt)
+      .explain(options.frame ? scene_of_frame(parsed.scene, *options.frame) : parsed.scene);
+}
+
 void render(Tool& tool, Options options) {
+  if (options.output.empty()) throw UsageError("--output is required");
   require_known_image_extension(options.output, options.depth);
   if (!options.color_bar.empty()) require_known_image_extension(options.color_bar);
-  add_size(options.size, options.overrides);
   if (!parse_channels(options.channels).empty()) require_room_for_channels(options.output);
-  const ParsedScene parsed = read_scene(options.view, options.overrides);
-  for (const std::string& line : parsed.notes) tool.note(line);
+  const ParsedScene parsed = read_specification(tool, options);
   const Scene& scene = parsed.scene;
   const PixelRect part = picture_choice(options.picture, scene.image).part;
   const std::optional<Image> under = read_under(options, {part.width, part.height});
@@ -304,6 +337,7 @@ int main(int argc, char** argv) {
       "  hiac-render part.zoo --view view.toml --set camera.fov=20 -o part.npy\n"
       "  hiac-render part.zoo --view view.toml --channels depth,error -o part.exr\n"
       "  hiac-render part.zoo --view view.toml --crop 300,200,64,64 -o detail.npy\n"
+      "  hiac-render part.zoo --view view.toml --pixel 300,200\n"
       "  hiac-render part.zoo --view view.toml --samples 8 --filter bspline -o truth.exr\n"
       "  hiac-render part.zoo --view view.toml --set render.splat_below=2 -o splatted.exr\n"
       "  hiac-render near.zoo --view view.toml --under far.exr -o both.exr\n"
@@ -317,9 +351,7 @@ int main(int argc, char** argv) {
   app.add_option("--order", options.order,
                  "Order file of hiac-sort; without one the mesh is sorted first")
       ->type_name("FILE");
-  app.add_option("-o,--output", options.output, "Image: " + image_extensions())
-      ->required()
-      ->type_name("IMAGE");
+  app.add_option("-o,--output", options.output, "Image: " + image_extensions())->type_name("IMAGE");
   app.add_option("--size", options.size, "Size in pixels instead of the specification's")
       ->type_name("WxH");
   app.add_option("--set", options.overrides, "Override KEY=VALUE of the specification; repeatable")
@@ -353,5 +385,15 @@ int main(int argc, char** argv) {
                  "Bits a sample: 8 or 16 (.png .sgi), or 32, floating-point (.tiff); default: 8")
       ->type_name("BITS");
   app.add_flag("--linear", options.linear, "Integer images: linear values instead of sRGB");
-  return tool.run(argc, argv, [&] { render(tool, options); });
+  auto* pixel =
+      app.add_option("--pixel", options.pixel,
+                     "Explain this pixel, column X and row Y, in place of a picture: a table of "
+                     "what its ray meets, or with --json all of it for programs")
+          ->type_name("X,Y");
+  for (const char* of_pictures :
+       {"--output", "--channels", "--crop", "--samples", "--filter", "--under", "--frames",
+        "--colorbar", "--colorbar-length", "--depth", "--linear"})
+    pixel->excludes(app.get_option(of_pictures));
+  return tool.run(argc, argv,
+                  [&] { pixel->count() == 0 ? render(tool, options) : explain(tool, options); });
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -20,6 +21,9 @@ struct PictureOptions {
 
 /// Adds --crop, --samples and --filter. `channels`: the option that samples cannot have.
 void add_picture_options(CLI::App& app, PictureOptions& options, CLI::Option* channels);
+
+/// X,Y, as --pixel has it: column and row of a pixel. Throws UsageError when it is something else.
+std::array<std::uint32_t, 2> parse_pixel(const std::string& text);
 
 /// What they say of a picture.
 struct PictureChoice {

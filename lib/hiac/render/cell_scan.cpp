@@ -409,5 +409,16 @@ void scan_cell_beside_eye(const Frame& frame, const CellSurface& surface, const 
   HWY_DYNAMIC_DISPATCH(scan_beside_eye)(frame, surface, tile, crossings);
 }
 
+void scan_cell(const Frame& frame, CellId cell, const TileRect& tile,
+               std::vector<CellCrossing>& crossings) {
+  const CellSurface surface = cell_surface(frame.mesh.kinds[cell], frame.mesh.cell_nodes(cell));
+  const bool projected =
+      std::none_of(surface.nodes.begin(),
+                   surface.nodes.begin() + static_cast<std::ptrdiff_t>(surface.corner_count),
+                   [&](NodeId node) { return std::isnan(frame.nodes[node].depth); });
+  const auto scan = projected ? scan_projected_cell : scan_cell_beside_eye;
+  scan(frame, surface, tile, crossings);
+}
+
 }  // namespace hiac
 #endif

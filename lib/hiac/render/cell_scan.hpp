@@ -42,4 +42,8 @@ void scan_projected_cell(const Frame& frame, const CellSurface& surface, const T
 void scan_cell_beside_eye(const Frame& frame, const CellSurface& surface, const TileRect& tile,
                           std::vector<CellCrossing>& crossings);
 
+/// The same for a cell of the frame's mesh, by whichever of the two is for it.
+void scan_cell(const Frame& frame, CellId cell, const TileRect& tile,
+               std::vector<CellCrossing>& crossings);
+
 }  // namespace hiac

@@ -186,6 +186,7 @@ IsosurfaceCrossing CutsAlongRay::crossing_at(const CellMap& map, const CellCross
   }
   double angle = 0;
   IsosurfaceCrossing found;
+  found.surface = cut.surface;
   found.t = u >= 1 ? stretch.back : stretch.front + u * (stretch.back - stretch.front);
   const auto normal = normal_at(map, stretch, cut, found.t, angle);
   found.shade = shade_isosurface(*cut.surface, frame_.isosurfaces.lights, normal, ray);

@@ -17,6 +17,7 @@ namespace hiac {
 /// Where a ray crosses an isosurface, and what it sees there.
 struct IsosurfaceCrossing {
   double t;
+  const FrameIsosurface* surface;
   IsosurfaceShade shade;
   // where errors are asked for
   double moved = 0;          ///< what t may be wrong by

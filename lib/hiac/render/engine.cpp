@@ -10,9 +10,10 @@
 #include "hiac/base/progress.hpp"
 #include "hiac/base/seconds.hpp"
 #include "hiac/render/background.hpp"
+#include "hiac/render/cell_groups.hpp"
+#include "hiac/render/error_bound.hpp"
 #include "hiac/render/frame.hpp"
 #include "hiac/render/general_cells.hpp"
-#include "hiac/render/kernel_cells.hpp"
 #include "hiac/render/splatting.hpp"
 #include "hiac/render/tetrahedron_kernel.hpp"
 #include "hiac/render/tile.hpp"
@@ -21,73 +22,8 @@
 namespace hiac {
 namespace {
 
-// Segments may begin this much before the one in front of them ended, relative to the depth of the
-// mesh: faces computed by different routes differ by rounding.
-constexpr double kWitnessTolerance = 1e-9;
-
 // Between two looks at whether a tile's pixels are all opaque.
 constexpr std::size_t kCellsPerLook = 256;
-
-double depth_of_mesh(const ZooMesh& mesh, const Projector& projector) {
-  double least = std::numeric_limits<double>::infinity(), most = -least;
-  for (NodeId node = 0; node < mesh.node_count(); ++node) {
-    const double t = projector.parameter(mesh.position(node));
-    least = std::min(least, t);
-    most = std::max(most, t);
-  }
-  return mesh.node_count() == 0 ? 0 : most - least;
-}
-
-template <std::size_t N>
-FrameField frame_field(const ZooMesh& mesh, const std::string& name,
-                       const TransferTable<N>& table) {
-  Field field = scalar_field(mesh, name);
-  FrameField result{field.values, {}, field.location};
-  result.intervals = classify_values(result.values.view(), table);
-  return result;
-}
-
-FrameField zero_field(const ZooMesh& mesh) {
-  FrameField zero{std::vector<double>(mesh.cell_count(), 0.0), {}, FieldLocation::cell};
-  zero.intervals.assign(mesh.cell_count(), {0, 0});
-  return zero;
-}
-
-Frame make_frame(const ZooMesh& mesh, const Scene& scene, const Projector& projector) {
-  Frame frame{.mesh = mesh,
-              .projector = projector,
-              .nodes = project_nodes(mesh, projector),
-              .kernel_cells = {},
-              .optics = make_optics_tables(scene.volume, scene.render.integration),
-              .color = {},
-              .extinction = {},
-              .isosurfaces = make_isosurfaces(mesh, scene, projector),
-              .splatted_cells = {}};
-  frame.kernel_cells = kernel_cells(mesh, frame.nodes);
-  if (scene.render.splat_below > 0)
-    frame.splatted_cells = splatted_cells(frame, scene.image, scene.render.splat_below);
-  const auto& color = scene.volume.color;
-  const auto& extinction = scene.volume.extinction;
-  if (extinction)
-    frame.extinction = frame_field(mesh, extinction->field, frame.optics.extinction);
-  else if (color)
-    frame.extinction = frame_field(mesh, color->field, frame.optics.extinction);
-  else
-    frame.extinction = zero_field(mesh);
-  if (!frame.optics.same_field) frame.color = frame_field(mesh, color->field, frame.optics.color);
-  frame.tolerance = scene.render.tolerance;
-  frame.depth = depth_of_mesh(mesh, projector);
-  frame.witness_tolerance = kWitnessTolerance * frame.depth;
-  // What lies behind a transparency T adds at most T times the largest colour to a pixel and T to
-  // its alpha. Emission has no such bound: it grows with the length of the ray.
-  frame.largest_light = std::max(frame.optics.largest_color, frame.isosurfaces.largest_light);
-  frame.least_transparency =
-      frame.optics.emission
-          ? 0
-          : scene.render.tolerance /
-                std::max({1.0, frame.optics.largest_color, frame.isosurfaces.largest_light});
-  return frame;
-}
 
 bool all_opaque(const TileBuffer& buffer, const TileRect& tile, double least) {
   for (int y = tile.y0; y < tile.y1; ++y) {
@@ -115,9 +51,9 @@ class TileRenderer {
   void render() {
     std::size_t begin = 0;
     while (begin < ranks_.size()) {
-      const CellGroup* group = group_of(ranks_[begin]);
+      const CellGroup* group = group_of(order_, ranks_[begin]);
       const std::uint32_t stop =
-          group != nullptr ? group->first + group->count : next_group_first(ranks_[begin]);
+          group != nullptr ? group->first + group->count : next_group_first(order_, ranks_[begin]);
       std::size_t end = begin;
       while (end < ranks_.size() && ranks_[end] < stop &&
              (group != nullptr || end - begin < kCellsPerLook))
@@ -142,22 +78,6 @@ class TileRenderer {
   [[nodiscard]] const TileCounts& counts() const { return counts_; }
 
  private:
-  // The last group that starts at or before a rank.
-  [[nodiscard]] auto group_after(std::uint32_t rank) const {
-    return std::upper_bound(order_.groups.begin(), order_.groups.end(), rank,
-                            [](std::uint32_t r, const CellGroup& g) { return r < g.first; });
-  }
-  [[nodiscard]] const CellGroup* group_of(std::uint32_t rank) const {
-    const auto after = group_after(rank);
-    if (after == order_.groups.begin()) return nullptr;
-    const CellGroup& group = *(after - 1);
-    return rank < group.first + group.count ? &group : nullptr;
-  }
-  [[nodiscard]] std::uint32_t next_group_first(std::uint32_t rank) const {
-    const auto after = group_after(rank);
-    return after == order_.groups.end() ? std::numeric_limits<std::uint32_t>::max() : after->first;
-  }
-
   [[nodiscard]] bool for_kernel(std::uint32_t rank) const {
     return frame_.kernel_cells[order_.cells[rank]] != 0;
   }
@@ -205,12 +125,7 @@ double channel_value(Channel channel, const PixelDetails& pixel, const Frame& fr
     case Channel::error:
       break;
   }
-  // where the ray was ended early there may be more
-  const bool ended = transparency <= frame.least_transparency;
-  const double behind = ended ? transparency * frame.largest_light : 0;
-  const double lost = pixel.transparency_error + pixel.open_edge + (ended ? transparency : 0);
-  return std::max(pixel.radiance_error + pixel.open_edge + behind + lost * background, lost) +
-         4 * 0x1p-53 * (1 + background);
+  return pixel_error(frame, pixel, transparency, background);
 }
 
 // What a tile leaves behind besides its pixels.

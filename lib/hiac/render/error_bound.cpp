@@ -187,4 +187,14 @@ ErrorBound shade_bound(const FrameIsosurface& surface, std::span<const FrameLigh
   return bound;
 }
 
+double pixel_error(const Frame& frame, const PixelDetails& pixel, double transparency,
+                   double background) {
+  // where the ray was ended early there may be more
+  const bool ended = transparency <= frame.least_transparency;
+  const double behind = ended ? transparency * frame.largest_light : 0;
+  const double lost = pixel.transparency_error + pixel.open_edge + (ended ? transparency : 0);
+  return std::max(pixel.radiance_error + pixel.open_edge + behind + lost * background, lost) +
+         4 * 0x1p-53 * (1 + background);
+}
+
 }  // namespace hiac

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "hiac/render/frame.hpp"
+#include "hiac/render/pixel_details.hpp"
 
 namespace hiac {
 
@@ -107,5 +108,10 @@ ErrorBound cut_bound(const CellOptics& cell, bool emission, double largest_light
 ErrorBound shade_bound(const FrameIsosurface& surface, std::span<const FrameLight> lights,
                        const std::array<double, 3>& normal, const std::array<double, 3>& ray,
                        double angle);
+
+/// The bound of a finished pixel, or of what lies in front of a place on its ray: of any channel.
+/// `transparency`: of all of it; `background`: the largest channel of what is put behind.
+double pixel_error(const Frame& frame, const PixelDetails& pixel, double transparency,
+                   double background);
 
 }  // namespace hiac

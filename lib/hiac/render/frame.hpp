@@ -9,6 +9,7 @@
 #include "hiac/render/isosurfaces.hpp"
 #include "hiac/render/projection.hpp"
 #include "hiac/render/transfer_table.hpp"
+#include "hiac/scene/scene.hpp"
 
 namespace hiac {
 
@@ -40,5 +41,9 @@ struct Frame {
     return !splatted_cells.empty() && splatted_cells[cell] != 0;
   }
 };
+
+/// The frame of a scene, without details. `projector`: of the scene; it and the mesh must outlive
+/// the frame. Requires what check_renderable (renderable.hpp) lets pass.
+Frame make_frame(const ZooMesh& mesh, const Scene& scene, const Projector& projector);
 
 }  // namespace hiac

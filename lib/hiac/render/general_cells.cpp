@@ -9,7 +9,6 @@
 #include "hiac/optics/piece_rule.hpp"
 #include "hiac/optics/polynomial_piece.hpp"
 #include "hiac/render/cell_scan.hpp"
-#include "hiac/render/cell_surface.hpp"
 #include "hiac/render/cuts_along_ray.hpp"
 #include "hiac/render/error_bound.hpp"
 #include "hiac/render/field_along_ray.hpp"
@@ -87,7 +86,8 @@ class GeneralCellRenderer {
     if (is_empty_ && !is_cut_) return;
     const CellKind kind = kind_ = frame_.mesh.kinds[cell];
     const auto nodes = frame_.mesh.cell_nodes(cell);
-    find_crossings(kind, nodes);
+    crossings_.clear();
+    scan_cell(frame_, cell, tile_, crossings_);
     if (crossings_.empty()) return;
     std::array<CellMap::Point, CellMap::kMostCorners> corners;
     for (std::size_t k = 0; k < corner_count(kind); ++k) {
@@ -164,17 +164,6 @@ class GeneralCellRenderer {
              });
     };
     return flat(optics_.extinction, extinction_) && flat(optics_.color, color_);
-  }
-
-  void find_crossings(CellKind kind, std::span<const NodeId> nodes) {
-    crossings_.clear();
-    const CellSurface surface = cell_surface(kind, nodes);
-    const bool projected =
-        std::none_of(surface.nodes.begin(),
-                     surface.nodes.begin() + static_cast<std::ptrdiff_t>(surface.corner_count),
-                     [&](NodeId node) { return std::isnan(frame_.nodes[node].depth); });
-    const auto scan = projected ? scan_projected_cell : scan_cell_beside_eye;
-    scan(frame_, surface, tile_, crossings_);
   }
 
   void render(const CellCrossing& crossing, const CellMap& map, const FieldAlongRay& field) {

@@ -43,6 +43,11 @@ void SegmentList::append(std::uint32_t at, double t_front, double t_back, double
   transparency.push_back(zeta);
 }
 
+bool SegmentList::nearer(std::uint32_t a, std::uint32_t b) const {
+  if (front[a] != front[b]) return front[a] < front[b];
+  return back[a] != back[b] ? back[a] < back[b] : a < b;
+}
+
 void composite_sorted(const SegmentList& segments, double witness_tolerance, TileBuffer& buffer,
                       TileCounts& counts) {
   // counting sort by pixel, then a comparison sort of each pixel's few segments by depth
@@ -53,10 +58,7 @@ void composite_sorted(const SegmentList& segments, double witness_tolerance, Til
   std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
   for (std::uint32_t s = 0; s < segments.size(); ++s) sorted[next[segments.pixel[s]]++] = s;
 
-  const auto nearer = [&](std::uint32_t a, std::uint32_t b) {
-    if (segments.front[a] != segments.front[b]) return segments.front[a] < segments.front[b];
-    return segments.back[a] != segments.back[b] ? segments.back[a] < segments.back[b] : a < b;
-  };
+  const auto nearer = [&](std::uint32_t a, std::uint32_t b) { return segments.nearer(a, b); };
   for (std::size_t p = 0; p + 1 < start.size(); ++p) {
     std::sort(sorted.begin() + start[p], sorted.begin() + start[p + 1], nearer);
     double red = buffer.red[p], green = buffer.green[p], blue = buffer.blue[p];

@@ -49,6 +49,8 @@ struct SegmentList {
   void clear();
   void append(std::uint32_t at, double t_front, double t_back, double r, double g, double b,
               double zeta);
+  /// The order of one pixel's segments: by depth.
+  [[nodiscard]] bool nearer(std::uint32_t a, std::uint32_t b) const;
 };
 
 /// Events counted while rendering.

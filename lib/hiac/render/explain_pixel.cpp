@@ -1,0 +1,287 @@
+#include "hiac/render/explain_pixel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "hiac/base/error.hpp"
+#include "hiac/optics/polynomial_piece.hpp"
+#include "hiac/render/background.hpp"
+#include "hiac/render/cell_groups.hpp"
+#include "hiac/render/cell_scan.hpp"
+#include "hiac/render/cuts_along_ray.hpp"
+#include "hiac/render/error_bound.hpp"
+#include "hiac/render/field_along_ray.hpp"
+#include "hiac/render/general_cells.hpp"
+#include "hiac/render/tetrahedron_kernel.hpp"
+#include "hiac/render/tile_bins.hpp"
+
+namespace hiac {
+namespace {
+
+// Psi is found to this.
+constexpr double kPsiTolerance = 1e-13;
+
+void require_explainable(const Scene& scene, std::uint32_t x, std::uint32_t y) {
+  if (x >= scene.image.width || y >= scene.image.height)
+    throw UsageError(
+        fmt::format("pixel {},{}: not in the picture (expected columns 0 to {} and rows 0 to {})",
+                    x, y, scene.image.width - 1, scene.image.height - 1));
+  if (scene.render.splat_below > 0)
+    throw UsageError(
+        "a pixel is explained by ray segments, and splats are none (`render.splat_below` = 0 "
+        "expected)");
+}
+
+CornerField corner_field(const ZooMesh& mesh, CellId cell, const FrameField& field) {
+  CornerField result{{}, std::numeric_limits<double>::infinity(), 0, 0};
+  result.most = -result.least;
+  const auto nodes = mesh.cell_nodes(cell);
+  for (std::size_t k = 0; k < corner_count(mesh.kinds[cell]); ++k) {
+    const double value = field.values[field.index(cell, mesh.elems[cell] + k, nodes[k])];
+    result.values[k] = value;
+    result.least = std::min(result.least, value);
+    result.most = std::max(result.most, value);
+  }
+  return result;
+}
+
+// `fields`: of extinction and, where it has its own, of colour.
+double mean_transparency(const OpticsTables& optics, std::span<const FieldAlongRay::Piece> fields,
+                         double length) {
+  if (!(length > 0)) return 1;
+  const PiecewiseLinear<3> one(std::vector<PiecewiseLinear<3>::Point>{{0, {1, 1, 1}}});
+  double light = 0, transparency = 1;
+  // a medium that emits 1 everywhere shines with length times Psi
+  for (const FieldAlongRay::Piece& piece : fields) {
+    const double part = (piece.end - piece.begin) * length;
+    const SegmentRadiance r = integrate_segment(
+        {piece.fields[0], piece.fields[0], part}, one, optics.extinction_function, Glow::emission,
+        std::max(kPsiTolerance * part, std::numeric_limits<double>::min()));
+    light += transparency * r.rgb[0];
+    transparency *= r.transparency;
+  }
+  return light / length;
+}
+
+void append(const SegmentList& all, std::size_t i, SegmentList& list) {
+  list.append(all.pixel[i], all.front[i], all.back[i], all.red[i], all.green[i], all.blue[i],
+              all.transparency[i]);
+  list.details.push_back(all.details[i]);
+}
+
+class RayFollower {
+ public:
+  // `background`: the largest channel of what is behind.
+  RayFollower(const Frame& frame, const TileRect& tile, int x, int y, double background)
+      : frame_(frame),
+        tile_(tile),
+        x_(x),
+        y_(y),
+        at_(static_cast<std::size_t>(y - tile.y0) * kTileStride +
+            static_cast<std::size_t>(x - tile.x0)),
+        background_(background),
+        origin_(frame.projector.origin(x + 0.5, y + 0.5)),
+        direction_(frame.projector.direction(x + 0.5, y + 0.5)),
+        cuts_(frame) {
+    buffer_.reset(tile, frame.projector, frame.with_details);
+  }
+
+  // A cell whose place in the order is known. The engine composites its segments itself.
+  void follow(CellId cell) {
+    SegmentList found;
+    collect(cell, found);
+    if (found.size() == 0) return;
+    if (found.size() > 1) {
+      TileBuffer so_far = buffer_;
+      for (std::size_t i = 0; i + 1 < found.size(); ++i) composite(cell, found, i, so_far);
+    }
+    const std::uint32_t violations = buffer_.details[at_].violations;
+    draw(cell, nullptr);
+    add_row(cell, found, found.size() - 1, buffer_, buffer_.details[at_].violations > violations);
+  }
+
+  // Cells that the engine puts in order along the ray.
+  void follow_group(std::span<const CellId> cells) {
+    SegmentList found;
+    std::vector<CellId> owners;
+    for (const CellId cell : cells) {
+      collect(cell, found);
+      owners.resize(found.size(), cell);
+    }
+    std::vector<std::uint32_t> sorted(found.size());
+    std::iota(sorted.begin(), sorted.end(), 0U);
+    std::ranges::sort(sorted, [&](std::uint32_t a, std::uint32_t b) { return found.nearer(a, b); });
+    for (const std::uint32_t i : sorted) {
+      composite(owners[i], found, i, buffer_);
+      rows_.back().in_group = true;
+    }
+  }
+
+  [[nodiscard]] std::vector<PixelSegment> take_rows() { return std::move(rows_); }
+  [[nodiscard]] Color color() const { return color_of(buffer_); }
+  [[nodiscard]] double transparency() const { return buffer_.transparency[at_]; }
+  [[nodiscard]] std::optional<double> error() const { return error_of(buffer_); }
+
+ private:
+  // In the whole tile, as the engine does: what the tile's pixels share is the same, too.
+  void draw(CellId cell, SegmentList* group) {
+    const auto renderer = frame_.kernel_cells[cell] != 0 ? render_tetrahedra : render_general_cells;
+    renderer(frame_, {&cell, 1}, tile_, buffer_, group, counts_);
+  }
+
+  // Appends a cell's segments in the pixel.
+  void collect(CellId cell, SegmentList& found) {
+    SegmentList all;
+    draw(cell, &all);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (all.pixel[i] == at_) append(all, i, found);
+  }
+
+  // One segment of a list, noted behind what a buffer holds.
+  void composite(CellId cell, const SegmentList& found, std::size_t i, TileBuffer& buffer) {
+    TileCounts counts;
+    SegmentList one;
+    append(found, i, one);
+    composite_sorted(one, frame_.witness_tolerance, buffer, counts);
+    add_row(cell, found, i, buffer, counts.violations > 0);
+  }
+
+  [[nodiscard]] Color color_of(const TileBuffer& buffer) const {
+    return {buffer.red[at_], buffer.green[at_], buffer.blue[at_]};
+  }
+  [[nodiscard]] std::optional<double> error_of(const TileBuffer& buffer) const {
+    if (!frame_.with_error) return std::nullopt;
+    return pixel_error(frame_, buffer.details[at_], buffer.transparency[at_], background_);
+  }
+
+  [[nodiscard]] RayStretch stretch(double front, double back) const {
+    return {origin_, direction_, front, back};
+  }
+
+  // `after`: the pixel behind the segment.
+  void add_row(CellId cell, const SegmentList& found, std::size_t i, const TileBuffer& after,
+               bool out_of_order) {
+    PixelSegment row;
+    row.cell = cell;
+    row.kind = frame_.mesh.kinds[cell];
+    row.out_of_order = out_of_order;
+    row.length = (found.back[i] - found.front[i]) * after.ray_scale[at_];
+    row.transparency = after.transparency[at_];
+    row.color = color_of(after);
+    row.error = error_of(after);
+    std::array<CellMap::Point, CellMap::kMostCorners> corners;
+    const auto nodes = frame_.mesh.cell_nodes(cell);
+    for (std::size_t k = 0; k < corner_count(row.kind); ++k) {
+      const auto p = frame_.mesh.position(nodes[k]);
+      corners[k] = {p[0], p[1], p[2]};
+    }
+    const CellMap map(row.kind, corners);
+    set_fields(row, map, stretch(found.front[i], found.back[i]));
+    find_surfaces(row, map, found.front[i]);
+    rows_.push_back(std::move(row));
+  }
+
+  void set_fields(PixelSegment& row, const CellMap& map, const RayStretch& part) {
+    const OpticsTables& optics = frame_.optics;
+    const std::array<CornerField, 2> fields{
+        corner_field(frame_.mesh, row.cell, frame_.extinction),
+        corner_field(frame_.mesh, row.cell, frame_.color_field())};
+    FieldAlongRay(row.kind, map, fields).along(part, pieces_);
+    const auto end = [&](const FieldAlongRay::Piece& piece, double u, double t) {
+      SegmentEnd result;
+      result.depth = frame_.projector.distance(t);
+      result.extinction_field = evaluate(piece.fields[0], u);
+      result.color_field = evaluate(piece.fields[1], u);
+      result.tau = optics.extinction_function(result.extinction_field)[0];
+      result.kappa = optics.color_function(result.color_field);
+      return result;
+    };
+    row.front = end(pieces_.front(), 0, part.front);
+    row.back = end(pieces_.back(), 1, part.back);
+    row.psi = mean_transparency(optics, pieces_, row.length);
+  }
+
+  // `front`: where the engine has the segment begin.
+  void find_surfaces(PixelSegment& row, const CellMap& map, double front) {
+    if (!cuts_.enter(row.cell, frame_.with_error ? displacement(frame_, row.cell) : 0)) return;
+    crossings_.clear();
+    scan_cell(frame_, row.cell, tile_, crossings_);
+    std::erase_if(crossings_, [&](const CellCrossing& c) { return c.x != x_ || c.y != y_; });
+    if (crossings_.empty()) return;
+    const auto clipped = [&](const CellCrossing& c) {
+      return stretch(std::max(c.front, frame_.projector.near()),
+                     std::min(c.back, frame_.projector.far()));
+    };
+    const CellCrossing& crossing = *std::ranges::min_element(
+        crossings_, {}, [&](const CellCrossing& c) { return std::abs(clipped(c).front - front); });
+    cuts_.find(map, crossing, clipped(crossing), surfaces_);
+    for (const IsosurfaceCrossing& met : surfaces_)
+      row.surfaces.push_back(
+          {static_cast<std::size_t>(met.surface - frame_.isosurfaces.surfaces.data()),
+           frame_.projector.distance(met.t), met.shade.rgb, 1 - met.shade.transparency});
+  }
+
+  const Frame& frame_;
+  TileRect tile_;
+  int x_, y_;
+  std::size_t at_;  // of the pixel in the tile's planes
+  double background_;
+  std::array<double, 3> origin_, direction_;
+  TileBuffer buffer_;
+  TileCounts counts_;
+  std::vector<PixelSegment> rows_;
+  // scratch
+  CutsAlongRay cuts_;
+  std::vector<FieldAlongRay::Piece> pieces_;
+  std::vector<CellCrossing> crossings_;
+  std::vector<IsosurfaceCrossing> surfaces_;
+};
+
+}  // namespace
+
+PixelExplanation explain_pixel(const ZooMesh& mesh, const VisibilityOrder& order,
+                               const Scene& scene, std::uint32_t x, std::uint32_t y,
+                               bool with_background) {
+  require_explainable(scene, x, y);
+  const Projector projector(scene.camera, scene.image);
+  Frame frame = make_frame(mesh, scene, projector);
+  frame.with_details = true;
+  frame.with_error = frame.optics.rule == PieceRule::exact;
+
+  PixelExplanation result;
+  result.x = x;
+  result.y = y;
+  if (with_background) result.background = background_at(scene.background, scene.image, x, y);
+  const TileBins bins = bin_cells(frame, order, scene.image, {x, y, 1, 1});
+  RayFollower ray(frame, bins.tiles.front(), static_cast<int>(x), static_cast<int>(y),
+                  std::ranges::max(result.background));
+  const auto ranks = bins.cells_of(0);
+  for (std::size_t i = 0; i < ranks.size();) {
+    const CellGroup* group = group_of(order, ranks[i]);
+    if (group == nullptr) {
+      ray.follow(order.cells[ranks[i++]]);
+      continue;
+    }
+    std::vector<CellId> cells;
+    for (; i < ranks.size() && ranks[i] < group->first + group->count; ++i)
+      cells.push_back(order.cells[ranks[i]]);
+    ray.follow_group(cells);
+  }
+
+  result.transparency = ray.transparency();
+  result.ended = result.transparency <= frame.least_transparency;
+  result.error = ray.error();
+  const Color color = ray.color();
+  for (std::size_t c = 0; c < 3; ++c)
+    result.rgba[c] = color[c] + result.transparency * result.background[c];
+  result.rgba[3] = 1 - result.transparency;
+  result.segments = ray.take_rows();
+  return result;
+}
+
+}  // namespace hiac

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "hiac/mesh/zoo_mesh.hpp"
+#include "hiac/order/visibility_order.hpp"
+#include "hiac/scene/scene.hpp"
+
+namespace hiac {
+
+/// An end of a ray segment, seen from inside its cell.
+struct SegmentEnd {
+  double depth = 0;  ///< distance from the eye plane along the view direction
+  double color_field = 0, extinction_field = 0;
+  Color kappa{};   ///< what the colour function is there: chromaticity, or emission
+  double tau = 0;  ///< extinction coefficient per world unit of length
+};
+
+/// An isosurface where the ray meets it.
+struct MetIsosurface {
+  std::size_t surface = 0;  ///< index into Scene::isosurfaces
+  double depth = 0;         ///< as SegmentEnd::depth
+  Color color{};            ///< what it shines with, premultiplied by its opacity
+  double opacity = 0;       ///< at the angle at which it is seen
+};
+
+/// The part of a ray inside one cell.
+struct PixelSegment {
+  CellId cell = 0;
+  CellKind kind{};
+  bool in_group = false;      ///< the cell's place was found pixel by pixel (CellGroup)
+  bool out_of_order = false;  ///< the segment began before the one in front of it had ended
+  SegmentEnd front, back;
+  double length = 0;  ///< world units
+  /// Psi = int_0^1 exp(-A(u)) du of the segment's volume, u its part from the front and A(u) the
+  /// optical depth of that part: the mean transparency (linear_piece.hpp). Of the fields
+  /// themselves, whatever the scene's integration, and without isosurfaces.
+  double psi = 1;
+  std::vector<MetIsosurface> surfaces;  ///< front to back
+  // of all that is in front of the segment's back end
+  double transparency = 1;
+  Color color{};                ///< premultiplied, without background
+  std::optional<double> error;  ///< bound (pixel_error); none where none is claimed
+};
+
+/// How one pixel comes about.
+struct PixelExplanation {
+  std::uint32_t x = 0, y = 0;
+  std::vector<PixelSegment> segments;  ///< front to back, as they were composited
+  bool ended = false;  ///< too little is seen through the segments to look behind them
+  double transparency = 1;
+  Color background{};  ///< behind; black without one
+  /// "R" "G" "B" "A" of the picture.
+  std::array<double, 4> rgba{};
+  std::optional<double> error;  ///< bound, of every channel of rgba; none where none is claimed
+};
+
+/// Follows the ray of one pixel as the engine does: the same code renders the same cells in the
+/// same order, one by one, and what the pixel holds after each of them is noted. So `rgba` and
+/// `error` are the picture's, to the last bit. Ends, fields and
+/// isosurfaces are those that the engine finds in cells of every kind (general_cells.hpp); in
+/// tetrahedra they
+/// are those of its kernel to within rounding. Cells without extinction (nor emission) are empty
+/// space, and no segments, unless an isosurface crosses them.
+///
+/// Requires what check_renderable (renderable.hpp) lets pass. Throws UsageError when the pixel is
+/// not in the picture, or cells are splatted: splats are not segments.
+PixelExplanation explain_pixel(const ZooMesh& mesh, const VisibilityOrder& order,
+                               const Scene& scene, std::uint32_t x, std::uint32_t y,
+                               bool with_background);
+
+}  // namespace hiac

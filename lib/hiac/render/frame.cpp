@@ -1,0 +1,80 @@
+#include "hiac/render/frame.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "hiac/render/kernel_cells.hpp"
+#include "hiac/render/splatting.hpp"
+
+namespace hiac {
+namespace {
+
+// Segments may begin this much before the one in front of them ended, relative to the depth of the
+// mesh: faces computed by different routes differ by rounding.
+constexpr double kWitnessTolerance = 1e-9;
+
+double depth_of_mesh(const ZooMesh& mesh, const Projector& projector) {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (NodeId node = 0; node < mesh.node_count(); ++node) {
+    const double t = projector.parameter(mesh.position(node));
+    least = std::min(least, t);
+    most = std::max(most, t);
+  }
+  return mesh.node_count() == 0 ? 0 : most - least;
+}
+
+template <std::size_t N>
+FrameField frame_field(const ZooMesh& mesh, const std::string& name,
+                       const TransferTable<N>& table) {
+  Field field = scalar_field(mesh, name);
+  FrameField result{field.values, {}, field.location};
+  result.intervals = classify_values(result.values.view(), table);
+  return result;
+}
+
+FrameField zero_field(const ZooMesh& mesh) {
+  FrameField zero{std::vector<double>(mesh.cell_count(), 0.0), {}, FieldLocation::cell};
+  zero.intervals.assign(mesh.cell_count(), {0, 0});
+  return zero;
+}
+
+}  // namespace
+
+Frame make_frame(const ZooMesh& mesh, const Scene& scene, const Projector& projector) {
+  Frame frame{.mesh = mesh,
+              .projector = projector,
+              .nodes = project_nodes(mesh, projector),
+              .kernel_cells = {},
+              .optics = make_optics_tables(scene.volume, scene.render.integration),
+              .color = {},
+              .extinction = {},
+              .isosurfaces = make_isosurfaces(mesh, scene, projector),
+              .splatted_cells = {}};
+  frame.kernel_cells = kernel_cells(mesh, frame.nodes);
+  if (scene.render.splat_below > 0)
+    frame.splatted_cells = splatted_cells(frame, scene.image, scene.render.splat_below);
+  const auto& color = scene.volume.color;
+  const auto& extinction = scene.volume.extinction;
+  if (extinction)
+    frame.extinction = frame_field(mesh, extinction->field, frame.optics.extinction);
+  else if (color)
+    frame.extinction = frame_field(mesh, color->field, frame.optics.extinction);
+  else
+    frame.extinction = zero_field(mesh);
+  if (!frame.optics.same_field) frame.color = frame_field(mesh, color->field, frame.optics.color);
+  frame.tolerance = scene.render.tolerance;
+  frame.depth = depth_of_mesh(mesh, projector);
+  frame.witness_tolerance = kWitnessTolerance * frame.depth;
+  // What lies behind a transparency T adds at most T times the largest colour to a pixel and T to
+  // its alpha. Emission has no such bound: it grows with the length of the ray.
+  frame.largest_light = std::max(frame.optics.largest_color, frame.isosurfaces.largest_light);
+  frame.least_transparency =
+      frame.optics.emission
+          ? 0
+          : scene.render.tolerance /
+                std::max({1.0, frame.optics.largest_color, frame.isosurfaces.largest_light});
+  return frame;
+}
+
+}  // namespace hiac
