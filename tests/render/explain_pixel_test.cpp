@@ -122,7 +122,7 @@ TEST(ExplainPixel, EndsWithWhatThePictureHolds) {
       ended += pixel.ended ? 1 : 0;
     }
   }
-  EXPECT_GT(segments, 300U);
+  EXPECT_GT(segments, 200U);
   EXPECT_GT(surfaces, 30U);
   EXPECT_GT(ended, 0U);
 }
