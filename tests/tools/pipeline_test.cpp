@@ -21,17 +21,18 @@ namespace {
 class Pipeline : public test::ToolFolder {
  protected:
   // The same picture by pipes, by files, with one thread, and without a sort of its own.
-  void expect_one_picture(const std::string& input, const std::string& view) const {
-    ASSERT_EQ(run("$CONVERT -q --corners-only '" + input + "' | $SORT -q --view '" + view +
-                  "' | $RENDER -q --view '" + view + "' -o pipe.npy"),
+  void expect_one_picture(const std::string& input, const std::string& view,
+                          const std::string& size) const {
+    const std::string draw = "$RENDER -q --size " + size + " --view '" + view + "' ";
+    ASSERT_EQ(run("$CONVERT -q --corners-only '" + input + "' | $SORT -q --view '" + view + "' | " +
+                  draw + "-o pipe.npy"),
               0)
         << bytes_of(file("err.txt"));
-    ASSERT_EQ(
-        run("$CONVERT -q --corners-only '" + input + "' -o m.zoo && $SORT m.zoo --view '" + view +
-            "' -o m.order && $RENDER -q m.zoo --order m.order --view '" + view + "' -o file.npy"),
-        0)
+    ASSERT_EQ(run("$CONVERT -q --corners-only '" + input + "' -o m.zoo && $SORT m.zoo --view '" +
+                  view + "' -o m.order && " + draw + "m.zoo --order m.order -o file.npy"),
+              0)
         << bytes_of(file("err.txt"));
-    ASSERT_EQ(run("$RENDER -q --threads 1 m.zoo --view '" + view + "' -o one.npy"), 0);
+    ASSERT_EQ(run(draw + "--threads 1 m.zoo -o one.npy"), 0);
     const std::string picture = bytes_of(file("pipe.npy"));
     EXPECT_GT(picture.size(), 1000U);
     EXPECT_TRUE(picture == bytes_of(file("file.npy")));
@@ -43,7 +44,7 @@ const std::string kSample = HIAC_SOURCE_DIR "/samples/reactor-pool/flow.vtu";
 const std::string kSampleView = HIAC_SOURCE_DIR "/samples/reactor-pool/view.toml";
 
 TEST_F(Pipeline, PipesAndFilesAndThreadsGiveOnePicture) {
-  expect_one_picture(kSample, kSampleView);
+  expect_one_picture(kSample, kSampleView, "400x300");
 }
 
 TEST_F(Pipeline, AFailedFirstStageLeavesNoPicture) {
@@ -233,7 +234,7 @@ points = [[0.0, 0.1], [0.5, 0.3], [0.9, 4.0], [1.2, 0.2], [2.3, 2.0]]
 [render]
 tolerance = 1e-14
 )";
-  expect_one_picture(spx, file("view.toml"));
+  expect_one_picture(spx, file("view.toml"), "320x240");
   const ZooMesh mesh = read_zoo_file(file("m.zoo")).mesh;
   const Scene scene = read_scene(file("view.toml")).scene;
   const Image image = read_image(file("pipe.npy")).image;
