@@ -5,6 +5,7 @@
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/order/visibility_order.hpp"
 #include "hiac/scene/scene.hpp"
+#include "hiac/scene/view_of.hpp"
 
 namespace hiac {
 
@@ -31,10 +32,7 @@ inline Scene cube_scene(std::uint32_t side) {
 
 /// Requires that the mesh has its adjacency.
 inline OrderResult order_of(const ZooMesh& mesh, const Scene& scene) {
-  return exact_order(mesh, *mesh.adjacency,
-                     {scene.camera.projection == Projection::perspective, scene.camera.eye,
-                      view_direction(scene.camera)},
-                     scene.render.planarity);
+  return exact_order(mesh, *mesh.adjacency, view_of(scene.camera), scene.render.planarity);
 }
 
 }  // namespace hiac

@@ -17,6 +17,7 @@
 #include "hiac/order/order_basis.hpp"
 #include "hiac/render/engine.hpp"
 #include "hiac/render/renderable.hpp"
+#include "hiac/scene/view_of.hpp"
 #include "tests/formats/files.hpp"
 #include "tests/support/meshes.hpp"
 
@@ -115,9 +116,7 @@ Outcome draw_from_all_sides(ZooMesh mesh) {
   const OrderBasis basis = order_basis(mesh, build_face_adjacency(mesh));
   for (const Camera& camera : cameras) {
     const Scene scene = scene_of(camera);
-    const View view{camera.projection == Projection::perspective, camera.eye,
-                    view_direction(camera)};
-    const OrderResult sorted = exact_order(basis, view, scene.render.planarity);
+    const OrderResult sorted = exact_order(basis, view_of(camera), scene.render.planarity);
     const RenderStatistics drawn = render(mesh, sorted.order, scene, false).statistics;
     outcome.segments += drawn.segments;
     outcome.violations += drawn.violations;

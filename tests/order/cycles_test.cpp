@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "hiac/render/engine.hpp"
+#include "hiac/scene/view_of.hpp"
 #include "tests/geometry/rational_orientation.hpp"
 #include "tests/order/brute_force_order.hpp"
 #include "tests/order/exact_relation.hpp"
@@ -65,10 +66,6 @@ Scene scene_above(Projection projection, const Position& center, double height,
   scene.volume.extinction = ExtinctionTransfer{"f", {{0.0, {0.5}}, {0.6, {4}}, {1, {1}}}};
   scene.render.tolerance = 1e-15;
   return scene;
-}
-
-View view_of(const Camera& camera) {
-  return {camera.projection == Projection::perspective, camera.eye, view_direction(camera)};
 }
 
 // Sorts and draws the mesh, compares every pixel with the reference, and returns the groups.

@@ -11,6 +11,7 @@
 #include "hiac/base/error.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
 #include "hiac/render/engine.hpp"
+#include "hiac/scene/view_of.hpp"
 #include "tests/render/general_meshes.hpp"
 #include "tests/render/polyhedron_reference.hpp"
 #include "tests/support/reference.hpp"
@@ -22,9 +23,7 @@ using test::cube_scene;
 using test::Cut;
 
 VisibilityOrder order_of(const ZooMesh& mesh, const Scene& scene) {
-  return exact_order(mesh, build_face_adjacency(mesh),
-                     {scene.camera.projection == Projection::perspective, scene.camera.eye,
-                      view_direction(scene.camera)},
+  return exact_order(mesh, build_face_adjacency(mesh), view_of(scene.camera),
                      scene.render.planarity)
       .order;
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/scene/view_of.hpp"
 #include "tests/render/general_meshes.hpp"
 #include "tests/support/sorting.hpp"
 
@@ -21,9 +22,7 @@ ZooMesh mesh_of_all_kinds() {
 }
 
 VisibilityOrder order_of_scene(const ZooMesh& mesh, const Scene& scene) {
-  return test::sorted(mesh, {scene.camera.projection == Projection::perspective, scene.camera.eye,
-                             view_direction(scene.camera)})
-      .order;
+  return test::sorted(mesh, view_of(scene.camera)).order;
 }
 
 void expect_part_of(const Image& whole, const Image& part, const PixelRect& rect) {

@@ -9,6 +9,7 @@
 #include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
+#include "hiac/scene/view_of.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/support/reference.hpp"
 
@@ -38,8 +39,7 @@ Scene scene_of(Projection projection, std::uint32_t width, std::uint32_t height)
 }
 
 OrderResult order_of_scene(const ZooMesh& mesh, const Scene& scene) {
-  const View view{scene.camera.projection == Projection::perspective, scene.camera.eye,
-                  view_direction(scene.camera)};
+  const View view = view_of(scene.camera);
   return exact_order(mesh, build_face_adjacency(mesh), view, scene.render.planarity);
 }
 

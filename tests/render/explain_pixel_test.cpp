@@ -10,6 +10,7 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/render/engine.hpp"
+#include "hiac/scene/view_of.hpp"
 #include "tests/render/general_meshes.hpp"
 #include "tests/support/sorting.hpp"
 
@@ -20,9 +21,7 @@ using test::cube_scene;
 using test::Cut;
 
 VisibilityOrder order_of(const ZooMesh& mesh, const Scene& scene) {
-  return test::sorted(mesh, {scene.camera.projection == Projection::perspective, scene.camera.eye,
-                             view_direction(scene.camera)})
-      .order;
+  return test::sorted(mesh, view_of(scene.camera)).order;
 }
 
 Isosurface surface_of(const std::string& field, double value, double opacity) {

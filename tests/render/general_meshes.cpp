@@ -3,6 +3,7 @@
 #include <random>
 
 #include "hiac/mesh/face_adjacency.hpp"
+#include "hiac/scene/view_of.hpp"
 
 namespace hiac::test {
 
@@ -104,8 +105,7 @@ void make_uniform(Scene& scene) {
 }
 
 RenderResult draw(const ZooMesh& mesh, const Scene& scene) {
-  const View view{scene.camera.projection == Projection::perspective, scene.camera.eye,
-                  view_direction(scene.camera)};
+  const View view = view_of(scene.camera);
   const OrderResult sorted =
       exact_order(mesh, build_face_adjacency(mesh), view, scene.render.planarity);
   return render(mesh, sorted.order, scene, false);

@@ -12,6 +12,7 @@
 #include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
 #include "hiac/render/supersampling.hpp"
+#include "hiac/scene/view_of.hpp"
 #include "tests/render/general_meshes.hpp"
 #include "tests/support/sorting.hpp"
 
@@ -22,9 +23,7 @@ using test::Cut;
 using test::Position;
 
 VisibilityOrder order_of_scene(const ZooMesh& mesh, const Scene& scene) {
-  return test::sorted(mesh, {scene.camera.projection == Projection::perspective, scene.camera.eye,
-                             view_direction(scene.camera)})
-      .order;
+  return test::sorted(mesh, view_of(scene.camera)).order;
 }
 
 // The picture that splatting approximates.

@@ -10,6 +10,7 @@
 #include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
 #include "hiac/render/quadratic_bspline.hpp"
+#include "hiac/scene/view_of.hpp"
 #include "tests/render/general_meshes.hpp"
 #include "tests/support/sorting.hpp"
 
@@ -17,9 +18,7 @@ namespace hiac {
 namespace {
 
 VisibilityOrder order_of_scene(const ZooMesh& mesh, const Scene& scene) {
-  return test::sorted(mesh, {scene.camera.projection == Projection::perspective, scene.camera.eye,
-                             view_direction(scene.camera)})
-      .order;
+  return test::sorted(mesh, view_of(scene.camera)).order;
 }
 
 Image sampled(const ZooMesh& mesh, const Scene& scene, const Supersampling& sampling,

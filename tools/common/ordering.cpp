@@ -10,10 +10,6 @@
 
 namespace hiac::tools {
 
-View view_of(const Camera& camera) {
-  return {camera.projection == Projection::perspective, camera.eye, view_direction(camera)};
-}
-
 nlohmann::ordered_json order_facts(const VisibilityOrder& order) {
   std::uint64_t in_groups = 0, largest = 1;
   for (const CellGroup& group : order.groups) {

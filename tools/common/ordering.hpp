@@ -9,12 +9,10 @@
 #include "hiac/order/order_basis.hpp"
 #include "hiac/order/order_file.hpp"
 #include "hiac/scene/scene.hpp"
+#include "hiac/scene/view_of.hpp"
 #include "tools/common/tool.hpp"
 
 namespace hiac::tools {
-
-/// The view of a camera, as orders depend on it.
-View view_of(const Camera& camera);
 
 /// A visibility order with the hashes that it belongs to, and what was met on the way.
 struct MeshOrder {  // NOLINT(bugprone-exception-escape): the JSON library's move says so

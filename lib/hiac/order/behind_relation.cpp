@@ -104,10 +104,8 @@ Said said_of(const Question& q, CellId cell, CellId other) {
   Said said;
   for (std::size_t f = 0; f < q.basis.faces.count(cell); ++f) {
     if (q.basis.adjacency.neighbors[first + f] != other) continue;
-    const int side =
-        static_cast<int>((sides.positive >> f) & 1U) - static_cast<int>((sides.negative >> f) & 1U);
     const int eye = eye_side_of_face(q, cell, f);
-    said.arrows |= eye == kBothSides ? unsigned{kBothWays} : arrows_of_sides(eye, side);
+    said.arrows |= eye == kBothSides ? unsigned{kBothWays} : arrows_of_sides(eye, sides.side(f));
     said.crossed = said.crossed || eye != 0;
   }
   return said;

@@ -14,11 +14,7 @@ namespace {
 
 // The side of the plane through the eye, a and b on which p is seen: +1 to the left of the edge
 // a -> b as seen from the eye.
-int side_of_edge(Point3 a, Point3 b, Point3 p, const View& view) {
-  // faces that touch have corners in common
-  if (p.data() == a.data() || p.data() == b.data()) return 0;
-  return eye_side(a, b, p, view);
-}
+int side_of_edge(Point3 a, Point3 b, Point3 p, const View& view) { return eye_side(a, b, p, view); }
 
 // Whether an edge of `f` has all of `g` on its outer side or in its plane.
 bool separated_by_edge(const SeenFace& f, const SeenFace& g, const View& view) {
@@ -80,11 +76,6 @@ bool separated_by_corners(const SeenFace& f, const SeenFace& g, const View& view
   return false;
 }
 
-// Whether a node is one of the first three corners of a face, which span its plane.
-bool has_corner(const SeenFace& face, const double* node) {
-  return node == face.corners[0] || node == face.corners[1] || node == face.corners[2];
-}
-
 // How the corners of `face` lie to the plane of `plane`: on the eye's side, beyond, or in it.
 struct Sides {
   bool any_nearer = false, any_beyond = false;
@@ -93,7 +84,6 @@ struct Sides {
 Sides sides_of(const SeenFace& plane, const SeenFace& face) {
   Sides sides;
   for (std::size_t k = 0; k < face.count; ++k) {
-    if (has_corner(plane, face.corners[k])) continue;
     const int side = orientation(plane.corner(0), plane.corner(1), plane.corner(2), face.corner(k));
     sides.any_nearer = sides.any_nearer || (side != 0 && side == plane.winding);
     sides.any_beyond = sides.any_beyond || (side != 0 && side != plane.winding);

@@ -219,6 +219,7 @@ GapRelation sorted_by_cell(std::size_t cells, std::span<const GapArrow> arrows) 
 }
 
 GapRelation gap_relation(const OrderBasis& basis, const View& view, double planarity) {
+  if (basis.convex) return {};  // no ray leaves the mesh and enters it again
   const Question question{basis, view, planarity};
   std::vector<GapArrow> arrows;
   std::uint64_t pairs = 0;

@@ -73,11 +73,6 @@ int same_winding(const std::array<NodeId, 3>& a, const std::array<NodeId, 3>& b)
   return 0;
 }
 
-int side_of(const CellSides& sides, std::size_t face) {
-  return static_cast<int>((sides.positive >> face) & 1U) -
-         static_cast<int>((sides.negative >> face) & 1U);
-}
-
 std::span<const CellId> neighbors_of(const OrderBasis& basis, CellId cell) {
   return basis.adjacency.neighbors.view().subspan(basis.faces.first(cell), basis.faces.count(cell));
 }
@@ -99,7 +94,7 @@ bool settled(const OrderBasis& basis, CellId cell, std::size_t face) {
   if (shared != 1) return false;
   const auto back = static_cast<std::size_t>(std::ranges::find(there, cell) - there.begin());
   const int winding = same_winding(plane_nodes(basis, cell, face), plane_nodes(basis, other, back));
-  return winding * side_of(basis.sides[cell], face) * side_of(basis.sides[other], back) < 0;
+  return winding * basis.sides[cell].side(face) * basis.sides[other].side(back) < 0;
 }
 
 }  // namespace

@@ -17,6 +17,10 @@ struct CellSides {
   /// Where plane_corners() begins, two bits a face, face 0 lowest.
   std::uint16_t plane_start = 0;
 
+  /// The side of the face's plane on which the rest of the cell is: +1, -1, or 0.
+  [[nodiscard]] int side(std::size_t face) const {
+    return static_cast<int>((positive >> face) & 1) - static_cast<int>((negative >> face) & 1);
+  }
   [[nodiscard]] unsigned start(std::size_t face) const { return (plane_start >> (2 * face)) & 3U; }
 };
 

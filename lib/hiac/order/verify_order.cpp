@@ -134,8 +134,7 @@ OrderCheck verify_arrows(const OrderBasis& basis, const View& view, const Visibi
     backward.add(behind, front);
   };
   const BehindRelation relation = shared_face_relation(basis, view, planarity);
-  GapRelation gaps;
-  if (!basis.convex) gaps = gap_relation(basis, view, planarity);
+  const GapRelation gaps = gap_relation(basis, view, planarity);
   for (CellId cell = 0; cell < cells; ++cell) {
     for (std::size_t f = 0; f < basis.faces.count(cell); ++f)
       if ((relation.of_cell[cell].across(f) & kCellFirst) != 0)

@@ -21,8 +21,7 @@ OrderResult exact_order(const OrderBasis& basis, const View& view, double planar
   statistics.both_ways = relation.both_ways;
   statistics.edge_on = relation.edge_on;
   const double related = seconds_now();
-  GapRelation gaps;
-  if (!basis.convex) gaps = gap_relation(basis, view, planarity);
+  const GapRelation gaps = gap_relation(basis, view, planarity);
   statistics.gap_pairs = gaps.candidate_pairs;
   statistics.gap_arrows = gaps.behind.size();
   const double joined = seconds_now();
