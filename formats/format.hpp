@@ -72,6 +72,11 @@ struct Format {
 
   /// Whether a file that begins with these bytes is of this format.
   std::function<bool(std::string_view head)> recognizes;
+  /// For formats that no first bytes prove: whether a file that begins with these bytes, has one of
+  /// the extensions and is of no format that recognizes it may be of this format. Empty: none is.
+  std::function<bool(std::string_view head)> plausible;
+  /// Whether files packed by gzip are read too.
+  bool gzip = false;
   /// Empty where the format cannot be read or written. All throw InputError naming the file.
   std::function<Reading(const std::string& path, const ReadOptions& options)> read;
   std::function<Inventory(const std::string& path)> inspect;

@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 #include <vtkVersionMacros.h>
 
+#include "formats/input_text.hpp"
 #include "formats/vtk/vtk_formats.hpp"
 #include "formats/zoo_format.hpp"
 #include "hiac/base/error.hpp"
@@ -36,7 +37,9 @@ std::string head_of(const std::string& path) {
 }
 
 std::string lower_extension(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
+  const std::filesystem::path name(path);
+  std::string extension = name.extension().string();
+  if (extension == ".gz") extension = name.stem().extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return extension;
@@ -58,9 +61,17 @@ std::string joined_names(const Keep& keep) {
 }  // namespace
 
 std::span<const Format> all_formats() {
-  static const std::vector<Format> formats{zoo_format(),  vtk_legacy_format(), vtu_format(),
-                                           pvtu_format(), vts_format(),        vti_format(),
-                                           vtr_format()};
+  static const std::vector<Format> formats = [] {
+    std::vector<Format> all;
+    all.push_back(zoo_format());
+    all.push_back(vtk_legacy_format());
+    all.push_back(vtu_format());
+    all.push_back(pvtu_format());
+    all.push_back(vts_format());
+    all.push_back(vti_format());
+    all.push_back(vtr_format());
+    return all;
+  }();
   return formats;
 }
 
@@ -72,11 +83,20 @@ const Format& format_named(const std::string& name) {
 }
 
 const Format& format_to_read(const std::string& path) {
-  const std::string head = head_of(path);
+  std::string head = head_of(path);
   if (head.empty()) throw InputError(path, "is empty (a mesh expected)");
+  const bool packed = is_gzip(head);
+  if (packed) head = unpacked_head(head, kHeadBytes);
+  const auto readable = [packed](const Format& format) {
+    return format.read && (format.gzip || !packed);
+  };
   for (const Format& format : all_formats())
-    if (format.read && format.recognizes(head)) return format;
+    if (readable(format) && format.recognizes(head)) return format;
   const std::string extension = lower_extension(path);
+  for (const Format& format : all_formats())
+    if (readable(format) && format.plausible && has_extension(format, extension) &&
+        format.plausible(head))
+      return format;
   for (const Format& format : all_formats())
     if (format.read && has_extension(format, extension))
       throw InputError(path, fmt::format("is not a {} file, although its name says so (neither "

@@ -138,19 +138,19 @@ bool has_no_volume(int type) {
 CellConversion conversion_of(int type, std::size_t nodes) {
   for (const ConvertedType& known : kTypes)
     if (known.type == type && known.nodes == nodes)
-      return {CellFate::converted, known.kind, known.permutation, std::nullopt};
+      return {CellFate::converted, known.kind, known.permutation, std::nullopt, false};
   for (const MisnamedType& known : kMisnamed)
     if (known.type == type && known.nodes == nodes)
-      return {CellFate::converted, known.kind, {}, std::nullopt};
-  if (has_no_volume(type)) return {CellFate::no_volume, {}, {}, std::nullopt};
+      return {CellFate::converted, known.kind, {}, std::nullopt, true};
+  if (has_no_volume(type)) return {CellFate::no_volume, {}, {}, std::nullopt, false};
   for (const CorneredType& known : kCornered) {
     if (known.type != type) continue;
     const CellKind corners = kind_of(known.shape, CellOrder::linear);
     if (!known.any_order || nodes < corner_count(corners))
-      return {CellFate::wrong, {}, {}, std::nullopt};
-    return {CellFate::unsupported, {}, {}, corners};
+      return {CellFate::wrong, {}, {}, std::nullopt, false};
+    return {CellFate::unsupported, {}, {}, corners, false};
   }
-  return {CellFate::unsupported, {}, {}, std::nullopt};
+  return {CellFate::unsupported, {}, {}, std::nullopt, false};
 }
 
 std::string cell_type_name(int type) {

@@ -1,23 +1,14 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
+#include "formats/cell_collector.hpp"
 #include "formats/format.hpp"
 
 class vtkDataSet;
 
 namespace hiac::formats::vtk {
-
-/// The cells of a VTK dataset that go into a zoo mesh; nodes are still the dataset's points.
-struct ConvertedCells {
-  std::vector<CellKind> kinds;
-  std::vector<std::uint64_t> elems;
-  std::vector<NodeId> nodes;
-  bool all_kept = true;
-  std::vector<CellId> kept;  ///< the dataset's cell of every cell; empty when all were kept
-};
 
 /// Converts the volume cells: bricks with repeated nodes become their true kind, ghost and hidden
 /// cells, surfaces and lines are left out, each with a note. Throws InputError(subject, ...) when a

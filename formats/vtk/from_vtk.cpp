@@ -1,9 +1,5 @@
 #include "formats/vtk/from_vtk.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <vtkCellArray.h>
@@ -12,38 +8,13 @@
 #include <vtkPoints.h>
 #include <vtkUnstructuredGrid.h>
 
-#include "formats/node_order.hpp"
+#include "formats/gate.hpp"
 #include "formats/vtk/cells_from_vtk.hpp"
 #include "formats/vtk/fields_from_vtk.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::vtk {
 namespace {
-
-/// The points that cells use, renumbered without gaps.
-struct UsedPoints {
-  bool all = true;
-  std::vector<std::uint32_t> chosen;  ///< the used points' numbers; empty when all are used
-};
-
-/// Finds the used points and, unless all are, renumbers `nodes`.
-UsedPoints use_points(std::vector<NodeId>& nodes, std::size_t point_count) {
-  std::vector<bool> used(point_count, false);
-  for (const NodeId node : nodes) used[node] = true;
-  UsedPoints result;
-  for (std::size_t p = 0; p < point_count; ++p)
-    if (used[p]) result.chosen.push_back(static_cast<std::uint32_t>(p));
-  if (result.chosen.size() == point_count) {
-    result.chosen = {};
-    return result;
-  }
-  result.all = false;
-  std::vector<NodeId> number(point_count, 0);
-  for (std::size_t i = 0; i < result.chosen.size(); ++i)
-    number[result.chosen[i]] = static_cast<NodeId>(i);
-  for (NodeId& node : nodes) node = number[node];
-  return result;
-}
 
 SharedArray<double> coordinates_of(vtkDataSet& dataset, const TupleChoice& choice) {
   auto* point_set = vtkPointSet::SafeDownCast(&dataset);
@@ -56,17 +27,6 @@ SharedArray<double> coordinates_of(vtkDataSet& dataset, const TupleChoice& choic
   for (std::size_t i = 0; i < count; ++i)
     dataset.GetPoint(static_cast<vtkIdType>(choice.all ? i : choice.chosen[i]), &xyz[3 * i]);
   return xyz;
-}
-
-void check_coordinates(std::span<const double> xyz, const UsedPoints& used,
-                       const std::string& subject) {
-  for (std::size_t i = 0; i < xyz.size(); ++i) {
-    if (std::isfinite(xyz[i])) continue;
-    const std::size_t node = i / 3;
-    throw InputError(subject,
-                     fmt::format("point {}: coordinate {} is not finite ({} found)",
-                                 used.all ? node : used.chosen[node], "xyz"[i % 3], xyz[i]));
-  }
 }
 
 /// Frees an unstructured grid's cells; its points and its data stay.
@@ -85,39 +45,18 @@ Reading mesh_from_vtk(const vtkSmartPointer<vtkDataSet>& dataset, const ReadOpti
   const auto point_count = static_cast<std::size_t>(dataset->GetNumberOfPoints());
   const auto cell_count = static_cast<std::size_t>(dataset->GetNumberOfCells());
   release_cells(*dataset);
-  const UsedPoints used = use_points(cells.nodes, point_count);
-  if (!used.all)
-    reading.notes.push_back(fmt::format("dropped {} points that no converted cell uses",
-                                        point_count - used.chosen.size()));
+  const UsedPoints used = use_points(cells.nodes, point_count, reading.notes);
   ZooMesh& mesh = reading.mesh;
   mesh.kinds = std::move(cells.kinds);
   mesh.elems = std::move(cells.elems);
   mesh.nodes = std::move(cells.nodes);
   const TupleChoice point_choice{point_count, used.all, used.chosen};
   mesh.xyz = coordinates_of(*dataset, point_choice);
-  check_coordinates(mesh.xyz.view(), used, subject);
   add_metadata(*dataset->GetFieldData(), mesh, reading.notes);
   move_fields(*dataset, point_choice, {cell_count, cells.all_kept, cells.kept}, subject, mesh,
               reading.notes);
-  check_edge_nodes(mesh, subject, reading.notes);
-  validate(mesh, subject);
+  pass_gate(reading, used, subject);
   return reading;
-}
-
-void finish_reading(Reading& reading, const std::string& subject) {
-  if (reading.mesh.cell_count() > 0) {
-    auto& metadata = reading.mesh.metadata;
-    const bool named = std::any_of(metadata.begin(), metadata.end(),
-                                   [](const auto& entry) { return entry.first == "source"; });
-    // a mesh that was exported before keeps the name that it had first
-    if (!named)
-      metadata.emplace(metadata.begin(), "source",
-                       std::filesystem::path(subject).filename().string());
-    return;
-  }
-  throw InputError(subject, reading.notes.empty() ? "holds no cells"
-                                                  : fmt::format("holds no volume cells ({})",
-                                                                fmt::join(reading.notes, "; ")));
 }
 
 Inventory inventory_from_vtk(vtkDataSet& dataset, const std::string& subject) {

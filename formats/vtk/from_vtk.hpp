@@ -13,13 +13,9 @@ namespace hiac::formats::vtk {
 /// Converts a VTK dataset (unstructured, structured, rectilinear grid or image) to a zoo mesh and
 /// empties it on the way, so that both are never in memory whole. Points that no converted cell
 /// uses are dropped with a note. Checks coordinates, node order and the mesh's invariants. The mesh
-/// may be empty: see finish_reading. Throws InputError(subject, ...).
+/// may be empty: see finish_reading (gate.hpp). Throws InputError(subject, ...).
 Reading mesh_from_vtk(const vtkSmartPointer<vtkDataSet>& dataset, const ReadOptions& options,
                       const std::string& subject);
-
-/// Throws InputError(subject, ...), with the notes on what was left out, when there are no cells;
-/// otherwise notes the file's name among the metadata.
-void finish_reading(Reading& reading, const std::string& subject);
 
 /// What a dataset holds.
 Inventory inventory_from_vtk(vtkDataSet& dataset, const std::string& subject);

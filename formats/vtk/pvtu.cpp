@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "formats/gate.hpp"
 #include "formats/mapped_file.hpp"
 #include "formats/merge_pieces.hpp"
 #include "formats/vtk/from_vtk.hpp"
@@ -36,7 +37,7 @@ Reading read_mesh(const std::string& path, const ReadOptions& options) {
     pieces.push_back(vtk::read_vtu(piece, options));
   const std::size_t count = pieces.size();
   Reading reading = merge_pieces(std::move(pieces), path);
-  vtk::finish_reading(reading, path);
+  finish_reading(reading, path);
   reading.mesh.metadata.emplace_back("pieces", fmt::format("{}", count));
   return reading;
 }

@@ -16,6 +16,7 @@
 #include <vtkUnstructuredGrid.h>
 #include <vtkUnstructuredGridReader.h>
 
+#include "formats/gate.hpp"
 #include "formats/mapped_file.hpp"
 #include "formats/vtk/from_vtk.hpp"
 #include "formats/vtk/legacy_layout.hpp"
@@ -163,7 +164,7 @@ Reading read_mesh(const std::string& path, const ReadOptions& options) {
   Reading reading = vtk::mesh_from_vtk(legacy.dataset, options, path);
   if (!legacy.title.empty() && legacy.title != "vtk output")
     reading.mesh.metadata.emplace_back("title", legacy.title);
-  vtk::finish_reading(reading, path);
+  finish_reading(reading, path);
   reading.notes.insert(reading.notes.begin(), legacy.notes.begin(), legacy.notes.end());
   return reading;
 }

@@ -14,6 +14,7 @@
 #include <vtkXMLStructuredGridReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
+#include "formats/gate.hpp"
 #include "formats/mapped_file.hpp"
 #include "formats/merge_pieces.hpp"
 #include "formats/vtk/from_vtk.hpp"
@@ -257,7 +258,7 @@ Format vtu_format() {
   };
   format.read = [](const std::string& path, const ReadOptions& options) {
     Reading reading = vtk::read_vtu(path, options);
-    vtk::finish_reading(reading, path);
+    finish_reading(reading, path);
     return reading;
   };
   format.inspect = vtk::inspect_vtu;

@@ -67,8 +67,8 @@ Vector to_reference(CellShape shape, const Vector& p) {
 
 TEST(VtkCells, ParametricCoordinatesAreTheReferenceNodes) {
   for (const Type& type : kTypes) {
-    const vtk::CellConversion conversion = vtk::conversion_of(type.vtk, type.nodes);
-    ASSERT_EQ(conversion.fate, vtk::CellFate::converted) << type.vtk;
+    const CellConversion conversion = vtk::conversion_of(type.vtk, type.nodes);
+    ASSERT_EQ(conversion.fate, CellFate::converted) << type.vtk;
     ASSERT_EQ(conversion.kind, type.kind) << type.vtk;
     const auto coordinates = vtk_coordinates(type);
     const auto reference = reference_nodes(type.kind);
@@ -152,14 +152,14 @@ TEST(VtkCells, OneCellFilesHavePositiveJacobiansAndTheirField) {
 }
 
 TEST(VtkCells, CornersOfUnsupportedOrdersAreKnown) {
-  const vtk::CellConversion conversion = vtk::conversion_of(VTK_TRIQUADRATIC_HEXAHEDRON, 27);
-  EXPECT_EQ(conversion.fate, vtk::CellFate::unsupported);
+  const CellConversion conversion = vtk::conversion_of(VTK_TRIQUADRATIC_HEXAHEDRON, 27);
+  EXPECT_EQ(conversion.fate, CellFate::unsupported);
   EXPECT_EQ(conversion.corners, CellKind::brick8);
   EXPECT_EQ(vtk::conversion_of(VTK_LAGRANGE_TETRAHEDRON, 35).corners, CellKind::tetrahedron4);
-  EXPECT_EQ(vtk::conversion_of(VTK_TETRA, 3).fate, vtk::CellFate::wrong);
-  EXPECT_EQ(vtk::conversion_of(VTK_QUAD, 4).fate, vtk::CellFate::no_volume);
-  EXPECT_EQ(vtk::conversion_of(VTK_POLYHEDRON, 0).fate, vtk::CellFate::unsupported);
-  EXPECT_EQ(vtk::conversion_of(200, 4).fate, vtk::CellFate::unsupported);
+  EXPECT_EQ(vtk::conversion_of(VTK_TETRA, 3).fate, CellFate::wrong);
+  EXPECT_EQ(vtk::conversion_of(VTK_QUAD, 4).fate, CellFate::no_volume);
+  EXPECT_EQ(vtk::conversion_of(VTK_POLYHEDRON, 0).fate, CellFate::unsupported);
+  EXPECT_EQ(vtk::conversion_of(200, 4).fate, CellFate::unsupported);
 }
 
 }  // namespace

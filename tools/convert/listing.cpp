@@ -1,5 +1,9 @@
 #include "tools/convert/listing.hpp"
 
+#include <algorithm>
+#include <array>
+#include <vector>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,14 +12,22 @@
 namespace hiac::tools {
 
 std::string formats_table() {
-  constexpr std::string_view kRow = "{:<6} {:<10} {:<5} {:<6} {:<43} {:<19} {}\n";
-  std::string text = fmt::format(fmt::runtime(kRow), "NAME", "EXTENSIONS", "READ", "WRITE", "KINDS",
-                                 "FIELDS", "TIME STEPS");
+  std::vector<std::array<std::string, 7>> rows{
+      {"NAME", "EXTENSIONS", "READ", "WRITE", "KINDS", "FIELDS", "TIME STEPS"}};
   for (const formats::Format& format : formats::all_formats())
-    text += fmt::format(fmt::runtime(kRow), format.name,
-                        fmt::format("{}", fmt::join(format.extensions, " ")),
-                        format.read ? "yes" : "no", format.write ? "yes" : "no", format.kinds,
-                        format.fields, format.time_steps);
+    rows.push_back({std::string(format.name), fmt::format("{}", fmt::join(format.extensions, " ")),
+                    format.read ? "yes" : "no", format.write ? "yes" : "no",
+                    std::string(format.kinds), std::string(format.fields),
+                    std::string(format.time_steps)});
+  std::array<std::size_t, 7> widths{};
+  for (const auto& row : rows)
+    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
+  widths.back() = 0;
+  std::string text;
+  for (const auto& row : rows) {
+    for (std::size_t c = 0; c < row.size(); ++c)
+      text += fmt::format("{:<{}}{}", row[c], widths[c], c + 1 < row.size() ? " " : "\n");
+  }
   return text;
 }
 

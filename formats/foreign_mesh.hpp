@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "formats/cell_conversion.hpp"
+#include "formats/format.hpp"
+#include "hiac/base/parallel.hpp"
+
+namespace hiac::formats {
+
+/// A mid-edge node that a cell leaves out, as solvers' decks may.
+inline constexpr std::int64_t kLeftOutNode = std::numeric_limits<std::int64_t>::min();
+
+/// A cell type of the format: its name, how many nodes its cells have in the file, and what becomes
+/// of them. A file has few of them.
+struct ForeignType {
+  std::string name;
+  std::size_t nodes = 0;
+  CellConversion conversion;
+};
+
+/// Some of the file's cells under a name: a part, a set, a material. Sets may overlap.
+struct ForeignBlock {
+  std::string name;
+  std::vector<IndexRange> cells;  ///< places in ForeignMesh::cell_types
+};
+
+/// One field at one step. Its values are read when they are asked for.
+struct ForeignField {
+  std::string name;
+  std::string unit;
+  FieldLocation location = FieldLocation::node;
+  std::uint32_t components = 1;
+  std::optional<std::size_t> step;  ///< place in ForeignMesh::times; none: it holds at all times
+  std::string type = "double";      ///< the format's number type
+  /// A tuple for every point, every cell, or every entry of ForeignMesh::cell_nodes; NaN where the
+  /// file tells none. Throws InputError.
+  std::function<std::vector<double>()> values;
+};
+
+/// What a file holds, in its own numbers and node orders: what a reader makes, and `assemble` turns
+/// into a zoo mesh.
+struct ForeignMesh {
+  std::vector<double> xyz;
+  /// The number of every point; empty: points are numbered from first_node on.
+  std::vector<std::int64_t> node_numbers;
+  std::int64_t first_node = 0;
+
+  std::vector<ForeignType> types;
+  std::vector<std::uint16_t> cell_types;  ///< for every cell its place in `types`
+  std::vector<std::int64_t> cell_nodes;   ///< node numbers, cell after cell
+  /// The number of every cell, for messages; empty: cells are numbered from 1 on.
+  std::vector<std::int64_t> cell_numbers;
+
+  std::vector<ForeignBlock> blocks;
+  std::vector<double> times;  ///< in the file's order
+  std::vector<ForeignField> fields;
+  std::vector<std::pair<std::string, std::string>> metadata;
+  std::vector<std::string> notes;
+
+  [[nodiscard]] std::size_t point_count() const { return xyz.size() / 3; }
+  [[nodiscard]] std::size_t cell_count() const { return cell_types.size(); }
+};
+
+}  // namespace hiac::formats

@@ -1,0 +1,112 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace hiac::formats {
+
+/// A place in a text file that moves forward, word by word or line by line. Errors name the file
+/// and the line, which is counted only then.
+class TextCursor {
+ public:
+  /// `text` must outlive the cursor; `subject` is the file's name.
+  TextCursor(std::string_view text, std::string subject)
+      : begin_(text.data()),
+        at_(begin_),
+        end_(begin_ + text.size()),
+        subject_(std::move(subject)) {}
+
+  [[nodiscard]] bool at_end() const { return at_ == end_; }
+  /// How far the cursor is from the beginning, and how much is left, in bytes.
+  [[nodiscard]] std::size_t offset() const { return static_cast<std::size_t>(at_ - begin_); }
+  [[nodiscard]] std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
+  void move_to(std::size_t offset) { at_ = begin_ + offset; }
+  [[nodiscard]] std::string_view text() const {
+    return {begin_, static_cast<std::size_t>(end_ - begin_)};
+  }
+  [[nodiscard]] const std::string& subject() const { return subject_; }
+
+  /// The rest of the current line, without its end (\n, \r\n); moves behind it.
+  std::string_view line() {
+    const std::string_view rest(at_, left());
+    const std::size_t length = rest.find('\n');
+    at_ = length == std::string_view::npos ? end_ : at_ + length + 1;
+    std::string_view result = rest.substr(0, length);
+    if (result.ends_with('\r')) result.remove_suffix(1);
+    return result;
+  }
+  /// The rest of the current line; the cursor stays.
+  [[nodiscard]] std::string_view peek_line() const {
+    TextCursor copy(*this, Bare{});
+    return copy.line();
+  }
+
+  /// Moves over blanks and ends of lines.
+  void skip_space() {
+    while (at_ != end_ && is_space(*at_)) ++at_;
+  }
+  /// The next word, over ends of lines; empty at the end of the file.
+  std::string_view word() {
+    skip_space();
+    const char* start = at_;
+    while (at_ != end_ && !is_space(*at_)) ++at_;
+    return {start, static_cast<std::size_t>(at_ - start)};
+  }
+  /// The next word as a number, over ends of lines. Throws InputError: "FILE:LINE: `what` expected
+  /// ('x' found)". Reals may have a Fortran exponent (1.0D+5, 1.0+5).
+  std::int64_t integer(std::string_view what) {
+    skip_space();
+    const char* at = at_;
+    const bool negative = at != end_ && *at == '-';
+    if (at != end_ && (*at == '-' || *at == '+')) ++at;
+    std::uint64_t value = 0;
+    const char* digits = at;
+    while (at != end_ && *at >= '0' && *at <= '9' && at - digits < kSafeDigits)
+      value = 10 * value + static_cast<std::uint64_t>(*at++ - '0');
+    if (at == digits || (at != end_ && !is_space(*at))) refuse_word(what);
+    at_ = at;
+    return negative ? -static_cast<std::int64_t>(value) : static_cast<std::int64_t>(value);
+  }
+  double real(std::string_view what);
+  /// A count: not negative, and no more than `limit` (what the rest of the file can hold).
+  std::size_t count(std::string_view what, std::size_t limit);
+
+  /// Throws InputError "FILE:LINE: `what`", of the line of the cursor, or of the place given.
+  [[noreturn]] void fail(const std::string& what) const { fail_at(offset(), what); }
+  [[noreturn]] void fail_at(std::size_t offset, const std::string& what) const;
+  /// Throws InputError "... `what` expected (the next word found)".
+  [[noreturn]] void refuse_word(std::string_view what);
+
+  static bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+ private:
+  /// Digits that fit 64 bits whatever they are.
+  static constexpr std::ptrdiff_t kSafeDigits = 18;
+  struct Bare {};
+  /// A copy without a name, for looking ahead.
+  TextCursor(const TextCursor& other, Bare /*tag*/)
+      : begin_(other.begin_), at_(other.at_), end_(other.end_) {}
+
+  const char* begin_;
+  const char* at_;
+  const char* end_;
+  std::string subject_;
+};
+
+/// Without blanks (and tabs, carriage returns) at either end.
+std::string_view trimmed(std::string_view text);
+/// In capitals (ASCII).
+std::string upper(std::string_view text);
+/// `text` is `prefix` at its beginning, whatever the case; `prefix` is given in capitals.
+bool starts_with_upper(std::string_view text, std::string_view prefix);
+/// A word for an error message: printable, shortened.
+std::string quoted(std::string_view word);
+
+/// The whole of `text` as a number, blanks at either end apart; reals as in TextCursor::real.
+std::optional<std::int64_t> to_integer(std::string_view text);
+std::optional<double> to_real(std::string_view text);
+
+}  // namespace hiac::formats
