@@ -201,12 +201,65 @@ HWY_INLINE void set_face_planes(const ProjectedTetrahedron& t, bool with_color,
   }
 }
 
-// Where the rays of a row of pixels enter and leave the cell, and the fields there.
-template <class V>
-struct EntryAndExit {
-  V front, back;  // depth; front > back where the ray misses the cell
-  V front_color, back_color, front_extinction, back_extinction;
+// Which faces rays enter by: of face[0 .. 4), the first `entered`; they leave by the others.
+struct FaceSides {
+  std::array<std::size_t, 4> face;
+  std::size_t entered;
 };
+
+// On the screen the corners p_k have one affine dependency, sum lambda_k p_k = 0 with
+// sum lambda_k = 0; lambda_k is, but for its sign, twice the area of the face without corner k.
+// With D = sum lambda_k depth_k that corner is D / lambda_k behind that face. None of the areas is
+// so small that rounding decides its sign (kernel_cells.hpp); where it decides that of D, the cell
+// is flat, and entry and exit are one.
+HWY_INLINE FaceSides face_sides(const ProjectedTetrahedron& t) {
+  const auto dx = [&](std::size_t k) { return t.x[k] - t.x[0]; };
+  const auto dy = [&](std::size_t k) { return t.y[k] - t.y[0]; };
+  const auto area = [&](std::size_t i, std::size_t j) { return dx(i) * dy(j) - dx(j) * dy(i); };
+  const double l1 = area(2, 3), l2 = area(3, 1), l3 = area(1, 2);
+  const double thickness = l1 * (t.depth[1] - t.depth[0]) + l2 * (t.depth[2] - t.depth[0]) +
+                           l3 * (t.depth[3] - t.depth[0]);
+  const bool positive = thickness > 0;
+  // kTetrahedronFaces[f] lacks corner 3 - f
+  const std::array<bool, 4> is_entered{(l3 > 0) == positive, (l2 > 0) == positive,
+                                       (l1 > 0) == positive, (l1 + l2 + l3 < 0) == positive};
+  FaceSides sides{{}, 0};
+  std::size_t left = 4;
+  for (std::size_t f = 0; f < 4; ++f) {
+    if (is_entered[f])
+      sides.face[sides.entered++] = f;
+    else
+      sides.face[--left] = f;
+  }
+  return sides;
+}
+
+// What a row of pixels has in common on each of the faces.
+struct FaceRow {
+  HWY_ALIGN double cy_dy[4], gy_dy[4];
+  HWY_ALIGN double first[4], last[4];  // FaceRuns
+};
+
+HWY_INLINE void set_face_row(const FacePlanes& planes, const FaceRuns& runs, int row,
+                             FaceRow& face_row) {
+  const hn::CappedTag<double, 4> d;
+  const auto y = hn::Set(d, row + 0.5);
+  for (std::size_t f = 0; f < 4; f += hn::Lanes(d)) {
+    const auto dy = hn::Sub(y, hn::Load(d, planes.base_y + f));
+    hn::Store(hn::Mul(hn::Load(d, planes.cy + f), dy), d, face_row.cy_dy + f);
+    hn::Store(hn::Mul(hn::Load(d, planes.gy + f), dy), d, face_row.gy_dy + f);
+  }
+  const auto r = static_cast<std::size_t>(row - runs.row_begin);
+  for (std::size_t f = 0; f < 4; ++f) {
+    face_row.first[f] = runs.first[f][r];
+    face_row.last[f] = runs.last[f][r];
+  }
+}
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> covered_by_face(D d, const FaceRow& row, std::size_t f, V pixel) {
+  return hn::And(hn::Ge(pixel, hn::Set(d, row.first[f])), hn::Lt(pixel, hn::Set(d, row.last[f])));
+}
 
 // A pixel's place on a face: barycentric coordinates.
 template <class V>
@@ -215,15 +268,13 @@ struct FacePlace {
 };
 
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE FacePlace<V> place_on_face(D d, const FacePlanes& planes, std::size_t f, int row,
-                                      V pixel) {
+HWY_INLINE FacePlace<V> place_on_face(D d, const FacePlanes& planes, const FaceRow& row,
+                                      std::size_t f, V pixel) {
   const V x = hn::Add(pixel, hn::Set(d, 0.5));
-  const double dy = row + 0.5 - planes.base_y[f];
   const V dx = hn::Sub(x, hn::Set(d, planes.base_x[f]));
-  const V s = hn::MulAdd(dx, hn::Set(d, planes.cx[f]), hn::Set(d, planes.cy[f] * dy));
-  const V m =
-      hn::NegMulAdd(hn::Set(d, planes.h[f]), s,
-                    hn::MulAdd(dx, hn::Set(d, planes.gx[f]), hn::Set(d, planes.gy[f] * dy)));
+  const V s = hn::MulAdd(dx, hn::Set(d, planes.cx[f]), hn::Set(d, row.cy_dy[f]));
+  const V m = hn::NegMulAdd(hn::Set(d, planes.h[f]), s,
+                            hn::MulAdd(dx, hn::Set(d, planes.gx[f]), hn::Set(d, row.gy_dy[f])));
   return {m, s};
 }
 
@@ -233,32 +284,48 @@ HWY_INLINE V on_face(D d, const FacePlanes::Quantity& q, std::size_t f, const Fa
                     hn::MulAdd(at.m, hn::Set(d, q.qm[f]), hn::Set(d, q.q0[f])));
 }
 
+// Where the rays of a row of pixels enter and leave the cell, and the fields there.
+template <class V>
+struct EntryAndExit {
+  V front, back;  // depth
+  V front_color, back_color, front_extinction, back_extinction;
+};
+
+// Of the faces [begin, end) of `sides`, the one that covers each pixel: its depth and the fields
+// there. A pixel of the cell is covered by one face of either side, so the first needs no asking.
 template <bool kSeparateFields, class D, class V = hn::Vec<D>>
-HWY_INLINE EntryAndExit<V> entry_and_exit(D d, const FacePlanes& planes, const FaceRuns& runs,
-                                          int row, V pixel) {
-  const std::size_t r = static_cast<std::size_t>(row - runs.row_begin);
-  EntryAndExit<V> e;
-  e.front = hn::Inf(d);
-  e.back = hn::Neg(hn::Inf(d));
-  e.front_color = e.back_color = e.front_extinction = e.back_extinction = hn::Zero(d);
-  for (std::size_t f = 0; f < 4; ++f) {
-    const FacePlace<V> place = place_on_face(d, planes, f, row, pixel);
-    const auto at = [&](const FacePlanes::Quantity& q) { return on_face(d, q, f, place); };
-    const auto covered = hn::And(hn::Ge(pixel, hn::Set(d, runs.first[f][r])),
-                                 hn::Lt(pixel, hn::Set(d, runs.last[f][r])));
-    const V depth = at(planes.depth), extinction = at(planes.extinction);
-    const auto in_front = hn::And(covered, hn::Lt(depth, e.front));
-    const auto behind = hn::And(covered, hn::Gt(depth, e.back));
-    e.front = hn::IfThenElse(in_front, depth, e.front);
-    e.back = hn::IfThenElse(behind, depth, e.back);
-    e.front_extinction = hn::IfThenElse(in_front, extinction, e.front_extinction);
-    e.back_extinction = hn::IfThenElse(behind, extinction, e.back_extinction);
-    if constexpr (kSeparateFields) {
-      const V color = at(planes.color);
-      e.front_color = hn::IfThenElse(in_front, color, e.front_color);
-      e.back_color = hn::IfThenElse(behind, color, e.back_color);
-    }
+HWY_INLINE void meet_faces(D d, const FacePlanes& planes, const FaceRow& row, V pixel,
+                           const FaceSides& sides, std::size_t begin, std::size_t end, V& depth,
+                           V& color, V& extinction) {
+  const auto place = place_on_face(d, planes, row, sides.face[begin], pixel);
+  depth = on_face(d, planes.depth, sides.face[begin], place);
+  extinction = on_face(d, planes.extinction, sides.face[begin], place);
+  color = extinction;
+  if constexpr (kSeparateFields) color = on_face(d, planes.color, sides.face[begin], place);
+  for (std::size_t k = begin + 1; k < end; ++k) {
+    const std::size_t f = sides.face[k];
+    const auto covered = covered_by_face(d, row, f, pixel);
+    const auto here = place_on_face(d, planes, row, f, pixel);
+    depth = hn::IfThenElse(covered, on_face(d, planes.depth, f, here), depth);
+    extinction = hn::IfThenElse(covered, on_face(d, planes.extinction, f, here), extinction);
+    if constexpr (kSeparateFields)
+      color = hn::IfThenElse(covered, on_face(d, planes.color, f, here), color);
   }
+}
+
+// For pixels of the row's span; others get numbers without meaning.
+template <bool kSeparateFields, class D, class V = hn::Vec<D>>
+HWY_INLINE EntryAndExit<V> entry_and_exit(D d, const FacePlanes& planes, const FaceRow& row,
+                                          const FaceSides& sides, V pixel) {
+  EntryAndExit<V> e;
+  V in, out;
+  meet_faces<kSeparateFields>(d, planes, row, pixel, sides, 0, sides.entered, in, e.front_color,
+                              e.front_extinction);
+  meet_faces<kSeparateFields>(d, planes, row, pixel, sides, sides.entered, 4, out, e.back_color,
+                              e.back_extinction);
+  // where the cell is thin, rounding may have exchanged them
+  e.front = hn::Min(in, out);
+  e.back = hn::Max(in, out);
   return e;
 }
 

@@ -45,14 +45,11 @@ class IntervalReader {
   HWY_INLINE V operator()(const std::vector<double>& column) const {
     return is_uniform_ ? hn::Set(d_, column[uniform_]) : hn::GatherIndex(d_, column.data(), lanes_);
   }
-  // The table's function of channel c at the scalars of a piece's two ends.
+  // The table's function of channel c.
   template <std::size_t N>
-  HWY_INLINE void ends(const TransferTable<N>& table, std::size_t c, V front, V back, V& at_front,
-                       V& at_back) const {
-    const V anchor = (*this)(table.anchor), value = (*this)(table.value[c]);
-    const V slope = (*this)(table.slope[c]);
-    at_front = hn::MulAdd(slope, hn::Sub(front, anchor), value);
-    at_back = hn::MulAdd(slope, hn::Sub(back, anchor), value);
+  HWY_INLINE V at(const TransferTable<N>& table, std::size_t c, V scalar) const {
+    return hn::MulAdd((*this)(table.slope[c]), hn::Sub(scalar, (*this)(table.anchor)),
+                      (*this)(table.value[c]));
   }
 
  private:
@@ -176,39 +173,39 @@ struct AnyRule {
   }
 };
 
-// One piece on which colour and extinction are linear, composited behind what is there (eq. 5 and
-// its closed form: linear_piece-inl.hpp).
-template <class Rule, class D, class V = hn::Vec<D>>
-HWY_INLINE void composite_piece(D d, const OpticsTables& optics, V length, V tau_front, V tau_back,
-                                const V (&front)[3], const V (&back)[3], hn::Mask<D> active,
-                                Radiance<V>& sum) {
-  const V zero = hn::Zero(d);
-  const V b = hn::Mul(hn::Max(tau_front, zero), length);
-  const V a = hn::Mul(hn::Max(tau_back, zero), length);
-  const PieceWeights<V> weights = Rule::weights(d, optics, length, b, a);
-  const V visible = hn::IfThenElseZero(active, sum.transparency);
-  const V wf = hn::Mul(visible, weights.front), wb = hn::Mul(visible, weights.back);
-  sum.red = hn::MulAdd(wf, front[0], hn::MulAdd(wb, back[0], sum.red));
-  sum.green = hn::MulAdd(wf, front[1], hn::MulAdd(wb, back[1], sum.green));
-  sum.blue = hn::MulAdd(wf, front[2], hn::MulAdd(wb, back[2], sum.blue));
+// What a piece behind adds to what is there, on the lanes of a mask.
+template <class V, class M>
+HWY_INLINE void add_behind(const Radiance<V>& piece, M where, Radiance<V>& sum) {
+  const V visible = hn::IfThenElseZero(where, sum.transparency);
+  sum.red = hn::MulAdd(visible, piece.red, sum.red);
+  sum.green = hn::MulAdd(visible, piece.green, sum.green);
+  sum.blue = hn::MulAdd(visible, piece.blue, sum.blue);
   sum.transparency =
-      hn::IfThenElse(active, hn::Mul(sum.transparency, weights.transparency), sum.transparency);
+      hn::IfThenElse(where, hn::Mul(sum.transparency, piece.transparency), sum.transparency);
 }
 
-// A piece on which both fields stay within one interval of their tables, the same for all lanes.
+// Radiance of a piece on which both fields stay within one interval of their tables. Both ends'
+// colours are value + slope (scalar - anchor), so that their sum with the weights w is
+// value (w_front + w_back) + slope (w_front (front - anchor) + w_back (back - anchor)).
 template <class Rule, class D, class V = hn::Vec<D>>
-HWY_INLINE void composite_interval_piece(D d, const OpticsTables& optics,
-                                         std::size_t color_interval,
-                                         std::size_t extinction_interval, V length, V front_color,
-                                         V back_color, V front_extinction, V back_extinction,
-                                         hn::Mask<D> active, Radiance<V>& sum) {
-  const IntervalReader<D> color(d, color_interval), extinction(d, extinction_interval);
-  V front[3], back[3], tau_front, tau_back;
-  color.ends(optics.color, 0, front_color, back_color, front[0], back[0]);
-  color.ends(optics.color, 1, front_color, back_color, front[1], back[1]);
-  color.ends(optics.color, 2, front_color, back_color, front[2], back[2]);
-  extinction.ends(optics.extinction, 0, front_extinction, back_extinction, tau_front, tau_back);
-  composite_piece<Rule>(d, optics, length, tau_front, tau_back, front, back, active, sum);
+HWY_INLINE Radiance<V> piece_radiance(D d, const OpticsTables& optics,
+                                      const IntervalReader<D>& color,
+                                      const IntervalReader<D>& extinction, V length, V front_color,
+                                      V back_color, V front_extinction, V back_extinction) {
+  const auto density = [&](V scalar) {
+    return hn::Mul(hn::Max(extinction.at(optics.extinction, 0, scalar), hn::Zero(d)), length);
+  };
+  const V b = density(front_extinction), a = density(back_extinction);
+  const PieceWeights<V> w = Rule::weights(d, optics, length, b, a);
+  const V anchor = color(optics.color.anchor);
+  const V constant = hn::Add(w.front, w.back);
+  const V linear = hn::MulAdd(w.front, hn::Sub(front_color, anchor),
+                              hn::Mul(w.back, hn::Sub(back_color, anchor)));
+  const auto channel = [&](std::size_t c) {
+    return hn::MulAdd(color(optics.color.slope[c]), linear,
+                      hn::Mul(color(optics.color.value[c]), constant));
+  };
+  return {channel(0), channel(1), channel(2), w.transparency};
 }
 
 // The segment lies within one interval of both tables.
@@ -216,11 +213,9 @@ template <class Rule, class D, class V = hn::Vec<D>>
 HWY_INLINE Radiance<V> uniform_radiance(D d, const OpticsTables& optics, std::size_t color_interval,
                                         std::size_t extinction_interval, V length, V front_color,
                                         V back_color, V front_extinction, V back_extinction) {
-  Radiance<V> sum{hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Set(d, 1.0)};
-  composite_interval_piece<Rule>(d, optics, color_interval, extinction_interval, length,
-                                 front_color, back_color, front_extinction, back_extinction,
-                                 hn::Eq(length, length), sum);
-  return sum;
+  return piece_radiance<Rule>(d, optics, IntervalReader<D>(d, color_interval),
+                              IntervalReader<D>(d, extinction_interval), length, front_color,
+                              back_color, front_extinction, back_extinction);
 }
 
 // Adds the pieces of segments along which one scalar moves from `front` to `back`, interval by
@@ -242,8 +237,9 @@ HWY_INLINE void composite_intervals(D d, const OpticsTables& optics, IntervalRan
         ends_inside, one, hn::Min(hn::Max(hn::Mul(hn::Sub(exit, front), inverse), u), one));
     const V next = hn::IfThenElse(ends_inside, back, exit);
     if (!hn::AllFalse(d, here)) {
-      composite_interval_piece<Rule>(d, optics, k, k, hn::Mul(length, hn::Sub(next_u, u)), now,
-                                     next, now, next, here, sum);
+      add_behind(uniform_radiance<Rule>(d, optics, k, k, hn::Mul(length, hn::Sub(next_u, u)), now,
+                                        next, now, next),
+                 here, sum);
       u = hn::IfThenElse(here, next_u, u);
       now = hn::IfThenElse(here, next, now);
       active = hn::AndNot(hn::And(here, ends_inside), active);
@@ -284,13 +280,10 @@ HWY_INLINE Radiance<V> walked_radiance(D d, const OpticsTables& optics, Interval
   while (!hn::AllFalse(d, active)) {
     const V next = hn::Min(color.leave(u), extinction.leave(u));
     const V next_color = color.scalar_at(next), next_extinction = extinction.scalar_at(next);
-    V front[3], back[3], tau_front, tau_back;
-    for (std::size_t c = 0; c < 3; ++c)
-      color.reader().ends(optics.color, c, color.now(), next_color, front[c], back[c]);
-    extinction.reader().ends(optics.extinction, 0, extinction.now(), next_extinction, tau_front,
-                             tau_back);
-    composite_piece<Rule>(d, optics, hn::Mul(length, hn::Sub(next, u)), tau_front, tau_back, front,
-                          back, active, sum);
+    add_behind(piece_radiance<Rule>(d, optics, color.reader(), extinction.reader(),
+                                    hn::Mul(length, hn::Sub(next, u)), color.now(), next_color,
+                                    extinction.now(), next_extinction),
+               active, sum);
     color.advance(next, next_color, active);
     extinction.advance(next, next_extinction, active);
     active = hn::And(active, hn::Lt(next, one));
@@ -317,21 +310,20 @@ template <class Rule, class D, class V = hn::Vec<D>>
 HWY_INLINE Radiance<V> unsliced_radiance(D d, const OpticsTables& optics, IntervalRange color_range,
                                          IntervalRange extinction_range, V length, V front_color,
                                          V back_color, V front_extinction, V back_extinction) {
-  Radiance<V> sum{hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Set(d, 1.0)};
   const auto color0 = reader_at(d, optics.color, color_range, front_color);
   const auto color1 = reader_at(d, optics.color, color_range, back_color);
   const auto tau0 = reader_at(d, optics.extinction, extinction_range, front_extinction);
   const auto tau1 = reader_at(d, optics.extinction, extinction_range, back_extinction);
-  V front[3], back[3], tau_front, tau_back, other;
-  for (std::size_t c = 0; c < 3; ++c) {
-    color0.ends(optics.color, c, front_color, front_color, front[c], other);
-    color1.ends(optics.color, c, back_color, back_color, back[c], other);
-  }
-  tau0.ends(optics.extinction, 0, front_extinction, front_extinction, tau_front, other);
-  tau1.ends(optics.extinction, 0, back_extinction, back_extinction, tau_back, other);
-  composite_piece<Rule>(d, optics, length, tau_front, tau_back, front, back, hn::Eq(length, length),
-                        sum);
-  return sum;
+  const auto density = [&](const IntervalReader<D>& reader, V scalar) {
+    return hn::Mul(hn::Max(reader.at(optics.extinction, 0, scalar), hn::Zero(d)), length);
+  };
+  const PieceWeights<V> w = Rule::weights(d, optics, length, density(tau0, front_extinction),
+                                          density(tau1, back_extinction));
+  const auto channel = [&](std::size_t c) {
+    return hn::MulAdd(w.front, color0.at(optics.color, c, front_color),
+                      hn::Mul(w.back, color1.at(optics.color, c, back_color)));
+  };
+  return {channel(0), channel(1), channel(2), w.transparency};
 }
 
 }  // namespace hiac::HWY_NAMESPACE

@@ -124,24 +124,22 @@ HWY_NOINLINE TetrahedronCut make_cut(const Frame& frame, CellId cell, const Isos
 // vectors for each cut: the offsets where the rays enter and leave the cell.
 class CutScan {
  public:
-  CutScan(const Frame& frame, const FacePlanes& planes, const FaceRuns& runs,
+  CutScan(const Frame& frame, const FacePlanes& planes, const FaceRow& face_row,
           std::span<const TetrahedronCut> cuts)
       : frame_(frame),
         planes_(planes),
-        runs_(runs),
+        face_row_(face_row),
         cuts_(cuts),
         perspective_(frame.projector.perspective()) {}
 
   template <class D, class V = hn::Vec<D>>
   HWY_INLINE void find(D d, int row, V pixel, double* HWY_RESTRICT ends) const {
     const std::size_t lanes = hn::Lanes(d);
-    const std::size_t r = static_cast<std::size_t>(row - runs_.row_begin);
     V front = hn::Inf(d), back = hn::Neg(hn::Inf(d));
     for (std::size_t k = 0; k < 2 * cuts_.size(); ++k) hn::StoreU(hn::Zero(d), d, ends + k * lanes);
     for (std::size_t f = 0; f < 4; ++f) {
-      const auto covered = hn::And(hn::Ge(pixel, hn::Set(d, runs_.first[f][r])),
-                                   hn::Lt(pixel, hn::Set(d, runs_.last[f][r])));
-      const auto place = place_on_face(d, planes_, f, row, pixel);
+      const auto covered = covered_by_face(d, face_row_, f, pixel);
+      const auto place = place_on_face(d, planes_, face_row_, f, pixel);
       const V depth = on_face(d, planes_.depth, f, place);
       const auto in_front = hn::And(covered, hn::Lt(depth, front));
       const auto behind = hn::And(covered, hn::Gt(depth, back));
@@ -184,7 +182,7 @@ class CutScan {
 
   const Frame& frame_;
   const FacePlanes& planes_;
-  const FaceRuns& runs_;
+  const FaceRow& face_row_;
   std::span<const TetrahedronCut> cuts_;
   bool perspective_;
 };

@@ -6,6 +6,8 @@
 #include <type_traits>
 #include <vector>
 
+#include <hwy/cache_control.h>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "hiac/render/tetrahedron_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -88,6 +90,7 @@ class TetrahedronRenderer {
     if (!load(cell, scalars)) return;
     if (!scan_faces(corners_, tile_, runs_)) return;
     set_face_planes(corners_, kSeparateFields, planes_);
+    sides_ = face_sides(corners_);
     set_cuts(cell);
     if (HWY_UNLIKELY(frame_.with_details)) describer_.enter(cell);
     const auto [nearest, farthest] =
@@ -97,6 +100,7 @@ class TetrahedronRenderer {
       const auto r = static_cast<std::size_t>(row - runs_.row_begin);
       const int first = static_cast<int>(runs_.span_first[r]);
       const int last = static_cast<int>(runs_.span_last[r]);
+      set_face_row(planes_, runs_, row, face_row_);
       for (int x = first; x < last; x += lanes)
         render_pixels(scalars, row, x, last, nearest, farthest);
     }
@@ -148,12 +152,12 @@ class TetrahedronRenderer {
                                 double nearest, double farthest) {
     const D d;
     const V pixel = hn::Iota(d, x);
-    EntryAndExit<V> e = entry_and_exit<kSeparateFields>(d, planes_, runs_, row, pixel);
+    EntryAndExit<V> e = entry_and_exit<kSeparateFields>(d, planes_, face_row_, sides_, pixel);
     const std::size_t at = static_cast<std::size_t>(row - tile_.y0) * kTileStride +
                            static_cast<std::size_t>(x - tile_.x0);
     const V behind = hn::LoadU(d, buffer_.transparency.data() + at);
-    M active = hn::And(hn::Lt(pixel, hn::Set(d, last)), hn::Le(e.front, e.back));
-    active = hn::And(active, hn::Gt(behind, hn::Set(d, frame_.least_transparency)));
+    M active = hn::And(hn::Lt(pixel, hn::Set(d, last)),
+                       hn::Gt(behind, hn::Set(d, frame_.least_transparency)));
     if (hn::AllFalse(d, active)) return;
     // the corners bound what rounding may do on faces seen edge-on
     e.front = hn::Min(hn::Max(e.front, hn::Set(d, nearest)), hn::Set(d, farthest));
@@ -215,7 +219,7 @@ class TetrahedronRenderer {
   // Stores for every cut at which part of the segment it is crossed: 2 where it is not.
   HWY_INLINE void place_cuts(D d, int row, V pixel, const RayEnds& whole,
                              const EntryAndExit<V>& e) {
-    CutScan(frame_, planes_, runs_, cuts_).find(d, row, pixel, cut_places_.data());
+    CutScan(frame_, planes_, face_row_, cuts_).find(d, row, pixel, cut_places_.data());
     if (HWY_UNLIKELY(frame_.with_details)) describer_.set_ends(cuts_.size(), cut_places_);
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
     for (std::size_t k = 0; k < cuts_.size(); ++k) {
@@ -297,7 +301,12 @@ class TetrahedronRenderer {
                                hn::Sub(before, sum.transparency));
       }
       const M crossed = hn::And(active, hn::Lt(next, never));
-      if (hn::AllFalse(d, crossed)) return sum;
+      if (hn::AllFalse(d, crossed)) {
+        // what shading made of lanes without a ray
+        for (V* plane : {&sum.red, &sum.green, &sum.blue})
+          *plane = hn::IfThenElseZero(active, *plane);
+        return sum;
+      }
       V ray[3];
       set_rays(d, row, pixel, at, ray);
       for (std::size_t k = 0; k < cuts_.size(); ++k) {
@@ -316,15 +325,6 @@ class TetrahedronRenderer {
       }
       from = to;
     }
-  }
-
-  HWY_INLINE static void add_behind(const Radiance<V>& radiance, M where, Radiance<V>& sum) {
-    const V visible = hn::IfThenElseZero(where, sum.transparency);
-    sum.red = hn::MulAdd(visible, radiance.red, sum.red);
-    sum.green = hn::MulAdd(visible, radiance.green, sum.green);
-    sum.blue = hn::MulAdd(visible, radiance.blue, sum.blue);
-    sum.transparency =
-        hn::IfThenElse(where, hn::Mul(sum.transparency, radiance.transparency), sum.transparency);
   }
 
   HWY_INLINE void to_ray_parameter(D d, EntryAndExit<V>& e) const {
@@ -370,8 +370,9 @@ class TetrahedronRenderer {
     const auto at = [&](V t, V front_value, V back_value) {
       const V u = hn::Div(hn::Sub(t, e.front), length);
       const V between = hn::MulAdd(hn::Sub(back_value, front_value), u, front_value);
-      return hn::IfThenElse(hn::Eq(t, e.front), front_value,
-                            hn::IfThenElse(hn::Eq(t, e.back), back_value, between));
+      const M cut = hn::And(active, hn::Ne(t, e.front));
+      return hn::IfThenElse(cut, hn::IfThenElse(hn::Eq(t, e.back), back_value, between),
+                            front_value);
     };
     const EntryAndExit<V> clipped{front,
                                   back,
@@ -389,11 +390,11 @@ class TetrahedronRenderer {
     const M violated = hn::And(active, hn::Lt(e.front, hn::Sub(last, tolerance)));
     counts_.violations += hn::CountTrue(d, violated);
     hn::StoreU(hn::IfThenElse(active, hn::Max(last, e.back), last), d, buffer_.last.data() + at);
+    // lanes that are not active have segments of no length: their light is finite
     const V visible = hn::IfThenElseZero(active, behind);
     const auto add = [&](std::vector<double>& plane, V light) {
       double* pixels = plane.data() + at;
-      const V sum = hn::LoadU(d, pixels);
-      hn::StoreU(hn::IfThenElse(active, hn::MulAdd(visible, light, sum), sum), d, pixels);
+      hn::StoreU(hn::MulAdd(visible, light, hn::LoadU(d, pixels)), d, pixels);
     };
     add(buffer_.red, radiance.red);
     add(buffer_.green, radiance.green);
@@ -427,6 +428,8 @@ class TetrahedronRenderer {
   ProjectedTetrahedron corners_;
   FacePlanes planes_;
   FaceRuns runs_;
+  FaceSides sides_;
+  FaceRow face_row_;  // of the row at hand
   // of the cell at hand
   bool empty_ = false;  // the volume neither absorbs nor shines
   std::vector<TetrahedronCut> cuts_;
@@ -435,12 +438,33 @@ class TetrahedronRenderer {
   SegmentDescriber describer_;      // where details are asked for
 };
 
+// Cells lie in memory in another order than in space: what those that come next need is asked for
+// in time. Far ahead their nodes' ids, nearer ahead what the frame knows of the nodes.
+HWY_INLINE void prefetch(const Frame& frame, std::span<const CellId> cells, std::size_t i) {
+  constexpr std::size_t kIdsAhead = 8, kNodesAhead = 4;
+  if (i + kIdsAhead < cells.size())
+    hwy::Prefetch(frame.mesh.nodes.data() + frame.mesh.elems[cells[i + kIdsAhead]]);
+  if (i + kNodesAhead >= cells.size()) return;
+  const CellId cell = cells[i + kNodesAhead];
+  const std::uint64_t first_entry = frame.mesh.elems[cell];
+  for (std::uint64_t entry = first_entry; entry < first_entry + 4; ++entry) {
+    const NodeId node = frame.mesh.nodes[entry];
+    hwy::Prefetch(&frame.nodes[node]);
+    const std::size_t at = frame.extinction.index(cell, entry, node);
+    hwy::Prefetch(&frame.extinction.values[at]);
+    hwy::Prefetch(&frame.extinction.intervals[at]);
+  }
+}
+
 template <bool kSeparateFields, class Rule>
 HWY_NOINLINE void render_all(const Frame& frame, std::span<const CellId> cells,
                              const TileRect& tile, TileBuffer& buffer, SegmentList* group,
                              TileCounts& counts) {
   TetrahedronRenderer<kSeparateFields, Rule> renderer(frame, tile, buffer, group, counts);
-  for (const CellId cell : cells) renderer.render(cell);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    prefetch(frame, cells, i);
+    renderer.render(cells[i]);
+  }
 }
 
 void render_tetrahedra_here(const Frame& frame, std::span<const CellId> cells, const TileRect& tile,
