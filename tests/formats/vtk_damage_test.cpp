@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "tests/formats/files.hpp"
+#include "tests/support/instrumented.hpp"
 
 namespace hiac::formats {
 namespace {
@@ -55,7 +56,7 @@ TEST(VtkDamage, TruncatedFilesAreRefusedOrWhole) {
     const std::string text = text_of(path);
     const std::string extension = std::filesystem::path(path).extension().string();
     const bool xml = text.find("<VTKFile") != std::string::npos;
-    for (std::size_t cut = 0; cut < 20; ++cut) {
+    for (std::size_t cut = 0; cut < 20; cut += test::kInstrumented ? 4 : 1) {
       // the last cuts near the end, where little is missing
       const std::size_t length = cut < 16 ? text.size() * cut / 16 : text.size() - (cut - 15) * 7;
       const std::string part =
@@ -104,14 +105,16 @@ TEST(VtkDamage, ChangedBytesAreSurvived) {
   if (files.empty()) GTEST_SKIP() << "no data";
   // for a longer search than every run of the tests can afford
   const char* asked = std::getenv("HIAC_DAMAGE_FACTOR");
-  const int factor = asked == nullptr ? 1 : std::atoi(asked);
+  const std::size_t factor = asked == nullptr ? 1 : std::strtoul(asked, nullptr, 10);
   std::mt19937 random(20240101);  // NOLINT(cert-msc51-cpp): the same files every time
   const auto below = [&](std::size_t n) { return random() % std::max<std::size_t>(n, 1); };
   for (const std::string& path : files) {
     const std::string text = text_of(path);
     const std::string extension = std::filesystem::path(path).extension().string();
-    const int trials = factor * (text.size() < 10'000 ? 60 : text.size() < 200'000 ? 20 : 4);
-    for (int trial = 0; trial < trials; ++trial) {
+    const std::size_t trials = factor * test::tried(text.size() < 10'000    ? 60
+                                                    : text.size() < 200'000 ? 20
+                                                                            : 4);
+    for (std::size_t trial = 0; trial < trials; ++trial) {
       std::string changed = text;
       const std::size_t changes = 1 + below(3);
       for (std::size_t c = 0; c < changes; ++c) {

@@ -26,6 +26,7 @@
 #include <vtkZLibDataCompressor.h>
 
 #include "tests/formats/files.hpp"
+#include "tests/support/instrumented.hpp"
 
 namespace hiac::formats {
 namespace {
@@ -183,7 +184,7 @@ TEST(VtkEncodings, DamagedCompressedBlocksAreRefused) {
                                             true, false);
     const std::string text = text_of(path);
     const std::size_t data = text.find("<AppendedData") + 40;
-    for (std::size_t trial = 0; trial < 200; ++trial) {
+    for (std::size_t trial = 0; trial < test::tried(200); ++trial) {
       std::string damaged = text;
       const std::size_t at = data + trial * 7919 % (text.size() - data - 60);
       damaged[at] = static_cast<char>(damaged[at] ^ (1 << trial % 8));

@@ -7,6 +7,8 @@
 #include <random>
 #include <utility>
 
+#include "tests/support/instrumented.hpp"
+
 namespace hiac::test {
 namespace {
 
@@ -206,21 +208,17 @@ std::vector<NamedView> special_views(const ZooMesh& mesh, std::uint64_t seed) {
   };
   const Face f = some_face(), g = some_face(), h = some_face(), d = some_face(), e = some_face();
   const double sign = random() % 2 == 0 ? 1 : -1;
-  return {from_eye("somewhere", anywhere(4)),
-          from_eye("far away", anywhere(1e4)),
-          from_eye("in a cell", center(some_cell())),
-          from_eye("on a vertex", f.a),
-          from_eye("on an edge", towards(f.a, f.b, 0.5)),
-          from_eye("on a face", towards(f.a, towards(f.b, f.c, 0.5), 0.5)),
-          from_eye("in a face's plane", towards(g.a, towards(g.b, g.c, -2), 4)),
-          from_eye("in line with an edge", towards(h.a, h.b, 3)),
-          along("x", {sign, 0, 0}),
-          along("y", {0, -sign, 0}),
-          along("z", {0, 0, sign}),
-          along("an edge", difference(d.a, d.b)),
-          along("a face's diagonal", difference(e.a, e.c)),
-          along("a face's plane", difference(towards(e.a, e.c, 3), e.b)),
-          along("any way", random_direction())};
+  return tried(std::vector<NamedView>{
+      from_eye("somewhere", anywhere(4)), from_eye("far away", anywhere(1e4)),
+      from_eye("in a cell", center(some_cell())), from_eye("on a vertex", f.a),
+      from_eye("on an edge", towards(f.a, f.b, 0.5)),
+      from_eye("on a face", towards(f.a, towards(f.b, f.c, 0.5), 0.5)),
+      from_eye("in a face's plane", towards(g.a, towards(g.b, g.c, -2), 4)),
+      from_eye("in line with an edge", towards(h.a, h.b, 3)), along("x", {sign, 0, 0}),
+      along("y", {0, -sign, 0}), along("z", {0, 0, sign}), along("an edge", difference(d.a, d.b)),
+      along("a face's diagonal", difference(e.a, e.c)),
+      along("a face's plane", difference(towards(e.a, e.c, 3), e.b)),
+      along("any way", random_direction())});
 }
 
 ZooMesh collapsed_fan(int sectors, int rings, int layers, Collapse collapse) {

@@ -6,6 +6,8 @@
 #include <random>
 #include <utility>
 
+#include "tests/support/instrumented.hpp"
+
 namespace hiac::test {
 namespace {
 
@@ -66,7 +68,7 @@ std::vector<NamedView> many_views() {
     views.push_back(along("random direction " + std::to_string(i), p));
     views.push_back(from_eye("random eye " + std::to_string(i), {2 * p[0], 2 * p[1], 2 * p[2]}));
   }
-  return views;
+  return tried(std::move(views));
 }
 
 Position turned(const Position& p) {
