@@ -95,6 +95,49 @@ TEST(InverseMap, StronglyTaperedCellsAreInverted) {
   }
 }
 
+// Nodes between corners where straight edges have them change nothing, and are measured where not.
+TEST(InverseMap, StraightCellsOfHigherOrderHaveTheMapOfTheirCorners) {
+  std::mt19937_64 random(3);
+  for (const CellKind kind : kLinearKinds)
+    for (const CellOrder order : {CellOrder::quadratic, CellOrder::cubic}) {
+      const CellKind higher = kind_of(shape_of(kind), order);
+      const CellMap linear(kind, moved_corners(kind, tapered));
+      std::vector<Point> nodes;
+      for (const Point& node : reference_nodes(higher)) nodes.push_back(linear.position(node));
+      const CellMap map(higher, nodes);
+      EXPECT_TRUE(map.straight()) << kind_name(higher);
+      for (int i = 0; i < 50; ++i) {
+        const Point xi = random_inside(kind, random);
+        EXPECT_EQ(map.position(xi), linear.position(xi));
+      }
+      nodes.back()[1] += 0.01;
+      EXPECT_FALSE(CellMap(higher, nodes).straight());
+      EXPECT_GT(edge_deviation(higher, nodes), 0.002);
+      EXPECT_TRUE(CellMap(higher, nodes, 0.05).straight());
+    }
+}
+
+// Every node off its place: all nodes make the map.
+TEST(InverseMap, CurvedCellsAreInverted) {
+  std::mt19937_64 random(4);
+  const auto bent = [](const Point& p) {
+    return Point{p[0] + 0.12 * std::sin(2 * p[1] + p[2]), p[1] + 0.1 * p[0] * p[2],
+                 p[2] - 0.1 * std::cos(2 * p[0])};
+  };
+  for (const CellKind kind : kLinearKinds)
+    for (const CellOrder order : {CellOrder::quadratic, CellOrder::cubic}) {
+      const CellKind higher = kind_of(shape_of(kind), order);
+      const CellMap map(higher, moved_corners(higher, bent));
+      EXPECT_FALSE(map.straight());
+      for (int i = 0; i < 1000; ++i) {
+        const Point xi = random_inside(kind, random), guess = random_inside(kind, random);
+        const Point x = map.position(xi), found = map.reference(x, guess);
+        ASSERT_LE(distance(map.position(found), x), 1e-13) << kind_name(higher);
+        ASSERT_LE(distance(found, xi), 1e-12) << kind_name(higher);
+      }
+    }
+}
+
 TEST(InverseMap, CornersAreFound) {
   for (const CellKind kind : kLinearKinds) {
     const auto corners = moved_corners(kind, tapered);

@@ -1,5 +1,7 @@
 #include "tests/render/general_meshes.hpp"
 
+#include <algorithm>
+#include <map>
 #include <random>
 
 #include "hiac/mesh/face_adjacency.hpp"
@@ -71,6 +73,41 @@ ZooMesh mixed_columns(std::size_t n) {
   return make_mesh(positions, cells);
 }
 
+ZooMesh of_order(const ZooMesh& mesh, CellOrder order) {
+  std::vector<Position> positions = positions_of(mesh);
+  std::map<std::vector<NodeId>, NodeId> added;
+  // the node at a weighted mean of others: by them, each as often as it weighs
+  const auto mean_of = [&](std::vector<NodeId> nodes) {
+    std::ranges::sort(nodes);
+    const auto [at, is_new] = added.try_emplace(nodes, static_cast<NodeId>(positions.size()));
+    if (is_new) {
+      Position p{};
+      for (const NodeId node : nodes)
+        for (std::size_t a = 0; a < 3; ++a)
+          p[a] += positions[node][a] / static_cast<double>(nodes.size());
+      positions.push_back(p);
+    }
+    return at->second;
+  };
+  std::vector<Cell> cells = cells_of(mesh);
+  for (Cell& cell : cells) {
+    const auto& topology = topology_of(cell.kind);
+    cell.kind = kind_of(shape_of(cell.kind), order);
+    const std::vector<NodeId> corners = cell.nodes;
+    for (const auto& [a, b] : topology.edges) {
+      if (order == CellOrder::quadratic) cell.nodes.push_back(mean_of({corners[a], corners[b]}));
+      if (order != CellOrder::cubic) continue;
+      cell.nodes.push_back(mean_of({corners[a], corners[a], corners[b]}));
+      cell.nodes.push_back(mean_of({corners[a], corners[b], corners[b]}));
+    }
+    if (cell.kind != CellKind::tetrahedron20) continue;
+    for (const ShapeFace& face : topology.faces)
+      cell.nodes.push_back(
+          mean_of({corners[face.corners[0]], corners[face.corners[1]], corners[face.corners[2]]}));
+  }
+  return make_mesh(positions, cells);
+}
+
 void add_random_field(ZooMesh& mesh, const std::string& name, FieldLocation location,
                       std::uint64_t seed) {
   std::mt19937_64 random(seed);
@@ -104,11 +141,14 @@ void make_uniform(Scene& scene) {
   scene.volume.extinction->points = {{0, {1.5}}};
 }
 
+VisibilityOrder sorted(const ZooMesh& mesh, const Scene& scene) {
+  return exact_order(mesh, build_face_adjacency(mesh), view_of(scene.camera),
+                     scene.render.planarity)
+      .order;
+}
+
 RenderResult draw(const ZooMesh& mesh, const Scene& scene) {
-  const View view = view_of(scene.camera);
-  const OrderResult sorted =
-      exact_order(mesh, build_face_adjacency(mesh), view, scene.render.planarity);
-  return render(mesh, sorted.order, scene, false);
+  return render(mesh, sorted(mesh, scene), scene, false);
 }
 
 }  // namespace hiac::test

@@ -23,6 +23,10 @@ ZooMesh two_wedges();
 /// a face sharing one.
 ZooMesh mixed_columns(std::size_t n);
 
+/// A linear mesh with nodes added on straight edges (and in the faces of cubic tetrahedra), shared
+/// by the cells around them. Without fields.
+ZooMesh of_order(const ZooMesh& mesh, CellOrder order);
+
 /// A field of random numbers in [0, 1].
 void add_random_field(ZooMesh& mesh, const std::string& name, FieldLocation location,
                       std::uint64_t seed);
@@ -33,6 +37,9 @@ Scene cube_scene(Projection projection, std::uint32_t width, std::uint32_t heigh
 
 /// Extinction 1.5 and one colour everywhere.
 void make_uniform(Scene& scene);
+
+/// The exact order for the scene's camera.
+VisibilityOrder sorted(const ZooMesh& mesh, const Scene& scene);
 
 /// Sorts and renders.
 RenderResult draw(const ZooMesh& mesh, const Scene& scene);

@@ -53,23 +53,26 @@ Ray ray_through(const Scene& scene, double x, double y) {
   return ray;
 }
 
+using NodeValues = std::array<Real, kMaxNodesPerCell>;
+
 struct Cell {
   CellKind kind;
-  std::size_t count;
-  std::array<Vec, 8> corners;
-  std::array<Real, 8> color{}, extinction{};
-  Real from, to;                                // of the segment
-  std::vector<std::array<Real, 8>> surfaces{};  // fields of the scene's isosurfaces
+  std::size_t count;    // of nodes
+  std::size_t corners;  // the first nodes
+  std::array<Vec, kMaxNodesPerCell> nodes;
+  NodeValues color{}, extinction{};
+  Real from, to;                       // of the segment
+  std::vector<NodeValues> surfaces{};  // fields of the scene's isosurfaces
 };
 
 bool clip(const Ray& ray, Cell& cell) {
   Vec middle{};
-  for (std::size_t k = 0; k < cell.count; ++k)
-    middle = middle + (Real(1) / static_cast<Real>(cell.count)) * cell.corners[k];
+  for (std::size_t k = 0; k < cell.corners; ++k)
+    middle = middle + (Real(1) / static_cast<Real>(cell.corners)) * cell.nodes[k];
   cell.from = ray.from;
   cell.to = ray.to;
   for (const ShapeFace& face : topology_of(cell.kind).faces) {
-    const auto at = [&](std::size_t k) { return cell.corners[face.corners[k]]; };
+    const auto at = [&](std::size_t k) { return cell.nodes[face.corners[k]]; };
     const std::size_t last = face.corner_count - 1U;
     Vec normal =
         last == 2 ? cross(at(1) - at(0), at(2) - at(0)) : cross(at(2) - at(0), at(3) - at(1));
@@ -84,9 +87,9 @@ bool clip(const Ray& ray, Cell& cell) {
   return cell.from < cell.to;
 }
 
-std::array<Real, 8> corner_values(const ZooMesh& mesh, CellId cell, const Field& field) {
-  std::array<Real, 8> values{};
-  for (std::size_t k = 0; k < corner_count(mesh.kinds[cell]); ++k) {
+NodeValues node_values(const ZooMesh& mesh, CellId cell, const Field& field) {
+  NodeValues values{};
+  for (std::size_t k = 0; k < node_count(mesh.kinds[cell]); ++k) {
     const std::uint64_t entry = mesh.elems[cell] + k;
     const std::size_t at = field.location == FieldLocation::node   ? mesh.nodes[entry]
                            : field.location == FieldLocation::cell ? cell
@@ -97,13 +100,13 @@ std::array<Real, 8> corner_values(const ZooMesh& mesh, CellId cell, const Field&
 }
 
 // Shape functions at a point of the cell, by Newton's iteration halved as often as it must be.
-std::array<Real, 8> shape_at(const Cell& cell, const Vec& point, Vec& xi) {
-  std::array<Real, 8> shape;
-  std::array<Vec, 8> gradient;
+NodeValues shape_at(const Cell& cell, const Vec& point, Vec& xi) {
+  NodeValues shape;
+  std::array<Vec, kMaxNodesPerCell> gradient;
   const auto residual_at = [&](const Vec& r) {
     shape_functions<Real>(cell.kind, r, shape);
     Vec residual = point;
-    for (std::size_t k = 0; k < cell.count; ++k) residual = residual - shape[k] * cell.corners[k];
+    for (std::size_t k = 0; k < cell.count; ++k) residual = residual - shape[k] * cell.nodes[k];
     return residual;
   };
   Vec residual = residual_at(xi);
@@ -111,7 +114,7 @@ std::array<Real, 8> shape_at(const Cell& cell, const Vec& point, Vec& xi) {
     shape_gradients<Real>(cell.kind, xi, gradient);
     std::array<Vec, 3> column{};
     for (std::size_t k = 0; k < cell.count; ++k)
-      for (std::size_t a = 0; a < 3; ++a) column[a] = column[a] + gradient[k][a] * cell.corners[k];
+      for (std::size_t a = 0; a < 3; ++a) column[a] = column[a] + gradient[k][a] * cell.nodes[k];
     const Real volume = dot(column[0], cross(column[1], column[2]));
     Vec step{dot(residual, cross(column[1], column[2])) / volume,
              dot(residual, cross(column[2], column[0])) / volume,
@@ -186,8 +189,8 @@ class Integrator {
  public:
   Integrator(const Ray& ray, const Cell& cell, const Optics& optics, const Scene& scene)
       : ray_(ray), cell_(cell), optics_(optics), scene_(scene) {
-    for (const auto& node : reference_nodes(cell.kind))
-      xi_ = xi_ + (Real(1) / static_cast<Real>(cell.count)) * vec(node);
+    for (const auto& node : reference_nodes(cell.kind).first(cell.corners))
+      xi_ = xi_ + (Real(1) / static_cast<Real>(cell.corners)) * vec(node);
   }
 
   /// Over the cell's segment, cut where transfer functions bend: a bend close to the end of a
@@ -215,7 +218,7 @@ class Integrator {
   }
 
  private:
-  Real field_at(const std::array<Real, 8>& values, Real t) {
+  Real field_at(const NodeValues& values, Real t) {
     const auto shape = shape_at(cell_, ray_.origin + t * ray_.direction, xi_);
     Real f = 0;
     for (std::size_t k = 0; k < cell_.count; ++k) f += shape[k] * values[k];
@@ -225,14 +228,14 @@ class Integrator {
   // A surface as a piece of volume: its light, and the depth that lets as much through.
   Light shaded(std::size_t s, Real t) {
     const Vec point = ray_.origin + t * ray_.direction;
-    std::array<Vec, 8> gradient;
+    std::array<Vec, kMaxNodesPerCell> gradient;
     shape_at(cell_, point, xi_);
     shape_gradients<Real>(cell_.kind, xi_, gradient);
     std::array<Vec, 3> column{};
     Vec slope{};
     for (std::size_t k = 0; k < cell_.count; ++k)
       for (std::size_t a = 0; a < 3; ++a) {
-        column[a] = column[a] + gradient[k][a] * cell_.corners[k];
+        column[a] = column[a] + gradient[k][a] * cell_.nodes[k];
         slope[a] += gradient[k][a] * cell_.surfaces[s][k];
       }
     // J^-T slope, up to a factor
@@ -245,8 +248,7 @@ class Integrator {
   }
 
   // Where the field takes one of the values, by bisection between points on an even grid.
-  void add_cuts(const std::array<Real, 8>& values, std::span<const double> at,
-                std::vector<Real>& cuts) {
+  void add_cuts(const NodeValues& values, std::span<const double> at, std::vector<Real>& cuts) {
     constexpr int kGrid = 200;
     const auto place = [&](int i) { return cell_.from + (cell_.to - cell_.from) * i / kGrid; };
     std::array<Real, kGrid + 1> f;
@@ -333,13 +335,21 @@ std::array<double, 4> polyhedron_reference(const ZooMesh& mesh, const Scene& sce
     surfaces.push_back(scalar_field(mesh, surface.field));
   std::vector<Cell> segments;
   for (CellId id = 0; id < mesh.cell_count(); ++id) {
-    Cell cell{mesh.kinds[id], corner_count(mesh.kinds[id]), {}, {}, {}, 0, 0, {}};
+    Cell cell{mesh.kinds[id],
+              node_count(mesh.kinds[id]),
+              corner_count(mesh.kinds[id]),
+              {},
+              {},
+              {},
+              0,
+              0,
+              {}};
     for (std::size_t k = 0; k < cell.count; ++k)
-      cell.corners[k] = vec(mesh.position(mesh.cell_nodes(id)[k]));
+      cell.nodes[k] = vec(mesh.position(mesh.cell_nodes(id)[k]));
     if (!clip(ray, cell)) continue;
-    if (volume.color) cell.color = corner_values(mesh, id, color);
-    if (volume.extinction) cell.extinction = corner_values(mesh, id, extinction);
-    for (const Field& field : surfaces) cell.surfaces.push_back(corner_values(mesh, id, field));
+    if (volume.color) cell.color = node_values(mesh, id, color);
+    if (volume.extinction) cell.extinction = node_values(mesh, id, extinction);
+    for (const Field& field : surfaces) cell.surfaces.push_back(node_values(mesh, id, field));
     segments.push_back(cell);
   }
   std::sort(segments.begin(), segments.end(),

@@ -116,14 +116,23 @@ TEST(Renderable, NodesOfNoCellMayHoldAnything) {
   EXPECT_NO_THROW(check_renderable(with_values(mesh, FieldLocation::node, values), scene()));
 }
 
-TEST(Renderable, FieldsThatDoNotExistAndHigherOrdersAreRefused) {
+TEST(Renderable, FieldsThatDoNotExistAreRefused) {
   EXPECT_THROW(check_renderable(test::structured(1, Cut::bricks), scene()), UsageError);
-  std::vector<NodeId> nodes(20);
-  for (NodeId k = 0; k < 20; ++k) nodes[k] = k;
-  const ZooMesh quadratic = with_field(
-      test::make_mesh(std::vector<Position>(20, Position{}), {{CellKind::brick20, nodes}}));
-  EXPECT_THAT([&] { check_renderable(quadratic, scene()); },
-              ThrowsMessage<InputError>(AllOf(HasSubstr("brick20"), HasSubstr("--corners-only"))));
+}
+
+TEST(Renderable, StraightCellsOfHigherOrderAreLetPassAndCurvedEdgesAreNamed) {
+  for (const CellOrder order : {CellOrder::quadratic, CellOrder::cubic}) {
+    ZooMesh mesh =
+        with_field(test::of_order(test::moved(test::mixed_columns(2), test::tapered), order));
+    EXPECT_NO_THROW(check_renderable(mesh, scene()));
+    std::vector<double> xyz(mesh.xyz.begin(), mesh.xyz.end());
+    xyz.back() += 1e-6;  // a node between corners of the last cell
+    mesh.xyz = std::move(xyz);
+    EXPECT_THAT(
+        [&] { check_renderable(mesh, scene()); },
+        ThrowsMessage<InputError>(AllOf(HasSubstr("edges are curved"), HasSubstr("--corners-only"),
+                                        HasSubstr("render.planarity"))));
+  }
 }
 
 }  // namespace

@@ -138,28 +138,50 @@ bool near_reference_cell(CellShape shape, const Point& xi) {
 
 }  // namespace
 
-CellMap::CellMap(CellKind kind, std::span<const Point> corners)
-    : kind_(kind_of(shape_of(kind), CellOrder::linear)),
-      count_(corner_count(kind)),
-      origin_(corners[0]) {
-  const auto nodes = reference_nodes(kind_);
-  for (std::size_t k = 0; k < count_; ++k) {
-    corners_[k] = corners[k] - origin_;
-    size_ = std::max(size_, largest(corners_[k]));
-    middle_ = middle_ + (1.0 / static_cast<double>(count_)) * nodes[k];
+double edge_deviation(CellKind kind, std::span<const Point> nodes) {
+  if (order_of(kind) == CellOrder::linear) return 0;
+  const CellKind linear = kind_of(shape_of(kind), CellOrder::linear);
+  const std::size_t corners = corner_count(kind);
+  const auto reference = reference_nodes(kind);
+  double size = 0, deviation = 0;
+  for (std::size_t k = 1; k < corners; ++k) size = std::max(size, largest(nodes[k] - nodes[0]));
+  for (std::size_t k = corners; k < node_count(kind); ++k) {
+    std::array<double, kMaxNodesPerCell> shape;
+    shape_functions<double>(linear, reference[k], shape);
+    Point off = nodes[0] - nodes[k];
+    for (std::size_t c = 1; c < corners; ++c) off = off + shape[c] * (nodes[c] - nodes[0]);
+    deviation = std::max(deviation, largest(off));
   }
-  set_terms();
+  return deviation == 0 ? 0 : deviation / size;
+}
+
+CellMap::CellMap(CellKind kind, std::span<const Point> nodes, double straightness)
+    : kind_(edge_deviation(kind, nodes) <= straightness ? kind_of(shape_of(kind), CellOrder::linear)
+                                                        : kind),
+      count_(node_count(kind_)),
+      origin_(nodes[0]) {
+  const auto reference = reference_nodes(kind_);
+  for (std::size_t k = 0; k < count_; ++k) {
+    nodes_[k] = nodes[k] - origin_;
+    size_ = std::max(size_, largest(nodes_[k]));
+  }
+  const std::size_t corners = corner_count(kind_);
+  for (std::size_t k = 0; k < corners; ++k)
+    middle_ = middle_ + (1.0 / static_cast<double>(corners)) * reference[k];
   // the corners on the axes make the affine map that the others may follow
   const auto axis = axis_corners(shape_of(kind_));
-  const auto on_axis = [&](std::size_t a) { return (1 / nodes[axis[a]][a]) * corners_[axis[a]]; };
-  const Jacobian straight{on_axis(0), on_axis(1), on_axis(2)};
-  affine_ = true;
+  const auto on_axis = [&](std::size_t a) { return (1 / reference[axis[a]][a]) * nodes_[axis[a]]; };
+  Jacobian jacobian{on_axis(0), on_axis(1), on_axis(2)};
+  affine_ = straight();
   for (std::size_t k = 0; k < count_; ++k) {
     const Point image =
-        nodes[k][0] * straight.x + nodes[k][1] * straight.y + nodes[k][2] * straight.z;
-    affine_ = affine_ && largest(corners_[k] - image) <= kAffineDeviation * size_;
+        reference[k][0] * jacobian.x + reference[k][1] * jacobian.y + reference[k][2] * jacobian.z;
+    affine_ = affine_ && largest(nodes_[k] - image) <= kAffineDeviation * size_;
   }
-  Jacobian jacobian = straight;
+  if (straight()) {
+    set_terms();
+    straightened_ = 4 * edge_deviation(kind, nodes) * size_;
+  }
   Point unused;
   if (!affine_) evaluate(middle_, unused, jacobian);
   inverse_ = inverse_of_columns(jacobian.x, jacobian.y, jacobian.z);
@@ -167,7 +189,7 @@ CellMap::CellMap(CellKind kind, std::span<const Point> corners)
 }
 
 void CellMap::set_terms() {
-  const auto& p = corners_;  // p[0] is 0
+  const auto& p = nodes_;  // p[0] is 0
   switch (shape_of(kind_)) {
     case CellShape::tetrahedron:
       linear_ = {p[1], p[2], p[3]};
@@ -194,6 +216,7 @@ void CellMap::set_terms() {
 
 // Relative to corner 0.
 void CellMap::evaluate(const Point& xi, Point& position, Jacobian& jacobian) const {
+  if (!straight()) return evaluate_curved(xi, position, jacobian);
   const MixedTerms terms = mixed_terms(shape_of(kind_), xi);
   position = xi[0] * linear_.x + xi[1] * linear_.y + xi[2] * linear_.z;
   jacobian = linear_;
@@ -205,11 +228,26 @@ void CellMap::evaluate(const Point& xi, Point& position, Jacobian& jacobian) con
   }
 }
 
+void CellMap::evaluate_curved(const Point& xi, Point& position, Jacobian& jacobian) const {
+  std::array<double, kMostNodes> shape;
+  std::array<Point, kMostNodes> gradient;
+  shape_functions<double>(kind_, xi, shape);
+  shape_gradients<double>(kind_, xi, gradient);
+  position = {};
+  jacobian = {};
+  for (std::size_t k = 1; k < count_; ++k) {
+    position = position + shape[k] * nodes_[k];
+    jacobian.x = jacobian.x + gradient[k][0] * nodes_[k];
+    jacobian.y = jacobian.y + gradient[k][1] * nodes_[k];
+    jacobian.z = jacobian.z + gradient[k][2] * nodes_[k];
+  }
+}
+
 Point CellMap::position(const Point& xi) const {
-  std::array<double, kMostCorners> shape;
+  std::array<double, kMostNodes> shape;
   shape_functions<double>(kind_, xi, shape);
   Point sum{};
-  for (std::size_t k = 0; k < count_; ++k) sum = sum + shape[k] * corners_[k];
+  for (std::size_t k = 0; k < count_; ++k) sum = sum + shape[k] * nodes_[k];
   return origin_ + sum;
 }
 
@@ -218,7 +256,11 @@ Point CellMap::reference(const Point& point, const Point& guess) const {
   if (affine_) return apply(inverse_, relative);
   Point xi = guess;
   if (newton(relative, xi) && near_reference_cell(shape_of(kind_), xi)) return xi;
-  return continued(relative);
+  xi = guess;
+  if (follow(relative, xi) && near_reference_cell(shape_of(kind_), xi)) return xi;
+  xi = middle_;
+  follow(relative, xi);
+  return xi;
 }
 
 // Newton's iteration for a point relative to corner 0. False, and xi of no use, where it does not
@@ -243,9 +285,10 @@ bool CellMap::newton(const Point& point, Point& xi) const {
   return before <= kResidualRounding * size_;
 }
 
-Point CellMap::continued(const Point& point) const {
-  const Point start = position(middle_) - origin_;
-  Point xi = middle_;
+// Continuation from the point of xi to a point relative to corner 0. False where it gets lost; xi
+// is then that of the last point that it came to.
+bool CellMap::follow(const Point& point, Point& xi) const {
+  const Point start = position(xi) - origin_;
   double reached = 0, step = 0.5;
   while (reached < 1 && step > kShortestContinuation) {
     const double next = std::min(reached + step, 1.0);
@@ -259,7 +302,7 @@ Point CellMap::continued(const Point& point) const {
       step /= 2;
     }
   }
-  return xi;
+  return reached == 1;
 }
 
 }  // namespace hiac

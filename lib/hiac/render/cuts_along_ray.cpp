@@ -67,28 +67,16 @@ bool CutsAlongRay::enter(CellId cell, double aside) {
   const ZooMesh& mesh = frame_.mesh;
   kind_ = mesh.kinds[cell];
   const auto nodes = mesh.cell_nodes(cell);
-  for (std::size_t k = 0; k < corner_count(kind_); ++k) {
-    const auto p = mesh.position(nodes[k]);
-    corners_[k] = {p[0], p[1], p[2]};
-  }
+  nodes_ = cell_positions(mesh, cell);
   for (const IsosurfaceCut& in : in_cell) {
     Cut& cut = cuts_.emplace_back();
     cut.surface = &frame_.isosurfaces.surfaces[in.surface];
     cut.closed_faces = in.closed_faces;
-    cut.offsets = {{}, std::numeric_limits<double>::infinity(), 0, 0};
-    cut.offsets.most = -cut.offsets.least;
-    for (std::size_t k = 0; k < corner_count(kind_); ++k) {
-      const double offset =
-          frame_.isosurfaces.offset(*cut.surface, cell, mesh.elems[cell] + k, nodes[k]);
-      cut.offsets.values[k] = offset;
-      cut.offsets.least = std::min(cut.offsets.least, offset);
-      cut.offsets.most = std::max(cut.offsets.most, offset);
-    }
+    cut.offsets =
+        cell_field(mesh, cell, frame_.isosurfaces.fields[cut.surface->field], cut.surface->value);
     cut.aside = aside;
-    const auto faces = topology_of(kind_).faces;
-    for (std::size_t f = 0; f < faces.size(); ++f)
-      for (std::size_t k = 0; k < faces[f].corner_count; ++k)
-        cut.faces[f].add(nodes[faces[f].corners[k]], cut.offsets.values[faces[f].corners[k]]);
+    for (std::size_t f = 0; f < face_count(kind_); ++f)
+      cut.faces[f] = face_offsets(kind_, f, nodes, cut.offsets.values);
   }
   return true;
 }
@@ -151,8 +139,8 @@ void CutsAlongRay::add_places(const CellMap& map, const CellCrossing& crossing,
   if (frame_.with_error)
     add_doubts(stretch, cut,
                field_error({cut.offsets.least, cut.offsets.most},
-                           kSteepest * map.steepness() * (cut.offsets.most - cut.offsets.least),
-                           cut.aside) +
+                           steepest(kind_, map, cut.offsets.most - cut.offsets.least),
+                           cut.aside + map.straightened()) +
                    2 * rounding);
 }
 
@@ -160,15 +148,15 @@ void CutsAlongRay::add_places(const CellMap& map, const CellCrossing& crossing,
 std::array<double, 3> CutsAlongRay::normal_at(const CellMap& map, const RayStretch& stretch,
                                               const Cut& cut, double t, double& rounding) const {
   const CellMap::Point xi = map.reference(stretch.at(t), map.middle());
-  std::array<std::array<double, 3>, CellMap::kMostCorners> shape;
+  std::array<std::array<double, 3>, CellMap::kMostNodes> shape;
   shape_gradients<double>(kind_, xi, shape);
   std::array<std::array<double, 3>, 3> columns{};
   std::array<double, 3> gradient{};
-  for (std::size_t k = 0; k < corner_count(kind_); ++k)
+  for (std::size_t k = 0; k < node_count(kind_); ++k)
     for (std::size_t a = 0; a < 3; ++a) {
       gradient[a] += shape[k][a] * cut.offsets.values[k];
       for (std::size_t c = 0; c < 3; ++c)
-        columns[a][c] += shape[k][a] * (corners_[k][c] - corners_[0][c]);
+        columns[a][c] += shape[k][a] * (nodes_[k][c] - nodes_[0][c]);
     }
   if (frame_.with_error) rounding = kAngleUnit * gradient_condition(columns, gradient);
   return frame_.projector.camera_vector(gradient_direction(columns, gradient));

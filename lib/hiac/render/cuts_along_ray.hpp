@@ -24,7 +24,7 @@ struct IsosurfaceCrossing {
   ErrorBound shade_error{};  ///< of the shade
 };
 
-/// The isosurfaces that cross one linear cell of any kind, met along rays (section 5.2): where the
+/// The isosurfaces that cross one cell of any kind, met along rays (section 5.2): where the
 /// isoparametric interpolant takes their values, with its gradient as the normal.
 class CutsAlongRay {
  public:
@@ -51,7 +51,7 @@ class CutsAlongRay {
  private:
   struct Cut {
     const FrameIsosurface* surface;
-    CornerField offsets;
+    CellField offsets;
     std::array<FaceOffsets, 6> faces;
     std::uint8_t closed_faces;
     double aside = 0;  // the cell's displacement
@@ -71,7 +71,7 @@ class CutsAlongRay {
   const Frame& frame_;
   CellKind kind_{};
   std::vector<Cut> cuts_;
-  std::array<CellMap::Point, CellMap::kMostCorners> corners_{};
+  std::array<CellMap::Point, CellMap::kMostNodes> nodes_{};
   // of the ray and the cut at hand
   std::vector<FieldAlongRay::Piece> pieces_;
   std::vector<RootEnclosure> roots_;

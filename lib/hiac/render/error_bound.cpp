@@ -74,6 +74,11 @@ CellOptics cell_optics(const OpticsTables& optics, ValueRange color, ValueRange 
   return cell;
 }
 
+double steepest(CellKind kind, const CellMap& map, double range) {
+  const auto order = static_cast<double>(order_of(kind));
+  return 16 * order * order * map.steepness() * range;
+}
+
 double displacement(const Frame& frame, CellId cell) {
   const Projector& projector = frame.projector;
   double reach = 0, aside = 0, moved = 0;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 
+#include "hiac/geometry/inverse_map.hpp"
 #include "hiac/render/frame.hpp"
 #include "hiac/render/pixel_details.hpp"
 
@@ -52,10 +53,12 @@ struct CellOptics {
   double pieces = 0;
 };
 
-/// Of cells that are not tetrahedra: no interpolant is steeper than this times the range of its
-/// corners' values times CellMap::steepness. The shape functions' gradients add up to at most 4 in
-/// reference coordinates; the map may be four times as steep elsewhere as in the middle.
-inline constexpr double kSteepest = 16;
+/// No interpolant of `range`, from its least to its greatest value, is steeper than this in a cell
+/// of a kind: 16 times the square of the order times the range times CellMap::steepness. In
+/// collapsed coordinates a Bernstein polynomial's slope is at most its degree times its range, and
+/// where they taper by 1 / w the coefficients at the tip, all equal, leave as much again. The map
+/// may be four times as steep elsewhere as in the middle.
+double steepest(CellKind kind, const CellMap& map, double range);
 
 /// Values of a field in a cell.
 struct ValueRange {

@@ -37,19 +37,6 @@ void require_explainable(const Scene& scene, std::uint32_t x, std::uint32_t y) {
         "expected)");
 }
 
-CornerField corner_field(const ZooMesh& mesh, CellId cell, const FrameField& field) {
-  CornerField result{{}, std::numeric_limits<double>::infinity(), 0, 0};
-  result.most = -result.least;
-  const auto nodes = mesh.cell_nodes(cell);
-  for (std::size_t k = 0; k < corner_count(mesh.kinds[cell]); ++k) {
-    const double value = field.values[field.index(cell, mesh.elems[cell] + k, nodes[k])];
-    result.values[k] = value;
-    result.least = std::min(result.least, value);
-    result.most = std::max(result.most, value);
-  }
-  return result;
-}
-
 // `fields`: of extinction and, where it has its own, of colour.
 double mean_transparency(const OpticsTables& optics, std::span<const FieldAlongRay::Piece> fields,
                          double length) {
@@ -174,13 +161,7 @@ class RayFollower {
     row.transparency = after.transparency[at_];
     row.color = color_of(after);
     row.error = error_of(after);
-    std::array<CellMap::Point, CellMap::kMostCorners> corners;
-    const auto nodes = frame_.mesh.cell_nodes(cell);
-    for (std::size_t k = 0; k < corner_count(row.kind); ++k) {
-      const auto p = frame_.mesh.position(nodes[k]);
-      corners[k] = {p[0], p[1], p[2]};
-    }
-    const CellMap map(row.kind, corners);
+    const CellMap map(row.kind, cell_positions(frame_.mesh, cell), frame_.straightness);
     set_fields(row, map, stretch(found.front[i], found.back[i]));
     find_surfaces(row, map, found.front[i]);
     rows_.push_back(std::move(row));
@@ -188,9 +169,8 @@ class RayFollower {
 
   void set_fields(PixelSegment& row, const CellMap& map, const RayStretch& part) {
     const OpticsTables& optics = frame_.optics;
-    const std::array<CornerField, 2> fields{
-        corner_field(frame_.mesh, row.cell, frame_.extinction),
-        corner_field(frame_.mesh, row.cell, frame_.color_field())};
+    const std::array<CellField, 2> fields{cell_field(frame_.mesh, row.cell, frame_.extinction),
+                                          cell_field(frame_.mesh, row.cell, frame_.color_field())};
     FieldAlongRay(row.kind, map, fields).along(part, pieces_);
     const auto end = [&](const FieldAlongRay::Piece& piece, double u, double t) {
       SegmentEnd result;

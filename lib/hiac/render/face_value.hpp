@@ -8,28 +8,40 @@
 
 namespace hiac {
 
-/// One face of a cell with the offsets of a scalar from the value of an isosurface at its corners,
-/// in the order in which they follow one another around the face.
+/// One face of a cell with the offsets of a scalar from the value of an isosurface at its nodes: at
+/// the corners, in the order in which they follow one another around the face, then at the nodes
+/// between them, along the same way, then at the centre where there is one.
 struct FaceOffsets {
-  std::size_t count = 0;  ///< 3 or 4
-  std::array<NodeId, 4> nodes;
-  std::array<double, 4> offsets;
+  static constexpr std::size_t kMostNodes = 12;
+  CellOrder order = CellOrder::linear;
+  std::size_t count = 0;  ///< of corners: 3 or 4
+  bool centred = false;   ///< a cubic tetrahedron's
+  std::array<NodeId, kMostNodes> nodes;
+  std::array<double, kMostNodes> offsets;
 
+  /// Adds a corner of a linear face.
   void add(NodeId node, double offset) {
     nodes[count] = node;
     offsets[count++] = offset;
   }
-  /// A number that stands for the offset at every point of the face when that has one sign: 0 or 1
-  /// where it is nowhere below 0, -1 where it is nowhere above and somewhere below. Else 0 with
-  /// `mixed` set.
+  /// Of all nodes.
+  [[nodiscard]] std::size_t node_count() const {
+    return count * static_cast<std::size_t>(order) + (centred ? 1 : 0);
+  }
+  /// A number that stands for the offset at every point of the face when that has one sign for
+  /// certain (interpolant_range.hpp): 0 or 1 where it is nowhere below 0, -1 where it is nowhere
+  /// above and somewhere below. Else 0 with `mixed` set.
   [[nodiscard]] double sign(bool& mixed) const;
 };
 
-/// The offset at the point where the ray of (x, y) crosses the face, at the ray parameter t: linear
-/// on a triangle, bilinear on a planar quadrilateral. A function of the face and the point alone,
-/// whichever way the face's corners are told: the cells on its two sides find the same number, to
-/// the bit. It decides on which side of an isosurface a point is that lies on it to within
-/// rounding.
+/// Face `face` of a cell. `nodes` and `offsets`: of the cell's nodes.
+FaceOffsets face_offsets(CellKind kind, std::size_t face, std::span<const NodeId> nodes,
+                         std::span<const double> offsets);
+
+/// The offset at the point where the ray of (x, y) crosses the face, at the ray parameter t: the
+/// interpolant of the face's own nodes. A function of the face and the point alone, whichever way
+/// the face's corners are told: the cells on its two sides find the same number, to the bit. It
+/// decides on which side of an isosurface a point is that lies on it to within rounding.
 double face_value(const ZooMesh& mesh, const Projector& projector, const FaceOffsets& face,
                   double x, double y, double t);
 

@@ -59,21 +59,22 @@ class ChebyshevPoints {
 };
 
 const ChebyshevPoints& chebyshev_points(std::size_t n) {
-  static const std::array<ChebyshevPoints, 6> kPoints{ChebyshevPoints(1), ChebyshevPoints(2),
-                                                      ChebyshevPoints(3), ChebyshevPoints(4),
-                                                      ChebyshevPoints(8), ChebyshevPoints(16)};
-  return kPoints[n <= 4 ? n - 1 : n / 8 + 3];
+  static const std::array<ChebyshevPoints, 7> kPoints{
+      ChebyshevPoints(1), ChebyshevPoints(2), ChebyshevPoints(3), ChebyshevPoints(4),
+      ChebyshevPoints(5), ChebyshevPoints(8), ChebyshevPoints(16)};
+  return kPoints[n <= 5 ? n - 1 : n / 8 + 4];
 }
 
-// 0 where the field along a line is not a polynomial.
+// Of the kind's shape functions along a line; 0 where they are not polynomials.
 std::size_t degree_along_lines(CellKind kind) {
+  const auto order = static_cast<std::size_t>(order_of(kind));
   switch (shape_of(kind)) {
     case CellShape::tetrahedron:
-      return 1;
+      return order;
     case CellShape::prism:
-      return 2;
+      return order + 1;
     case CellShape::brick:
-      return 3;
+      return order + 2;
     case CellShape::pyramid:
     case CellShape::wedge:
       break;
@@ -102,13 +103,13 @@ struct FieldAlongRay::Samples {
   std::size_t stride = 0;  // of the points known; 0: none
 };
 
-FieldAlongRay::FieldAlongRay(CellKind kind, const CellMap& map, std::span<const CornerField> fields)
+FieldAlongRay::FieldAlongRay(CellKind kind, const CellMap& map, std::span<const CellField> fields)
     : kind_(kind),
       map_(map),
       fields_(fields),
       exact_degree_(map.affine() ? degree_along_lines(kind) : 0) {}
 
-double FieldAlongRay::rounding(const RayStretch& stretch, const CornerField& field) const {
+double FieldAlongRay::rounding(const RayStretch& stretch, const CellField& field) const {
   const double point =
       largest(stretch.origin) +
       std::max(std::abs(stretch.front), std::abs(stretch.back)) * largest(stretch.direction);
@@ -118,14 +119,14 @@ double FieldAlongRay::rounding(const RayStretch& stretch, const CornerField& fie
 
 void FieldAlongRay::evaluate(const CellMap::Point& xi,
                              std::span<double, kMostFields> values) const {
-  std::array<double, CellMap::kMostCorners> shape;
+  std::array<double, kMaxNodesPerCell> shape;
   shape_functions<double>(kind_, xi, shape);
   for (std::size_t f = 0; f < fields_.size(); ++f) {
-    const CornerField& field = fields_[f];
+    const CellField& field = fields_[f];
     double value = 0;
-    for (std::size_t k = 0; k < corner_count(kind_); ++k) value += shape[k] * field.values[k];
-    // inside the cell the interpolant lies between its corners' values; where the map has no
-    // inverse (the cell has no volume, the stretch no length) nothing more is known
+    for (std::size_t k = 0; k < node_count(kind_); ++k) value += shape[k] * field.values[k];
+    // inside the cell the interpolant keeps to its range; where the map has no inverse (the cell
+    // has no volume, the stretch no length) nothing more is known
     values[f] = std::min(std::max(field.least, value), field.most);
   }
 }
@@ -212,7 +213,7 @@ void FieldAlongRay::interpolate(const RayStretch& stretch, double begin, double 
 void FieldAlongRay::along(const RayStretch& stretch, std::vector<Piece>& pieces) const {
   pieces.clear();
   const bool constant = std::ranges::all_of(
-      fields_, [](const CornerField& field) { return field.least == field.most; });
+      fields_, [](const CellField& field) { return field.least == field.most; });
   if (constant) {
     Piece piece{0, 1, {}};
     for (std::size_t f = 0; f < fields_.size(); ++f) piece.fields[f].c[0] = fields_[f].least;

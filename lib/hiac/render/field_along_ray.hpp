@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "hiac/geometry/inverse_map.hpp"
 #include "hiac/optics/bernstein.hpp"
+#include "hiac/render/cell_field.hpp"
 
 namespace hiac {
 
@@ -21,15 +21,7 @@ struct RayStretch {
   }
 };
 
-/// One scalar field in one linear cell: its values at the corners, and how exactly it is wanted.
-struct CornerField {
-  std::array<double, CellMap::kMostCorners> values;
-  double least, most;  ///< of the values
-  double allowed;      ///< absolute error of the field that is allowed
-};
-
-/// The isoparametric interpolants of up to two fields along a ray through a linear cell, as
-/// polynomials.
+/// The isoparametric interpolants of up to two fields along a ray through a cell, as polynomials.
 class FieldAlongRay {
  public:
   static constexpr std::size_t kMostFields = 2;
@@ -43,12 +35,13 @@ class FieldAlongRay {
   };
 
   /// `fields`: one or two.
-  FieldAlongRay(CellKind kind, const CellMap& map, std::span<const CornerField> fields);
+  FieldAlongRay(CellKind kind, const CellMap& map, std::span<const CellField> fields);
 
   /// Replaces `pieces` by those of a stretch inside the cell, front to back.
   ///
-  /// Where the map is affine the fields of tetrahedra, prisms and bricks are polynomials of degree
-  /// 1, 2 and 3, and taken as such. Else they are analytic, and interpolated in Chebyshev points,
+  /// Where the map is affine the fields of tetrahedra (degree 1, 2, 3 by order), prisms (2, 3, 4)
+  /// and bricks (3, 4, 5) are polynomials, and taken as such. Else, and in pyramids and wedges,
+  /// whose shape functions are rational, they are analytic, and interpolated in Chebyshev points,
   /// more and more until the last coefficients are below the error allowed or below rounding, and
   /// on halves of the stretch when too many would be needed (L. N. Trefethen, "Approximation
   /// Theory and Approximation Practice", 2013, chapters 3 and 8).
@@ -56,7 +49,7 @@ class FieldAlongRay {
 
   /// What of a field's values on a stretch is rounding: of the ray's points, seen through the
   /// field, and of the field itself.
-  [[nodiscard]] double rounding(const RayStretch& stretch, const CornerField& field) const;
+  [[nodiscard]] double rounding(const RayStretch& stretch, const CellField& field) const;
 
  private:
   struct Samples;
@@ -68,7 +61,7 @@ class FieldAlongRay {
                    std::vector<Piece>& pieces) const;
   CellKind kind_;
   const CellMap& map_;
-  std::span<const CornerField> fields_;
+  std::span<const CellField> fields_;
   std::size_t exact_degree_;  // 0: not a polynomial
 };
 

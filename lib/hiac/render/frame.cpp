@@ -64,6 +64,7 @@ Frame make_frame(const ZooMesh& mesh, const Scene& scene, const Projector& proje
     frame.extinction = zero_field(mesh);
   if (!frame.optics.same_field) frame.color = frame_field(mesh, color->field, frame.optics.color);
   frame.tolerance = scene.render.tolerance;
+  frame.straightness = scene.render.planarity;
   frame.depth = depth_of_mesh(mesh, projector);
   frame.witness_tolerance = kWitnessTolerance * frame.depth;
   // What lies behind a transparency T adds at most T times the largest colour to a pixel and T to

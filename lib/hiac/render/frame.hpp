@@ -31,8 +31,9 @@ struct Frame {
   bool with_error = false;    ///< among them bounds of errors
   /// Of the volume's colours and of what isosurfaces shine with, any channel.
   double largest_light = 0;
-  double depth = 0;      ///< extent of the mesh in the ray parameter
-  double tolerance = 0;  ///< absolute error allowed per pixel and channel
+  double depth = 0;         ///< extent of the mesh in the ray parameter
+  double tolerance = 0;     ///< absolute error allowed per pixel and channel
+  double straightness = 0;  ///< edges that deviate less (edge_deviation) are taken as straight
 
   [[nodiscard]] const FrameField& color_field() const {
     return optics.same_field ? extinction : color;

@@ -55,10 +55,10 @@ double steepest_slope(const TransferTable<N>& table, IntervalRange range) {
 
 // One field in one cell.
 struct CellScalars {
-  CornerField corners;
+  CellField nodes;
   IntervalRange intervals;
 
-  [[nodiscard]] bool constant() const { return corners.least == corners.most; }
+  [[nodiscard]] bool constant() const { return nodes.least == nodes.most; }
 };
 
 class GeneralCellRenderer {
@@ -84,50 +84,32 @@ class GeneralCellRenderer {
     aside_ = frame_.with_error ? displacement(frame_, cell) : 0;
     is_cut_ = cuts_.enter(cell, aside_);
     if (is_empty_ && !is_cut_) return;
-    const CellKind kind = kind_ = frame_.mesh.kinds[cell];
-    const auto nodes = frame_.mesh.cell_nodes(cell);
+    kind_ = frame_.mesh.kinds[cell];
     crossings_.clear();
     scan_cell(frame_, cell, tile_, crossings_);
     if (crossings_.empty()) return;
-    std::array<CellMap::Point, CellMap::kMostCorners> corners;
-    for (std::size_t k = 0; k < corner_count(kind); ++k) {
-      const auto p = frame_.mesh.position(nodes[k]);
-      corners[k] = {p[0], p[1], p[2]};
-    }
-    const CellMap map(kind, corners);
-    const std::array<CornerField, 2> fields{extinction_.corners, color_.corners};
-    const FieldAlongRay field(kind, map, std::span(fields).first(optics_.same_field ? 1 : 2));
+    nodes_ = cell_positions(frame_.mesh, cell);
+    const CellMap map(kind_, nodes_, frame_.straightness);
+    const std::array<CellField, 2> fields{extinction_.nodes, color_.nodes};
+    const FieldAlongRay field(kind_, map, std::span(fields).first(optics_.same_field ? 1 : 2));
     is_uniform_ = uniform_optics();
-    if (frame_.with_error) {
-      corners_ = corners;
-      set_errors(map);
-    }
+    if (frame_.with_error) set_errors(map);
     for (const CellCrossing& crossing : crossings_) render(crossing, map, field);
   }
 
  private:
   void load(CellId cell) {
-    extinction_ = load_field(frame_.extinction, cell);
-    color_ = optics_.same_field ? extinction_ : load_field(frame_.color, cell);
+    extinction_ = load_field(frame_.extinction, optics_.extinction, cell);
+    color_ = optics_.same_field ? extinction_ : load_field(frame_.color, optics_.color, cell);
     set_allowed_errors();
   }
 
-  [[nodiscard]] CellScalars load_field(const FrameField& field, CellId cell) const {
-    const auto nodes = frame_.mesh.cell_nodes(cell);
-    CellScalars scalars{{}, {std::numeric_limits<std::size_t>::max(), 0}};
-    CornerField& corners = scalars.corners;
-    corners.least = std::numeric_limits<double>::infinity();
-    corners.most = -corners.least;
-    for (std::size_t k = 0; k < corner_count(frame_.mesh.kinds[cell]); ++k) {
-      const std::size_t at = field.index(cell, frame_.mesh.elems[cell] + k, nodes[k]);
-      corners.values[k] = field.values[at];
-      corners.least = std::min(corners.least, corners.values[k]);
-      corners.most = std::max(corners.most, corners.values[k]);
-      scalars.intervals.low = std::min<std::size_t>(scalars.intervals.low, field.intervals[at].low);
-      scalars.intervals.high =
-          std::max<std::size_t>(scalars.intervals.high, field.intervals[at].high);
-    }
-    return scalars;
+  template <std::size_t N>
+  [[nodiscard]] CellScalars load_field(const FrameField& field, const TransferTable<N>& table,
+                                       CellId cell) const {
+    const CellField nodes = cell_field(frame_.mesh, cell, field);
+    return {nodes,
+            {classify_value(nodes.least, table).low, classify_value(nodes.most, table).high}};
   }
 
   // An error e of a field changes the optical depth of a whole ray by e times slope times length at
@@ -143,9 +125,9 @@ class GeneralCellRenderer {
         steepest_slope(optics_.extinction, extinction_.intervals) * length * std::max(1.0, light);
     const double color =
         steepest_slope(optics_.color, color_.intervals) * (optics_.emission ? length : 1);
-    extinction_.corners.allowed = share / extinction;
-    color_.corners.allowed = share / color;
-    if (optics_.same_field) extinction_.corners.allowed = share / (extinction + color);
+    extinction_.nodes.allowed = share / extinction;
+    color_.nodes.allowed = share / color;
+    if (optics_.same_field) extinction_.nodes.allowed = share / (extinction + color);
   }
 
   // Where nothing absorbs, chromaticity has nothing to colour.
@@ -227,8 +209,8 @@ class GeneralCellRenderer {
   }
 
   [[nodiscard]] PlainRadiance uniform_radiance(double length) const {
-    const double depth = optics_.extinction_function(extinction_.corners.least)[0] * length;
-    const auto color = optics_.color_function(color_.corners.least);
+    const double depth = optics_.extinction_function(extinction_.nodes.least)[0] * length;
+    const auto color = optics_.color_function(color_.nodes.least);
     const LinearPieceWeights weights = linear_piece_by_rule(optics_.rule, glow_, depth, depth);
     const double weight = (weights.front + weights.back) * (optics_.emission ? length : 1);
     return {{weight * color[0], weight * color[1], weight * color[2]}, weights.transparency};
@@ -281,29 +263,28 @@ class GeneralCellRenderer {
   // What the fields are wrong by, rounding along the ray and what is allowed of their polynomials
   // included.
   void set_errors(const CellMap& map) {
-    const auto range = [](const CellScalars& s) {
-      return ValueRange{s.corners.least, s.corners.most};
-    };
+    const auto range = [](const CellScalars& s) { return ValueRange{s.nodes.least, s.nodes.most}; };
     optics_here_ = cell_optics(optics_, range(color_), range(extinction_));
+    const double aside = aside_ + map.straightened();
     const auto error = [&](const CellScalars& s) {
-      const double difference = s.corners.most - s.corners.least;
-      const double allowed = std::isfinite(s.corners.allowed) ? s.corners.allowed : difference;
-      return field_error(range(s), kSteepest * map.steepness() * difference, aside_) +
+      const double difference = s.nodes.most - s.nodes.least;
+      const double allowed = std::isfinite(s.nodes.allowed) ? s.nodes.allowed : difference;
+      return field_error(range(s), steepest(kind_, map, difference), aside) +
              std::min(difference, 2 * allowed);
     };
     color_error_ = error(color_);
     extinction_error_ = error(extinction_);
   }
 
-  // By how much a field changes along a stretch where it is linear: in tetrahedra; else 0.
+  // By how much a field changes along a stretch where it is linear: in linear tetrahedra; else 0.
   [[nodiscard]] double change_of(const CellScalars& s, const CellMap& map,
                                  const RayStretch& stretch) const {
-    if (shape_of(kind_) != CellShape::tetrahedron) return 0;
+    if (kind_ != CellKind::tetrahedron4) return 0;
     const auto front = map.reference(stretch.at(stretch.front), map.middle());
     const auto back = map.reference(stretch.at(stretch.back), map.middle());
     double change = 0;
     for (std::size_t a = 0; a < 3; ++a)
-      change += (back[a] - front[a]) * (s.corners.values[a + 1] - s.corners.values[0]);
+      change += (back[a] - front[a]) * (s.nodes.values[a + 1] - s.nodes.values[0]);
     return std::abs(change);
   }
 
@@ -362,7 +343,7 @@ class GeneralCellRenderer {
     const auto edge = [&](std::size_t from, std::size_t to) {
       std::array<double, 3> v;
       for (std::size_t c = 0; c < 3; ++c)
-        v[c] = corners_[f.corners[to]][c] - corners_[f.corners[from]][c];
+        v[c] = nodes_[f.corners[to]][c] - nodes_[f.corners[from]][c];
       return v;
     };
     const auto a = f.corner_count == 3 ? edge(0, 1) : edge(0, 2);
@@ -410,9 +391,9 @@ class GeneralCellRenderer {
   std::vector<CellCrossing> crossings_;
   std::vector<FieldAlongRay::Piece> pieces_;
   std::vector<IsosurfaceCrossing> surfaces_;
-  // where details are asked for
   CellKind kind_{};
-  std::array<CellMap::Point, CellMap::kMostCorners> corners_{};
+  std::array<CellMap::Point, CellMap::kMostNodes> nodes_{};
+  // where details are asked for
   CellOptics optics_here_;
   double aside_ = 0, color_error_ = 0, extinction_error_ = 0;
   SegmentDetails details_;  // of the segment at hand

@@ -8,6 +8,8 @@
 #include <tuple>
 
 #include "hiac/base/parallel.hpp"
+#include "hiac/render/cell_field.hpp"
+#include "hiac/render/face_value.hpp"
 
 namespace hiac {
 namespace {
@@ -34,7 +36,7 @@ struct CellCuts {
 class CutFinder {
  public:
   CutFinder(const ZooMesh& mesh, const Isosurfaces& all)
-      : mesh_(mesh), all_(all), least_(all.fields.size()), most_(all.fields.size()) {}
+      : mesh_(mesh), all_(all), values_(all.fields.size()) {}
 
   CellCuts find(IndexRange cells) {
     CellCuts result;
@@ -48,41 +50,35 @@ class CutFinder {
 
  private:
   void add_cell(CellId cell, CellCuts& result) {
-    const auto nodes = mesh_.cell_nodes(cell);
-    const std::size_t corners = corner_count(mesh_.kinds[cell]);
-    for (std::size_t f = 0; f < all_.fields.size(); ++f) {
-      const FrameField& field = all_.fields[f];
-      least_[f] = std::numeric_limits<double>::infinity();
-      most_[f] = -least_[f];
-      for (std::size_t k = 0; k < corners; ++k) {
-        const double value = field.values[field.index(cell, mesh_.elems[cell] + k, nodes[k])];
-        least_[f] = std::min(least_[f], value);
-        most_[f] = std::max(most_[f], value);
-      }
-    }
+    for (std::size_t f = 0; f < all_.fields.size(); ++f)
+      values_[f] = cell_field(mesh_, cell, all_.fields[f]);
+    const std::size_t nodes = node_count(mesh_.kinds[cell]);
     for (std::uint32_t s = 0; s < all_.surfaces.size(); ++s) {
       const FrameIsosurface& surface = all_.surfaces[s];
-      if (!(least_[surface.field] < surface.value && surface.value <= most_[surface.field]))
-        continue;
-      if (surface.value < most_[surface.field] || add_touched(cell, s, result))
-        result.cuts.push_back({s, 0});
+      const CellField& field = values_[surface.field];
+      if (!(field.least < surface.value && surface.value <= field.most)) continue;
+      // of higher orders the field may be above the value between the nodes
+      const double most = std::ranges::max(std::span(field.values).first(nodes));
+      const bool touched = most == surface.value && add_touched(cell, s, result);
+      if (surface.value < field.most || touched) result.cuts.push_back({s, 0});
     }
   }
 
   // False when no whole face has the value.
   bool add_touched(CellId cell, std::uint32_t s, CellCuts& result) const {
     const auto nodes = mesh_.cell_nodes(cell);
-    const auto faces = topology_of(mesh_.kinds[cell]).faces;
+    const CellKind kind = mesh_.kinds[cell];
+    const CellField& field = values_[all_.surfaces[s].field];
     bool any = false;
-    for (std::size_t f = 0; f < faces.size(); ++f) {
-      const auto corners = std::span(faces[f].corners).first(faces[f].corner_count);
-      const bool whole = std::ranges::all_of(corners, [&](std::uint8_t k) {
-        return all_.offset(all_.surfaces[s], cell, mesh_.elems[cell] + k, nodes[k]) == 0;
-      });
-      if (!whole) continue;
+    for (std::size_t f = 0; f < face_count(kind); ++f) {
+      const FaceOffsets of_face = face_offsets(kind, f, nodes, field.values);
+      const auto values = std::span(of_face.offsets).first(of_face.node_count());
+      if (!std::ranges::all_of(values,
+                               [&](double value) { return value == all_.surfaces[s].value; }))
+        continue;
       TouchedFace face{s, {}, result.cuts.size(), static_cast<std::uint8_t>(f)};
       face.nodes.fill(std::numeric_limits<NodeId>::max());
-      for (std::size_t k = 0; k < corners.size(); ++k) face.nodes[k] = nodes[corners[k]];
+      std::copy_n(of_face.nodes.begin(), of_face.count, face.nodes.begin());
       std::ranges::sort(face.nodes);
       result.touched.push_back(face);
       any = true;
@@ -92,7 +88,7 @@ class CutFinder {
 
   const ZooMesh& mesh_;
   const Isosurfaces& all_;
-  std::vector<double> least_, most_;  // of the cell at hand, by field
+  std::vector<CellField> values_;  // of the cell at hand, by field
 };
 
 // Closes the faces that a surface touches from below on both sides.

@@ -15,6 +15,7 @@
 #include "hiac/base/parallel.hpp"
 #include "hiac/geometry/vector.hpp"
 #include "hiac/order/behind_relation.hpp"
+#include "hiac/render/cell_field.hpp"
 
 namespace hiac {
 namespace {
@@ -60,15 +61,22 @@ void check_scene(const Scene& scene) {
         "key `render.interpolation`: this version interpolates \"isoparametric\" alone");
 }
 
-void check_orders(const ZooMesh& mesh) {
+// edge_deviation of a cell of the mesh.
+double deviation_of_edges(const ZooMesh& mesh, std::size_t cell) {
+  return edge_deviation(mesh.kinds[cell], cell_positions(mesh, static_cast<CellId>(cell)));
+}
+
+void check_edges(const ZooMesh& mesh, double straightness) {
   const Failures failures = count_failures(mesh.cell_count(), [&](std::size_t cell) {
-    return order_of(mesh.kinds[cell]) != CellOrder::linear;
+    return !(deviation_of_edges(mesh, cell) <= straightness);
   });
   if (failures.count == 0) return;
-  throw InputError(cell_name(mesh, failures.first),
-                   fmt::format("this version draws linear cells alone (convert with "
-                               "--corners-only to neglect the nodes between corners{})",
-                               others(failures)));
+  throw InputError(
+      cell_name(mesh, failures.first),
+      fmt::format("edges are curved: nodes between corners are off their places on straight edges "
+                  "(by at most {:g} of the cell's size expected, `render.planarity`, {:g} found{}; "
+                  "convert with --corners-only to neglect the nodes between corners)",
+                  straightness, deviation_of_edges(mesh, failures.first), others(failures)));
 }
 
 // The largest deviation of a cell's quadrilateral faces from planes.
@@ -216,7 +224,7 @@ void check_field(const ZooMesh& mesh, const std::string& name) {
 
 void check_renderable(const ZooMesh& mesh, const Scene& scene) {
   check_scene(scene);
-  check_orders(mesh);
+  check_edges(mesh, scene.render.planarity);
   check_faces(mesh, scene.render.planarity);
   check_convexity(mesh, scene.render.planarity);
   std::set<std::string> fields;

@@ -10,6 +10,7 @@
 #include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 #include "hiac/optics/linear_piece.hpp"
+#include "hiac/render/cell_field.hpp"
 #include "hiac/render/cell_scan.hpp"
 #include "hiac/render/cell_surface.hpp"
 #include "hiac/render/quadratic_bspline.hpp"
@@ -44,7 +45,7 @@ Gravity gravity_of(const ZooMesh& mesh, CellId cell) {
   const auto nodes = mesh.cell_nodes(cell);
   const std::size_t corners = corner_count(mesh.kinds[cell]);
   const auto origin = mesh.position(nodes[0]);
-  std::array<Vector, CellMap::kMostCorners> at;  // from the first corner
+  std::array<Vector, CellSurface::kMostCorners> at;  // from the first corner
   Vector inside{};
   for (std::size_t k = 0; k < corners; ++k) {
     at[k] = minus(mesh.position(nodes[k]), origin);
@@ -119,24 +120,16 @@ class SplatChoice {
 };
 
 // The interpolant at a point of the cell.
-double value_at(const ZooMesh& mesh, const FrameField& field, CellId cell, const Vector& point) {
-  const CellKind kind = mesh.kinds[cell];
-  const auto nodes = mesh.cell_nodes(cell);
-  const std::size_t corners = corner_count(kind);
-  std::array<double, CellMap::kMostCorners> values, shape;
-  std::array<CellMap::Point, CellMap::kMostCorners> positions;
-  for (std::size_t k = 0; k < corners; ++k) {
-    values[k] = field.values[field.index(cell, mesh.elems[cell] + k, nodes[k])];
-    const auto p = mesh.position(nodes[k]);
-    positions[k] = {p[0], p[1], p[2]};
-  }
-  const auto [least, most] = std::minmax_element(values.data(), values.data() + corners);
-  if (*least == *most) return *least;
-  const CellMap map(kind, std::span(positions).first(corners));
+double value_at(const Frame& frame, const FrameField& field, CellId cell, const Vector& point) {
+  const CellKind kind = frame.mesh.kinds[cell];
+  const CellField nodes = cell_field(frame.mesh, cell, field);
+  if (nodes.least == nodes.most) return nodes.least;
+  const CellMap map(kind, cell_positions(frame.mesh, cell), frame.straightness);
+  std::array<double, kMaxNodesPerCell> shape;
   shape_functions<double>(kind, map.reference(point, map.middle()), shape);
   double value = 0;
-  for (std::size_t k = 0; k < corners; ++k) value += shape[k] * values[k];
-  return std::min(std::max(*least, value), *most);
+  for (std::size_t k = 0; k < node_count(kind); ++k) value += shape[k] * nodes.values[k];
+  return std::min(std::max(nodes.least, value), nodes.most);
 }
 
 // The first of the three columns or rows of pixels that the kernel reaches.
@@ -186,10 +179,10 @@ void TileSplats::add(CellId cell) {
   const OpticsTables& optics = frame_.optics;
   const Splat splat = splat_of(frame_, cell);
   if (!(splat.length > 0)) return;
-  const double value = value_at(frame_.mesh, frame_.extinction, cell, splat.point);
+  const double value = value_at(frame_, frame_.extinction, cell, splat.point);
   const double extinction = optics.extinction_function(value)[0];
   const Color color = optics.color_function(
-      optics.same_field ? value : value_at(frame_.mesh, frame_.color_field(), cell, splat.point));
+      optics.same_field ? value : value_at(frame_, frame_.color_field(), cell, splat.point));
   if (extinction == 0 && !optics.emission) return;
   splats_.push_back({splat.x, splat.y, splat.t, splat.length, extinction, color, cell});
 }

@@ -86,20 +86,26 @@ OpticsTables make_optics_tables(const Volume& volume, Integration integration) {
 }
 
 template <std::size_t N>
+ScalarIntervals classify_value(double value, const TransferTable<N>& table) {
+  const std::span<const double> breakpoints(table.lower.data() + 1, table.intervals() - 1);
+  const auto [low, high] = std::equal_range(breakpoints.begin(), breakpoints.end(), value);
+  return {static_cast<std::uint16_t>(low - breakpoints.begin()),
+          static_cast<std::uint16_t>(high - breakpoints.begin())};
+}
+
+template <std::size_t N>
 std::vector<ScalarIntervals> classify_values(std::span<const double> values,
                                              const TransferTable<N>& table) {
-  const std::span<const double> breakpoints(table.lower.data() + 1, table.intervals() - 1);
   std::vector<ScalarIntervals> intervals(values.size());
   parallel_for(values.size(), std::size_t{1} << 14, [&](IndexRange range) {
-    for (std::size_t i = range.begin; i < range.end; ++i) {
-      const auto [low, high] = std::equal_range(breakpoints.begin(), breakpoints.end(), values[i]);
-      intervals[i] = {static_cast<std::uint16_t>(low - breakpoints.begin()),
-                      static_cast<std::uint16_t>(high - breakpoints.begin())};
-    }
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      intervals[i] = classify_value(values[i], table);
   });
   return intervals;
 }
 
+template ScalarIntervals classify_value(double, const TransferTable<1>&);
+template ScalarIntervals classify_value(double, const TransferTable<3>&);
 template std::vector<ScalarIntervals> classify_values(std::span<const double>,
                                                       const TransferTable<1>&);
 template std::vector<ScalarIntervals> classify_values(std::span<const double>,

@@ -48,6 +48,10 @@ struct ScalarIntervals {
   std::uint16_t low, high;
 };
 
+/// The intervals of one value.
+template <std::size_t N>
+ScalarIntervals classify_value(double value, const TransferTable<N>& table);
+
 /// The intervals of every value of a scalar field. `table` has at most 65535 breakpoints.
 template <std::size_t N>
 std::vector<ScalarIntervals> classify_values(std::span<const double> values,

@@ -1,0 +1,26 @@
+#include "hiac/render/cell_field.hpp"
+
+namespace hiac {
+
+CellField cell_field(const ZooMesh& mesh, CellId cell, const FrameField& field, double level) {
+  const auto nodes = mesh.cell_nodes(cell);
+  CellField result;
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    result.values[k] = field.values[field.index(cell, mesh.elems[cell] + k, nodes[k])] - level;
+  const InterpolantRange range = interpolant_range(mesh.kinds[cell], result.values);
+  result.least = range.least;
+  result.most = range.most;
+  return result;
+}
+
+std::array<CellMap::Point, CellMap::kMostNodes> cell_positions(const ZooMesh& mesh, CellId cell) {
+  const auto nodes = mesh.cell_nodes(cell);
+  std::array<CellMap::Point, CellMap::kMostNodes> positions;
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    const auto p = mesh.position(nodes[k]);
+    positions[k] = {p[0], p[1], p[2]};
+  }
+  return positions;
+}
+
+}  // namespace hiac
