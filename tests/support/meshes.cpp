@@ -5,7 +5,7 @@
 #include <random>
 #include <utility>
 
-#include "tests/support/delaunay.hpp"
+#include "hiac/tetrahedralize/meshing/delaunay.hpp"
 
 namespace hiac::test {
 namespace {

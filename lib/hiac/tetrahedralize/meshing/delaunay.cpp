@@ -1,4 +1,4 @@
-#include "tests/support/delaunay.hpp"
+#include "hiac/tetrahedralize/meshing/delaunay.hpp"
 
 #include <utility>
 
@@ -6,10 +6,10 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
-namespace hiac::test {
+namespace hiac {
 
 std::vector<std::array<std::uint32_t, 4>> delaunay_tetrahedra(
-    const std::vector<std::array<double, 3>>& points) {
+    std::span<const std::array<double, 3>> points) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<std::uint32_t, Kernel>;
   using Structure =
@@ -30,4 +30,4 @@ std::vector<std::array<std::uint32_t, 4>> delaunay_tetrahedra(
   return tetrahedra;
 }
 
-}  // namespace hiac::test
+}  // namespace hiac

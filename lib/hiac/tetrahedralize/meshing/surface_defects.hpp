@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "hiac/tetrahedralize/surface.hpp"
+
+namespace hiac {
+
+/// What keeps a surface of triangles from enclosing a part of space. Triangles are indices into
+/// Surface::facets, edges pairs of Surface::points.
+struct SurfaceDefects {
+  struct Edge {
+    std::array<std::uint32_t, 2> points;
+    std::uint32_t triangle;  ///< one that has it
+  };
+  std::vector<Edge> open;                                             ///< of one triangle alone
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> intersecting;  ///< triangles, less first
+  std::vector<std::uint32_t> degenerate;                              ///< triangles without area
+
+  [[nodiscard]] bool none() const {
+    return open.empty() && intersecting.empty() && degenerate.empty();
+  }
+};
+
+/// Finds them, exactly (CGAL's predicates; pairs by its box intersection: GPL). Two triangles
+/// intersect where they have more in common than the corner, or the edge, that both have by
+/// number. Requires surface.triangulated().
+SurfaceDefects find_surface_defects(const Surface& surface);
+
+}  // namespace hiac

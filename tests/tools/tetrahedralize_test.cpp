@@ -1,0 +1,186 @@
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "hiac/mesh/zoo_container.hpp"
+
+namespace hiac {
+namespace {
+
+using testing::HasSubstr;
+
+class Tetrahedralize : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::temp_directory_path() /
+              (std::string("hiac_tetrahedralize_") +
+               testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+    write("cube.off", kCube);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  [[nodiscard]] std::string path(const std::string& name) const {
+    return (folder_ / name).string();
+  }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(path(name)) << text;
+  }
+  static std::string text_of(const std::string& file) {
+    std::ifstream in(file);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  // $T stands for the tool; stderr goes to err.txt
+  [[nodiscard]] int run(const std::string& command) const {
+    const int status = std::system(("cd " + folder_.string() +
+                                    " && T=" HIAC_TETRAHEDRALIZE " CONVERT=" HIAC_CONVERT " && (" +
+                                    command + ") 2> err.txt")
+                                       .c_str());
+    return WEXITSTATUS(status);
+  }
+  [[nodiscard]] std::string errors() const { return text_of(path("err.txt")); }
+  [[nodiscard]] ZooMesh mesh(const std::string& name) const {
+    return read_zoo_file(path(name)).mesh;
+  }
+
+  static constexpr const char* kCube =
+      "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
+      "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+  std::filesystem::path folder_;
+};
+
+double volume_of(const ZooMesh& mesh) {
+  long double sum = 0;
+  for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {
+    const auto n = mesh.cell_nodes(cell);
+    std::array<std::array<long double, 3>, 3> e;
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t c = 0; c < 3; ++c)
+        e[k][c] = static_cast<long double>(mesh.position(n[k + 1])[c]) - mesh.position(n[0])[c];
+    sum += std::abs(e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
+                    e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
+                    e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]));
+  }
+  return static_cast<double>(sum / 6);
+}
+
+// By the divergence theorem: quadrilateral faces as four triangles around their middle, which for
+// planar faces is their volume, and signed.
+double volume_within_faces(const ZooMesh& mesh) {
+  long double sum = 0;
+  using Wide = std::array<long double, 3>;
+  const auto det = [](const Wide& a, const Wide& b, const Wide& c) {
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+           a[2] * (b[0] * c[1] - b[1] * c[0]);
+  };
+  for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {
+    const auto nodes = mesh.cell_nodes(cell);
+    const auto origin = mesh.position(nodes[0]);
+    long double cell_sum = 0;
+    for (const ShapeFace& face : topology_of(mesh.kinds[cell]).faces) {
+      const std::size_t count = face.corner_count;
+      std::array<Wide, 4> p;
+      Wide middle{};
+      for (std::size_t k = 0; k < count; ++k)
+        for (std::size_t c = 0; c < 3; ++c) {
+          p[k][c] = static_cast<long double>(mesh.position(nodes[face.corners[k]])[c]) - origin[c];
+          middle[c] += p[k][c] / static_cast<long double>(count);
+        }
+      for (std::size_t k = 0; k < count; ++k) cell_sum += det(middle, p[k], p[(k + 1) % count]);
+    }
+    sum += std::abs(cell_sum);
+  }
+  return static_cast<double>(sum / 6);
+}
+
+TEST_F(Tetrahedralize, FillsAClosedSurface) {
+  ASSERT_EQ(run("$T cube.off --quality 1.5 --max-volume 0.01 --json facts.json -o cube.zoo"), 0);
+  EXPECT_NEAR(volume_of(mesh("cube.zoo")), 1, 1e-12);
+  const auto facts = nlohmann::json::parse(text_of(path("facts.json")));
+  EXPECT_EQ(facts["cells"], mesh("cube.zoo").cell_count());
+  EXPECT_TRUE(facts["surface_defects"]["open_edges"].empty());
+}
+
+TEST_F(Tetrahedralize, PassesTheMeshOnInAPipe) {
+  ASSERT_EQ(run("$T -q cube.off --max-volume 0.05 > piped.zoo; $T -q cube.off --max-volume 0.05 -o "
+                "file.zoo; cmp piped.zoo file.zoo"),
+            0);
+}
+
+TEST_F(Tetrahedralize, NamesWhatASurfaceLacks) {
+  const std::string cube = kCube;
+  write("open.off", "OFF\n8 5 0\n" + cube.substr(10, cube.size() - 10 - 10));
+  EXPECT_EQ(run("$T open.off -o no.zoo"), 1);
+  EXPECT_THAT(errors(), HasSubstr("open edges: "));
+  EXPECT_THAT(errors(), HasSubstr("open.off: the surface is not closed"));
+  write("crossing.off",
+        "OFF\n8 8 0\n0 0 0\n3 0 0\n0 3 0\n0 0 3\n0.5 0.5 0.5\n4 0 0\n0 4 0\n0 0 4\n"
+        "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 4 6 5\n3 4 5 7\n3 5 6 7\n3 6 4 7\n");
+  EXPECT_EQ(run("$T crossing.off --max-ids 2 --json facts.json -o no.zoo"), 1);
+  EXPECT_THAT(errors(), HasSubstr("pairs of triangles that intersect: "));
+  EXPECT_FALSE(std::filesystem::exists(path("no.zoo")));
+  const auto facts = nlohmann::json::parse(text_of(path("facts.json")));
+  EXPECT_FALSE(facts["surface_defects"]["intersecting_triangles"].empty());
+}
+
+TEST_F(Tetrahedralize, JoinsPoints) {
+  write("points.csv", "x,y,z,t\n0,0,0,1\n1,0,0,2\n0,1,0,3\n0,0,1,4\n1,1,1,5\n0,0,0,6\n");
+  ASSERT_EQ(run("$T points.csv --delaunay -o points.zoo"), 0);
+  EXPECT_THAT(errors(), HasSubstr("1 points lie where others do"));
+  const ZooMesh joined = mesh("points.zoo");
+  EXPECT_NEAR(volume_of(joined), 0.5, 1e-15);
+  ASSERT_EQ(joined.fields.size(), 1U);
+  EXPECT_THAT(joined.fields[0].values.view(), testing::ElementsAre(1, 2, 3, 4, 5, 6));
+  write("flat.csv", "0,0,0\n1,0,0\n0,1,0\n1,1,0\n");
+  EXPECT_EQ(run("$T flat.csv --delaunay -o no.zoo"), 1);
+}
+
+TEST_F(Tetrahedralize, SaysWhatItCannotDo) {
+  const std::pair<const char*, int> wrong[] = {
+      {"cube.off --cells", 2},     {"cube.off --delaunay", 2},  {"cube.zoo", 2},
+      {"cube.zoo --cells", 3},     {"points.csv", 2},           {"cube.off --linearize", 2},
+      {"nothing.stl", 3},          {"cube.off --quality 0", 2}, {"cube.off --levels 2", 2},
+      {"cube.off --levels 9", 2},  {"- --cells --levels 1", 2}, {"- --cells --max-volume 1", 2},
+      {"- --cells < cube.off", 3}, {"--cells --delaunay", 2}};
+  for (const auto& [arguments, code] : wrong) {
+    EXPECT_EQ(run(std::string("$T -o no.zoo ") + arguments), code) << arguments << errors();
+    EXPECT_FALSE(std::filesystem::exists(path("no.zoo")));
+  }
+}
+
+// Real meshes of linear cells with planar faces: their tetrahedra fill the same volume.
+TEST_F(Tetrahedralize, CutsRealMeshesWithoutGap) {
+  const char* named = std::getenv("HIAC_DATA_DIR");
+  const std::string data = named != nullptr ? named : HIAC_DEFAULT_DATA_DIR;
+  if (!std::filesystem::exists(data)) GTEST_SKIP() << "no data";
+  std::size_t met = 0;
+  for (const char* name :
+       {"vtk_legacy/linear/hexa.vtk", "vtk_legacy/classic/spx.vtk",
+        "vtk_legacy/versions/mesh_vtk51.vtk", "vtk_xml/analytic/Wedge.vtu",
+        "vtk_xml/analytic/Tetrahedron.vtu", "vtk_xml/analytic/QuadraticPyramid.vtu",
+        "vtk_xml/analytic/QuadraticTetra.vtu"}) {
+    const std::string source = data + "/" + name;
+    if (!std::filesystem::exists(source)) continue;
+    SCOPED_TRACE(name);
+    ASSERT_EQ(run("$CONVERT -q '" + source +
+                  "' -o m.zoo && $T -q m.zoo --cells -o t.zoo && $T -q "
+                  "m.zoo --cells --linearize --levels 1 -o l.zoo"),
+              0)
+        << errors();
+    const double volume = volume_within_faces(mesh("m.zoo"));
+    EXPECT_NEAR(volume_of(mesh("t.zoo")) / volume, 1, 1e-12);
+    EXPECT_NEAR(volume_of(mesh("l.zoo")) / volume, 1, 1e-12);
+    ++met;
+  }
+  if (met == 0) GTEST_SKIP() << "no data";
+}
+
+}  // namespace
+}  // namespace hiac

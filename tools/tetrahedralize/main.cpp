@@ -1,0 +1,252 @@
+// hiac-tetrahedralize: tetrahedra from a closed surface, from points, or from cells of any kind.
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "formats/surface/point_file.hpp"
+#include "formats/surface/surface_file.hpp"
+#include "hiac/base/error.hpp"
+#include "hiac/geometry/predicates.hpp"
+#include "hiac/tetrahedralize/meshing/delaunay.hpp"
+#include "hiac/tetrahedralize/meshing/surface_defects.hpp"
+#include "hiac/tetrahedralize/meshing/surface_meshing.hpp"
+#include "hiac/tetrahedralize/subdivide_cells.hpp"
+#include "tools/common/mesh_io.hpp"
+#include "tools/common/tool.hpp"
+
+namespace {
+
+using namespace hiac;
+using namespace hiac::tools;
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::string input, output;
+  bool cells = false, delaunay = false;
+  SurfaceMeshing surface;
+  Subdivision subdivision;
+  std::size_t max_ids = 20;
+};
+
+// What the input is made of.
+enum class Source { surface, points, cells };
+
+Source source_of(const Options& options) {
+  const bool surface = formats::is_surface_file(options.input);
+  if (options.delaunay) {
+    if (surface)
+      throw UsageError(
+          "--delaunay: points expected (a mesh, .csv, .txt, .xyz or .node; the file of "
+          "a surface found)");
+    return Source::points;
+  }
+  if (options.cells) {
+    if (surface || formats::is_point_file(options.input))
+      throw UsageError("--cells: a zoo mesh expected");
+    return Source::cells;
+  }
+  if (surface) return Source::surface;
+  throw UsageError(formats::is_point_file(options.input)
+                       ? "a file of points is tetrahedralized with --delaunay"
+                       : "what is to be done with a mesh: --cells (cut its cells) or --delaunay "
+                         "(of its nodes)?");
+}
+
+void require_fitting_options(const Options& options, Source source) {
+  const SurfaceMeshing& s = options.surface;
+  if (source != Source::surface && (s.quality || s.max_volume || s.preserve_surface))
+    throw UsageError("--quality, --max-volume, --preserve-surface: only for surfaces");
+  if (source != Source::cells && (options.subdivision.linearize || options.subdivision.levels > 0))
+    throw UsageError("--linearize, --levels: only with --cells");
+  if (options.subdivision.levels > 0 && !options.subdivision.linearize)
+    throw UsageError("--levels: only with --linearize");
+}
+
+// Surfaces ----------------------------------------------------------------------------------------
+
+// The first few of a list, and how many more there are.
+template <typename List, typename Text>
+std::string listed(const List& list, std::size_t most, const Text& text) {
+  std::vector<std::string> shown;
+  for (std::size_t k = 0; k < std::min(most, list.size()); ++k) shown.push_back(text(list[k]));
+  std::string line = fmt::format("{}", fmt::join(shown, ", "));
+  if (list.size() > most) line += fmt::format(" and {} more", list.size() - most);
+  return line;
+}
+
+// Defects are told one kind a line, all of them; then the surface is refused.
+void judge(Tool& tool, const Options& options, const SurfaceDefects& defects) {
+  Json& facts = tool.facts()["surface_defects"];
+  facts = {{"open_edges", Json::array()},
+           {"intersecting_triangles", Json::array()},
+           {"degenerate_triangles", defects.degenerate}};
+  for (const auto& edge : defects.open)
+    facts["open_edges"].push_back({{"points", edge.points}, {"triangle", edge.triangle}});
+  for (const auto& [a, b] : defects.intersecting) facts["intersecting_triangles"].push_back({a, b});
+  if (defects.none()) return;
+  std::vector<std::string> kinds;
+  const auto tell = [&](const std::string& what, const auto& list, const auto& text) {
+    if (list.empty()) return;
+    kinds.push_back(fmt::format("{} {}", list.size(), what));
+    tool.print(fmt::format("{}: {}\n", what, listed(list, options.max_ids, text)));
+  };
+  tell("open edges", defects.open, [](const SurfaceDefects::Edge& e) {
+    return fmt::format("{}-{} of triangle {}", e.points[0], e.points[1], e.triangle);
+  });
+  tell("pairs of triangles that intersect", defects.intersecting,
+       [](const auto& pair) { return fmt::format("{} and {}", pair.first, pair.second); });
+  tell("triangles without area", defects.degenerate,
+       [](std::uint32_t triangle) { return fmt::format("{}", triangle); });
+  throw JudgementError(fmt::format("{}: the surface is not closed and free of intersections ({})",
+                                   input_name(options.input), fmt::join(kinds, ", ")));
+}
+
+ZooFile mesh_of_surface(Tool& tool, const Options& options) {
+  const formats::SurfaceReading reading =
+      tool.timed("read", [&] { return formats::read_surface(options.input); });
+  for (const std::string& note : reading.notes) tool.note(note);
+  const Surface& surface = reading.surface;
+  tool.facts()["surface"] = {{"points", surface.points.size()}, {"facets", surface.facets.size()}};
+  // of facets with several polygons and holes TetGen itself tells
+  if (surface.triangulated()) {
+    SurfaceDefects defects = tool.timed("check", [&] { return find_surface_defects(surface); });
+    if (reading.inner_facets) defects.open.clear();
+    judge(tool, options, defects);
+  }
+  try {
+    return {tool.timed("mesh", [&] { return mesh_surface(surface, options.surface); }), {}};
+  } catch (const JudgementError& e) {
+    throw JudgementError(fmt::format("{}: {}", input_name(options.input), e.what()));
+  }
+}
+
+// Points ------------------------------------------------------------------------------------------
+
+ZooFile mesh_of_points(Tool& tool, const Options& options) {
+  ZooMesh mesh = tool.timed("read", [&] {
+    return formats::is_point_file(options.input) ? formats::read_points(options.input)
+                                                 : read_mesh(options.input).mesh;
+  });
+  std::vector<std::array<double, 3>> points(mesh.node_count());
+  for (NodeId node = 0; node < points.size(); ++node)
+    std::ranges::copy(mesh.position(node), points[node].begin());
+  const auto tetrahedra = tool.timed("mesh", [&] { return delaunay_tetrahedra(points); });
+  if (tetrahedra.empty())
+    throw JudgementError(fmt::format("{}: its {} points lie in one plane (four in space expected)",
+                                     input_name(options.input), points.size()));
+  std::vector<NodeId> nodes;
+  std::vector<std::uint64_t> elems{0};
+  for (const auto& corners : tetrahedra) {
+    nodes.insert(nodes.end(), corners.begin(), corners.end());
+    elems.push_back(nodes.size());
+  }
+  std::vector<std::uint8_t> used(points.size(), 0);
+  for (const NodeId node : nodes) used[node] = 1;
+  if (const auto unused = std::ranges::count(used, 0); unused > 0)
+    tool.warn(fmt::format("{} points lie where others do; their values are not used", unused));
+  const std::size_t fields = mesh.fields.size();
+  std::erase_if(mesh.fields, [](const Field& f) { return f.location != FieldLocation::node; });
+  if (mesh.fields.size() < fields)
+    tool.warn(fmt::format("{} fields of cells or corners are left out: points have none",
+                          fields - mesh.fields.size()));
+  mesh.kinds = std::vector<CellKind>(tetrahedra.size(), CellKind::tetrahedron4);
+  mesh.nodes = std::move(nodes);
+  mesh.elems = std::move(elems);
+  mesh.adjacency.reset();
+  return {std::move(mesh), {}};
+}
+
+// Cells -------------------------------------------------------------------------------------------
+
+// Tetrahedra that turn otherwise than most, or not at all: cells that are not convex, or turned.
+void tell_of_orientations(Tool& tool, const ZooMesh& mesh) {
+  std::uint64_t positive = 0, negative = 0, flat = 0;
+  for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {
+    const auto nodes = mesh.cell_nodes(cell);
+    const auto at = [&](std::size_t k) { return mesh.position(nodes[k]); };
+    const int turn = orientation(at(0), at(1), at(2), at(3));
+    ++(turn > 0 ? positive : turn < 0 ? negative : flat);
+  }
+  if (flat > 0) tool.warn(fmt::format("{} tetrahedra are flat", flat));
+  if (const std::uint64_t odd = std::min(positive, negative); odd > 0)
+    tool.warn(
+        fmt::format("{} tetrahedra turn otherwise than the other {}: their cells are not "
+                    "convex, or turned inside out (hiac-check tells which)",
+                    odd, std::max(positive, negative)));
+}
+
+ZooFile mesh_of_cells(Tool& tool, const Options& options) {
+  const ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
+  SubdividedMesh parts =
+      tool.timed("mesh", [&] { return subdivide_cells(file.mesh, options.subdivision); });
+  tool.note(fmt::format("{} cells became {} tetrahedra; {} nodes are new, {} no longer needed",
+                        file.mesh.cell_count(), parts.mesh.cell_count(), parts.new_nodes,
+                        parts.dropped_nodes));
+  tell_of_orientations(tool, parts.mesh);
+  return {std::move(parts.mesh), {}};
+}
+
+void tetrahedralize(Tool& tool, const Options& options) {
+  require_binary_output(options.output);
+  const Source source = source_of(options);
+  require_fitting_options(options, source);
+  ZooFile file = source == Source::surface  ? mesh_of_surface(tool, options)
+                 : source == Source::points ? mesh_of_points(tool, options)
+                                            : mesh_of_cells(tool, options);
+  if (source == Source::surface) file.mesh.metadata.emplace_back("source", options.input);
+  tool.facts()["cells"] = file.mesh.cell_count();
+  tool.facts()["nodes"] = file.mesh.node_count();
+  tool.note(fmt::format("{} tetrahedra, {} nodes", file.mesh.cell_count(), file.mesh.node_count()));
+  tool.timed("write", [&] { write_mesh(options.output, file); });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Tool tool("hiac-tetrahedralize",
+            "Makes tetrahedra: inside a closed surface, between points, or of the cells of a mesh.",
+            "  hiac-tetrahedralize part.stl --quality 1.4 --max-volume 0.01 -o part.zoo\n"
+            "  hiac-tetrahedralize measured.csv --delaunay -o measured.zoo   # x y z and fields\n"
+            "  hiac-convert part.vtu | hiac-tetrahedralize --cells | hiac-render --view v.toml -o "
+            "part.exr\n"
+            "  hiac-tetrahedralize quadratic.zoo --cells --linearize --levels 2 -o linear.zoo");
+  Options options;
+  auto& app = tool.app();
+  app.add_option("INPUT", options.input,
+                 "Closed surface (.stl .ply .obj .off, TetGen's .poly .smesh), points (.csv .txt "
+                 ".xyz .node) or zoo mesh; - or none: a zoo mesh from stdin");
+  app.add_option("-o,--output", options.output, "Zoo mesh; - or none: stdout")->type_name("FILE");
+  auto* cells = app.add_flag("--cells", options.cells,
+                             "Cut a mesh's cells in tetrahedra, face to face; quadratic and cubic "
+                             "cells in 10- and 20-node ones");
+  app.add_flag("--delaunay", options.delaunay,
+               "The Delaunay tetrahedra of points, with their fields; of a mesh: of its nodes")
+      ->excludes(cells);
+  app.add_flag("--linearize", options.subdivision.linearize,
+               "With --cells: linear tetrahedra of cells of every order");
+  app.add_option("--levels", options.subdivision.levels,
+                 "With --linearize: halve all edges N times first (8^N times the tetrahedra)")
+      ->check(CLI::Range(0U, kMostSubdivisionLevels))
+      ->type_name("N");
+  app.add_option("--quality", options.surface.quality,
+                 "Surfaces: bound of circumradius over shortest edge (1.1 to 2 are usual)")
+      ->check(CLI::Range(1.0, 1e6))
+      ->type_name("RATIO");
+  app.add_option("--max-volume", options.surface.max_volume,
+                 "Surfaces: largest volume of a tetrahedron")
+      ->check(CLI::PositiveNumber)
+      ->type_name("V");
+  app.add_flag("--preserve-surface", options.surface.preserve_surface,
+               "Surfaces: put no new points on the surface");
+  app.add_option("--max-ids", options.max_ids, "Defects of a surface that are listed, of a kind")
+      ->default_val(20)
+      ->type_name("N");
+  return tool.run(argc, argv, [&] { tetrahedralize(tool, options); });
+}
