@@ -97,6 +97,51 @@ TEST_P(HigherOrders, IsosurfacesAgreeWithBruteForce) {
   }
 }
 
+// Fields that a kind has exactly give the picture that another mesh of the same body gives.
+double difference_of(const ZooMesh& a, const ZooMesh& b, const test::ScalarFunction& field) {
+  const Scene scene = cube_scene(Projection::perspective, 24, 20);
+  const auto picture = [&](ZooMesh mesh) {
+    test::add_node_field(mesh, "f", field);
+    return test::draw(mesh, scene).image;
+  };
+  const Image one = picture(a), other = picture(b);
+  double largest = 0;
+  for (std::size_t i = 0; i < one.values().size(); ++i)
+    largest = std::max(largest, std::abs(one.values()[i] - other.values()[i]));
+  return largest;
+}
+
+TEST_P(HigherOrders, LinearFieldsAreExactOnDistortedCells) {
+  const auto linear = [](const test::Position& p) { return 0.5 + 0.4 * p[0] - 0.3 * p[1]; };
+  const ZooMesh cube = test::moved(test::structured(1, Cut::tetrahedra), test::tapered);
+  for (const auto& [name, cells] : linear_meshes()) {
+    const ZooMesh bent = test::moved(cells, test::tapered);
+    const ZooMesh& same_body = bent.kinds[0] == CellKind::wedge7 ? bent : cube;
+    EXPECT_LE(difference_of(test::of_order(bent, GetParam()), same_body, linear), 1e-12) << name;
+  }
+}
+
+// Complete polynomials, where the kind has them (shape_functions.hpp).
+TEST_P(HigherOrders, PolynomialsAreExactOnAffineCells) {
+  const bool is_cubic = GetParam() == CellOrder::cubic;
+  const auto quadratic = [](const test::Position& p) {
+    return 0.3 + 0.5 * p[0] * p[0] - 0.4 * p[1] * p[2] + 0.3 * p[2];
+  };
+  const auto cubic = [&](const test::Position& p) {
+    return quadratic(p) + 0.4 * p[0] * p[1] * p[2] - 0.2 * p[1] * p[1] * p[1];
+  };
+  const ZooMesh exact = test::of_order(
+      test::moved(test::structured(1, Cut::tetrahedra), test::sheared), CellOrder::cubic);
+  for (const auto& [name, cells] : linear_meshes()) {
+    if (cells.kinds[0] == CellKind::wedge7) continue;
+    const ZooMesh mesh = test::of_order(test::moved(cells, test::sheared), GetParam());
+    EXPECT_LE(difference_of(mesh, exact, quadratic), 1e-12) << name;
+    const CellShape shape = shape_of(mesh.kinds[0]);
+    if (!is_cubic || (shape != CellShape::brick && shape != CellShape::tetrahedron)) continue;
+    EXPECT_LE(difference_of(mesh, exact, cubic), 1e-12) << name;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Orders, HigherOrders,
                          testing::Values(CellOrder::quadratic, CellOrder::cubic),
                          [](const auto& instance) {

@@ -14,6 +14,7 @@
 #include "hiac/render/error_bound.hpp"
 #include "hiac/render/frame.hpp"
 #include "hiac/render/general_cells.hpp"
+#include "hiac/render/quadratic_kernel.hpp"
 #include "hiac/render/splatting.hpp"
 #include "hiac/render/tetrahedron_kernel.hpp"
 #include "hiac/render/tile.hpp"
@@ -78,19 +79,24 @@ class TileRenderer {
   [[nodiscard]] const TileCounts& counts() const { return counts_; }
 
  private:
-  [[nodiscard]] bool for_kernel(std::uint32_t rank) const {
-    return frame_.kernel_cells[order_.cells[rank]] != 0;
+  [[nodiscard]] CellKernel kernel_for(std::uint32_t rank) const {
+    const CellId cell = order_.cells[rank];
+    const CellKernel kernel = frame_.kernel_cells[cell];
+    return kernel == CellKernel::quadratic && !for_quadratic_kernel(frame_, cell) ? CellKernel::none
+                                                                                  : kernel;
   }
 
   void render_run(std::span<const std::uint32_t> ranks, SegmentList* group) {
     std::size_t begin = 0;
     while (begin < ranks.size()) {
-      const bool kernel = for_kernel(ranks[begin]);
+      const CellKernel kernel = kernel_for(ranks[begin]);
       cells_.clear();
-      for (; begin < ranks.size() && for_kernel(ranks[begin]) == kernel; ++begin)
+      for (; begin < ranks.size() && kernel_for(ranks[begin]) == kernel; ++begin)
         if (const CellId cell = order_.cells[ranks[begin]]; !frame_.is_splatted(cell))
           cells_.push_back(cell);
-      const auto draw = kernel ? render_tetrahedra : render_general_cells;
+      const auto draw = kernel == CellKernel::linear      ? render_tetrahedra
+                        : kernel == CellKernel::quadratic ? render_quadratic_tetrahedra
+                                                          : render_general_cells;
       draw(frame_, cells_, tile_, buffer_, group, counts_);
     }
   }

@@ -117,7 +117,8 @@ class RayFollower {
  private:
   // In the whole tile, as the engine does: what the tile's pixels share is the same, too.
   void draw(CellId cell, SegmentList* group) {
-    const auto renderer = frame_.kernel_cells[cell] != 0 ? render_tetrahedra : render_general_cells;
+    const auto renderer =
+        frame_.kernel_cells[cell] == CellKernel::linear ? render_tetrahedra : render_general_cells;
     renderer(frame_, {&cell, 1}, tile_, buffer_, group, counts_);
   }
 

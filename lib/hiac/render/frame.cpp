@@ -4,7 +4,6 @@
 #include <limits>
 #include <string>
 
-#include "hiac/render/kernel_cells.hpp"
 #include "hiac/render/splatting.hpp"
 
 namespace hiac {
@@ -51,7 +50,7 @@ Frame make_frame(const ZooMesh& mesh, const Scene& scene, const Projector& proje
               .extinction = {},
               .isosurfaces = make_isosurfaces(mesh, scene, projector),
               .splatted_cells = {}};
-  frame.kernel_cells = kernel_cells(mesh, frame.nodes);
+  frame.kernel_cells = kernel_cells(mesh, frame.nodes, scene.render.planarity);
   if (scene.render.splat_below > 0)
     frame.splatted_cells = splatted_cells(frame, scene.image, scene.render.splat_below);
   const auto& color = scene.volume.color;

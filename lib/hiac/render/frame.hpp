@@ -7,6 +7,7 @@
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/render/frame_field.hpp"
 #include "hiac/render/isosurfaces.hpp"
+#include "hiac/render/kernel_cells.hpp"
 #include "hiac/render/projection.hpp"
 #include "hiac/render/transfer_table.hpp"
 #include "hiac/scene/scene.hpp"
@@ -18,7 +19,7 @@ struct Frame {
   const ZooMesh& mesh;
   const Projector& projector;
   std::vector<ProjectedNode> nodes;
-  std::vector<std::uint8_t> kernel_cells;  ///< what kernel_cells() says
+  std::vector<CellKernel> kernel_cells;  ///< what kernel_cells() says
   OpticsTables optics;
   FrameField color, extinction;  ///< one and the same where optics.same_field
   Isosurfaces isosurfaces;

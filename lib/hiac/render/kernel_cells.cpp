@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hiac/base/parallel.hpp"
+#include "hiac/render/cell_field.hpp"
 
 namespace hiac {
 namespace {
@@ -21,27 +22,34 @@ bool is_thin(const ProjectedNode& a, const ProjectedNode& b, const ProjectedNode
   return !(std::abs(x1 * y2 - x2 * y1) > kThinnest * longest);
 }
 
-bool for_kernel(const ZooMesh& mesh, CellId cell, std::span<const ProjectedNode> nodes) {
-  if (mesh.kinds[cell] != CellKind::tetrahedron4) return false;
+CellKernel kernel_of(const ZooMesh& mesh, CellId cell, std::span<const ProjectedNode> nodes,
+                     double straightness) {
+  const CellKind kind = mesh.kinds[cell];
+  if (kind != CellKind::tetrahedron4 && kind != CellKind::tetrahedron10) return CellKernel::none;
   const auto ids = mesh.cell_nodes(cell);
   std::array<ProjectedNode, 4> p;
   for (std::size_t k = 0; k < 4; ++k) {
     p[k] = nodes[ids[k]];
-    if (std::isnan(p[k].depth)) return false;
+    if (std::isnan(p[k].depth)) return CellKernel::none;
   }
-  return !is_thin(p[0], p[1], p[2]) && !is_thin(p[0], p[1], p[3]) && !is_thin(p[0], p[2], p[3]) &&
-         !is_thin(p[1], p[2], p[3]);
+  if (is_thin(p[0], p[1], p[2]) || is_thin(p[0], p[1], p[3]) || is_thin(p[0], p[2], p[3]) ||
+      is_thin(p[1], p[2], p[3]))
+    return CellKernel::none;
+  if (kind == CellKind::tetrahedron4) return CellKernel::linear;
+  return edge_deviation(kind, cell_positions(mesh, cell)) <= straightness ? CellKernel::quadratic
+                                                                          : CellKernel::none;
 }
 
 }  // namespace
 
-std::vector<std::uint8_t> kernel_cells(const ZooMesh& mesh, std::span<const ProjectedNode> nodes) {
-  std::vector<std::uint8_t> flags(mesh.cell_count());
-  parallel_for(flags.size(), std::size_t{1} << 14, [&](IndexRange range) {
+std::vector<CellKernel> kernel_cells(const ZooMesh& mesh, std::span<const ProjectedNode> nodes,
+                                     double straightness) {
+  std::vector<CellKernel> kernels(mesh.cell_count());
+  parallel_for(kernels.size(), std::size_t{1} << 14, [&](IndexRange range) {
     for (std::size_t cell = range.begin; cell < range.end; ++cell)
-      flags[cell] = for_kernel(mesh, static_cast<CellId>(cell), nodes) ? 1 : 0;
+      kernels[cell] = kernel_of(mesh, static_cast<CellId>(cell), nodes, straightness);
   });
-  return flags;
+  return kernels;
 }
 
 }  // namespace hiac

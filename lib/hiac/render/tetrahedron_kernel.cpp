@@ -24,19 +24,6 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// A tetrahedron's corners as indices into its nodes, by ascending node id.
-HWY_INLINE std::array<std::size_t, 4> ascending_corners(const NodeId* nodes) {
-  std::array<std::uint64_t, 4> key;
-  for (std::size_t k = 0; k < 4; ++k) key[k] = (static_cast<std::uint64_t>(nodes[k]) << 2) | k;
-  const auto order = [&](std::size_t i, std::size_t j) {
-    const std::uint64_t low = std::min(key[i], key[j]), high = std::max(key[i], key[j]);
-    key[i] = low;
-    key[j] = high;
-  };
-  order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
-  return {key[0] & 3, key[1] & 3, key[2] & 3, key[3] & 3};
-}
-
 // What one cell needs beyond its geometry.
 struct CellScalars {
   IntervalRange color, extinction;

@@ -1,0 +1,317 @@
+#include "hiac/render/quadratic_kernel.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "hiac/render/quadratic_kernel.cpp"
+#include <hwy/foreach_target.h>
+// must come after foreach_target.h
+#include <hwy/highway.h>
+
+#include "hiac/render/quadratic_shading-inl.hpp"
+#include "hiac/render/scan_conversion-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace hiac::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Of the tolerance; the rest is for rounding and the ends of rays.
+inline constexpr double kQuadratureShare = 0.5;
+
+// One quadratic field in one cell: its Bernstein coefficients by pairs of corners, which are in
+// ascending order of their nodes, less the value at the first.
+struct QuadraticField {
+  double base;
+  std::array<std::array<double, 4>, 4> b;
+  double least, most;
+  IntervalRange intervals;
+
+  template <std::size_t N>
+  HWY_INLINE void load(const FrameField& field, const TransferTable<N>& table, CellId cell,
+                       std::uint64_t first_entry, const NodeId* nodes,
+                       const std::array<std::size_t, 4>& corner) {
+    // the node between two corners
+    static constexpr std::array<std::array<std::uint8_t, 4>, 4> kBetween{
+        {{0, 4, 6, 7}, {4, 1, 5, 8}, {6, 5, 2, 9}, {7, 8, 9, 3}}};
+    const auto value = [&](std::size_t k) {
+      return field.values[field.index(cell, first_entry + k, nodes[k])];
+    };
+    base = value(corner[0]);
+    std::array<double, 4> at_corner;
+    for (std::size_t i = 0; i < 4; ++i) b[i][i] = at_corner[i] = value(corner[i]) - base;
+    double low = 0, high = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const double middle = value(kBetween[corner[i]][corner[j]]) - base;
+        b[i][j] = b[j][i] = 2 * middle - 0.5 * (at_corner[i] + at_corner[j]);
+        low = std::min({low, b[i][j], at_corner[i]});
+        high = std::max({high, b[i][j], at_corner[i]});
+      }
+    // a constant keeps its value
+    const double rounding =
+        high > low ? 8 * std::numeric_limits<double>::epsilon() * (std::abs(base) + high - low) : 0;
+    least = base + low - rounding;
+    most = base + high + rounding;
+    intervals = {classify_value(least, table).low, classify_value(most, table).high};
+  }
+};
+
+// Renders one kind of scene.
+template <bool kEmission>
+class QuadraticRenderer {
+ public:
+  QuadraticRenderer(const Frame& frame, const TileRect& tile, TileBuffer& buffer,
+                    SegmentList* group, TileCounts& counts)
+      : frame_(frame),
+        tile_(tile),
+        buffer_(buffer),
+        group_(group),
+        counts_(counts),
+        perspective_(frame.projector.perspective()) {}
+
+  HWY_INLINE void render(CellId cell) {
+    if (!load(cell) || !scan_faces(corners_, tile_, runs_)) return;
+    set_face_planes(corners_, false, planes_);
+    set_weights();
+    sides_ = face_sides(corners_);
+    QuadraticWalk<kEmission> walk(frame_.optics, color_.intervals, extinction_.intervals);
+    const int lanes = static_cast<int>(hn::Lanes(D()));
+    for (int row = runs_.row_begin; row < runs_.row_end; ++row) {
+      const auto r = static_cast<std::size_t>(row - runs_.row_begin);
+      const int first = static_cast<int>(runs_.span_first[r]);
+      const int last = static_cast<int>(runs_.span_last[r]);
+      set_face_row(planes_, runs_, row, face_row_);
+      for (int x = first; x < last; x += lanes) render_pixels(walk, row, x, last);
+    }
+  }
+
+ private:
+  using D = hn::CappedTag<double, 8>;
+  using V = hn::Vec<D>;
+  using M = hn::Mask<D>;
+
+  HWY_INLINE bool load(CellId cell) {
+    const std::uint64_t first_entry = frame_.mesh.elems[cell];
+    const NodeId* nodes = frame_.mesh.nodes.data() + first_entry;
+    const auto corner = ascending_corners(nodes);
+    const OpticsTables& optics = frame_.optics;
+    extinction_.load(frame_.extinction, optics.extinction, cell, first_entry, nodes, corner);
+    if (optics.same_field)
+      color_ = extinction_;
+    else
+      color_.load(frame_.color, optics.color, cell, first_entry, nodes, corner);
+    // where nothing absorbs, chromaticity has nothing to colour
+    if (is_zero(optics.no_extinction, extinction_.intervals) &&
+        (!kEmission || is_zero(optics.no_color, color_.intervals)))
+      return false;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const ProjectedNode& node = frame_.nodes[nodes[corner[k]]];
+      corners_.x[k] = node.x;
+      corners_.y[k] = node.y;
+      corners_.depth[k] = node.depth;
+      corners_.extinction[k] = 0;
+    }
+    const auto [nearest, farthest] =
+        std::minmax({corners_.depth[0], corners_.depth[1], corners_.depth[2], corners_.depth[3]});
+    nearest_ = nearest;
+    farthest_ = farthest;
+    return true;
+  }
+
+  static HWY_INLINE bool is_zero(const std::vector<std::uint8_t>& zero, IntervalRange range) {
+    for (std::size_t k = range.low; k <= range.high; ++k)
+      if (zero[k] == 0) return false;
+    return true;
+  }
+
+  // Barycentric coordinates as affine functions over the screen; in perspective times the depth.
+  HWY_INLINE void set_weights() {
+    const hn::CappedTag<double, 4> d;
+    for (std::size_t k = 0; k < 4; ++k) {
+      HWY_ALIGN double at_corner[4] = {0, 0, 0, 0};
+      at_corner[k] = perspective_ ? corners_.depth[k] : 1;
+      for (std::size_t f = 0; f < 4; f += hn::Lanes(d))
+        set_quantity(d, at_corner, f, face_edges(d, corners_, f).swapped, weights_[k]);
+    }
+  }
+
+  // Where rays meet the surface.
+  struct Place {
+    V depth;
+    V corner[4];  // barycentric coordinates
+  };
+
+  // On those of the faces [begin, end) of sides_ that cover the pixels.
+  HWY_INLINE Place meet(D d, V pixel, std::size_t begin, std::size_t end) const {
+    Place place;
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::size_t f = sides_.face[k];
+      const auto on = place_on_face(d, planes_, face_row_, f, pixel);
+      const V depth = on_face(d, planes_.depth, f, on);
+      const V w[4] = {on_face(d, weights_[0], f, on), on_face(d, weights_[1], f, on),
+                      on_face(d, weights_[2], f, on), on_face(d, weights_[3], f, on)};
+      if (k == begin) {
+        place = {depth, {w[0], w[1], w[2], w[3]}};
+        continue;
+      }
+      const M covered = covered_by_face(d, face_row_, f, pixel);
+      place.depth = hn::IfThenElse(covered, depth, place.depth);
+      for (std::size_t c = 0; c < 4; ++c)
+        place.corner[c] = hn::IfThenElse(covered, w[c], place.corner[c]);
+    }
+    if (perspective_) {
+      const V inverse = hn::Div(hn::Set(d, 1.0), place.depth);
+      for (V& c : place.corner) c = hn::Mul(c, inverse);
+    }
+    return place;
+  }
+
+  // The corners bound what rounding may do.
+  HWY_INLINE V ray_parameter(D d, V depth) const {
+    depth = hn::Min(hn::Max(depth, hn::Set(d, nearest_)), hn::Set(d, farthest_));
+    return perspective_ ? hn::Div(hn::Set(d, -1.0), depth) : depth;
+  }
+
+  static HWY_INLINE QuadraticScalar<V> scalar_between(D d, const QuadraticField& field,
+                                                      const Place& p, const Place& q) {
+    const V zero = hn::Zero(d);
+    QuadraticScalar<V> s{zero, zero, zero};
+    for (std::size_t i = 0; i < 4; ++i) {
+      V at_p = zero, at_q = zero;
+      for (std::size_t j = 0; j < 4; ++j) {
+        const V b = hn::Set(d, field.b[i][j]);
+        at_p = hn::MulAdd(b, p.corner[j], at_p);
+        at_q = hn::MulAdd(b, q.corner[j], at_q);
+      }
+      s.c0 = hn::MulAdd(at_p, p.corner[i], s.c0);
+      s.c1 = hn::MulAdd(at_p, q.corner[i], s.c1);
+      s.c2 = hn::MulAdd(at_q, q.corner[i], s.c2);
+    }
+    const auto kept = [&](V c) {
+      return hn::Min(hn::Max(hn::Add(hn::Set(d, field.base), c), hn::Set(d, field.least)),
+                     hn::Set(d, field.most));
+    };
+    return {kept(s.c0), kept(s.c1), kept(s.c2)};
+  }
+
+  HWY_INLINE void render_pixels(QuadraticWalk<kEmission>& walk, int row, int x, int last) {
+    const D d;
+    const V pixel = hn::Iota(d, x), zero = hn::Zero(d), one = hn::Set(d, 1.0);
+    const std::size_t at = static_cast<std::size_t>(row - tile_.y0) * kTileStride +
+                           static_cast<std::size_t>(x - tile_.x0);
+    const V behind = hn::LoadU(d, buffer_.transparency.data() + at);
+    M active = hn::And(hn::Lt(pixel, hn::Set(d, last)),
+                       hn::Gt(behind, hn::Set(d, frame_.least_transparency)));
+    if (hn::AllFalse(d, active)) return;
+    const Place in = meet(d, pixel, 0, sides_.entered), out = meet(d, pixel, sides_.entered, 4);
+    const V whole_front = ray_parameter(d, in.depth), whole_back = ray_parameter(d, out.depth);
+    const V depth = hn::Sub(whole_back, whole_front);
+    const V front = hn::Max(whole_front, hn::Set(d, frame_.projector.near()));
+    const V back = hn::Min(whole_back, hn::Set(d, frame_.projector.far()));
+    active = hn::And(active, hn::Lt(front, back));
+    counts_.segments += hn::CountTrue(d, active);
+    const auto part = [&](V t) {
+      return hn::Min(hn::Max(hn::Div(hn::Sub(t, whole_front), depth), zero), one);
+    };
+    QuadraticSegments<V> s;
+    s.extinction = scalar_between(d, extinction_, in, out);
+    s.color = frame_.optics.same_field ? s.extinction : scalar_between(d, color_, in, out);
+    s.begin = part(front);
+    s.end = hn::IfThenElse(hn::Eq(back, whole_back), one, part(back));
+    s.length = hn::Mul(depth, hn::LoadU(d, buffer_.ray_scale.data() + at));
+    const double share = kQuadratureShare * frame_.tolerance / frame_.depth;
+    s.allowed = hn::Mul(hn::Set(d, share), depth);
+    if (group_ == nullptr) s.allowed = hn::Div(s.allowed, behind);
+    const Radiance<V> radiance = walk.run(d, s, active);
+    if (group_ != nullptr)
+      collect(d, at, front, back, radiance, active);
+    else
+      composite(d, at, front, back, radiance, active, behind);
+  }
+
+  HWY_INLINE void composite(D d, std::size_t at, V front, V back, const Radiance<V>& radiance,
+                            M active, V behind) {
+    const V last = hn::LoadU(d, buffer_.last.data() + at);
+    const V latest = hn::Sub(last, hn::Set(d, frame_.witness_tolerance));
+    counts_.violations += hn::CountTrue(d, hn::And(active, hn::Lt(front, latest)));
+    hn::StoreU(hn::IfThenElse(active, hn::Max(last, back), last), d, buffer_.last.data() + at);
+    Radiance<V> sum{hn::LoadU(d, buffer_.red.data() + at), hn::LoadU(d, buffer_.green.data() + at),
+                    hn::LoadU(d, buffer_.blue.data() + at), behind};
+    add_behind(radiance, active, sum);
+    hn::StoreU(sum.red, d, buffer_.red.data() + at);
+    hn::StoreU(sum.green, d, buffer_.green.data() + at);
+    hn::StoreU(sum.blue, d, buffer_.blue.data() + at);
+    hn::StoreU(sum.transparency, d, buffer_.transparency.data() + at);
+  }
+
+  void collect(D d, std::size_t at, V front, V back, const Radiance<V>& radiance, M active) {
+    const V all[7] = {front,
+                      back,
+                      radiance.red,
+                      radiance.green,
+                      radiance.blue,
+                      radiance.transparency,
+                      hn::IfThenElseZero(active, hn::Set(d, 1.0))};
+    HWY_ALIGN double lane[7][8];
+    for (std::size_t q = 0; q < 7; ++q) hn::Store(all[q], d, lane[q]);
+    for (std::size_t k = 0; k < hn::Lanes(d); ++k)
+      if (lane[6][k] != 0)
+        group_->append(static_cast<std::uint32_t>(at + k), lane[0][k], lane[1][k], lane[2][k],
+                       lane[3][k], lane[4][k], lane[5][k]);
+  }
+
+  const Frame& frame_;
+  const TileRect& tile_;
+  TileBuffer& buffer_;
+  SegmentList* group_;
+  TileCounts& counts_;
+  bool perspective_;
+  // of the cell at hand
+  QuadraticField extinction_, color_;
+  ProjectedTetrahedron corners_;
+  double nearest_ = 0, farthest_ = 0;  // depths
+  FacePlanes planes_;
+  std::array<FacePlanes::Quantity, 4> weights_;
+  FaceRuns runs_;
+  FaceSides sides_;
+  FaceRow face_row_;
+};
+
+template <bool kEmission>
+HWY_NOINLINE void render_quadratic(const Frame& frame, std::span<const CellId> cells,
+                                   const TileRect& tile, TileBuffer& buffer, SegmentList* group,
+                                   TileCounts& counts) {
+  QuadraticRenderer<kEmission> renderer(frame, tile, buffer, group, counts);
+  for (const CellId cell : cells) renderer.render(cell);
+}
+
+void render_quadratic_here(const Frame& frame, std::span<const CellId> cells, const TileRect& tile,
+                           TileBuffer& buffer, SegmentList* group, TileCounts& counts) {
+  const auto render = frame.optics.emission ? render_quadratic<true> : render_quadratic<false>;
+  render(frame, cells, tile, buffer, group, counts);
+}
+
+}  // namespace hiac::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hiac {
+
+HWY_EXPORT(render_quadratic_here);
+
+bool for_quadratic_kernel(const Frame& frame, CellId cell) {
+  return !frame.with_details && frame.optics.rule == PieceRule::exact &&
+         frame.isosurfaces.in(cell).empty();
+}
+
+void render_quadratic_tetrahedra(const Frame& frame, std::span<const CellId> cells,
+                                 const TileRect& tile, TileBuffer& buffer, SegmentList* group,
+                                 TileCounts& counts) {
+  HWY_DYNAMIC_DISPATCH(render_quadratic_here)(frame, cells, tile, buffer, group, counts);
+}
+
+}  // namespace hiac
+#endif
