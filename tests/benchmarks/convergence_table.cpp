@@ -71,7 +71,10 @@ void print_table() {
         const Errors e = errors_of(picture(n, cut, order), exact);
         fmt::print("| {} | {} | {} | {:.1e} | {:.1e} |", name, static_cast<int>(order), n,
                    e.largest, e.mean);
-        fmt::print(n == 1 ? " |\n" : " {:.1f} |\n", std::log2(before.mean / e.mean));
+        if (n == 1)
+          fmt::print(" |\n");
+        else
+          fmt::print(" {:.1f} |\n", std::log2(before.mean / e.mean));
         before = e;
       }
     }

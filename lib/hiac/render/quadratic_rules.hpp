@@ -1,7 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace hiac {
 
@@ -26,6 +30,24 @@ const QuadraticRule& quadratic_rule(std::size_t nodes);
 /// c0 is not negative; with M their product the error of n nodes is at most (64/15) M rho^(-2n) /
 /// (1 - rho^-2) / 2 (Trefethen, "Approximation Theory and Approximation Practice", 2013,
 /// theorem 19.3).
-std::size_t quadratic_nodes(std::size_t degree, double wanted, double c1, double c2, double c3);
+inline std::size_t quadratic_nodes(double degree, double wanted, double c1, double c2, double c3) {
+  constexpr double kLog2 = 0.6931471805599454;  // rounded up
+  constexpr double kFactor = 0.8223;            // log(32/15 / (1 - rho^-2)), rho >= 4
+  constexpr std::array<double, 4> kRho{4, 16, 64, 256};
+  if (!(wanted < 1e300)) return 0;
+  // the power of two above
+  const auto exponent =
+      static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(wanted) >> 52) - 1022;
+  const double log_front = kLog2 * static_cast<double>(exponent) + kFactor;
+  double fewest = static_cast<double>(kMostQuadraticNodes) + 1;
+  for (std::size_t k = 0; k < kRho.size(); ++k) {
+    const double rho = kRho[k], inverse = 1 / rho, log_rho = 2 * kLog2 * static_cast<double>(k + 1);
+    const double grown = 0.5 * (c1 * (rho + inverse) + c2 * (rho * rho + inverse * inverse) +
+                                c3 * (rho * rho * rho + inverse * inverse * inverse));
+    fewest = std::min(fewest, (log_front + grown + degree * log_rho) * (0.5 / log_rho));
+  }
+  if (!(fewest <= static_cast<double>(kMostQuadraticNodes))) return 0;
+  return static_cast<std::size_t>(std::max(1.0, std::ceil(fewest)));
+}
 
 }  // namespace hiac

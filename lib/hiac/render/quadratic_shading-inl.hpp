@@ -101,32 +101,48 @@ class QuadraticWalk {
  private:
   static constexpr int kMostHalvings = 40;
   static constexpr double kInvisible = 1e-20;
+  static constexpr double kThin = 0.1;
 
   // Where fields take the values of breakpoints, if anywhere.
   template <class D, class V>
   HWY_INLINE void find_cuts(D d, const QuadraticSegments<V>& s) {
     cut_count_ = 0;
-    add_cuts(d, s.extinction, optics_.extinction.upper, extinction_);
-    if (!optics_.same_field) add_cuts(d, s.color, optics_.color.upper, color_);
+    extinction_here_ = add_cuts(d, s.extinction, optics_.extinction.upper, extinction_);
+    color_here_ =
+        optics_.same_field ? extinction_here_ : add_cuts(d, s.color, optics_.color.upper, color_);
   }
 
+  // Returns the intervals of these segments among those of the cell.
+  //
   // f = c0 + 2 b u + a u^2; roots by the stable formula. One that is not there is not a number, and
   // compares as false.
   template <class D, class V>
-  HWY_INLINE void add_cuts(D d, const QuadraticScalar<V>& f, const std::vector<double>& upper,
-                           IntervalRange range) {
-    if (range.low == range.high) return;
+  HWY_INLINE IntervalRange add_cuts(D d, const QuadraticScalar<V>& f,
+                                    const std::vector<double>& upper, IntervalRange range) {
+    if (range.low == range.high) return range;
     const std::size_t lanes = hn::Lanes(d);
     cuts_.resize((cut_count_ + 2 * (range.high - range.low)) * lanes);
+    const V least = hn::Min(hn::Min(f.c0, f.c1), f.c2), most = hn::Max(hn::Max(f.c0, f.c1), f.c2);
     const V b = hn::Sub(f.c1, f.c0);
     const V a = hn::Sub(hn::Sub(f.c2, f.c1), b);
+    IntervalRange here = range;
     for (std::size_t k = range.low; k < range.high; ++k) {
-      const V c = hn::Sub(f.c0, hn::Set(d, upper[k]));
+      const V value = hn::Set(d, upper[k]);
+      if (hn::AllTrue(d, hn::Gt(least, value))) {
+        here.low = k + 1;
+        continue;
+      }
+      if (hn::AllTrue(d, hn::Lt(most, value))) {
+        here.high = k;
+        break;
+      }
+      const V c = hn::Sub(f.c0, value);
       const V root = hn::Sqrt(hn::NegMulAdd(a, c, hn::Mul(b, b)));
       const V q = hn::Neg(hn::Add(b, hn::CopySign(root, b)));
       hn::StoreU(hn::Div(q, a), d, cuts_.data() + cut_count_++ * lanes);
       hn::StoreU(hn::Div(c, q), d, cuts_.data() + cut_count_++ * lanes);
     }
+    return here;
   }
 
   // The intervals in which a piece's middle lies; neighbouring rays' are mostly one.
@@ -150,6 +166,7 @@ class QuadraticWalk {
   template <class V>
   struct Depth {
     V a1, a2, a3, total;
+    V most;  // not less than any value
   };
 
   template <class D, class V>
@@ -160,8 +177,9 @@ class QuadraticWalk {
     const V rise = hn::Sub(middle, front);
     const V bend = hn::Sub(hn::Sub(back, middle), rise);
     const V sum = hn::Add(hn::Add(front, middle), back);
+    const V largest = hn::Max(hn::Max(front, back), hn::Max(middle, zero));
     return {hn::Mul(length, front), hn::Mul(length, rise), hn::Mul(hn::Mul(length, third), bend),
-            hn::Max(hn::Mul(hn::Mul(length, third), sum), zero)};
+            hn::Max(hn::Mul(hn::Mul(length, third), sum), zero), hn::Mul(length, largest)};
   }
 
   // False when no rule meets what is allowed of the piece from u to v, unless it `must` be added.
@@ -172,8 +190,8 @@ class QuadraticWalk {
     const QuadraticScalar<V> field = optics_.same_field ? tau_field : part_of(d, s.color, u, v);
     const V half = hn::Set(d, 0.5);
     const V middle = hn::Mul(half, hn::Add(u, v));
-    const auto extinction =
-        reader_of(d, optics_.extinction, extinction_, blossom(d, s.extinction, middle, middle));
+    const auto extinction = reader_of(d, optics_.extinction, extinction_here_,
+                                      blossom(d, s.extinction, middle, middle));
     const auto color = optics_.same_field ? extinction
                                           : reader_of(d, optics_.color, color_,
                                                       blossom(d, s.color, middle, middle));
@@ -196,12 +214,14 @@ class QuadraticWalk {
     const std::size_t nodes = nodes_for(d, depth, hn::IfThenElseZero(active, wanted));
     if (nodes == 0 && may_refuse) return false;
     const auto& rule = quadratic_rule(nodes == 0 ? kMostQuadraticNodes : nodes);
-    const V zeta = hn::Exp(d, hn::Neg(depth.total));
+    const bool thin =
+        hn::AllTrue(d, hn::Lt(hn::IfThenElseZero(active, depth.most), hn::Set(d, kThin)));
+    const V zeta = transparency(d, depth.total, thin);
     V constant, linear;  // a channel is value * constant + slope * linear
     if constexpr (kEmission)
-      emission_sums(d, rule, depth, f, length, constant, linear);
+      emission_sums(d, rule, depth, thin, f, length, constant, linear);
     else
-      chromaticity_sums(d, rule, depth, f, zeta, constant, linear);
+      chromaticity_sums(d, rule, depth, thin, f, zeta, constant, linear);
     const auto channel = [&](std::size_t c) {
       return hn::MulAdd(slope[c], linear, hn::Mul(value[c], constant));
     };
@@ -242,19 +262,28 @@ class QuadraticWalk {
                            largest_lane(d, hn::Abs(times(1.0 / 32, a.a3))));
   }
 
+  // exp(-a). Mostly a is small; what is left out of the series is at most kThin^9 / 9! = 3e-15.
   template <class D, class V>
-  static HWY_INLINE V transparency_at(D d, const Depth<V>& a, double x) {
+  static HWY_INLINE V transparency(D d, V a, bool thin) {
+    if (HWY_UNLIKELY(!thin)) return hn::Exp(d, hn::Neg(a));
+    V sum = hn::Set(d, 1.0 / 40320);
+    for (const double c : {-1.0 / 5040, 1.0 / 720, -1.0 / 120, 1.0 / 24, -1.0 / 6, 0.5, -1.0, 1.0})
+      sum = hn::MulAdd(sum, a, hn::Set(d, c));
+    return sum;
+  }
+  template <class D, class V>
+  static HWY_INLINE V transparency_at(D d, const Depth<V>& a, double x, bool thin) {
     const V at = hn::Set(d, x);
-    return hn::Exp(d, hn::Neg(hn::Mul(at, hn::MulAdd(at, hn::MulAdd(at, a.a3, a.a2), a.a1))));
+    return transparency(d, hn::Mul(at, hn::MulAdd(at, hn::MulAdd(at, a.a3, a.a2), a.a1)), thin);
   }
 
   template <class D, class V>
   static HWY_INLINE void chromaticity_sums(D d, const QuadraticRule& rule, const Depth<V>& depth,
-                                           const QuadraticScalar<V>& f, V zeta, V& constant,
-                                           V& linear) {
+                                           bool thin, const QuadraticScalar<V>& f, V zeta,
+                                           V& constant, V& linear) {
     V front = hn::Zero(d), back = hn::Zero(d);  // integrals of (1 - x) exp(-A), x exp(-A)
     for (std::size_t k = 0; k < rule.count; ++k) {
-      const V t = transparency_at(d, depth, rule.x[k]);
+      const V t = transparency_at(d, depth, rule.x[k], thin);
       front = hn::MulAdd(hn::Set(d, rule.w[k] * (1 - rule.x[k])), t, front);
       back = hn::MulAdd(hn::Set(d, rule.w[k] * rule.x[k]), t, back);
     }
@@ -265,12 +294,12 @@ class QuadraticWalk {
 
   template <class D, class V>
   static HWY_INLINE void emission_sums(D d, const QuadraticRule& rule, const Depth<V>& depth,
-                                       const QuadraticScalar<V>& f, V length, V& constant,
-                                       V& linear) {
+                                       bool thin, const QuadraticScalar<V>& f, V length,
+                                       V& constant, V& linear) {
     constant = linear = hn::Zero(d);
     for (std::size_t k = 0; k < rule.count; ++k) {
       const double x = rule.x[k], y = 1 - x;
-      const V t = hn::Mul(hn::Set(d, rule.w[k]), transparency_at(d, depth, x));
+      const V t = hn::Mul(hn::Set(d, rule.w[k]), transparency_at(d, depth, x, thin));
       const V here =
           hn::MulAdd(hn::Set(d, y * y), f.c0,
                      hn::MulAdd(hn::Set(d, 2 * x * y), f.c1, hn::Mul(hn::Set(d, x * x), f.c2)));
@@ -282,7 +311,8 @@ class QuadraticWalk {
   }
 
   const OpticsTables& optics_;
-  IntervalRange color_, extinction_;
+  IntervalRange color_, extinction_;                // of the cell
+  IntervalRange color_here_{}, extinction_here_{};  // of the segments at hand
   std::size_t cut_count_ = 0;
   std::vector<double> cuts_;  // vectors of u
 };
