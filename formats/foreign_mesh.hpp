@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -44,6 +45,10 @@ struct ForeignField {
   std::function<std::vector<double>()> values;
 };
 
+/// A field whose values are there already, of the format's integers or reals.
+ForeignField field_of(std::string name, FieldLocation location, std::uint32_t components,
+                      std::vector<double>&& values);
+
 /// What a file holds, in its own numbers and node orders: what a reader makes, and `assemble` turns
 /// into a zoo mesh.
 struct ForeignMesh {
@@ -63,6 +68,12 @@ struct ForeignMesh {
   std::vector<ForeignField> fields;
   std::vector<std::pair<std::string, std::string>> metadata;
   std::vector<std::string> notes;
+
+  /// The place of the type of that name, which is added when it is new.
+  std::uint16_t type_place(std::string_view name, std::size_t nodes,
+                           const CellConversion& conversion);
+  /// Adds the cell that was added last to the block of that name.
+  void add_last_to_block(std::string_view name);
 
   [[nodiscard]] std::size_t point_count() const { return xyz.size() / 3; }
   [[nodiscard]] std::size_t cell_count() const { return cell_types.size(); }

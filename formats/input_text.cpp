@@ -61,7 +61,7 @@ std::string unpacked(std::string_view packed, const std::string& path) {
     if (status == Z_STREAM_END) {
       if (inflater.at_end()) return text;
       inflater.next_member();
-    } else if (status == Z_BUF_ERROR || (status == Z_OK && inflater.at_end() && text.empty())) {
+    } else if (status == Z_BUF_ERROR) {
       throw InputError(path,
                        fmt::format("the gzip data end too early (after {} bytes)", packed.size()));
     } else if (status != Z_OK) {

@@ -12,7 +12,21 @@
 #include <fmt/ranges.h>
 #include <vtkVersionMacros.h>
 
+#include "formats/abaqus/abaqus.hpp"
+#include "formats/ansys/ansys.hpp"
+#include "formats/calculix/frd.hpp"
+#include "formats/gambit/gambit.hpp"
+#include "formats/gmsh/gmsh.hpp"
 #include "formats/input_text.hpp"
+#include "formats/medit/medit.hpp"
+#include "formats/nastran/nastran.hpp"
+#include "formats/netgen/netgen.hpp"
+#include "formats/su2/su2.hpp"
+#include "formats/tecplot/tecplot.hpp"
+#include "formats/tetgen/tetgen.hpp"
+#include "formats/ucd/ucd.hpp"
+#include "formats/ugrid/ugrid.hpp"
+#include "formats/unv/unv.hpp"
 #include "formats/vtk/vtk_formats.hpp"
 #include "formats/zoo_format.hpp"
 #include "hiac/base/error.hpp"
@@ -70,6 +84,20 @@ std::span<const Format> all_formats() {
     all.push_back(vts_format());
     all.push_back(vti_format());
     all.push_back(vtr_format());
+    all.push_back(gmsh_format());
+    all.push_back(abaqus_format());
+    all.push_back(frd_format());
+    all.push_back(nastran_format());
+    all.push_back(ansys_format());
+    all.push_back(unv_format());
+    all.push_back(ucd_format());
+    all.push_back(medit_format());
+    all.push_back(ugrid_format());
+    all.push_back(su2_format());
+    all.push_back(tetgen_format());
+    all.push_back(netgen_format());
+    all.push_back(gambit_format());
+    all.push_back(tecplot_format());
     return all;
   }();
   return formats;

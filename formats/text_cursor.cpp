@@ -43,8 +43,9 @@ std::optional<double> fortran_real(std::string_view word) {
 
 /// The number at the beginning of [first, last) and where it ends, if the whole word is one.
 std::optional<double> word_real(const char* first, const char* last) {
-  if (first != last && *first == '+') ++first;
-  if (first == last || *first == '+') return std::nullopt;
+  const bool plus = first != last && *first == '+';
+  if (plus) ++first;
+  if (first == last || *first == '+' || (plus && *first == '-')) return std::nullopt;
   double value = 0;
   const auto [stop, error] = std::from_chars(first, last, value);
   if (stop == last && error == std::errc()) return value;
@@ -92,12 +93,18 @@ void TextCursor::fail_at(std::size_t offset, const std::string& what) const {
   throw InputError(fmt::format("{}:{}", subject_, line), what);
 }
 
+void TextCursor::fail_in_data(std::size_t count, std::string_view what) const {
+  throw InputError(subject_, fmt::format("at byte {}: the file ends within {} ({} bytes expected, "
+                                         "{} found)",
+                                         offset(), what, count, left()));
+}
+
 void TextCursor::refuse_word(std::string_view what) {
   skip_space();
   const std::size_t start = offset();
   const std::string_view found = word();
   if (found.empty()) fail_at(start, fmt::format("the file ends too early ({} expected)", what));
-  fail_at(start, fmt::format("not understood ({} expected, {} found)", what, quoted(found)));
+  fail_at(start, fmt::format("not understood ({} expected, {} found)", what, shown(found)));
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -120,7 +127,7 @@ bool starts_with_upper(std::string_view text, std::string_view prefix) {
          });
 }
 
-std::string quoted(std::string_view word) {
+std::string shown(std::string_view word) {
   std::string result = "'";
   for (const char c : word.substr(0, kShownBytes))
     result += std::isprint(static_cast<unsigned char>(c)) != 0 ? c : '?';

@@ -44,6 +44,13 @@ class TextCursor {
     return copy.line();
   }
 
+  /// The next bytes as they are. Throws InputError when there are not so many.
+  std::string_view bytes(std::size_t count, std::string_view what) {
+    if (count > left()) fail_in_data(count, what);
+    at_ += count;
+    return {at_ - count, count};
+  }
+
   /// Moves over blanks and ends of lines.
   void skip_space() {
     while (at_ != end_ && is_space(*at_)) ++at_;
@@ -77,6 +84,8 @@ class TextCursor {
   /// Throws InputError "FILE:LINE: `what`", of the line of the cursor, or of the place given.
   [[noreturn]] void fail(const std::string& what) const { fail_at(offset(), what); }
   [[noreturn]] void fail_at(std::size_t offset, const std::string& what) const;
+  /// Throws InputError "FILE: at byte N: ...": binary data end too early.
+  [[noreturn]] void fail_in_data(std::size_t count, std::string_view what) const;
   /// Throws InputError "... `what` expected (the next word found)".
   [[noreturn]] void refuse_word(std::string_view what);
 
@@ -103,7 +112,7 @@ std::string upper(std::string_view text);
 /// `text` is `prefix` at its beginning, whatever the case; `prefix` is given in capitals.
 bool starts_with_upper(std::string_view text, std::string_view prefix);
 /// A word for an error message: printable, shortened.
-std::string quoted(std::string_view word);
+std::string shown(std::string_view word);
 
 /// The whole of `text` as a number, blanks at either end apart; reals as in TextCursor::real.
 std::optional<std::int64_t> to_integer(std::string_view text);

@@ -1,0 +1,50 @@
+#include "formats/abaqus/abaqus.hpp"
+
+#include <cctype>
+
+#include "formats/abaqus/inp_parser.hpp"
+#include "formats/assemble.hpp"
+#include "formats/text_cursor.hpp"
+
+namespace hiac::formats {
+namespace {
+
+/// Whether the first line that is no comment is a keyword of a deck (and not LS-DYNA's).
+bool begins_with_keyword(std::string_view head) {
+  TextCursor cursor(head, "");
+  while (!cursor.at_end()) {
+    const std::string_view line = trimmed(cursor.line());
+    if (line.empty() || line.starts_with("**")) continue;
+    return line.size() > 1 && line.front() == '*' &&
+           std::isalpha(static_cast<unsigned char>(line[1])) != 0 &&
+           !starts_with_upper(line, "*KEYWORD");
+  }
+  return false;
+}
+
+ForeignMesh read_file(const std::string& path) {
+  return abaqus::mesh_of(abaqus::parse_deck(path), path);
+}
+
+}  // namespace
+
+Format abaqus_format() {
+  Format format;
+  format.name = "abaqus";
+  format.extensions = {".inp"};
+  format.kinds = "tet4,10 pyr5 prism6,15 wedge7,18 brick8,20";
+  format.fields = "none";
+  format.time_steps = "none";
+  format.recognizes = begins_with_keyword;
+  format.plausible = [](std::string_view head) { return head.starts_with("**"); };
+  format.gzip = true;
+  format.read = [](const std::string& path, const ReadOptions& options) {
+    return assemble(read_file(path), options, path);
+  };
+  format.inspect = [](const std::string& path) {
+    return inventory_of(read_file(path), "abaqus", path);
+  };
+  return format;
+}
+
+}  // namespace hiac::formats

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string_view>
+
+#include "formats/foreign_mesh.hpp"
+
+namespace hiac::formats::abaqus {
+
+/// How an element type of Abaqus or CalculiX is read. `type` is in capitals. Solids have the node
+/// order of the Abaqus manual (Elements Guide, "Three-dimensional solid element library"), which is
+/// VTK's but for the prism's orientation.
+struct InpElement {
+  ForeignType type;
+  /// How many nodes a record of it has; 0: its lines tell, by the commas at their ends. Only the
+  /// first ForeignType::nodes of them are kept.
+  std::size_t nodes_in_file = 0;
+};
+
+InpElement inp_element(std::string_view type);
+
+}  // namespace hiac::formats::abaqus

@@ -1,0 +1,301 @@
+// The layout of the blocks: Ansys Mechanical APDL Programmer's Reference, "Mapping of the coded
+// database file": NBLOCK, EBLOCK, CMBLOCK.
+#include "formats/ansys/cdb_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "formats/ansys/cdb_elements.hpp"
+#include "formats/comma_fields.hpp"
+#include "formats/number_index.hpp"
+#include "formats/text_cursor.hpp"
+
+namespace hiac::formats::ansys {
+namespace {
+
+/// Fields of an element's first line before its nodes.
+constexpr std::size_t kHeadFields = 11;
+constexpr std::size_t kMostNodes = 64;
+
+/// The widths of "(3i8,6e20.13)": how many integers of which width, then reals of which width.
+struct Layout {
+  std::size_t integers = 0;
+  std::size_t integer_width = 0;
+  std::size_t real_width = 0;
+};
+
+class CdbReader {
+ public:
+  explicit CdbReader(const InputText& text) : cursor_(text.text(), text.path()) {}
+
+  ForeignMesh run() {
+    while (!cursor_.at_end()) read_command();
+    if (!have_nodes_ || !have_elements_)
+      cursor_.fail(fmt::format("the file ends too early ({} expected)",
+                               have_nodes_ ? "EBLOCK,19,SOLID" : "NBLOCK"));
+    const NumberIndex index(mesh_.cell_numbers);
+    for (const auto& [name, numbers] : components_) add_block(name, numbers, index);
+    return std::move(mesh_);
+  }
+
+ private:
+  void read_command() {
+    const std::size_t start = cursor_.offset();
+    const std::string_view line = cursor_.line();
+    CommaFields fields(line);
+    const std::string command = upper(fields.field());
+    if (command == "ET") {
+      const auto number = fields.integer();
+      const auto routine = fields.integer();
+      if (!number || !routine)
+        cursor_.fail_at(start, fmt::format("ET: a number and an element type expected ({} found)",
+                                           shown(line)));
+      routines_[*number] = *routine;
+      if (!fields.at_end()) shapes_[*number] = fields.integer().value_or(0);
+    } else if (command == "KEYOP" || command == "KEYOPT") {
+      const auto number = fields.integer();
+      const auto key = fields.integer();
+      const auto value = fields.integer();
+      if (number && key == 1 && value) shapes_[*number] = *value;
+    } else if (command == "NBLOCK") {
+      read_nodes(start);
+    } else if (command == "EBLOCK") {
+      fields.field();
+      if (upper(fields.field()) == "SOLID")
+        read_elements(start);
+      else
+        skip_elements();
+    } else if (command == "CMBLOCK") {
+      read_component(fields, start);
+    }
+  }
+
+  /// The Fortran format in the line behind a block's command.
+  Layout read_layout() {
+    const std::size_t start = cursor_.offset();
+    std::string_view line = trimmed(cursor_.line());
+    Layout layout;
+    const auto number = [&line] {
+      std::size_t value = 0;
+      while (!line.empty() && line.front() >= '0' && line.front() <= '9' && value < 1000) {
+        value = 10 * value + static_cast<std::size_t>(line.front() - '0');
+        line.remove_prefix(1);
+      }
+      return value;
+    };
+    const std::string_view whole = line;
+    if (line.starts_with('(')) {
+      line.remove_prefix(1);
+      layout.integers = number();
+      if (!line.empty() && (line.front() == 'i' || line.front() == 'I')) {
+        line.remove_prefix(1);
+        layout.integer_width = number();
+      }
+      if (line.starts_with(',')) {
+        line.remove_prefix(1);
+        number();  // how many reals: a line may have fewer
+        if (!line.empty() && (line.front() == 'e' || line.front() == 'E')) {
+          line.remove_prefix(1);
+          layout.real_width = number();
+        }
+      }
+    }
+    if (layout.integers == 0 || layout.integer_width == 0)
+      cursor_.fail_at(start, fmt::format("a format like (3i9,6e21.13e3) or (19i9) expected ({} "
+                                         "found)",
+                                         shown(whole)));
+    return layout;
+  }
+
+  /// Field `i` of a width; none when the line is shorter or the field blank.
+  std::optional<std::int64_t> integer_in(std::string_view line, std::size_t i, std::size_t width,
+                                         std::size_t start) const {
+    const std::size_t at = i * width;
+    if (at >= line.size()) return std::nullopt;
+    const std::string_view field = line.substr(at, width);
+    if (trimmed(field).empty()) return std::nullopt;
+    const auto value = to_integer(field);
+    if (!value)
+      cursor_.fail_at(start, fmt::format("an integer in columns {} to {} expected ({} found)",
+                                         at + 1, at + width, shown(field)));
+    return value;
+  }
+
+  std::int64_t required_integer(std::string_view line, std::size_t i, std::size_t width,
+                                std::size_t start) const {
+    const auto value = integer_in(line, i, width, start);
+    if (!value)
+      cursor_.fail_at(start, fmt::format("an integer in columns {} to {} expected (the line ends)",
+                                         i * width + 1, (i + 1) * width));
+    return *value;
+  }
+
+  /// Whether a line ends a block: "-1", or "N,R5.3,LOC,-1" of blocks of nodes.
+  static bool ends_block(std::string_view line) {
+    return trimmed(line) == "-1" || starts_with_upper(trimmed(line), "N,");
+  }
+
+  void read_nodes(std::size_t block) {
+    have_nodes_ = true;
+    const Layout layout = read_layout();
+    if (layout.real_width == 0)
+      cursor_.fail_at(block, "NBLOCK: a format with reals, like (3i9,6e21.13e3), expected");
+    while (true) {
+      if (cursor_.at_end()) cursor_.fail("the file ends within NBLOCK (a line -1 expected)");
+      const std::size_t start = cursor_.offset();
+      const std::string_view line = cursor_.line();
+      if (ends_block(line)) return;
+      mesh_.node_numbers.push_back(required_integer(line, 0, layout.integer_width, start));
+      const std::size_t reals = layout.integers * layout.integer_width;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const std::size_t at = reals + c * layout.real_width;
+        const std::string_view field =
+            at < line.size() ? line.substr(at, layout.real_width) : std::string_view();
+        // zeros at the end of a line are left out
+        const auto value = trimmed(field).empty() ? std::optional<double>(0.0) : to_real(field);
+        if (!value)
+          cursor_.fail_at(start, fmt::format("a coordinate in columns {} to {} expected ({} found)",
+                                             at + 1, at + layout.real_width, shown(field)));
+        mesh_.xyz.push_back(*value);
+      }
+    }
+  }
+
+  void skip_elements() {
+    std::size_t skipped = 0;
+    while (!cursor_.at_end()) {
+      if (trimmed(cursor_.line()) == "-1") {
+        mesh_.notes.push_back(
+            fmt::format("left out an EBLOCK that is not of solids ({} lines)", skipped));
+        return;
+      }
+      ++skipped;
+    }
+    cursor_.fail("the file ends within EBLOCK (a line -1 expected)");
+  }
+
+  void read_elements(std::size_t block) {
+    have_elements_ = true;
+    const Layout layout = read_layout();
+    if (layout.integers <= kHeadFields)
+      cursor_.fail_at(block, fmt::format("EBLOCK: a format of more than {} integers expected ({} "
+                                         "found)",
+                                         kHeadFields, layout.integers));
+    while (true) {
+      if (cursor_.at_end()) cursor_.fail("the file ends within EBLOCK (a line -1 expected)");
+      const std::size_t start = cursor_.offset();
+      const std::string_view line = cursor_.line();
+      if (trimmed(line) == "-1") return;
+      read_element(line, start, layout);
+    }
+  }
+
+  void read_element(std::string_view line, std::size_t start, const Layout& layout) {
+    const std::size_t width = layout.integer_width;
+    const std::int64_t count = required_integer(line, 8, width, start);
+    if (count < 1 || count > static_cast<std::int64_t>(kMostNodes))
+      cursor_.fail_at(start, fmt::format("an element's number of nodes: impossible (1 to {} "
+                                         "expected, {} found)",
+                                         kMostNodes, count));
+    const std::int64_t number = required_integer(line, kHeadFields - 1, width, start);
+    const std::int64_t type = required_integer(line, 1, width, start);
+    std::array<std::int64_t, kMostNodes> nodes{};
+    std::size_t field = kHeadFields;
+    for (std::size_t n = 0; n < static_cast<std::size_t>(count); ++n, ++field) {
+      if (field == layout.integers) {
+        start = cursor_.offset();
+        line = cursor_.line();
+        field = 0;
+      }
+      const std::int64_t node = required_integer(line, field, width, start);
+      nodes[n] = node == 0 ? kLeftOutNode : node;
+    }
+    add_element(type, number, std::span(nodes).first(static_cast<std::size_t>(count)));
+  }
+
+  void add_element(std::int64_t type, std::int64_t number, std::span<std::int64_t> nodes) {
+    const auto key = std::pair(type, nodes.size());
+    auto found = places_.find(key);
+    if (found == places_.end()) {
+      const auto routine = routines_.find(type);
+      const auto shape = shapes_.find(type);
+      mesh_.types.push_back(element_type(routine == routines_.end() ? type : routine->second,
+                                         nodes.size(), shape == shapes_.end() ? 0 : shape->second));
+      found = places_.emplace(key, static_cast<std::uint16_t>(mesh_.types.size() - 1)).first;
+    }
+    const CellConversion& conversion = mesh_.types[found->second].conversion;
+    if (conversion.fate == CellFate::converted && conversion.kind == CellKind::brick20)
+      settle_collapsed_edges(nodes);
+    mesh_.cell_types.push_back(found->second);
+    mesh_.cell_numbers.push_back(number);
+    mesh_.cell_nodes.insert(mesh_.cell_nodes.end(), nodes.begin(), nodes.end());
+  }
+
+  /// CMBLOCK,NAME,ELEM,COUNT: numbers, a negative one ending a range that the one before began.
+  void read_component(CommaFields& fields, std::size_t block) {
+    const std::string name(fields.field());
+    const bool elements = starts_with_upper(fields.field(), "ELEM");
+    const std::string_view text = fields.field();
+    const auto count = to_integer(text.substr(0, text.find('!')));
+    if (!count || *count < 0)
+      cursor_.fail_at(block,
+                      fmt::format("CMBLOCK: a number of items expected ({} found)", shown(text)));
+    const Layout layout = read_layout();
+    std::vector<std::int64_t> numbers;
+    std::string_view line;
+    std::size_t start = 0;
+    for (std::int64_t i = 0; i < *count; ++i) {
+      const std::size_t field = static_cast<std::size_t>(i) % layout.integers;
+      if (field == 0) {
+        if (cursor_.at_end()) cursor_.fail("the file ends within CMBLOCK");
+        start = cursor_.offset();
+        line = cursor_.line();
+      }
+      numbers.push_back(required_integer(line, field, layout.integer_width, start));
+    }
+    if (elements) components_.emplace_back(name, std::move(numbers));
+  }
+
+  void add_block(const std::string& name, const std::vector<std::int64_t>& numbers,
+                 const NumberIndex& index) {
+    ForeignBlock block{name, {}};
+    const auto add = [&](std::size_t cell) {
+      if (!block.cells.empty() && block.cells.back().end == cell)
+        ++block.cells.back().end;
+      else
+        block.cells.push_back({cell, cell + 1});
+    };
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (numbers[i] >= 0) {
+        if (const std::size_t cell = index.find(numbers[i]); cell != NumberIndex::kNone) add(cell);
+        continue;
+      }
+      if (i == 0) continue;
+      for (std::size_t cell = 0; cell < mesh_.cell_count(); ++cell)
+        if (mesh_.cell_numbers[cell] > numbers[i - 1] && mesh_.cell_numbers[cell] <= -numbers[i])
+          add(cell);
+    }
+    mesh_.blocks.push_back(std::move(block));
+  }
+
+  TextCursor cursor_;
+  ForeignMesh mesh_;
+  bool have_nodes_ = false;
+  bool have_elements_ = false;
+  std::map<std::int64_t, std::int64_t> routines_;
+  std::map<std::int64_t, std::int64_t> shapes_;
+  std::map<std::pair<std::int64_t, std::size_t>, std::uint16_t> places_;
+  std::vector<std::pair<std::string, std::vector<std::int64_t>>> components_;
+};
+
+}  // namespace
+
+ForeignMesh read_cdb(const InputText& text) { return CdbReader(text).run(); }
+
+}  // namespace hiac::formats::ansys

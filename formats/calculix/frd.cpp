@@ -1,0 +1,34 @@
+#include "formats/calculix/frd.hpp"
+
+#include <algorithm>
+
+#include "formats/assemble.hpp"
+#include "formats/calculix/frd_file.hpp"
+
+namespace hiac::formats {
+
+Format frd_format() {
+  Format format;
+  format.name = "frd";
+  format.extensions = {".frd"};
+  format.kinds = "tet4,10 prism6,15 brick8,20";
+  format.fields = "node";
+  format.time_steps = "many";
+  format.recognizes = [](std::string_view head) {
+    const std::string_view rest = head.substr(std::min<std::size_t>(head.size(), 6));
+    return head.starts_with("    1C") && rest.find("\n    1U") != std::string_view::npos;
+  };
+  format.plausible = [](std::string_view head) {
+    return head.starts_with("    1") || head.starts_with("    2C");
+  };
+  format.gzip = true;
+  format.read = [](const std::string& path, const ReadOptions& options) {
+    return assemble(frd::read_frd(std::make_shared<InputText>(path)), options, path);
+  };
+  format.inspect = [](const std::string& path) {
+    return inventory_of(frd::read_frd(std::make_shared<InputText>(path)), "frd", path);
+  };
+  return format;
+}
+
+}  // namespace hiac::formats

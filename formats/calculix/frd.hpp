@@ -1,0 +1,10 @@
+#pragma once
+
+#include "formats/format.hpp"
+
+namespace hiac::formats {
+
+/// Results of CalculiX (.frd), text in both record lengths and binary.
+Format frd_format();
+
+}  // namespace hiac::formats

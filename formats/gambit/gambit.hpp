@@ -1,0 +1,10 @@
+#pragma once
+
+#include "formats/format.hpp"
+
+namespace hiac::formats {
+
+/// Gambit neutral files (.neu).
+Format gambit_format();
+
+}  // namespace hiac::formats

@@ -1,0 +1,50 @@
+#include "formats/gmsh/gmsh.hpp"
+
+#include <fmt/format.h>
+
+#include "formats/assemble.hpp"
+#include "formats/gmsh/gmsh_data.hpp"
+#include "formats/gmsh/gmsh_writer.hpp"
+
+namespace hiac::formats {
+namespace {
+
+ForeignMesh read_file(const std::string& path) {
+  const auto text = std::make_shared<InputText>(path);
+  gmsh::MshContents contents = gmsh::read_sections(gmsh::MshStream(TextCursor(text->text(), path)));
+  ForeignMesh& mesh = contents.mesh;
+  for (auto& [group, cells] : contents.groups) {
+    const auto name = contents.physical_names.find(group);
+    mesh.blocks.push_back(
+        {name == contents.physical_names.end() ? fmt::format("{}", group.second) : name->second,
+         std::move(cells)});
+  }
+  gmsh::add_data(std::move(contents.data), text, mesh);
+  return std::move(mesh);
+}
+
+}  // namespace
+
+Format gmsh_format() {
+  Format format;
+  format.name = "gmsh";
+  format.extensions = {".msh"};
+  format.kinds = "tet4-20 pyr5-21 prism6-24 wedge7,18 brick8-32";
+  format.fields = "node, cell, corner";
+  format.time_steps = "many";
+  format.recognizes = [](std::string_view head) {
+    return head.starts_with("$MeshFormat") || head.starts_with("$NOD") ||
+           head.starts_with("$Comments");
+  };
+  format.gzip = true;
+  format.read = [](const std::string& path, const ReadOptions& options) {
+    return assemble(read_file(path), options, path);
+  };
+  format.inspect = [](const std::string& path) {
+    return inventory_of(read_file(path), "gmsh", path);
+  };
+  format.write = gmsh::write_msh;
+  return format;
+}
+
+}  // namespace hiac::formats

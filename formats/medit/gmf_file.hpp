@@ -1,0 +1,15 @@
+#pragma once
+
+#include "formats/foreign_mesh.hpp"
+#include "formats/input_text.hpp"
+
+namespace hiac::formats::medit {
+
+/// Whether a file begins as a text or binary Gamma Mesh Format file.
+bool looks_like_gmf(std::string_view head);
+
+/// Reads a Gamma Mesh Format file: text, or binary of versions 1 to 4 and either byte order.
+/// References become the fields "ref". Throws InputError.
+ForeignMesh read_gmf(const InputText& text);
+
+}  // namespace hiac::formats::medit

@@ -1,0 +1,48 @@
+#include "formats/nastran/nastran.hpp"
+
+#include "formats/assemble.hpp"
+#include "formats/nastran/bulk_data.hpp"
+#include "formats/text_cursor.hpp"
+
+namespace hiac::formats {
+namespace {
+
+/// Whether one of the lines is a section or a grid point of a deck.
+bool has_deck_line(std::string_view head) {
+  TextCursor cursor(head, "");
+  while (!cursor.at_end()) {
+    const std::string_view line = cursor.line();
+    if (starts_with_upper(line, "BEGIN") && upper(line).find("BULK") != std::string::npos)
+      return true;
+    if (starts_with_upper(line, "CEND") && trimmed(line).size() == 4) return true;
+    for (const std::string_view start : {"GRID    ", "GRID,", "GRID*"})
+      if (starts_with_upper(line, start)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Format nastran_format() {
+  Format format;
+  format.name = "nastran";
+  format.extensions = {".bdf", ".nas", ".fem", ".dat", ".blk", ".bulk"};
+  format.kinds = "tet4,10 pyr5,13 prism6,15 wedge7,18 brick8,20";
+  format.fields = "none";
+  format.time_steps = "none";
+  format.recognizes = has_deck_line;
+  format.plausible = [](std::string_view head) {
+    return head.starts_with('$') || starts_with_upper(head, "SOL ") ||
+           starts_with_upper(head, "ID ") || starts_with_upper(head, "INCLUDE");
+  };
+  format.gzip = true;
+  format.read = [](const std::string& path, const ReadOptions& options) {
+    return assemble(nastran::read_bulk_data(path), options, path);
+  };
+  format.inspect = [](const std::string& path) {
+    return inventory_of(nastran::read_bulk_data(path), "nastran", path);
+  };
+  return format;
+}
+
+}  // namespace hiac::formats

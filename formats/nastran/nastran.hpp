@@ -1,0 +1,11 @@
+#pragma once
+
+#include "formats/format.hpp"
+
+namespace hiac::formats {
+
+/// Nastran bulk data: small, large and free field; the grid points, their coordinate systems, the
+/// solids.
+Format nastran_format();
+
+}  // namespace hiac::formats

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "formats/format.hpp"
+
+namespace hiac::formats {
+
+/// Netgen volume meshes (.vol, .vol.gz).
+Format netgen_format();
+
+}  // namespace hiac::formats

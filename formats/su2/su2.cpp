@@ -1,0 +1,126 @@
+// The layout: the SU2 documentation, "Mesh File". Elements have VTK's numbers and node orders.
+#include "formats/su2/su2.hpp"
+
+#include <map>
+
+#include <fmt/format.h>
+
+#include "formats/assemble.hpp"
+#include "formats/input_text.hpp"
+#include "formats/solid_orders.hpp"
+#include "formats/text_cursor.hpp"
+
+namespace hiac::formats {
+namespace {
+
+class Su2Reader {
+ public:
+  explicit Su2Reader(const InputText& text) : cursor_(text.text(), text.path()) {}
+
+  ForeignMesh run() {
+    while (!cursor_.at_end()) {
+      const std::size_t start = cursor_.offset();
+      const std::string_view line = trimmed(cursor_.line());
+      if (line.empty() || line.starts_with('%')) continue;
+      const std::size_t equals = line.find('=');
+      if (equals == std::string_view::npos)
+        cursor_.fail_at(start, fmt::format("a keyword NAME= expected ({} found)", shown(line)));
+      read(upper(trimmed(line.substr(0, equals))), trimmed(line.substr(equals + 1)), start);
+    }
+    if (mesh_.xyz.empty() || mesh_.cell_types.empty())
+      cursor_.fail(fmt::format("the file ends too early ({}= expected)",
+                               mesh_.xyz.empty() ? "NPOIN" : "NELEM"));
+    return std::move(mesh_);
+  }
+
+ private:
+  std::size_t count_in(std::string_view value, std::size_t start) const {
+    TextCursor words(value, "");
+    const auto count = to_integer(words.word());
+    if (!count || *count < 0 || static_cast<std::uint64_t>(*count) > cursor_.left())
+      cursor_.fail_at(start, fmt::format("a count expected ({} found)", shown(value)));
+    return static_cast<std::size_t>(*count);
+  }
+
+  void read(const std::string& keyword, std::string_view value, std::size_t start) {
+    if (keyword == "NDIME" && count_in(value, start) != 3)
+      cursor_.fail_at(start, fmt::format("NDIME= 3 expected ({} found)", shown(value)));
+    if (keyword == "NZONE" && count_in(value, start) != 1)
+      cursor_.fail_at(start, fmt::format("NZONE= 1 expected ({} found)", shown(value)));
+    if (keyword == "NELEM") read_elements(count_in(value, start));
+    if (keyword == "NPOIN") read_points(count_in(value, start));
+    if (keyword == "MARKER_ELEMS") skip_markers(count_in(value, start));
+  }
+
+  void read_elements(std::size_t count) {
+    static const std::map<std::int64_t, ForeignType> kTypes{
+        {3, {"line", 2, no_volume()}},
+        {5, {"triangle", 3, no_volume()}},
+        {9, {"quadrilateral", 4, no_volume()}},
+        {10, {"tetrahedron", 4, solid_conversion(CellKind::tetrahedron4)}},
+        {12, {"hexahedron", 8, solid_conversion(CellKind::brick8)}},
+        {13, {"prism", 6, solid_conversion(CellKind::prism6)}},
+        {14, {"pyramid", 5, solid_conversion(CellKind::pyramid5)}}};
+    for (std::size_t i = 0; i < count; ++i) {
+      cursor_.skip_space();
+      const std::size_t start = cursor_.offset();
+      const std::int64_t number = cursor_.integer("an element type");
+      const auto type = kTypes.find(number);
+      if (type == kTypes.end())
+        cursor_.fail_at(start, fmt::format("unknown element type {}", number));
+      mesh_.cell_types.push_back(
+          mesh_.type_place(type->second.name, type->second.nodes, type->second.conversion));
+      for (std::size_t n = 0; n < type->second.nodes; ++n)
+        mesh_.cell_nodes.push_back(cursor_.integer("a node"));
+      cursor_.line();  // the element's own number may follow
+    }
+  }
+
+  void read_points(std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      for (int c = 0; c < 3; ++c) mesh_.xyz.push_back(cursor_.real("a coordinate"));
+      cursor_.line();
+    }
+  }
+
+  void skip_markers(std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (cursor_.at_end()) cursor_.fail("the file ends within a marker's elements");
+      cursor_.line();
+    }
+  }
+
+  TextCursor cursor_;
+  ForeignMesh mesh_;
+};
+
+}  // namespace
+
+Format su2_format() {
+  Format format;
+  format.name = "su2";
+  format.extensions = {".su2"};
+  format.kinds = "tet4 pyr5 prism6 wedge7 brick8";
+  format.fields = "none";
+  format.time_steps = "none";
+  format.recognizes = [](std::string_view head) {
+    TextCursor cursor(head, "");
+    while (!cursor.at_end()) {
+      const std::string_view line = trimmed(cursor.line());
+      if (line.empty() || line.starts_with('%')) continue;
+      return starts_with_upper(line, "NDIME") || starts_with_upper(line, "NZONE") ||
+             starts_with_upper(line, "NELEM=") || starts_with_upper(line, "NPOIN=");
+    }
+    return false;
+  };
+  format.gzip = true;
+  format.read = [](const std::string& path, const ReadOptions& options) {
+    return assemble(Su2Reader(InputText(path)).run(), options, path);
+  };
+  format.inspect = [](const std::string& path) {
+    return inventory_of(Su2Reader(InputText(path)).run(), "su2", path);
+  };
+  return format;
+}
+
+}  // namespace hiac::formats

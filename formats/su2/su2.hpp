@@ -1,0 +1,10 @@
+#pragma once
+
+#include "formats/format.hpp"
+
+namespace hiac::formats {
+
+/// SU2 meshes (.su2).
+Format su2_format();
+
+}  // namespace hiac::formats

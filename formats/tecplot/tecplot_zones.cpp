@@ -1,0 +1,416 @@
+#include "formats/tecplot/tecplot_zones.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <limits>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "formats/text_cursor.hpp"
+
+namespace hiac::formats::tecplot {
+namespace {
+
+/// Tokens of the header: words, texts in quotes, lists in brackets, and single marks.
+class Tokens {
+ public:
+  explicit Tokens(TextCursor& cursor) : cursor_(cursor) {}
+
+  /// Skips blanks, commas and comments; false at the end.
+  bool skip() {
+    while (!cursor_.at_end()) {
+      const char c = front();
+      if (c == '#')
+        cursor_.line();
+      else if (TextCursor::is_space(c) || c == ',')
+        cursor_.bytes(1, "");
+      else
+        return true;
+    }
+    return false;
+  }
+  [[nodiscard]] char front() const { return cursor_.text()[cursor_.offset()]; }
+
+  /// A text in quotes, a list in brackets with them, or letters and digits up to a mark.
+  std::string next() {
+    const char c = front();
+    if (c == '"' || c == '\'') return quoted_text(c);
+    if (c == '(') return bracketed();
+    const std::size_t start = cursor_.offset();
+    while (!cursor_.at_end() && !TextCursor::is_space(front()) && front() != ',' &&
+           front() != '=' && front() != '(' && front() != '"')
+      cursor_.bytes(1, "");
+    if (cursor_.offset() == start) cursor_.bytes(1, "");
+    return since(start);
+  }
+
+  bool take(char c) {
+    if (!skip() || front() != c) return false;
+    cursor_.bytes(1, "");
+    return true;
+  }
+
+ private:
+  [[nodiscard]] std::string since(std::size_t start) const {
+    return std::string(cursor_.text().substr(start, cursor_.offset() - start));
+  }
+  std::string quoted_text(char quote) {
+    const std::size_t start = cursor_.offset();
+    cursor_.bytes(1, "");
+    while (!cursor_.at_end() && front() != quote && front() != '\n') cursor_.bytes(1, "");
+    if (cursor_.at_end() || front() != quote) cursor_.fail_at(start, "a text without its end");
+    std::string text = since(start + 1);
+    cursor_.bytes(1, "");
+    return text;
+  }
+  std::string bracketed() {
+    const std::size_t start = cursor_.offset();
+    int depth = 0;
+    do {
+      if (cursor_.at_end()) cursor_.fail_at(start, "a list without its end");
+      if (front() == '(') ++depth;
+      if (front() == ')') --depth;
+      cursor_.bytes(1, "");
+    } while (depth > 0);
+    return since(start);
+  }
+
+  TextCursor& cursor_;
+};
+
+/// The numbers of "[1-3,5]" or "1,2": places of variables from 0.
+std::vector<std::size_t> number_list(std::string_view text) {
+  std::vector<std::size_t> numbers;
+  std::size_t at = 0;
+  bool range = false;
+  constexpr std::size_t kMost = 1 << 16;
+  while (at < text.size()) {
+    if (std::isdigit(static_cast<unsigned char>(text[at])) == 0) {
+      range = text[at] == '-';
+      ++at;
+      continue;
+    }
+    std::size_t number = 0;
+    while (at < text.size() && std::isdigit(static_cast<unsigned char>(text[at])) != 0 &&
+           number < kMost)
+      number = 10 * number + static_cast<std::size_t>(text[at++] - '0');
+    if (number == 0 || number > kMost) continue;
+    if (range && !numbers.empty())
+      for (std::size_t n = numbers.back() + 1; n + 1 < number; ++n) numbers.push_back(n);
+    numbers.push_back(number - 1);
+    range = false;
+  }
+  return numbers;
+}
+
+class Reader {
+ public:
+  explicit Reader(const InputText& text) : cursor_(text.text(), text.path()), tokens_(cursor_) {}
+
+  TecplotFile run() {
+    while (tokens_.skip()) {
+      const std::size_t start = cursor_.offset();
+      const std::string keyword = upper(tokens_.next());
+      if (keyword == "TITLE") {
+        tokens_.take('=');
+        if (tokens_.skip()) file_.title = tokens_.next();
+      } else if (keyword == "VARIABLES") {
+        read_variables();
+      } else if (keyword == "ZONE") {
+        read_zone();
+      } else if (keyword == "FILETYPE" || keyword == "DATASETAUXDATA" || keyword == "VARAUXDATA") {
+        cursor_.line();
+      } else if (keyword == "TEXT" || keyword == "GEOMETRY" || keyword == "CUSTOMLABELS") {
+        file_.notes.push_back(fmt::format("left out a record {}", keyword));
+        skip_record();
+      } else {
+        cursor_.fail_at(
+            start, fmt::format("TITLE, VARIABLES or ZONE expected ({} found)", shown(keyword)));
+      }
+    }
+    if (file_.zones.empty()) cursor_.fail("no ZONE found");
+    return std::move(file_);
+  }
+
+ private:
+  void skip_record() {
+    while (!cursor_.at_end()) {
+      const std::string_view line = trimmed(cursor_.peek_line());
+      if (starts_with_upper(line, "ZONE") || starts_with_upper(line, "TEXT") ||
+          starts_with_upper(line, "GEOMETRY"))
+        return;
+      cursor_.line();
+    }
+  }
+
+  /// Names in quotes or words, up to the next keyword.
+  void read_variables() {
+    tokens_.take('=');
+    while (tokens_.skip()) {
+      const std::size_t start = cursor_.offset();
+      const bool is_text = tokens_.front() == '"' || tokens_.front() == '\'';
+      std::string name = tokens_.next();
+      const std::string word = upper(name);
+      if (!is_text && (word == "ZONE" || word == "TITLE" || word == "TEXT" ||
+                       word == "DATASETAUXDATA" || word == "VARAUXDATA" || word == "FILETYPE")) {
+        cursor_.move_to(start);
+        return;
+      }
+      file_.variables.push_back(std::move(name));
+    }
+  }
+
+  std::size_t count_of(const std::string& value, std::size_t start) const {
+    const auto count = to_integer(value);
+    if (!count || *count < 0 || static_cast<std::uint64_t>(*count) > cursor_.text().size())
+      cursor_.fail_at(start, fmt::format("a count expected ({} found)", shown(value)));
+    return static_cast<std::size_t>(*count);
+  }
+
+  using Header = std::map<std::string, std::string>;
+
+  /// NAME=VALUE pairs up to the first number, which begins the data.
+  Header read_header() {
+    Header header;
+    while (tokens_.skip()) {
+      const char c = tokens_.front();
+      if (std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '+' || c == '.')
+        break;
+      const std::size_t start = cursor_.offset();
+      const std::string name = upper(tokens_.next());
+      if (name == "ZONE") {
+        cursor_.move_to(start);
+        break;
+      }
+      if (name == "AUXDATA") {
+        cursor_.line();
+        continue;
+      }
+      if (!tokens_.take('='))
+        cursor_.fail_at(
+            start, fmt::format("NAME=VALUE of a zone or numbers expected ({} found)", shown(name)));
+      if (!tokens_.skip()) cursor_.fail_at(start, "a value expected (the file ends)");
+      header[name] = tokens_.next();
+    }
+    return header;
+  }
+
+  static const std::string* value(const Header& header, const std::string& name) {
+    const auto found = header.find(name);
+    return found == header.end() ? nullptr : &found->second;
+  }
+
+  void read_zone() {
+    const std::size_t start = cursor_.offset();
+    const Header header = read_header();
+    Zone zone;
+    bool block = false;
+    set_layout(header, start, zone, block);
+    if (const std::string* name = value(header, "T")) zone.name = *name;
+    if (const std::string* time = value(header, "SOLUTIONTIME")) zone.time = to_real(*time);
+    set_sizes(header, start, zone);
+    zone.cell_centered.assign(file_.variables.size(), false);
+    if (const std::string* places = value(header, "VARLOCATION")) set_locations(*places, zone);
+    zone.values.resize(file_.variables.size());
+    const std::set<std::size_t> given = share(header, start, zone);
+    if (block)
+      read_block(zone, given);
+    else
+      read_points(zone, given);
+    read_connectivity(header, start, zone);
+    file_.zones.push_back(std::move(zone));
+  }
+
+  void set_layout(const Header& header, std::size_t start, Zone& zone, bool& block) const {
+    std::string packing = "POINT";
+    if (const std::string* f = value(header, "F")) packing = upper(*f);
+    if (const std::string* f = value(header, "DATAPACKING")) packing = upper(*f);
+    zone.ordered = !packing.starts_with("FE");
+    if (packing.starts_with("FE")) packing = packing.substr(2);
+    if (packing != "POINT" && packing != "BLOCK")
+      cursor_.fail_at(start,
+                      fmt::format("POINT or BLOCK packing expected ({} found)", shown(packing)));
+    block = packing == "BLOCK";
+    if (const std::string* et = value(header, "ET")) zone.element = upper(*et);
+    if (const std::string* type = value(header, "ZONETYPE")) {
+      const std::string name = upper(*type);
+      zone.ordered = name == "ORDERED";
+      if (name.starts_with("FE")) zone.element = name.substr(2);
+    }
+    if (!zone.element.empty()) zone.ordered = false;
+  }
+
+  void set_sizes(const Header& header, std::size_t start, Zone& zone) const {
+    const auto size = [&](const char* name, const char* other, std::size_t otherwise) {
+      const std::string* found = value(header, name);
+      if (found == nullptr) found = value(header, other);
+      return found == nullptr ? otherwise : count_of(*found, start);
+    };
+    if (zone.ordered) {
+      zone.dimensions = {size("I", "IMAX", 1), size("J", "JMAX", 1), size("K", "KMAX", 1)};
+      const std::size_t limit = cursor_.text().size();
+      zone.nodes = 1;
+      zone.elements = 1;
+      for (const std::size_t n : zone.dimensions) {
+        if (n == 0 || zone.nodes > limit / n)
+          cursor_.fail_at(start, "a zone's size is impossible or more than the file can hold");
+        zone.nodes *= n;
+        zone.elements *= n > 1 ? n - 1 : 1;
+      }
+      return;
+    }
+    zone.nodes = size("N", "NODES", 0);
+    zone.elements = size("E", "ELEMENTS", 0);
+    static const std::map<std::string, std::size_t> kNodes{{"BRICK", 8},         {"TETRAHEDRON", 4},
+                                                           {"QUADRILATERAL", 4}, {"TRIANGLE", 3},
+                                                           {"LINESEG", 2},       {"LINE", 2}};
+    const auto nodes = kNodes.find(zone.element);
+    if (nodes == kNodes.end())
+      cursor_.fail_at(start, fmt::format("element type {} is not supported (BRICK, TETRAHEDRON, "
+                                         "QUADRILATERAL, TRIANGLE or LINESEG expected)",
+                                         shown(zone.element)));
+    zone.nodes_per_element = nodes->second;
+  }
+
+  /// ([4-5]=CELLCENTERED, [1]=NODAL) or (NODAL, NODAL, CELLCENTERED).
+  static void set_locations(std::string_view text, Zone& zone) {
+    if (text.find('[') == std::string_view::npos) {
+      std::size_t variable = 0;
+      for (std::size_t at = 0; at < text.size() && variable < zone.cell_centered.size();
+           ++variable) {
+        const std::size_t comma = std::min(text.find(',', at), text.size());
+        zone.cell_centered[variable] =
+            upper(text.substr(at, comma - at)).find("CELLCENTERED") != std::string::npos;
+        at = comma + 1;
+      }
+      return;
+    }
+    for (std::size_t at = text.find('['); at != std::string_view::npos;
+         at = text.find('[', at + 1)) {
+      const std::size_t end = std::min(text.find(']', at), text.size());
+      const std::string_view rest =
+          text.substr(end, std::min(text.find('[', end), text.size()) - end);
+      if (upper(rest).find("CELLCENTERED") == std::string::npos) continue;
+      for (const std::size_t variable : number_list(text.substr(at, end - at)))
+        if (variable < zone.cell_centered.size()) zone.cell_centered[variable] = true;
+    }
+  }
+
+  /// Takes shared variables from earlier zones; returns those whose values the zone has not itself.
+  std::set<std::size_t> share(const Header& header, std::size_t start, Zone& zone) const {
+    std::set<std::size_t> given;
+    if (const std::string* passive = value(header, "PASSIVEVARLIST")) {
+      for (const std::size_t variable : number_list(*passive)) {
+        if (variable >= zone.values.size()) continue;
+        zone.values[variable].assign(tuples(zone, variable),
+                                     std::numeric_limits<double>::quiet_NaN());
+        given.insert(variable);
+      }
+    }
+    const std::string* shared = value(header, "VARSHARELIST");
+    if (shared == nullptr) return given;
+    const std::string_view text = *shared;
+    for (std::size_t at = text.find('['); at != std::string_view::npos;
+         at = text.find('[', at + 1)) {
+      const std::size_t end = std::min(text.find(']', at), text.size());
+      const std::string_view rest =
+          text.substr(end, std::min(text.find('[', end), text.size()) - end);
+      const std::vector<std::size_t> from = number_list(rest);
+      const std::size_t source = from.empty() ? 0 : from.front();
+      for (const std::size_t variable : number_list(text.substr(at, end - at))) {
+        if (source >= file_.zones.size() || variable >= zone.values.size() ||
+            file_.zones[source].values[variable].size() != tuples(zone, variable))
+          cursor_.fail_at(start, "VARSHARELIST: there is no such variable, or it has another size");
+        zone.values[variable] = file_.zones[source].values[variable];
+        given.insert(variable);
+      }
+    }
+    return given;
+  }
+
+  static std::size_t tuples(const Zone& zone, std::size_t variable) {
+    return zone.cell_centered[variable] ? zone.elements : zone.nodes;
+  }
+
+  /// The next value of the data; "3*1.5" stands for three.
+  double next_value() {
+    if (repeats_ > 0) {
+      --repeats_;
+      return repeated_;
+    }
+    skip_to_number();
+    const std::size_t start = cursor_.offset();
+    const std::string_view line = cursor_.peek_line();
+    const std::size_t star = line.substr(0, line.find_first_of(" \t,")).find('*');
+    if (star == std::string_view::npos) return number();
+    const auto count = to_integer(line.substr(0, star));
+    if (!count || *count < 1) cursor_.fail_at(start, "a repeated value N*VALUE expected");
+    cursor_.move_to(start + star + 1);
+    repeated_ = number();
+    repeats_ = static_cast<std::size_t>(*count) - 1;
+    return repeated_;
+  }
+
+  /// Blanks, commas and comments may part numbers.
+  void skip_to_number() { tokens_.skip(); }
+
+  double number() {
+    const std::string_view line = cursor_.peek_line();
+    const std::size_t comma = line.substr(0, line.find_first_of(" \t")).find(',');
+    if (comma == std::string_view::npos) return cursor_.real("a value");
+    const auto value = to_real(line.substr(0, comma));
+    if (!value) cursor_.refuse_word("a value");
+    cursor_.bytes(comma, "");
+    return *value;
+  }
+
+  void read_block(Zone& zone, const std::set<std::size_t>& given) {
+    for (std::size_t v = 0; v < zone.values.size(); ++v) {
+      if (given.contains(v)) continue;
+      for (std::size_t i = 0; i < tuples(zone, v); ++i) zone.values[v].push_back(next_value());
+    }
+    repeats_ = 0;
+  }
+
+  void read_points(Zone& zone, const std::set<std::size_t>& given) {
+    for (std::size_t i = 0; i < zone.nodes; ++i)
+      for (std::size_t v = 0; v < zone.values.size(); ++v)
+        if (!given.contains(v)) zone.values[v].push_back(next_value());
+    if (std::find(zone.cell_centered.begin(), zone.cell_centered.end(), true) !=
+        zone.cell_centered.end())
+      cursor_.fail("cell-centred variables need BLOCK packing");
+    repeats_ = 0;
+  }
+
+  void read_connectivity(const Header& header, std::size_t start, Zone& zone) {
+    if (zone.ordered) return;
+    if (const std::string* shared = value(header, "CONNECTIVITYSHAREZONE")) {
+      const std::vector<std::size_t> from = number_list(*shared);
+      if (from.empty() || from.front() >= file_.zones.size() ||
+          file_.zones[from.front()].connectivity.size() != zone.elements * zone.nodes_per_element)
+        cursor_.fail_at(start, "CONNECTIVITYSHAREZONE: there is no such zone, or it is another");
+      zone.connectivity = file_.zones[from.front()].connectivity;
+      return;
+    }
+    if (zone.elements > cursor_.left())
+      cursor_.fail_at(start, "more elements announced than the file can hold");
+    for (std::size_t i = 0; i < zone.elements * zone.nodes_per_element; ++i) {
+      skip_to_number();
+      zone.connectivity.push_back(cursor_.integer("a node number"));
+    }
+  }
+
+  TextCursor cursor_;
+  Tokens tokens_;
+  TecplotFile file_;
+  double repeated_ = 0;
+  std::size_t repeats_ = 0;
+};
+
+}  // namespace
+
+TecplotFile read_tecplot_text(const InputText& text) { return Reader(text).run(); }
+
+}  // namespace hiac::formats::tecplot

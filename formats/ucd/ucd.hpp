@@ -1,0 +1,10 @@
+#pragma once
+
+#include "formats/format.hpp"
+
+namespace hiac::formats {
+
+/// AVS unstructured cell data (.inp, .ucd, .avs), text and binary.
+Format ucd_format();
+
+}  // namespace hiac::formats

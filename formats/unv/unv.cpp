@@ -1,0 +1,36 @@
+#include "formats/unv/unv.hpp"
+
+#include "formats/assemble.hpp"
+#include "formats/text_cursor.hpp"
+#include "formats/unv/unv_file.hpp"
+
+namespace hiac::formats {
+
+Format unv_format() {
+  Format format;
+  format.name = "unv";
+  format.extensions = {".unv"};
+  format.kinds = "tet4,10 prism6,15 wedge7 brick8,20";
+  format.fields = "node, cell, corner";
+  format.time_steps = "many";
+  format.recognizes = [](std::string_view head) {
+    TextCursor cursor(head, "");
+    while (!cursor.at_end()) {
+      const std::string_view line = cursor.line();
+      if (trimmed(line).empty()) continue;
+      return line.starts_with("    -1") && trimmed(line) == "-1" &&
+             to_integer(cursor.line()).has_value();
+    }
+    return false;
+  };
+  format.gzip = true;
+  format.read = [](const std::string& path, const ReadOptions& options) {
+    return assemble(unv::read_unv(std::make_shared<InputText>(path)), options, path);
+  };
+  format.inspect = [](const std::string& path) {
+    return inventory_of(unv::read_unv(std::make_shared<InputText>(path)), "unv", path);
+  };
+  return format;
+}
+
+}  // namespace hiac::formats

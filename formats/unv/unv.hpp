@@ -1,0 +1,11 @@
+#pragma once
+
+#include "formats/format.hpp"
+
+namespace hiac::formats {
+
+/// I-DEAS universal files (.unv): nodes 15, 781, 2411; elements 780, 2412; groups; results 55,
+/// 2414.
+Format unv_format();
+
+}  // namespace hiac::formats

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <memory>
+
+#include "formats/foreign_mesh.hpp"
+#include "formats/input_text.hpp"
+
+namespace hiac::formats::unv {
+
+/// What a universal file holds. Values of results are read when they are asked for. Throws
+/// InputError naming file and line.
+ForeignMesh read_unv(const std::shared_ptr<InputText>& text);
+
+}  // namespace hiac::formats::unv
