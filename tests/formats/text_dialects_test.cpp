@@ -287,7 +287,7 @@ TEST(UgridDialects, AllBinaryVariants) {
                 : bytes.add<float>({static_cast<float>(x)});
     bytes.add<std::int32_t>({1, 2, 3, 7, 1, 2, 3, 4});
     if (marked) bytes.add<std::int32_t>({rest});
-    for (const std::string name : {"a." + variant + ".ugrid", std::string("a.ugrid")})
+    for (const std::string& name : {"a." + variant + ".ugrid", std::string("a.ugrid")})
       expect_unit_tetrahedron(read_any(folder.write(name, bytes.str())).mesh);
   }
 }

@@ -60,7 +60,7 @@ std::string changed(const std::string& seed, std::mt19937& random) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const long rounds = argc > 1 ? std::atol(argv[1]) : 300;
+  const long rounds = argc > 1 ? std::atol(argv[1]) : 100;
   const std::vector<std::string> seeds = hiac::fuzz::seeds();
   std::size_t runs = 0;
   std::mt19937 random(20261121);
