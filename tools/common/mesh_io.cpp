@@ -10,11 +10,11 @@ std::string input_name(const std::string& path) {
   return path.empty() || path == "-" ? "stdin" : path;
 }
 
-ZooFile read_mesh(const std::string& path) {
+ZooFile read_mesh(const std::string& path, MeshNumbers numbers) {
   if (path.empty() && isatty(STDIN_FILENO) != 0)
     throw UsageError("no mesh: name a file, or pipe one in");
-  if (path.empty() || path == "-") return read_zoo_stream(STDIN_FILENO, "stdin");
-  return read_zoo_file(path);
+  if (path.empty() || path == "-") return read_zoo_stream(STDIN_FILENO, "stdin", numbers);
+  return read_zoo_file(path, numbers);
 }
 
 bool is_stdout(const std::string& path) { return path.empty() || path == "-"; }

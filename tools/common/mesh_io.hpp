@@ -11,7 +11,8 @@ std::string input_name(const std::string& path);
 
 /// Reads a zoo mesh from a file, or from stdin where `path` is "-", or empty with a piped stdin.
 /// Throws UsageError when there is nothing to read, InputError when it is malformed.
-ZooFile read_mesh(const std::string& path);
+/// `numbers`: what is asked of the mesh's (read_zoo_file).
+ZooFile read_mesh(const std::string& path, MeshNumbers numbers = MeshNumbers::checked);
 
 /// True where data written to `path` goes to stdout: "-", or empty.
 bool is_stdout(const std::string& path);

@@ -25,9 +25,14 @@ std::string check_chunk_header(const zoo_layout::ChunkHeader& header, std::size_
                                const std::string& subject);
 
 /// Makes a mesh of the chunks before and including the end chunk: checks payloads against their
-/// checksums (in parallel), which chunks there are, every size, and the mesh's invariants.
-/// Throws InputError.
-ZooFile assemble_zoo(const std::vector<RawChunk>& chunks, const std::string& subject);
+/// checksums (in parallel), which chunks there are, every size, and the mesh's invariants but for
+/// `numbers`. Throws InputError.
+ZooFile assemble_zoo(const std::vector<RawChunk>& chunks, const std::string& subject,
+                     MeshNumbers numbers);
+
+/// The part of validate (zoo_mesh.hpp) that is about kinds and sizes, not about the nodes that
+/// cells name and not about coordinates.
+void validate_layout(const ZooMesh& mesh, const std::string& subject);
 
 /// The chunks that this library's mesh part does not interpret, all payloads and the end chunk
 /// checked. Throws InputError.

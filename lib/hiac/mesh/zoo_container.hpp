@@ -24,16 +24,23 @@ struct ZooFile {
   std::vector<ExtraChunk> extras;
 };
 
+/// What a reader asks of a mesh's numbers: of the nodes that cells name, and of coordinates.
+enum class MeshNumbers : std::uint8_t {
+  checked,  ///< nodes are there, coordinates are finite: all of the mesh's invariants
+  as_given  ///< neither: for those who judge the mesh themselves
+};
+
 /// Reads a zoo container by memory map: arrays look into the file. Checks magic, version, every
-/// size against what is there, checksums, the end chunk, and the mesh's invariants.
-/// Throws InputError naming the file, what was expected and what was found. A file that is replaced
-/// afterwards keeps its old content here; it must not be shortened or overwritten in place. A pipe
-/// or a device is read as a stream.
-ZooFile read_zoo_file(const std::string& path);
+/// size against what is there, checksums, the end chunk, and the mesh's invariants but for
+/// `numbers`. Throws InputError naming the file, what was expected and what was found. A file that
+/// is replaced afterwards keeps its old content here; it must not be shortened or overwritten in
+/// place. A pipe or a device is read as a stream.
+ZooFile read_zoo_file(const std::string& path, MeshNumbers numbers = MeshNumbers::checked);
 
 /// Reads a zoo container from an open file descriptor (a pipe) to its end chunk. Memory grows with
 /// what arrives, never with what a header announces. `subject` names the stream in errors.
-ZooFile read_zoo_stream(int descriptor, const std::string& subject);
+ZooFile read_zoo_stream(int descriptor, const std::string& subject,
+                        MeshNumbers numbers = MeshNumbers::checked);
 
 /// Writes a container front to back; never seeks. Throws InputError when the write fails.
 void write_zoo_stream(int descriptor, const ZooFile& file, const std::string& subject);

@@ -182,10 +182,12 @@ std::vector<RawChunk> chunks_of_path(const std::string& path) {
 
 }  // namespace
 
-ZooFile read_zoo_file(const std::string& path) { return assemble_zoo(chunks_of_path(path), path); }
+ZooFile read_zoo_file(const std::string& path, MeshNumbers numbers) {
+  return assemble_zoo(chunks_of_path(path), path, numbers);
+}
 
-ZooFile read_zoo_stream(int descriptor, const std::string& subject) {
-  return assemble_zoo(chunks_of_stream(descriptor, subject), subject);
+ZooFile read_zoo_stream(int descriptor, const std::string& subject, MeshNumbers numbers) {
+  return assemble_zoo(chunks_of_stream(descriptor, subject), subject, numbers);
 }
 
 std::vector<ExtraChunk> read_extra_chunks(const std::string& path) {

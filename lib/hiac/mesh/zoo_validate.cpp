@@ -6,6 +6,7 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
+#include "hiac/mesh/zoo_chunks.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 
 namespace hiac {
@@ -161,9 +162,13 @@ void validate_adjacency(const ZooMesh& mesh, const FaceAdjacency& adjacency,
 }  // namespace
 
 void validate(const ZooMesh& mesh, const std::string& subject) {
+  validate_layout(mesh, subject);
+  validate_nodes(mesh, subject);
+}
+
+void validate_layout(const ZooMesh& mesh, const std::string& subject) {
   validate_sizes(mesh, subject);
   validate_cells(mesh, subject);
-  validate_nodes(mesh, subject);
   for (const Field& field : mesh.fields) validate_field(mesh, field, subject);
   if (mesh.adjacency) validate_adjacency(mesh, *mesh.adjacency, subject);
 }

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace hiac {
+
+/// A closed box along the axes. The empty one has low > high.
+struct Box {
+  std::array<double, 3> low, high;
+
+  static Box empty();
+  void include(std::span<const double, 3> p) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      low[c] = std::min(low[c], p[c]);
+      high[c] = std::max(high[c], p[c]);
+    }
+  }
+  void include(const Box& box) {
+    include(std::span<const double, 3>(box.low));
+    include(std::span<const double, 3>(box.high));
+  }
+  [[nodiscard]] bool meets(const Box& other) const {
+    for (std::size_t c = 0; c < 3; ++c)
+      if (other.high[c] < low[c] || high[c] < other.low[c]) return false;
+    return true;
+  }
+};
+
+/// Finds the boxes that meet a given one: a balanced tree, halved at the median of the centres
+/// along the widest axis, built in parallel. About 32 bytes a box besides the boxes.
+class BoxTree {
+ public:
+  explicit BoxTree(std::vector<Box> boxes);
+
+  /// Calls visit(i) for every box i that meets `box`, in an order that depends on nothing but the
+  /// boxes.
+  template <typename Visit>
+  void for_each_meeting(const Box& box, const Visit& visit) const {
+    if (!boxes_.empty()) descend({0, static_cast<std::uint32_t>(boxes_.size()), 0}, box, visit);
+  }
+
+  [[nodiscard]] const Box& box(std::uint32_t i) const { return boxes_[i]; }
+
+ private:
+  /// A node holds the run [begin, end) of `order_`; its halves are nodes 2 n + 1 and 2 n + 2.
+  struct Node {
+    std::uint32_t begin, end, number;
+
+    [[nodiscard]] bool is_leaf() const { return end - begin <= kLeaf; }
+    [[nodiscard]] std::uint32_t middle() const { return begin + (end - begin) / 2; }
+    [[nodiscard]] Node left() const { return {begin, middle(), 2 * number + 1}; }
+    [[nodiscard]] Node right() const { return {middle(), end, 2 * number + 2}; }
+  };
+  static constexpr std::uint32_t kLeaf = 6;
+
+  void build(const Node& node);
+
+  template <typename Visit>
+  void descend(const Node& node, const Box& box, const Visit& visit) const {
+    if (!around_[node.number].meets(box)) return;
+    if (node.is_leaf()) {
+      for (std::uint32_t i = node.begin; i < node.end; ++i)
+        if (boxes_[order_[i]].meets(box)) visit(order_[i]);
+      return;
+    }
+    descend(node.left(), box, visit);
+    descend(node.right(), box, visit);
+  }
+
+  std::vector<Box> boxes_;
+  std::vector<std::uint32_t> order_;
+  std::vector<Box> around_;  // of every node
+};
+
+}  // namespace hiac

@@ -1,0 +1,179 @@
+#include "hiac/check/regularity.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <vector>
+
+#include "hiac/base/collect.hpp"
+#include "hiac/check/lifted_orientation.hpp"
+#include "hiac/geometry/vector.hpp"
+
+namespace hiac {
+namespace {
+
+constexpr std::size_t kGrain = 1 << 12;
+
+bool all_cells(const ZooMesh& mesh, const auto& holds) {
+  std::atomic<bool> all{true};
+  parallel_for(mesh.cell_count(), kGrain, [&](IndexRange range) {
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      if (!all.load(std::memory_order_relaxed)) return;
+      if (!holds(static_cast<CellId>(i))) all.store(false, std::memory_order_relaxed);
+    }
+  });
+  return all;
+}
+
+// Four corners of a cell that span space, so that they are positive.
+struct Simplex {
+  bool found = false;
+  std::array<NodeId, 4> nodes{};
+};
+
+Simplex simplex_of(const ZooMesh& mesh, CellId cell) {
+  const auto n = mesh.cell_nodes(cell).first(corner_count(mesh.kinds[cell]));
+  for (std::size_t i = 1; i < n.size(); ++i)
+    for (std::size_t j = i + 1; j < n.size(); ++j)
+      for (std::size_t k = j + 1; k < n.size(); ++k) {
+        const int sign = orientation(mesh.position(n[0]), mesh.position(n[i]), mesh.position(n[j]),
+                                     mesh.position(n[k]));
+        if (sign > 0) return {true, {n[0], n[i], n[j], n[k]}};
+        if (sign < 0) return {true, {n[0], n[j], n[i], n[k]}};
+      }
+  return {};
+}
+
+int outside_sphere_of(const ZooMesh& mesh, const std::array<NodeId, 4>& s, NodeId node) {
+  if (std::ranges::find(s, node) != s.end()) return 0;
+  return outside_sphere(mesh.position(s[0]), mesh.position(s[1]), mesh.position(s[2]),
+                        mesh.position(s[3]), mesh.position(node));
+}
+
+// The cell's corners on one sphere, those of its neighbours that are not its own outside of it.
+bool is_delaunay(const OrderBasis& basis, CellId cell) {
+  const ZooMesh& mesh = *basis.mesh;
+  const auto own = mesh.cell_nodes(cell).first(corner_count(mesh.kinds[cell]));
+  const Simplex simplex = simplex_of(mesh, cell);
+  if (!simplex.found) return false;
+  for (const NodeId node : own)
+    if (outside_sphere_of(mesh, simplex.nodes, node) != 0) return false;
+  for (std::uint32_t f = 0; f < basis.faces.count(cell); ++f) {
+    const CellId other = basis.adjacency.neighbors[basis.faces.first(cell) + f];
+    // asked once a face: the other side says the same
+    if (other == kNoCell || other < cell) continue;
+    for (const NodeId node : mesh.cell_nodes(other).first(corner_count(mesh.kinds[other])))
+      if (std::ranges::find(own, node) == own.end() &&
+          outside_sphere_of(mesh, simplex.nodes, node) <= 0)
+        return false;
+  }
+  return true;
+}
+
+// Two tetrahedra at a face: the nodes of a positive one, then the far one of the other.
+using Hinge = std::array<NodeId, 5>;
+
+std::vector<Hinge> hinges_of(const OrderBasis& basis) {
+  const ZooMesh& mesh = *basis.mesh;
+  return collect<Hinge>(mesh.cell_count(), kGrain, [&](std::size_t i, auto& found) {
+    const auto cell = static_cast<CellId>(i);
+    const Simplex simplex = simplex_of(mesh, cell);
+    for (std::uint32_t f = 0; f < 4; ++f) {
+      const CellId other = basis.adjacency.neighbors[basis.faces.first(cell) + f];
+      if (other == kNoCell || other < cell) continue;
+      for (const NodeId node : mesh.cell_nodes(other))
+        if (std::ranges::find(simplex.nodes, node) == simplex.nodes.end())
+          found.push_back(
+              {simplex.nodes[0], simplex.nodes[1], simplex.nodes[2], simplex.nodes[3], node});
+    }
+  });
+}
+
+// How the far node's height above the tetrahedron's affine function depends on the five heights:
+// minus the far node's barycentric coordinates, and 1.
+std::array<double, 5> slopes_of(const ZooMesh& mesh, const Hinge& hinge) {
+  std::array<Vector, 4> at;
+  for (std::size_t k = 0; k < 4; ++k)
+    at[k] = minus(mesh.position(hinge[k + 1]), mesh.position(hinge[0]));
+  const auto det = [](const Vector& u, const Vector& v, const Vector& w) {
+    return dot(u, cross(v, w));
+  };
+  const double volume = det(at[0], at[1], at[2]);
+  const double b = det(at[3], at[1], at[2]) / volume, c = det(at[0], at[3], at[2]) / volume,
+               d = det(at[0], at[1], at[3]) / volume;
+  return {-(1 - b - c - d), -b, -c, -d, 1};
+}
+
+// Heights that lift every hinge, as far as rounding tells; none where the search gave up.
+std::vector<double> search_heights(const ZooMesh& mesh, const std::vector<Hinge>& hinges) {
+  constexpr int kSweeps = 300;
+  constexpr double kMargin = 1e-3;  // of the mean, in units in which the mesh's size is 1
+  Vector low{}, high{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    low[c] = high[c] = mesh.xyz[c];
+    for (std::size_t i = c; i < mesh.xyz.size(); i += 3) {
+      low[c] = std::min(low[c], mesh.xyz[i]);
+      high[c] = std::max(high[c], mesh.xyz[i]);
+    }
+  }
+  const double size = largest(minus(high, low));
+  std::vector<double> heights(mesh.node_count());
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    const Vector p = minus(mesh.position(static_cast<NodeId>(i)), low);
+    heights[i] = dot(p, p) / size / size;
+  }
+  const double margin = kMargin / std::cbrt(static_cast<double>(heights.size()) *
+                                            static_cast<double>(heights.size()));
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    bool all = true;
+    for (const Hinge& hinge : hinges) {
+      const auto slopes = slopes_of(mesh, hinge);
+      double lift = 0, norm = 0;
+      for (std::size_t k = 0; k < 5; ++k) {
+        lift += slopes[k] * heights[hinge[k]];
+        norm += slopes[k] * slopes[k];
+      }
+      if (!std::isfinite(norm)) return {};
+      const double wanted = margin * std::sqrt(norm);
+      if (lift >= 0.5 * wanted) continue;
+      all = false;
+      for (std::size_t k = 0; k < 5; ++k) heights[hinge[k]] += (wanted - lift) / norm * slopes[k];
+    }
+    if (all) return heights;
+  }
+  return {};
+}
+
+bool lifts_all(const ZooMesh& mesh, const std::vector<Hinge>& hinges,
+               const std::vector<double>& heights) {
+  return std::ranges::all_of(hinges, [&](const Hinge& h) {
+    const auto at = [&](std::size_t k) { return mesh.position(h[k]); };
+    return lifted_orientation(
+               {at(0), at(1), at(2), at(3), at(4)},
+               {heights[h[0]], heights[h[1]], heights[h[2]], heights[h[3]], heights[h[4]]}) > 0;
+  });
+}
+
+}  // namespace
+
+Certificate certify_acyclic(const OrderBasis& basis, const CellShapes& shapes) {
+  constexpr std::size_t kMostHinges = 1 << 18;
+  const ZooMesh& mesh = *basis.mesh;
+  using enum Acyclicity;
+  if (!shapes.uniform) return {unknown, "not all cells are valid and turn alike"};
+  if (!basis.convex) return {unknown, "rays may leave the mesh and enter it again"};
+  if (!all_cells(mesh, [&](CellId c) { return order_of(mesh.kinds[c]) == CellOrder::linear; }))
+    return {unknown, "cells are curved"};
+  if (all_cells(mesh, [&](CellId cell) { return is_delaunay(basis, cell); })) return {delaunay, ""};
+  if (!all_cells(mesh, [&](CellId c) { return mesh.kinds[c] == CellKind::tetrahedron4; }))
+    return {unknown, "not Delaunay; other heights are looked for of tetrahedra alone"};
+  if (basis.shared_faces > kMostHinges)
+    return {unknown, "not Delaunay; too many cells to look for other heights"};
+  const std::vector<Hinge> hinges = hinges_of(basis);
+  const std::vector<double> heights = search_heights(mesh, hinges);
+  if (!heights.empty() && lifts_all(mesh, hinges, heights)) return {regular, ""};
+  return {unknown, "not Delaunay; no other heights found"};
+}
+
+}  // namespace hiac

@@ -1,0 +1,92 @@
+// hiac-check on real files: each that is invalid for its reason, and no valid one called invalid.
+// Skipped where the folder of data is not there (HIAC_DATA_DIR, or beside the source folder).
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/tools/tool_folder.hpp"
+
+namespace hiac::test {
+namespace {
+
+std::string data_folder() {
+  const char* const given = std::getenv("HIAC_DATA_DIR");
+  return given != nullptr ? given : HIAC_DEFAULT_DATA_DIR;
+}
+
+struct Verdict {
+  std::string file;
+  std::vector<std::string> invalid;  ///< the defects that make it so; none: it is valid
+  std::vector<std::string> others;   ///< warnings and notes that it has to have, among others
+};
+
+// What the files' own descriptions, and VTK's view of their corners, say is wrong with them.
+const std::vector<Verdict> kVerdicts{
+    {"nasty/curved/6x6x6-hex20.vtk", {}, {}},
+    {"nasty/nan/notch_stress.vtk", {}, {}},
+    // joined along edges and at corners alone; numbered left-handed throughout
+    {"nasty/nonconforming/manifoldCheck0.vtu", {}, {"left_handed"}},
+    {"nasty/nonconforming/manifoldCheck1.vtu", {}, {"left_handed"}},
+    // a box of 1e-5
+    {"nasty/scale/small_box_hex_1000.vtk", {}, {"nonplanar_face"}},
+    // 36 hexahedra with some corner inverted, all with faces that are not planar
+    {"nasty/tangled/hex_5_tangled.vtk", {"jacobian"}, {"nonplanar_face", "nonconvex_cell"}},
+    // 3 pyramids with some corner inverted
+    {"nasty/tangled/mixed-hex-pyr-tet.vtk", {"jacobian"}, {"nonplanar_face"}},
+    // 9 inverted hexahedra, 16 with some corner inverted
+    {"nasty/tangled/par_untangle_original_hex_mesh.1.0.vtk",
+     {"inverted", "jacobian", "folded_face", "overlap"},
+     {"nonplanar_face"}},
+    // 4 hexahedra with some corner inverted
+    {"nasty/tangled/pave2.e.vtk", {"jacobian"}, {"nonplanar_face", "nonconvex_cell"}},
+    // 9 inverted tetrahedra
+    {"nasty/tangled/tet_4_tangled.vtk", {"inverted", "folded_face", "overlap"}, {}},
+    // valid ones of all kinds
+    {"vtk_xml/analytic/Tetrahedron.vtu", {}, {}},
+    {"vtk_xml/analytic/Wedge.vtu", {}, {}},
+    {"vtk_xml/fe_results/elmer_2241-results0001.vtu", {}, {}},
+    {"vtk_xml/fe_results/notch_disp.vtu", {}, {}},
+    {"vtk_xml/structured/multicomb_1.vts", {}, {"nonplanar_face"}},
+    // half of the tetrahedra in the other half's mirror
+    {"vtk_legacy/linear/tetraMesh.vtk", {"inverted"}, {}},
+    // two shells of bricks with nodes of their own between them
+    {"vtk_legacy/linear/AngularSector.vtk", {}, {"duplicate_node", "torn_interface"}},
+    // diagonals that cross
+    {"vtk_legacy/versions/data_3_3_tets.vtk", {}, {"sliding_interface"}},
+    {"vtk_legacy/zoo/uGridEx.vtk", {}, {"hanging_interface"}},
+    // a crushed can: 51 hexahedra with some corner inverted
+    {"vtk_xml/fe_results/can.vtu", {"jacobian", "overlap"}, {"nonplanar_face"}}};
+
+class CheckData : public ToolFolder, public testing::WithParamInterface<Verdict> {};
+
+INSTANTIATE_TEST_SUITE_P(Files, CheckData, testing::ValuesIn(kVerdicts), [](const auto& param) {
+  std::string name = std::filesystem::path(param.param.file).filename().string();
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  return name;
+});
+
+TEST_P(CheckData, HasTheRightVerdict) {
+  const Verdict& verdict = GetParam();
+  const std::string path = data_folder() + "/" + verdict.file;
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
+  ASSERT_EQ(run("$CONVERT -q '" + path + "' -o m.zoo"), 0) << complaint();
+  const int code = run("'" HIAC_CHECK "' m.zoo --overlap --json facts.json -o passed.zoo");
+  EXPECT_EQ(code, verdict.invalid.empty() ? 0 : 1) << complaint();
+  EXPECT_EQ(std::filesystem::exists(file("passed.zoo")), verdict.invalid.empty());
+  const auto facts = nlohmann::json::parse(bytes_of(file("facts.json")));
+  std::vector<std::string> invalid, others;
+  for (const auto& finding : facts["findings"])
+    (finding["severity"] == "invalid" ? invalid : others).push_back(finding["defect"]);
+  EXPECT_EQ(invalid, verdict.invalid);
+  for (const std::string& other : verdict.others)
+    EXPECT_TRUE(std::ranges::count(others, other)) << other;
+}
+
+}  // namespace
+}  // namespace hiac::test

@@ -1,0 +1,151 @@
+// hiac-check as a user calls it: alone, in pipes, and on the files of others.
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "hiac/image/image_io.hpp"
+#include "hiac/mesh/zoo_container.hpp"
+#include "tests/order/hard_meshes.hpp"
+#include "tests/order/order_meshes.hpp"
+#include "tests/support/meshes.hpp"
+#include "tests/tools/tool_folder.hpp"
+
+namespace hiac::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string kView = R"([image]
+width = 40
+height = 30
+[camera]
+eye = [2.3, 1.9, 1.4]
+look_at = [0.5, 0.5, 0.5]
+up = [0.0, 0.0, 1.0]
+fov = 35.0
+[volume.extinction]
+field = "f"
+points = [[0.0, 0.1], [1.0, 3.0]]
+)";
+
+class CheckTool : public ToolFolder {
+ protected:
+  void SetUp() override {
+    ToolFolder::SetUp();
+    std::ofstream(file("view.toml")) << kView;
+  }
+
+  // hiac-check with the arguments, its streams in out.txt and err.txt.
+  [[nodiscard]] int check(const std::string& arguments) const {
+    return run("CHECK='" HIAC_CHECK "'; $CHECK " + arguments);
+  }
+  void write(const std::string& name, ZooMesh mesh) const {
+    add_node_field(mesh, "f", smooth_field);
+    write_zoo_file(file(name), {mesh, {}});
+  }
+  [[nodiscard]] nlohmann::json facts() const {
+    return nlohmann::json::parse(bytes_of(file("facts.json")));
+  }
+};
+
+const ZooMesh kTangled = inverted(structured(2, Cut::tetrahedra), [](CellId c) { return c == 5; });
+
+TEST_F(CheckTool, AValidMeshIsPassedOnAsItIs) {
+  write("m.zoo", structured(2, Cut::bricks));
+  ASSERT_EQ(check("m.zoo --overlap --cycles --directions 5 --json facts.json"), 0) << complaint();
+  EXPECT_TRUE(bytes_of(file("out.txt")) == bytes_of(file("m.zoo")));
+  EXPECT_EQ(facts()["valid"], true);
+  EXPECT_EQ(facts()["acyclic"], "delaunay");
+  EXPECT_EQ(facts()["overlap"]["by_boundary"], true);
+  EXPECT_EQ(facts()["views"].size(), 5U);
+  EXPECT_TRUE(facts()["findings"].empty());
+  EXPECT_THAT(complaint(), HasSubstr("8 brick8; 27 nodes"));
+}
+
+TEST_F(CheckTool, AnInvalidMeshIsNamedAndStopsAPipe) {
+  write("m.zoo", kTangled);
+  EXPECT_EQ(check("m.zoo --json facts.json"), 1);
+  EXPECT_EQ(bytes_of(file("out.txt")), "");
+  EXPECT_THAT(complaint(), HasSubstr("hiac-check: m.zoo: the mesh is invalid (1 inverted cells)"));
+  EXPECT_EQ(facts()["valid"], false);
+  EXPECT_EQ(facts()["findings"][0]["defect"], "inverted");
+  EXPECT_EQ(facts()["findings"][0]["ids"], nlohmann::json::array({5}));
+  EXPECT_EQ(facts()["exit_code"], 1);
+  const std::string rest = " | $SORT --view view.toml | $RENDER --view view.toml -o p.npy";
+  EXPECT_EQ(check("m.zoo" + rest), 3);
+  EXPECT_THAT(complaint(), HasSubstr("hiac-render: stdin: stream ended before"));
+  EXPECT_FALSE(std::filesystem::exists(file("p.npy")));
+  EXPECT_EQ(check("m.zoo --repair" + rest), 0) << complaint();
+  EXPECT_TRUE(std::filesystem::exists(file("p.npy")));
+}
+
+TEST_F(CheckTool, RepairSaysWhatItDid) {
+  write("m.zoo", kTangled);
+  ASSERT_EQ(check("m.zoo --repair -o mended.zoo --json facts.json"), 0) << complaint();
+  EXPECT_THAT(complaint(), HasSubstr("repaired: 1 cells reoriented, 0 cells without volume"));
+  EXPECT_EQ(facts()["repair"]["reoriented_cells"], 1);
+  EXPECT_EQ(check("mended.zoo --overlap"), 0);
+  ASSERT_EQ(check("m.zoo --repair -q --json - >facts.json"), 0);
+  EXPECT_EQ(facts()["valid"], true);
+}
+
+// Numbers that no mesh may have arrive in containers that others wrote.
+TEST_F(CheckTool, NumbersAreJudgedNotRefused) {
+  write("m.zoo", structured(1, Cut::bricks));
+  std::string bytes = bytes_of(file("m.zoo"));
+  const ZooFile whole = read_zoo_file(file("m.zoo"));
+  EXPECT_NO_THROW(read_zoo_file(file("m.zoo"), MeshNumbers::as_given));
+  EXPECT_EQ(check("nothing.zoo"), 3);
+  bytes.resize(bytes.size() - 8);
+  std::ofstream(file("short.zoo"), std::ios::binary) << bytes;
+  EXPECT_EQ(check("short.zoo"), 3);
+  EXPECT_THAT(complaint(), HasSubstr("short.zoo: "));
+}
+
+TEST_F(CheckTool, CyclesAreNamedWithTheirCells) {
+  write("m.zoo", pinwheel());
+  ASSERT_EQ(check("m.zoo --cycles --view view.toml --set 'camera.eye=[0,0,9]' --set "
+                  "'camera.up=[1,0,0]' --set 'camera.look_at=[0,0,0]' --json facts.json"),
+            0)
+      << complaint();
+  const auto group = facts()["views"][0]["groups"][0];
+  EXPECT_EQ(group["cells"], nlohmann::json::array({1, 2, 3}));
+  EXPECT_EQ(group["cycle"].size(), 3U);
+  EXPECT_EQ(group["cycle"][0]["step"], "face");
+  EXPECT_EQ(facts()["acyclic"], "unknown");
+  EXPECT_THAT(complaint(), HasSubstr("1 -face->"));
+}
+
+TEST_F(CheckTool, ThePictureShowsTheOffenders) {
+  write("m.zoo", kTangled);
+  EXPECT_EQ(check("m.zoo --picture bad.npy"), 1) << complaint();
+  write("valid.zoo", structured(2, Cut::tetrahedra));
+  EXPECT_EQ(check("valid.zoo --picture good.npy"), 0) << complaint();
+  const auto reddest = [&](const std::string& name) {
+    const Image image = read_image(file(name)).image;
+    double most = 0;
+    for (std::size_t i = 0; i + 3 < image.values().size(); i += 4)
+      most = std::max(most, image.values()[i] - image.values()[i + 1]);
+    return most;
+  };
+  EXPECT_GT(reddest("bad.npy"), 0.5);
+  EXPECT_LT(reddest("good.npy"), 0.05);
+}
+
+TEST_F(CheckTool, OptionsThatDoNotFitAreUsageErrors) {
+  write("m.zoo", structured(1, Cut::bricks));
+  for (const char* options :
+       {"--cycles", "--directions 3", "--view view.toml", "--planarity -1",
+        "--cycles --directions 3 --set a=1", "--picture x.txt", "-o - --json -"})
+    EXPECT_EQ(check(std::string("m.zoo ") + options), 2) << options;
+}
+
+}  // namespace
+}  // namespace hiac::test

@@ -1,0 +1,242 @@
+#include "tools/check/picture.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <span>
+#include <utility>
+
+#include "hiac/geometry/vector.hpp"
+#include "hiac/image/image_io.hpp"
+#include "hiac/mesh/face_adjacency.hpp"
+#include "hiac/order/visibility_order.hpp"
+#include "hiac/render/engine.hpp"
+#include "hiac/scene/scene.hpp"
+#include "hiac/scene/view_of.hpp"
+
+namespace hiac::tools {
+namespace {
+
+// What is drawn: the values of the picture's only field.
+enum class Paint : std::uint8_t { skin, edge, warning, invalid };
+
+// Parts of the model's size.
+constexpr double kSkin = 1e-3, kThread = 1.2e-3;
+// A bend of the boundary by more than this is an edge: 20 degrees.
+constexpr double kBend = 0.94;
+// Edges of so many offending cells are drawn; of more, the cells alone.
+constexpr std::size_t kMostFramed = 4000;
+
+Vector moved(const Vector& p, double by, const Vector& along) {
+  return {p[0] + by * along[0], p[1] + by * along[1], p[2] + by * along[2]};
+}
+
+// A mesh of tetrahedra, each painted.
+class Drawing {
+ public:
+  explicit Drawing(double size) : size_(size) {}
+
+  void add(const std::array<Vector, 4>& corners, Paint paint) {
+    for (const Vector& p : corners) {
+      nodes_.push_back(static_cast<NodeId>(xyz_.size() / 3));
+      xyz_.insert(xyz_.end(), p.begin(), p.end());
+    }
+    paints_.push_back(static_cast<double>(paint));
+  }
+
+  // Between two triangles, corner to corner.
+  void add_prism(const std::array<Vector, 3>& a, const std::array<Vector, 3>& b, Paint paint) {
+    add({a[0], a[1], a[2], b[2]}, paint);
+    add({a[0], a[1], b[1], b[2]}, paint);
+    add({a[0], b[0], b[1], b[2]}, paint);
+  }
+
+  void add_skin(const Vector& a, const Vector& b, const Vector& c) {
+    const Vector normal = cross(minus(b, a), minus(c, a));
+    if (!(length(normal) > 0)) return;
+    const Vector out = unit(normal);
+    const double by = kSkin * size_;
+    add_prism({a, b, c}, {moved(a, by, out), moved(b, by, out), moved(c, by, out)}, Paint::skin);
+  }
+
+  // A thread of three sides around an edge.
+  void add_thread(const Vector& a, const Vector& b, Paint paint) {
+    const Vector along = minus(b, a);
+    if (!(length(along) > 0)) return;
+    const Vector other =
+        std::abs(along[2]) < 0.9 * length(along) ? Vector{0, 0, 1} : Vector{1, 0, 0};
+    const Vector u = unit(cross(along, other)), v = unit(cross(along, u));
+    std::array<Vector, 3> from, to;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double angle = 2.0943951023931953 * static_cast<double>(k);
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double off = kThread * size_ * (std::cos(angle) * u[c] + std::sin(angle) * v[c]);
+        from[k][c] = a[c] + off;
+        to[k][c] = b[c] + off;
+      }
+    }
+    add_prism(from, to, paint);
+  }
+
+  [[nodiscard]] ZooMesh mesh() && {
+    ZooMesh mesh;
+    std::vector<std::uint64_t> elems(paints_.size() + 1);
+    for (std::size_t i = 0; i < elems.size(); ++i) elems[i] = 4 * i;
+    mesh.kinds = std::vector<CellKind>(paints_.size(), CellKind::tetrahedron4);
+    mesh.elems = std::move(elems);
+    mesh.nodes = std::move(nodes_);
+    mesh.xyz = std::move(xyz_);
+    mesh.fields.push_back({"paint", "", FieldLocation::cell, 1, std::move(paints_)});
+    return mesh;
+  }
+
+ private:
+  double size_;
+  std::vector<NodeId> nodes_;
+  std::vector<double> xyz_, paints_;
+};
+
+struct Ball {
+  Vector centre;
+  double radius;
+};
+
+Ball ball_around(const ZooMesh& mesh) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Vector low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
+  for (const NodeId node : mesh.nodes)
+    for (std::size_t c = 0; c < 3; ++c) {
+      low[c] = std::min(low[c], mesh.position(node)[c]);
+      high[c] = std::max(high[c], mesh.position(node)[c]);
+    }
+  Ball ball{};
+  for (std::size_t c = 0; c < 3; ++c) ball.centre[c] = 0.5 * low[c] + 0.5 * high[c];
+  ball.radius = length(minus(high, ball.centre));
+  return ball;
+}
+
+Vector position(const ZooMesh& mesh, NodeId node) {
+  const auto p = mesh.position(node);
+  return {p[0], p[1], p[2]};
+}
+
+// How the cells of the findings are painted.
+std::map<CellId, Paint> painted_cells(const std::vector<Finding>& findings) {
+  std::map<CellId, Paint> paints;
+  for (const Finding& finding : findings) {
+    const auto& [key, title, severity, offence, measure] = description_of(finding.defect);
+    if (severity == Severity::note || offence == Offence::node) continue;
+    const Paint paint = severity == Severity::invalid ? Paint::invalid : Paint::warning;
+    const auto put = [&](std::uint64_t cell) {
+      Paint& now = paints[static_cast<CellId>(cell)];
+      now = std::max(now, paint);
+    };
+    for (const Offender& offender : finding.offenders) {
+      put(offender.id);
+      if (offence == Offence::cell_pair) put(offender.other);
+    }
+  }
+  return paints;
+}
+
+void add_cell(const ZooMesh& mesh, CellId cell, Paint paint, bool framed, Drawing& drawing) {
+  const auto nodes = mesh.cell_nodes(cell);
+  const ShapeTopology& shape = topology_of(mesh.kinds[cell]);
+  const auto at = [&](std::size_t k) { return position(mesh, nodes[k]); };
+  Vector middle{};
+  for (std::size_t k = 0; k < shape.corner_count; ++k)
+    middle = moved(middle, 1 / static_cast<double>(shape.corner_count), at(k));
+  for (const ShapeFace& face : shape.faces)
+    for (std::size_t k = 2; k < face.corner_count; ++k)
+      drawing.add({at(face.corners[0]), at(face.corners[k - 1]), at(face.corners[k]), middle},
+                  paint);
+  if (!framed) return;
+  for (const auto& [from, to] : shape.edges) drawing.add_thread(at(from), at(to), paint);
+}
+
+// The mean normal of a face, pointing away from its cell's middle by the cell's numbering.
+Vector normal_of(const ZooMesh& mesh, std::span<const NodeId> corners) {
+  const std::size_t n = corners.size();
+  return cross(minus(mesh.position(corners[2]), mesh.position(corners[0])),
+               minus(mesh.position(corners[n - 1]), mesh.position(corners[1])));
+}
+
+// The free faces as a skin, and the edges between them that bend, or that not just two faces have.
+void add_boundary(const ZooMesh& mesh, const FaceAdjacency& adjacency, Drawing& drawing) {
+  struct Edge {
+    Vector normal;
+    int faces = 0;
+    bool bends = false;
+  };
+  std::map<std::pair<NodeId, NodeId>, Edge> edges;
+  std::size_t slot = 0;
+  for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {
+    const auto nodes = mesh.cell_nodes(cell);
+    for (const ShapeFace& face : topology_of(mesh.kinds[cell]).faces) {
+      if (adjacency.neighbors[slot++] != kNoCell) continue;
+      std::array<NodeId, 4> corners{};
+      for (std::size_t k = 0; k < face.corner_count; ++k) corners[k] = nodes[face.corners[k]];
+      const auto around = std::span(corners).first(face.corner_count);
+      for (std::size_t k = 2; k < around.size(); ++k)
+        drawing.add_skin(position(mesh, around[0]), position(mesh, around[k - 1]),
+                         position(mesh, around[k]));
+      const Vector normal = normal_of(mesh, around);
+      for (std::size_t k = 0; k < around.size(); ++k) {
+        const NodeId a = around[k], b = around[(k + 1) % around.size()];
+        Edge& edge = edges[{std::min(a, b), std::max(a, b)}];
+        edge.bends =
+            edge.bends || (edge.faces > 0 &&
+                           dot(edge.normal, normal) < kBend * length(edge.normal) * length(normal));
+        edge.normal = normal;
+        ++edge.faces;
+      }
+    }
+  }
+  for (const auto& [ends, edge] : edges)
+    if (edge.bends || edge.faces != 2)
+      drawing.add_thread(position(mesh, ends.first), position(mesh, ends.second), Paint::edge);
+}
+
+Scene scene_around(const Ball& ball) {
+  constexpr Vector kTowardsEye{0.55, -0.75, 0.45};
+  constexpr double kFov = 30, kSineOfHalf = 0.25881904510252074;
+  Scene scene;
+  scene.image = {1024, 768};
+  scene.camera.look_at = ball.centre;
+  scene.camera.eye = moved(ball.centre, 1.02 * ball.radius / kSineOfHalf, unit(kTowardsEye));
+  scene.camera.up = {0, 0, 1};
+  scene.camera.fov = kFov;
+  const double skin = 0.12 / (kSkin * ball.radius), solid = 4 / (kThread * ball.radius);
+  scene.volume.color = ColorTransfer{"paint",
+                                     {{0, {0.05, 0.12, 0.25}},
+                                      {1, {0.01, 0.02, 0.04}},
+                                      {2, {0.9, 0.35, 0.02}},
+                                      {3, {0.8, 0.01, 0.01}}}};
+  scene.volume.extinction = ExtinctionTransfer{
+      "paint", {{0, {skin}}, {1, {solid}}, {2, {0.1 * solid}}, {3, {0.1 * solid}}}};
+  scene.background.color = {1, 1, 1};
+  return scene;
+}
+
+}  // namespace
+
+void write_defect_picture(Tool& tool, const ZooMesh& mesh, const FaceAdjacency& adjacency,
+                          const std::vector<Finding>& findings, const std::string& path) {
+  const Ball ball = ball_around(mesh);
+  Drawing drawing(ball.radius);
+  const auto paints = painted_cells(findings);
+  for (const auto& [cell, paint] : paints)
+    add_cell(mesh, cell, paint, paints.size() <= kMostFramed, drawing);
+  add_boundary(mesh, adjacency, drawing);
+  const ZooMesh drawn = std::move(drawing).mesh();
+  const Scene scene = scene_around(ball);
+  const OrderResult order = exact_order(drawn, build_face_adjacency(drawn), view_of(scene.camera),
+                                        scene.render.planarity);
+  const RenderResult result = render(drawn, order.order, scene, true, &tool.progress());
+  write_image(path, result.image);
+}
+
+}  // namespace hiac::tools
