@@ -10,6 +10,7 @@
 #include "hiac/render/renderable.hpp"
 #include "tests/render/general_meshes.hpp"
 #include "tests/render/polyhedron_reference.hpp"
+#include "tests/render/scene_truth.hpp"
 #include "tests/support/reference.hpp"
 
 namespace hiac {
@@ -109,7 +110,42 @@ TEST(Isosurfaces, CellsOfOtherKindsAgreeWithBruteForce) {
     for (const char* field : {"f", "g"}) {
       Scene scene = cube_scene(Projection::perspective, 8, 7);
       add_surfaces(scene, field);
-      EXPECT_LE(error_of_polyhedra(mesh, scene), 1e-11) << field << ' ' << mesh.cell_count();
+      EXPECT_LE(error_of_polyhedra(mesh, scene), 1e-12) << field << ' ' << mesh.cell_count();
+    }
+  }
+}
+
+// Colour, extinction and isosurfaces by three fields, on nodes, cells and cells' corners, in cells
+// of every linear kind.
+TEST(Isosurfaces, FiveWithThreeFieldsAgreeWithTheTruth) {
+  for (ZooMesh mesh :
+       {test::random_delaunay(40, 8), test::moved(test::structured(2, Cut::bricks), test::tapered),
+        test::moved(test::structured(2, Cut::prisms), test::tapered),
+        test::moved(test::structured(1, Cut::pyramids), test::tapered),
+        test::moved(test::two_wedges(), test::tapered),
+        test::moved(test::mixed_columns(2), test::sheared)}) {
+    test::add_random_field(mesh, "node", FieldLocation::node, 31);
+    test::add_random_field(mesh, "cell", FieldLocation::cell, 32);
+    test::add_random_field(mesh, "corner", FieldLocation::corner, 33);
+    test::add_random_field(mesh, "other", FieldLocation::node, 34);
+    for (const auto& [color, extinction, iso] : {std::array{"corner", "cell", "node"},
+                                                 {"node", "other", "corner"},
+                                                 {"cell", "corner", "other"}}) {
+      Scene scene = cube_scene(Projection::perspective, 11, 9);
+      scene.volume.color->field = color;
+      scene.volume.extinction->field = extinction;
+      add_surfaces(scene, iso);
+      check_renderable(mesh, scene);
+      const test::SceneTruth truth(mesh, scene);
+      EXPECT_LE(largest_error(scene, draw(mesh, scene).image,
+                              [&](std::uint32_t x, std::uint32_t y) {
+                                const auto p = truth.pixel(x, y);
+                                return std::array{
+                                    static_cast<double>(p[0]), static_cast<double>(p[1]),
+                                    static_cast<double>(p[2]), static_cast<double>(1 - p[3])};
+                              }),
+                1e-12)
+          << color << ' ' << extinction << ' ' << iso << ' ' << mesh.cell_count();
     }
   }
 }
@@ -122,7 +158,7 @@ TEST(Isosurfaces, EyeInsideAgreesWithBruteForce) {
   scene.camera.look_at = {0.9, 0.3, 0.5};
   scene.camera.fov = 100;
   add_surfaces(scene, "f");
-  EXPECT_LE(error_of_polyhedra(bricks, scene), 1e-11);
+  EXPECT_LE(error_of_polyhedra(bricks, scene), 1e-12);
   scene.camera.eye = {0.43, 0.52, 0.61};
   scene.image = {24, 20};
   EXPECT_LE(error_of_tetrahedra(delaunay_with_fields(60, 4), scene), 1e-12);
@@ -139,7 +175,7 @@ TEST(Isosurfaces, ClippingSlabAgreesWithBruteForce) {
     EXPECT_LE(error_of_tetrahedra(mesh, scene), 1e-12);
     scene.image = {8, 7};
     add_surfaces(scene, "f");
-    EXPECT_LE(error_of_polyhedra(columns, scene), 1e-11);
+    EXPECT_LE(error_of_polyhedra(columns, scene), 1e-12);
   }
 }
 

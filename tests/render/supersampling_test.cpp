@@ -196,5 +196,60 @@ TEST(Supersampling, TooManyOrNoSamplesAreRefused) {
     EXPECT_THROW((void)sampled(mesh, scene, {samples, SampleFilter::box}), UsageError);
 }
 
+// Of two layers, one of which is seen by a part of each pixel at the border.
+TEST(Supersampling, ChannelsAreMeansOfSamples) {
+  const ZooMesh mesh = mesh_with_field();
+  Scene scene = test::cube_scene(Projection::perspective, 24, 20);
+  scene.background.color = {0.4, 0.2, 0.1};
+  const std::vector<Channel> channels{Channel::error, Channel::depth, Channel::mean_depth,
+                                      Channel::transparency, Channel::cells};
+  const VisibilityOrder order = order_of_scene(mesh, scene);
+  const auto sampled_with = [&](std::uint32_t n, bool background) {
+    return render_supersampled(mesh, order, scene, whole_picture(scene.image),
+                               {n, SampleFilter::box}, background, nullptr, channels)
+        .image;
+  };
+  const Image once = sampled_with(1, false);
+  const Image plain = render(mesh, order, scene, false, nullptr, channels).image;
+  for (std::uint32_t y = 0; y < 20; ++y)
+    for (std::uint32_t x = 0; x < 24; ++x)
+      for (std::size_t c = 4; c < 9; ++c) {
+        if (std::isinf(plain.at(x, y, c))) {
+          ASSERT_EQ(once.at(x, y, c), plain.at(x, y, c));
+          continue;
+        }
+        ASSERT_NEAR(once.at(x, y, c), plain.at(x, y, c), 1e-13) << c;
+      }
+  Scene fine = scene;
+  fine.image = {72, 60};
+  const Image samples = render(mesh, order, fine, false, nullptr, channels).image;
+  const Image mean = sampled_with(3, true);
+  std::size_t partly = 0;
+  for (std::uint32_t y = 0; y < 20; ++y)
+    for (std::uint32_t x = 0; x < 24; ++x) {
+      double error = 0, depth = 0, seen = 0, cells = 0;
+      for (std::uint32_t k = 0; k < 9; ++k) {
+        const auto sample = samples.pixel(3 * x + k % 3, 3 * y + k / 3);
+        error += sample[4] / 9;
+        cells += sample[8] / 9;
+        if (std::isinf(sample[5])) continue;
+        depth += sample[5];
+        seen += 1;
+      }
+      if (seen > 0 && seen < 9) ++partly;
+      ASSERT_GE(mean.at(x, y, 4), error * 1.4 * (1 - 1e-12));
+      ASSERT_LE(mean.at(x, y, 4), error * 1.4 + 1e-13);
+      ASSERT_NEAR(mean.at(x, y, 7), 1 - mean.at(x, y, 3), 1e-15);
+      ASSERT_NEAR(mean.at(x, y, 8), cells, 1e-12);
+      if (seen == 0) {
+        ASSERT_TRUE(std::isinf(mean.at(x, y, 5)));
+      } else {
+        ASSERT_NEAR(mean.at(x, y, 5), depth / seen, 1e-12);
+        ASSERT_GE(mean.at(x, y, 6), mean.at(x, y, 5) - 1e-12);
+      }
+    }
+  EXPECT_GT(partly, 5U);
+}
+
 }  // namespace
 }  // namespace hiac

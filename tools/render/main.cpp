@@ -357,11 +357,10 @@ int main(int argc, char** argv) {
   app.add_option("--set", options.overrides, "Override KEY=VALUE of the specification; repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  auto* channels =
-      app.add_option("--channels", options.channels,
-                     "Further channels of the picture, with commas between: " + channel_names())
-          ->type_name("LIST");
-  add_picture_options(app, options.picture, channels);
+  app.add_option("--channels", options.channels,
+                 "Further channels of the picture, with commas between: " + channel_names())
+      ->type_name("LIST");
+  add_picture_options(app, options.picture);
   app.add_option("--under", options.under,
                  "Put this picture behind the new one, in place of the background: linear values, "
                  "premultiplied by its alpha")

@@ -37,13 +37,12 @@ std::array<std::uint32_t, 2> parse_pixel(const std::string& text) {
   return numbers;
 }
 
-void add_picture_options(CLI::App& app, PictureOptions& options, CLI::Option* channels) {
+void add_picture_options(CLI::App& app, PictureOptions& options) {
   app.add_option("--crop", options.crop,
                  "Only these W x H pixels, from column X and row Y on; as in the whole picture")
       ->type_name("X,Y,W,H");
   CLI::Option* samples =
       app.add_option("--samples", options.samples, "N x N rays a pixel, filtered, instead of one")
-          ->excludes(channels)
           ->type_name("N");
   app.add_option("--filter", options.filter,
                  "Of the samples: box (their mean; the default) or bspline (three pixels wide)")
@@ -68,7 +67,7 @@ RenderResult render_choice(const ZooMesh& mesh, const VisibilityOrder& order, co
                            bool with_background, Progress* progress) {
   if (choice.sampling)
     return render_supersampled(mesh, order, scene, choice.part, *choice.sampling, with_background,
-                               progress);
+                               progress, channels);
   const PartRenderer renderer(mesh, order, scene, channels);
   RenderResult result = renderer.render(choice.part, with_background, progress);
   result.statistics.prepare_seconds += renderer.prepare_seconds();

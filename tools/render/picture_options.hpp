@@ -19,8 +19,8 @@ struct PictureOptions {
   std::optional<std::uint32_t> samples;
 };
 
-/// Adds --crop, --samples and --filter. `channels`: the option that samples cannot have.
-void add_picture_options(CLI::App& app, PictureOptions& options, CLI::Option* channels);
+/// Adds --crop, --samples and --filter.
+void add_picture_options(CLI::App& app, PictureOptions& options);
 
 /// X,Y, as --pixel has it: column and row of a pixel. Throws UsageError when it is something else.
 std::array<std::uint32_t, 2> parse_pixel(const std::string& text);

@@ -23,4 +23,13 @@ std::array<CellMap::Point, CellMap::kMostNodes> cell_positions(const ZooMesh& me
   return positions;
 }
 
+std::array<CellMap::Point, CellMap::kMostNodes> relative_positions(const ZooMesh& mesh, CellId cell,
+                                                                   const Projector& projector) {
+  const auto nodes = mesh.cell_nodes(cell);
+  std::array<CellMap::Point, CellMap::kMostNodes> positions;
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    positions[k] = projector.relative(mesh.position(nodes[k]));
+  return positions;
+}
+
 }  // namespace hiac

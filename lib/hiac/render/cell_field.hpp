@@ -6,6 +6,7 @@
 #include "hiac/mesh/interpolant_range.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/render/frame_field.hpp"
+#include "hiac/render/projection.hpp"
 
 namespace hiac {
 
@@ -22,5 +23,9 @@ CellField cell_field(const ZooMesh& mesh, CellId cell, const FrameField& field, 
 
 /// The positions of a cell's nodes; entries beyond them are not set.
 std::array<CellMap::Point, CellMap::kMostNodes> cell_positions(const ZooMesh& mesh, CellId cell);
+
+/// The same in the frame of Projector::relative.
+std::array<CellMap::Point, CellMap::kMostNodes> relative_positions(const ZooMesh& mesh, CellId cell,
+                                                                   const Projector& projector);
 
 }  // namespace hiac

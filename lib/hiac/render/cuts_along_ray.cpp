@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "hiac/mesh/shape_functions.hpp"
+#include "hiac/render/gradient_bound.hpp"
 #include "hiac/render/gradient_direction.hpp"
 
 namespace hiac {
@@ -58,23 +59,40 @@ void follow(const FieldAlongRay::Piece& piece, double rounding, std::vector<Root
   }
 }
 
+// Whether rounding may have changed the order of surfaces of different fields or values.
+bool order_doubtful(const std::vector<IsosurfaceCrossing>& found) {
+  for (std::size_t i = 0; i + 1 < found.size(); ++i)
+    for (std::size_t j = i + 1; j < found.size(); ++j) {
+      const IsosurfaceCrossing &a = found[i], &b = found[j];
+      const bool same =
+          a.surface->field == b.surface->field && a.surface->value == b.surface->value;
+      if (!same && b.t - a.t <= a.moved + b.moved) return true;
+    }
+  return false;
+}
+
 }  // namespace
 
-bool CutsAlongRay::enter(CellId cell, double aside) {
+bool CutsAlongRay::enter(CellId cell, const RayDisplacement& displacement) {
   cuts_.clear();
+  displacement_ = displacement;
   const auto in_cell = frame_.isosurfaces.in(cell);
   if (in_cell.empty()) return false;
   const ZooMesh& mesh = frame_.mesh;
   kind_ = mesh.kinds[cell];
   const auto nodes = mesh.cell_nodes(cell);
-  nodes_ = cell_positions(mesh, cell);
+  nodes_ = relative_positions(mesh, cell, frame_.projector);
+  std::optional<GradientBound> gradient;
+  if (frame_.with_error) gradient.emplace(kind_, nodes_);
   for (const IsosurfaceCut& in : in_cell) {
     Cut& cut = cuts_.emplace_back();
     cut.surface = &frame_.isosurfaces.surfaces[in.surface];
     cut.closed_faces = in.closed_faces;
     cut.offsets =
         cell_field(mesh, cell, frame_.isosurfaces.fields[cut.surface->field], cut.surface->value);
-    cut.aside = aside;
+    if (gradient)
+      cut.error = field_error({cut.offsets.least, cut.offsets.most}, (*gradient)(cut.offsets),
+                              displacement, kAlongRayRounding);
     for (std::size_t f = 0; f < face_count(kind_); ++f)
       cut.faces[f] = face_offsets(kind_, f, nodes, cut.offsets.values);
   }
@@ -136,12 +154,7 @@ void CutsAlongRay::add_places(const CellMap& map, const CellCrossing& crossing,
     changes.certain(below_at_face(cut, crossing, crossing.back_face, crossing.back,
                                   pieces_.empty() ? 0 : end_value(pieces_.back(), 1)),
                     1, 1);
-  if (frame_.with_error)
-    add_doubts(stretch, cut,
-               field_error({cut.offsets.least, cut.offsets.most},
-                           steepest(kind_, map, cut.offsets.most - cut.offsets.least),
-                           cut.aside + map.straightened()) +
-                   2 * rounding);
+  if (frame_.with_error) add_doubts(stretch, cut, cut.error + 2 * rounding);
 }
 
 // In the camera's frame; `rounding`: what its direction is wrong by.
@@ -180,8 +193,8 @@ IsosurfaceCrossing CutsAlongRay::crossing_at(const CellMap& map, const CellCross
   found.shade = shade_isosurface(*cut.surface, frame_.isosurfaces.lights, normal, ray);
   if (!frame_.with_error) return found;
   found.moved = moved;
-  for (const double t : {std::max(stretch.front, found.t - moved - cut.aside),
-                         std::min(stretch.back, found.t + moved + cut.aside)}) {
+  for (const double t : {std::max(stretch.front, found.t - moved - displacement_.aside),
+                         std::min(stretch.back, found.t + moved + displacement_.aside)}) {
     double other_angle = 0;
     const auto other = normal_at(map, stretch, cut, t, other_angle);
     // normals point to either side
@@ -206,6 +219,7 @@ void CutsAlongRay::find(const CellMap& map, const CellCrossing& crossing, const 
           crossing_at(map, crossing, stretch, cut, places_[i], frame_.with_error ? moved_[i] : 0));
   }
   std::ranges::stable_sort(found, {}, &IsosurfaceCrossing::t);
+  if (frame_.with_error && order_doubtful(found)) doubtful_ = true;
 }
 
 }  // namespace hiac

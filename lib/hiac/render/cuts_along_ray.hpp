@@ -30,9 +30,9 @@ class CutsAlongRay {
  public:
   explicit CutsAlongRay(const Frame& frame) : frame_(frame) {}
 
-  /// Takes the surfaces of a cell; `aside` is its displacement (error_bound.hpp), where errors are
-  /// asked for. False, and nothing else may be asked, when there is none.
-  bool enter(CellId cell, double aside);
+  /// Takes the surfaces of a cell; `displacement` is the cell's where errors are asked for. False,
+  /// and nothing else may be asked, when there is none.
+  bool enter(CellId cell, const RayDisplacement& displacement);
 
   /// Replaces `found` by the crossings on a stretch, what `crossing` has after z-clipping, in the
   /// order in which they are met. `map`: of the cell.
@@ -54,7 +54,7 @@ class CutsAlongRay {
     CellField offsets;
     std::array<FaceOffsets, 6> faces;
     std::uint8_t closed_faces;
-    double aside = 0;  // the cell's displacement
+    double error = 0;  // of the offsets
   };
 
   void add_places(const CellMap& map, const CellCrossing& crossing, const RayStretch& stretch,
@@ -71,6 +71,7 @@ class CutsAlongRay {
   const Frame& frame_;
   CellKind kind_{};
   std::vector<Cut> cuts_;
+  RayDisplacement displacement_;
   std::array<CellMap::Point, CellMap::kMostNodes> nodes_{};
   // of the ray and the cut at hand
   std::vector<FieldAlongRay::Piece> pieces_;

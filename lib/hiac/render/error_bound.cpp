@@ -11,7 +11,6 @@ namespace {
 
 constexpr double kUnit = 0x1p-53;
 constexpr double kPieceError = 2e-14;
-constexpr double kSnapPixels = 0x1p-38;  // projection.cpp, kCenterRounding
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // J^-T g without the determinant, and the sum of what was added up.
@@ -32,9 +31,14 @@ Cofactors cofactors(const std::array<Vector, 3>& columns, const Vector& g) {
   return result;
 }
 
+// One transfer function on the values of a cell, of any channel.
+struct FunctionBounds {
+  double most = 0, slope = 0, jump = 0, rounding = 0, pieces = 0;
+};
+
 template <std::size_t N>
-void add_function(const TransferTable<N>& table, ValueRange range, double& most, double& slope,
-                  double& jump, double& pieces) {
+FunctionBounds function_bounds(const TransferTable<N>& table, ValueRange range) {
+  FunctionBounds f;
   const auto value = [&](std::size_t c, std::size_t k, double s) {
     return table.value[c][k] + table.slope[c][k] * (s - table.anchor[k]);
   };
@@ -42,88 +46,85 @@ void add_function(const TransferTable<N>& table, ValueRange range, double& most,
     const double low = std::max(table.lower[k], range.least);
     const double high = std::min(table.upper[k], range.most);
     if (low > high) continue;
-    pieces += 1;
+    f.pieces += 1;
+    const double reach =
+        std::max(std::abs(low - table.anchor[k]), std::abs(high - table.anchor[k]));
     double step = 0;
     for (std::size_t c = 0; c < N; ++c) {
-      most = std::max({most, std::abs(value(c, k, low)), std::abs(value(c, k, high))});
-      slope = std::max(slope, std::abs(table.slope[c][k]));
+      const double slope = std::abs(table.slope[c][k]);
+      f.most = std::max({f.most, std::abs(value(c, k, low)), std::abs(value(c, k, high))});
+      f.slope = std::max(f.slope, slope);
+      f.rounding = std::max(f.rounding, 8 * kUnit * (std::abs(table.value[c][k]) + slope * reach));
       if (k > 0 && table.lower[k] >= range.least)
         step = std::max(step, std::abs(value(c, k, low) - value(c, k - 1, table.lower[k])));
     }
-    if (step > 16 * kUnit * most) jump += step;
+    if (step > 2 * f.rounding) f.jump += step;
   }
+  f.most += f.rounding;
+  return f;
 }
 
 // On how much of a segment a linear field is within its error of a value.
 double doubtful_length(double length, double error, double change) {
+  if (error == 0) return 0;
   return 2 * error < change ? length * 2 * error / change : length;
 }
 
+// Not less than e^x - 1.
 double exponential_growth(double x) { return x < 0.5 ? x + x * x : kInfinity; }
+
+// Not less than x / (1 - x).
+double inflated(double x) { return x < 0.5 ? x + 2 * x * x : kInfinity; }
+
+// Error of c^s, 0 where c < 0, for a c that is wrong by `error`: by the mean value theorem away
+// from 0.
+double highlight_error(double s, double c, double error) {
+  if (c < -error) return 0;
+  if (s < 1 && c <= 2 * error) return std::pow(c + error, s);
+  const double steepest = s < 1 ? c - error : std::min(1.0, c + error);
+  return s * std::pow(steepest, s - 1) * error;
+}
 
 }  // namespace
 
 CellOptics cell_optics(const OpticsTables& optics, ValueRange color, ValueRange extinction) {
-  CellOptics cell;
-  double color_pieces = 0;
-  add_function(optics.extinction, extinction, cell.tau_most, cell.tau_slope, cell.tau_jump,
-               cell.pieces);
-  add_function(optics.color, color, cell.color_most, cell.color_slope, cell.color_jump,
-               color_pieces);
-  if (!optics.same_field) cell.pieces += color_pieces;
-  return cell;
-}
-
-double steepest(CellKind kind, const CellMap& map, double range) {
-  const auto order = static_cast<double>(order_of(kind));
-  return 16 * order * order * map.steepness() * range;
-}
-
-double displacement(const Frame& frame, CellId cell) {
-  const Projector& projector = frame.projector;
-  double reach = 0, aside = 0, moved = 0;
-  const auto at_center = [](double x) { return x - std::floor(x) == 0.5; };
-  for (const NodeId node : frame.mesh.cell_nodes(cell)) {
-    const Vector c = projector.camera_coordinates(frame.mesh.position(node));
-    reach = std::max(reach, length(c));
-    const ProjectedNode& p = frame.nodes[node];
-    if (std::isnan(p.depth)) {
-      moved = kSnapPixels;
-      continue;
-    }
-    aside = std::max({aside, std::abs(p.x), std::abs(p.y)});
-    if (at_center(p.x) || at_center(p.y)) moved = kSnapPixels;
-  }
-  const double pixels = moved + 16 * kUnit * aside;
-  return 32 * kUnit * reach +
-         pixels * (projector.perspective() ? reach : 1) / projector.pixels_per_unit();
+  const FunctionBounds t = function_bounds(optics.extinction, extinction);
+  const FunctionBounds c = function_bounds(optics.color, color);
+  return {t.most,     t.slope,    t.jump,
+          t.rounding, c.most,     c.slope,
+          c.jump,     c.rounding, t.pieces + (optics.same_field ? 0 : c.pieces)};
 }
 
 double gradient_length(const std::array<Vector, 3>& edges, const Vector& differences) {
-  const double volume = std::abs(dot(edges[0], cross(edges[1], edges[2])));
-  const double size = length(cofactors(edges, differences).sum);
-  return volume > 0 ? size / volume : kInfinity;
+  const double rounding = 16 * kUnit * length(edges[0]) * length(edges[1]) * length(edges[2]);
+  const double volume = std::abs(dot(edges[0], cross(edges[1], edges[2]))) - rounding;
+  const Cofactors c = cofactors(edges, differences);
+  return volume > 0 ? (length(c.sum) + 16 * kUnit * c.size) / volume : kInfinity;
 }
 
 double gradient_condition(const std::array<Vector, 3>& columns, const Vector& gradient) {
   const Cofactors c = cofactors(columns, gradient);
   const double size = length(c.sum);
-  return size > 0 ? c.size / size : kInfinity;
+  return size > 0 ? inflated(32 * kUnit * c.size / size) / (32 * kUnit) : kInfinity;
 }
 
-double field_error(ValueRange range, double gradient, double aside) {
+double field_error(ValueRange range, double gradient, const RayDisplacement& moved,
+                   double rounding) {
+  const double difference = range.most - range.least;
+  if (difference == 0) return 0;
   const double largest = std::max(std::abs(range.least), std::abs(range.most));
-  const double moved = range.most > range.least ? gradient * aside : 0;
-  return std::min(range.most - range.least, moved) + 24 * kUnit * largest;
+  return std::min(difference, gradient * moved.aside + rounding * kUnit * moved.spread * largest);
 }
 
 ErrorBound segment_bound(const CellOptics& cell, bool emission, const SegmentFacts& s) {
-  const double tau_error = cell.tau_slope * s.extinction_error + 8 * kUnit * cell.tau_most;
+  const double tau_error =
+      cell.tau_slope * s.extinction_error + cell.tau_rounding + 8 * kUnit * cell.tau_most;
   double depth = s.length * tau_error;
   if (cell.tau_jump > 0)
     depth += cell.tau_jump * doubtful_length(s.length, s.extinction_error, s.extinction_change);
   const double relative = cell.pieces * kPieceError;
-  const double color_error = cell.color_slope * s.color_error + 8 * kUnit * cell.color_most;
+  const double color_error =
+      cell.color_slope * s.color_error + cell.color_rounding + 8 * kUnit * cell.color_most;
   double jumped = 0;
   if (cell.color_jump > 0)
     jumped = cell.color_jump * doubtful_length(s.length, s.color_error, s.color_change);
@@ -134,10 +135,11 @@ ErrorBound segment_bound(const CellOptics& cell, bool emission, const SegmentFac
   if (emission) {
     bound.radiance = s.length * (color_error + cell.color_most * (depth + relative)) + jumped;
   } else {
+    // with d the error of the depth: int |tau' - tau| e^-A <= d, int tau |e^-A' - e^-A| <= e^d - 1
     const double weight = std::min(1.0, s.opacity + depth);
     bound.radiance = weight * (color_error + cell.color_most * relative) + cell.tau_most * jumped +
-                     2 * cell.color_most * depth;
-    bound.radiance = std::min(bound.radiance, cell.color_most);
+                     cell.color_most * (depth + exponential_growth(depth));
+    bound.radiance = std::min(bound.radiance, 1.001 * cell.color_most);
   }
   return bound;
 }
@@ -152,13 +154,21 @@ ErrorBound cut_bound(const CellOptics& cell, bool emission, double largest_light
                      const CutFacts& cut, const ErrorBound& shade) {
   const bool doubtful =
       std::abs(cut.front) < cut.front_error || std::abs(cut.back) < cut.back_error;
-  if (doubtful) return {largest_light + cell.color_most * (emission ? cut.length : 1), 1};
+  if (doubtful) return whole_bound(cell, emission, largest_light, cut.length);
   if (!cut.crossed) return {};
-  const double moved = doubtful_length(cut.length, std::max(cut.front_error, cut.back_error),
-                                       std::abs(cut.front - cut.back));
+  const double moved = cut_doubt(cut);
   const double volume = cell.color_most * moved * (emission ? 1 : cell.tau_most) +
                         std::min(1.0, cell.tau_most * moved) * largest_light;
   return {shade.radiance + volume, shade.transparency};
+}
+
+ErrorBound whole_bound(const CellOptics& cell, bool emission, double largest_light, double length) {
+  return {largest_light + cell.color_most * (emission ? length : 1), 1};
+}
+
+double cut_doubt(const CutFacts& cut) {
+  return doubtful_length(cut.length, std::max(cut.front_error, cut.back_error),
+                         std::abs(cut.front - cut.back));
 }
 
 ErrorBound shade_bound(const FrameIsosurface& surface, std::span<const FrameLight> lights,
@@ -179,10 +189,12 @@ ErrorBound shade_bound(const FrameIsosurface& surface, std::span<const FrameLigh
     const double strength = *std::ranges::max_element(l.color);
     const double to_light = l.headlight ? facing : side * dot(normal, l.direction);
     light += strength * (surface.diffuse * most_color + surface.specular);
-    // a highlight moves by three times the normal's angle; it begins at once
-    double highlight = surface.shininess >= 1 ? surface.shininess * 6 * angle
-                                              : std::pow(6 * angle, surface.shininess);
-    if (std::abs(to_light) <= 2 * angle) highlight = 1;
+    const double towards_eye = l.headlight ? 1 : -dot(ray, l.direction);
+    // it begins at once
+    const double highlight =
+        std::abs(to_light) <= 2 * angle
+            ? 1
+            : highlight_error(surface.shininess, 2 * to_light * facing - towards_eye, 6 * angle);
     light_error += strength * (surface.diffuse * most_color * 2 * angle +
                                surface.specular * std::min(1.0, highlight));
   }
@@ -196,7 +208,8 @@ double pixel_error(const Frame& frame, const PixelDetails& pixel, double transpa
                    double background) {
   // where the ray was ended early there may be more
   const bool ended = transparency <= frame.least_transparency;
-  const double behind = ended ? transparency * frame.largest_light : 0;
+  const double left = transparency + pixel.transparency_error;
+  const double behind = ended ? left * frame.largest_light : 0;
   const double lost = pixel.transparency_error + pixel.open_edge + (ended ? transparency : 0);
   return std::max(pixel.radiance_error + pixel.open_edge + behind + lost * background, lost) +
          4 * 0x1p-53 * (1 + background);

@@ -4,35 +4,42 @@
 #include <cstddef>
 #include <span>
 
-#include "hiac/geometry/inverse_map.hpp"
 #include "hiac/render/frame.hpp"
 #include "hiac/render/pixel_details.hpp"
+#include "hiac/render/ray_displacement.hpp"
 
 namespace hiac {
 
 /// The bound of a pixel's error (the channel "error"): of R, G, B and A, against the picture that
 /// exact arithmetic would make of the same mesh, order and specification.
 ///
-/// The model, with u = 2^-53 the unit roundoff. It is of first order: products of two rounding
-/// errors are left out, and the constants are at least twice what counting operations gives.
+/// The model, with u = 2^-53 the unit roundoff; docs/accuracy.md says what of it is proven and
+/// what assumed. Its constants are at least twice what counting operations gives, which is more
+/// than enough for the products of two rounding errors that the count leaves out; effects that
+/// are not small, such as a doubtful optical depth, are taken at their full size.
 ///
-/// - Projection (displacement): a ray meets a face as if displaced sideways by at most
-///   32 u times the distance of the cell from the eye (look_at, in parallel views), plus 16 u times
-///   the projected coordinates, and 2^-38 pixels where a corner was moved to a pixel's centre by
-///   as much (projection.cpp). On shared faces both cells are displaced alike, so that a ray is
-///   followed without gap or overlap, displaced a little differently in every cell.
-/// - Fields (FieldError): a field is wrong by its gradient times that, and by 24 u of its largest
-///   value in the cell; by the cell's whole range at most.
+/// - Projection (ray_displacement.hpp): a ray meets a cell as if displaced sideways by at most
+///   32 u times the distance of the cell from the eye (look_at, in parallel views) times the spread
+///   of the cell's depths (perspective interpolates 1/t), plus 16 u times the projected
+///   coordinates, and 2^-38 pixels where a corner was moved to a pixel's centre by as much
+///   (projection.cpp); in other cells than tetrahedra by what faces are off their planes, too. On
+///   shared faces both cells are displaced alike, so that a ray is followed without gap or overlap,
+///   displaced a little differently in every cell.
+/// - Fields (field_error): a field is wrong by its steepest gradient (gradient_bound.hpp) times
+///   that, and by 24 u (64 u where it is interpolated along the ray) of its largest value in the
+///   cell times the spread; by the cell's whole range at most; not at all where it is constant.
 /// - Optics (segment_bound): what that does to extinction and colour, by their steepest slopes on
-///   the cell's values; where they jump, on the stretch of the ray on which the field is in doubt
-///   about the jump; 1e-14 for each piece's weights (linear_piece.hpp), their evaluation and their
-///   products, or the bound of the quadrature (polynomial_piece.hpp).
-/// - Ends (edge_bound): where a ray enters or leaves a mesh, or fields jump from cell to cell, the
-///   displacement times the face's slope is volume gained or lost.
+///   the cell's values, and 8 u of all that their evaluation adds up; where they jump, on the
+///   stretch of the ray on which the field is in doubt about the jump; 2e-14 for each piece's
+///   weights (linear_piece.hpp), their evaluation and their products, or the bound of the
+///   quadrature (polynomial_piece.hpp).
+/// - Ends (edge_bound): where a ray enters or leaves a mesh, or fields jump from cell to cell, what
+///   the displacement moves the ends of its part inside the cell by (EndDoubts) is volume gained or
+///   lost.
 /// - Isosurfaces: the field's error over its change along the ray moves a surface through the
 ///   volume; the normal is wrong by 16 u times the condition of the gradient. A surface is in doubt
 ///   altogether where the field on the face where the ray enters or leaves the cell is its value to
-///   within its error, but not exactly.
+///   within its error, but not exactly; so are two surfaces whose places overlap.
 /// - Compositing: every bound counts times the transparency in front of it; what becomes of the
 ///   transparency is followed alongside. Where a ray was ended early, the transparency left times
 ///   the largest light behind is added.
@@ -45,20 +52,13 @@ struct ErrorBound {
   double transparency = 0;  ///< absolute, too
 };
 
-/// The transfer functions on the values of one cell: largest values, steepest slopes, sums of jumps
-/// and, for each cell, how many pieces a segment may have.
+/// The transfer functions on the values of one cell: largest values, steepest slopes, sums of
+/// jumps, rounding of their evaluation and, for each cell, how many pieces a segment may have.
 struct CellOptics {
-  double tau_most = 0, tau_slope = 0, tau_jump = 0;
-  double color_most = 0, color_slope = 0, color_jump = 0;
+  double tau_most = 0, tau_slope = 0, tau_jump = 0, tau_rounding = 0;
+  double color_most = 0, color_slope = 0, color_jump = 0, color_rounding = 0;
   double pieces = 0;
 };
-
-/// No interpolant of `range`, from its least to its greatest value, is steeper than this in a cell
-/// of a kind: 16 times the square of the order times the range times CellMap::steepness. In
-/// collapsed coordinates a Bernstein polynomial's slope is at most its degree times its range, and
-/// where they taper by 1 / w the coefficients at the tip, all equal, leave as much again. The map
-/// may be four times as steep elsewhere as in the middle.
-double steepest(CellKind kind, const CellMap& map, double range);
 
 /// Values of a field in a cell.
 struct ValueRange {
@@ -66,11 +66,8 @@ struct ValueRange {
 };
 CellOptics cell_optics(const OpticsTables& optics, ValueRange color, ValueRange extinction);
 
-/// How far from its ray a cell may be met sideways, world units.
-double displacement(const Frame& frame, CellId cell);
-
-/// Length of the gradient of a linear field in a tetrahedron: `edges` from its corner 0, and the
-/// field's differences along them. Infinite without volume.
+/// Length of the gradient of a linear field in a tetrahedron, not too small: `edges` from its
+/// corner 0, and the field's differences along them. Infinite without volume.
 double gradient_length(const std::array<std::array<double, 3>, 3>& edges,
                        const std::array<double, 3>& differences);
 
@@ -78,8 +75,10 @@ double gradient_length(const std::array<std::array<double, 3>, 3>& edges,
 double gradient_condition(const std::array<std::array<double, 3>, 3>& columns,
                           const std::array<double, 3>& gradient);
 
-/// Error of a field in a cell: see the model.
-double field_error(ValueRange range, double gradient, double aside);
+/// Error of a field in a cell: see the model. `rounding`: of the largest value, in units of u.
+inline constexpr double kTetrahedronRounding = 24, kAlongRayRounding = 64;
+double field_error(ValueRange range, double gradient, const RayDisplacement& moved,
+                   double rounding);
 
 /// One segment: its length, what the fields are wrong by, and how much they change along it where
 /// they are linear (0 where not).
@@ -105,6 +104,12 @@ struct CutFacts {
 /// `shade`: the error of its shade.
 ErrorBound cut_bound(const CellOptics& cell, bool emission, double largest_light,
                      const CutFacts& cut, const ErrorBound& shade);
+
+/// What a segment may be wrong by at most, whatever it is in doubt about.
+ErrorBound whole_bound(const CellOptics& cell, bool emission, double largest_light, double length);
+
+/// How far along the ray the doubts about offsets move a surface that is crossed.
+double cut_doubt(const CutFacts& cut);
 
 /// Error of an isosurface's shade for a normal that is wrong by `angle`. Unit vectors in the
 /// lights' frame.

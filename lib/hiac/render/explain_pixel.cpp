@@ -72,7 +72,7 @@ class RayFollower {
         at_(static_cast<std::size_t>(y - tile.y0) * kTileStride +
             static_cast<std::size_t>(x - tile.x0)),
         background_(background),
-        origin_(frame.projector.origin(x + 0.5, y + 0.5)),
+        origin_(frame.projector.relative_origin(x + 0.5, y + 0.5)),
         direction_(frame.projector.direction(x + 0.5, y + 0.5)),
         cuts_(frame) {
     buffer_.reset(tile, frame.projector, frame.with_details);
@@ -162,7 +162,8 @@ class RayFollower {
     row.transparency = after.transparency[at_];
     row.color = color_of(after);
     row.error = error_of(after);
-    const CellMap map(row.kind, cell_positions(frame_.mesh, cell), frame_.straightness);
+    const CellMap map(row.kind, relative_positions(frame_.mesh, cell, frame_.projector),
+                      frame_.straightness);
     set_fields(row, map, stretch(found.front[i], found.back[i]));
     find_surfaces(row, map, found.front[i]);
     rows_.push_back(std::move(row));
@@ -189,7 +190,9 @@ class RayFollower {
 
   // `front`: where the engine has the segment begin.
   void find_surfaces(PixelSegment& row, const CellMap& map, double front) {
-    if (!cuts_.enter(row.cell, frame_.with_error ? displacement(frame_, row.cell) : 0)) return;
+    if (!cuts_.enter(row.cell,
+                     frame_.with_error ? ray_displacement(frame_, row.cell) : RayDisplacement{}))
+      return;
     crossings_.clear();
     scan_cell(frame_, row.cell, tile_, crossings_);
     std::erase_if(crossings_, [&](const CellCrossing& c) { return c.x != x_ || c.y != y_; });

@@ -30,7 +30,7 @@ struct Frame {
   double witness_tolerance = 0;
   bool with_details = false;  ///< pixels' details are asked for
   bool with_error = false;    ///< among them bounds of errors
-  /// Of the volume's colours and of what isosurfaces shine with, any channel.
+  /// Of what a ray meets, seen through nothing: any channel.
   double largest_light = 0;
   double depth = 0;         ///< extent of the mesh in the ray parameter
   double tolerance = 0;     ///< absolute error allowed per pixel and channel

@@ -8,16 +8,21 @@
 
 #include "hiac/optics/piece_rule.hpp"
 #include "hiac/optics/polynomial_piece.hpp"
+#include "hiac/optics/polynomial_roots.hpp"
 #include "hiac/render/cell_scan.hpp"
 #include "hiac/render/cuts_along_ray.hpp"
 #include "hiac/render/error_bound.hpp"
 #include "hiac/render/field_along_ray.hpp"
+#include "hiac/render/gradient_bound.hpp"
+#include "hiac/render/ray_displacement.hpp"
 
 namespace hiac {
 namespace {
 
-// Of the tolerance, for what becomes of fields that are not polynomials; integration has the rest.
-constexpr double kFieldShare = 0.25, kIntegrationShare = 0.5;
+// Of the tolerance, for what becomes of fields that are not polynomials, and for integration: of
+// the bound that the channel "error" claims, the first counts four times at most, and both are a
+// small part of what the early end of rays has (frame.cpp).
+constexpr double kFieldShare = 0x1p-8, kIntegrationShare = 0x1p-7;
 
 // Behind an opaque surface nothing is seen; a tolerance divided by this is a number still.
 constexpr double kLeastVisible = 1e-100;
@@ -53,6 +58,25 @@ double steepest_slope(const TransferTable<N>& table, IntervalRange range) {
   return steepest;
 }
 
+// On how much of [0, 1] a polynomial is within `error` of a value. `roots`: scratch.
+double doubtful_part(const BernsteinPolynomial& f, double value, double error,
+                     std::vector<RootEnclosure>& roots) {
+  roots.clear();
+  append_roots(f, value - error, roots);
+  append_roots(f, value + error, roots);
+  std::ranges::sort(roots, {}, &RootEnclosure::low);
+  roots.push_back({1, 1, 0});
+  double from = 0, sum = 0;
+  for (const RootEnclosure& root : roots) {
+    // between roots it is within or not all along
+    if (root.low > from && std::abs(evaluate(f, 0.5 * (from + root.low)) - value) <= 2 * error)
+      sum += root.low - from;
+    if (root.high > from) sum += root.high - std::max(from, root.low);
+    from = std::max(from, root.high);
+  }
+  return sum;
+}
+
 // One field in one cell.
 struct CellScalars {
   CellField nodes;
@@ -81,19 +105,19 @@ class GeneralCellRenderer {
   void render(CellId cell) {
     load(cell);
     is_empty_ = empty_space();
-    aside_ = frame_.with_error ? displacement(frame_, cell) : 0;
-    is_cut_ = cuts_.enter(cell, aside_);
+    if (frame_.with_error) displacement_ = ray_displacement(frame_, cell);
+    is_cut_ = cuts_.enter(cell, displacement_);
     if (is_empty_ && !is_cut_) return;
     kind_ = frame_.mesh.kinds[cell];
     crossings_.clear();
     scan_cell(frame_, cell, tile_, crossings_);
     if (crossings_.empty()) return;
-    nodes_ = cell_positions(frame_.mesh, cell);
+    nodes_ = relative_positions(frame_.mesh, cell, frame_.projector);
     const CellMap map(kind_, nodes_, frame_.straightness);
     const std::array<CellField, 2> fields{extinction_.nodes, color_.nodes};
     const FieldAlongRay field(kind_, map, std::span(fields).first(optics_.same_field ? 1 : 2));
     is_uniform_ = uniform_optics();
-    if (frame_.with_error) set_errors(map);
+    if (frame_.with_error) set_errors();
     for (const CellCrossing& crossing : crossings_) render(crossing, map, field);
   }
 
@@ -153,7 +177,8 @@ class GeneralCellRenderer {
                            static_cast<std::size_t>(crossing.x - tile_.x0);
     if (buffer_.transparency[at] <= frame_.least_transparency) return;
     const double x = crossing.x + 0.5, y = crossing.y + 0.5;
-    const RayStretch stretch{frame_.projector.origin(x, y), frame_.projector.direction(x, y),
+    const RayStretch stretch{frame_.projector.relative_origin(x, y),
+                             frame_.projector.direction(x, y),
                              std::max(crossing.front, frame_.projector.near()),
                              std::min(crossing.back, frame_.projector.far())};
     // where surfaces cross a cell without depth, they are seen all the same
@@ -166,7 +191,7 @@ class GeneralCellRenderer {
     const PlainRadiance radiance =
         is_cut_ ? between_surfaces(crossing, map, stretch, scale, field, visible)
                 : radiance_of(stretch, scale, field, visible);
-    if (frame_.with_details) describe(at, crossing, map, stretch, scale, radiance);
+    if (frame_.with_details) describe(at, field, stretch, scale, radiance);
     if (group_ != nullptr)
       group_->append(static_cast<std::uint32_t>(at), stretch.front, stretch.back, radiance.rgb[0],
                      radiance.rgb[1], radiance.rgb[2], radiance.transparency);
@@ -262,99 +287,92 @@ class GeneralCellRenderer {
 
   // What the fields are wrong by, rounding along the ray and what is allowed of their polynomials
   // included.
-  void set_errors(const CellMap& map) {
+  void set_errors() {
     const auto range = [](const CellScalars& s) { return ValueRange{s.nodes.least, s.nodes.most}; };
     optics_here_ = cell_optics(optics_, range(color_), range(extinction_));
-    const double aside = aside_ + map.straightened();
+    end_doubts_ = EndDoubts(kind_, nodes_);
+    const GradientBound gradient(kind_, nodes_);
     const auto error = [&](const CellScalars& s) {
       const double difference = s.nodes.most - s.nodes.least;
       const double allowed = std::isfinite(s.nodes.allowed) ? s.nodes.allowed : difference;
-      return field_error(range(s), steepest(kind_, map, difference), aside) +
+      return field_error(range(s), gradient(s.nodes), displacement_, kAlongRayRounding) +
              std::min(difference, 2 * allowed);
     };
     color_error_ = error(color_);
     extinction_error_ = error(extinction_);
   }
 
-  // By how much a field changes along a stretch where it is linear: in linear tetrahedra; else 0.
-  [[nodiscard]] double change_of(const CellScalars& s, const CellMap& map,
-                                 const RayStretch& stretch) const {
-    if (kind_ != CellKind::tetrahedron4) return 0;
-    const auto front = map.reference(stretch.at(stretch.front), map.middle());
-    const auto back = map.reference(stretch.at(stretch.back), map.middle());
-    double change = 0;
-    for (std::size_t a = 0; a < 3; ++a)
-      change += (back[a] - front[a]) * (s.nodes.values[a + 1] - s.nodes.values[0]);
-    return std::abs(change);
+  // The change of a linear field that is as long in doubt about a value as this one is about the
+  // breakpoints of its function, whichever it is longest: no error where nothing jumps.
+  template <std::size_t N>
+  [[nodiscard]] double change_of(const TransferTable<N>& table, IntervalRange intervals,
+                                 std::size_t which, double error) {
+    double longest = 0;
+    for (std::size_t k = std::max<std::size_t>(intervals.low, 1); k <= intervals.high; ++k) {
+      double sum = 0;
+      for (const FieldAlongRay::Piece& piece : pieces_)
+        sum += (piece.end - piece.begin) *
+               doubtful_part(piece.fields[which], table.lower[k], error, roots_);
+      longest = std::max(longest, sum);
+    }
+    return longest > 0 ? 2 * error / longest : std::numeric_limits<double>::infinity();
   }
 
   // Completes details_ and tells the pixel, or the group.
-  void describe(std::size_t at, const CellCrossing& crossing, const CellMap& map,
-                const RayStretch& stretch, double scale, const PlainRadiance& radiance) {
+  void describe(std::size_t at, const FieldAlongRay& field, const RayStretch& stretch, double scale,
+                const PlainRadiance& radiance) {
     details_.light = std::ranges::max(radiance.rgb);
     details_.transparency = radiance.transparency;
     details_.mean = weight_ > 0 ? weighted_depth_ / weight_ : 0.5 * (stretch.front + stretch.back);
     if (is_empty_ && !surfaces_.empty()) details_.first = surfaces_.front().t;
-    if (frame_.with_error) add_errors(crossing, map, stretch, scale);
+    if (frame_.with_error) add_errors(field, stretch, scale);
     if (group_ != nullptr) return group_->details.push_back(details_);
     details_.out_of_order = out_of_order(at, stretch);
     buffer_.describe(at, details_);
   }
 
-  void add_errors(const CellCrossing& crossing, const CellMap& map, const RayStretch& stretch,
-                  double scale) {
+  void add_errors(const FieldAlongRay& field, const RayStretch& stretch, double scale) {
     const bool emission = optics_.emission;
     const double length = (stretch.back - stretch.front) * scale;
+    double color_change = 0, extinction_change = 0;
+    if (optics_here_.color_jump > 0 || optics_here_.tau_jump > 0) {
+      field.along(stretch, pieces_);
+      color_change =
+          change_of(optics_.color, color_.intervals, optics_.same_field ? 0 : 1, color_error_);
+      extinction_change =
+          change_of(optics_.extinction, extinction_.intervals, 0, extinction_error_);
+    }
     ErrorBound sum = segment_bound(optics_here_, emission,
                                    {.length = length,
                                     .color_error = color_error_,
                                     .extinction_error = extinction_error_,
-                                    .color_change = change_of(color_, map, stretch),
-                                    .extinction_change = change_of(extinction_, map, stretch),
+                                    .color_change = color_change,
+                                    .extinction_change = extinction_change,
                                     .opacity = 1 - details_.transparency,
                                     .transparency = is_cut_ ? 1 : details_.transparency});
     const double largest = frame_.isosurfaces.largest_light;
-    const double volume = optics_here_.color_most * (emission ? length : 1);
+    const ErrorBound whole = whole_bound(optics_here_, emission, largest, length);
     if (is_cut_) {
       for (const IsosurfaceCrossing& surface : surfaces_) {
         const double moved = edge_bound(optics_here_, emission, surface.moved * scale);
         sum.radiance += surface.shade_error.radiance + moved * (1 + largest);
         sum.transparency += surface.shade_error.transparency;
       }
-      if (cuts_.doubtful()) sum = {largest + volume, 1};
-      sum.radiance += sum.transparency * (largest + volume);
+      if (cuts_.doubtful()) sum = whole;
+      sum.radiance += sum.transparency * whole.radiance;
     }
     details_.radiance_error += sum.radiance;
     details_.transparency_error = std::min(1.0, details_.transparency_error + sum.transparency);
-    details_.front_edge =
-        edge_bound(optics_here_, emission, face_doubt(crossing.front_face, stretch));
-    details_.back_edge =
-        edge_bound(optics_here_, emission, face_doubt(crossing.back_face, stretch));
+    const auto [front, back] =
+        end_doubts_.at(stretch.origin, stretch.direction, displacement_.aside);
+    const double most = frame_.depth * longest_unit_;
+    details_.front_edge = edge_bound(optics_here_, emission, std::min(front, most));
+    details_.back_edge = edge_bound(optics_here_, emission, std::min(back, most));
     if (frame_.color_field().location == FieldLocation::node &&
         frame_.extinction.location == FieldLocation::node)
       return;
     details_.radiance_error += details_.front_edge + details_.back_edge;
     details_.transparency_error += details_.front_edge + details_.back_edge;
-  }
-
-  // How far along the ray the displacement moves the crossing of a face.
-  [[nodiscard]] double face_doubt(std::size_t face, const RayStretch& stretch) const {
-    const ShapeFace& f = topology_of(kind_).faces[face];
-    const auto edge = [&](std::size_t from, std::size_t to) {
-      std::array<double, 3> v;
-      for (std::size_t c = 0; c < 3; ++c)
-        v[c] = nodes_[f.corners[to]][c] - nodes_[f.corners[from]][c];
-      return v;
-    };
-    const auto a = f.corner_count == 3 ? edge(0, 1) : edge(0, 2);
-    const auto b = f.corner_count == 3 ? edge(0, 2) : edge(1, 3);
-    const std::array<double, 3> n{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                                  a[0] * b[1] - a[1] * b[0]};
-    const auto& d = stretch.direction;
-    const double towards = std::abs(n[0] * d[0] + n[1] * d[1] + n[2] * d[2]);
-    const double slope = std::hypot(n[0], n[1], n[2]) * std::hypot(d[0], d[1], d[2]) / towards;
-    const double most = frame_.depth * longest_unit_;
-    return aside_ * slope < most ? aside_ * slope : most;
   }
 
   // A segment shorter than the tolerance may be rounding, and lie anywhere.
@@ -390,12 +408,15 @@ class GeneralCellRenderer {
   bool is_uniform_ = false;  // colour and extinction have one value
   std::vector<CellCrossing> crossings_;
   std::vector<FieldAlongRay::Piece> pieces_;
+  std::vector<RootEnclosure> roots_;
   std::vector<IsosurfaceCrossing> surfaces_;
   CellKind kind_{};
-  std::array<CellMap::Point, CellMap::kMostNodes> nodes_{};
+  std::array<CellMap::Point, CellMap::kMostNodes> nodes_{};  // relative (projection.hpp)
   // where details are asked for
   CellOptics optics_here_;
-  double aside_ = 0, color_error_ = 0, extinction_error_ = 0;
+  EndDoubts end_doubts_;
+  RayDisplacement displacement_;
+  double color_error_ = 0, extinction_error_ = 0;
   SegmentDetails details_;  // of the segment at hand
   double weight_ = 0, weighted_depth_ = 0;
 };

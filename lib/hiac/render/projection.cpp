@@ -73,10 +73,16 @@ double Projector::parameter(std::span<const double, 3> point) const {
 }
 
 Vector Projector::origin(double x, double y) const {
-  if (perspective_) return anchor_;
+  const Vector r = relative_origin(x, y);
+  return {anchor_[0] + r[0], anchor_[1] + r[1], anchor_[2] + r[2]};
+}
+
+Vector Projector::relative(std::span<const double, 3> point) const { return minus(point, anchor_); }
+
+Vector Projector::relative_origin(double x, double y) const {
+  if (perspective_) return {0, 0, 0};
   const double a = (x - center_x_) / scale_, b = (center_y_ - y) / scale_;
-  return {anchor_[0] + a * right_[0] + b * up_[0], anchor_[1] + a * right_[1] + b * up_[1],
-          anchor_[2] + a * right_[2] + b * up_[2]};
+  return {a * right_[0] + b * up_[0], a * right_[1] + b * up_[1], a * right_[2] + b * up_[2]};
 }
 
 Vector Projector::direction(double x, double y) const {

@@ -53,6 +53,10 @@ class Projector {
   [[nodiscard]] std::array<double, 3> camera_vector(const std::array<double, 3>& v) const;
 
   [[nodiscard]] std::array<double, 3> origin(double x, double y) const;
+  /// A point, and that origin, in the world's axes from the eye or, orthographic, look_at: what
+  /// is computed with these keeps the digits that coordinates far from zero would cost.
+  [[nodiscard]] std::array<double, 3> relative(std::span<const double, 3> point) const;
+  [[nodiscard]] std::array<double, 3> relative_origin(double x, double y) const;
   [[nodiscard]] std::array<double, 3> direction(double x, double y) const;
   /// Perspective: the direction's components along right and up, that along forward being 1.
   /// Orthographic: the origin's, from look_at.

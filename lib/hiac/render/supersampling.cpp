@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -43,13 +45,52 @@ std::vector<double> filter_weights(const Supersampling& sampling) {
   return weights;
 }
 
+// What of a sample counts for a channel that not every sample has a number for.
+double share_of(Channel channel, std::span<const double> sample) {
+  return channel == Channel::mean_depth ? sample[3] : 1;
+}
+
+bool is_depth(Channel channel) {
+  return channel == Channel::depth || channel == Channel::mean_depth;
+}
+
+std::vector<std::string> sum_channels(std::span<const Channel> channels) {
+  std::vector<std::string> names = rgba_channels();
+  for (const Channel channel : channels) names.emplace_back(channel_name(channel));
+  for (const Channel channel : channels)
+    if (is_depth(channel)) names.push_back(std::string(channel_name(channel)) + " weight");
+  return names;
+}
+
+// Samples as they are summed up: depths times what they count, and that behind all channels.
+Image weighted(const Image& samples, std::span<const Channel> channels) {
+  if (std::ranges::none_of(channels, is_depth)) return samples;
+  Image result(samples.width(), samples.height(), sum_channels(channels));
+  for (std::size_t y = 0; y < samples.height(); ++y)
+    for (std::size_t x = 0; x < samples.width(); ++x) {
+      const auto from = samples.pixel(x, y);
+      const auto to = result.pixel(x, y);
+      std::ranges::copy(from, to.begin());
+      std::size_t weight = from.size();
+      for (std::size_t c = 0; c < channels.size(); ++c) {
+        if (!is_depth(channels[c])) continue;
+        const bool seen = std::isfinite(from[4 + c]);
+        const double share = seen ? share_of(channels[c], from) : 0;
+        to[4 + c] = seen ? share * from[4 + c] : 0;
+        to[weight++] = share;
+      }
+    }
+  return result;
+}
+
 // Makes pixels of samples that come row by row, from the top.
 class SampleSum {
  public:
-  SampleSum(const PixelRect& part, const Supersampling& sampling)
+  SampleSum(const PixelRect& part, const Supersampling& sampling, std::span<const Channel> channels)
       : samples_(sampling.samples),
+        channels_(channels),
         weights_(filter_weights(sampling)),
-        sum_(part.width, part.height, rgba_channels()) {}
+        sum_(part.width, part.height, sum_channels(channels)) {}
 
   // `band`: rows of samples from number `first` on, counted as filter_weights does from the part's
   // first; all of their columns.
@@ -80,10 +121,29 @@ class SampleSum {
   [[nodiscard]] Image take() {
     const double count = static_cast<double>(samples_) * static_cast<double>(samples_);
     for (double& value : sum_.values()) value /= count;
-    return std::move(sum_);
+    return channels_.empty() ? std::move(sum_) : with_channels();
   }
 
  private:
+  [[nodiscard]] Image with_channels() const {
+    std::vector<std::string> names = rgba_channels();
+    for (const Channel channel : channels_) names.emplace_back(channel_name(channel));
+    Image result(sum_.width(), sum_.height(), std::move(names));
+    for (std::size_t y = 0; y < sum_.height(); ++y)
+      for (std::size_t x = 0; x < sum_.width(); ++x) {
+        const auto from = sum_.pixel(x, y);
+        const auto to = result.pixel(x, y);
+        std::copy_n(from.begin(), to.size(), to.begin());
+        std::size_t weight = to.size();
+        for (std::size_t c = 0; c < channels_.size(); ++c) {
+          if (!is_depth(channels_[c])) continue;
+          const double share = from[weight++];
+          to[4 + c] = share > 0 ? to[4 + c] / share : std::numeric_limits<double>::infinity();
+        }
+      }
+    return result;
+  }
+
   void filter_row(const Image& band, std::size_t y, std::span<double> row) const {
     const std::size_t channels = sum_.channel_count();
     for (std::size_t x = 0; x < sum_.width(); ++x)
@@ -96,9 +156,23 @@ class SampleSum {
   }
 
   std::size_t samples_;
+  std::span<const Channel> channels_;
   std::vector<double> weights_;
   Image sum_;
 };
+
+// Of the sums themselves.
+void add_rounding(const Supersampling& sampling, Image& image) {
+  const auto error = image.channel_index(channel_name(Channel::error));
+  if (!error) return;
+  const double operations = 6.0 * sampling.samples + 8;
+  for (std::size_t y = 0; y < image.height(); ++y)
+    for (std::size_t x = 0; x < image.width(); ++x) {
+      const auto pixel = image.pixel(x, y);
+      const double largest = *std::max_element(pixel.begin(), pixel.begin() + 4);
+      pixel[*error] += operations * std::numeric_limits<double>::epsilon() * (1 + largest);
+    }
+}
 
 // How many rows of samples are made at a time: rows of whole tiles, so that none is made twice.
 std::size_t rows_of_band(const PixelRect& part, std::size_t columns) {
@@ -106,12 +180,15 @@ std::size_t rows_of_band(const PixelRect& part, std::size_t columns) {
   return std::max<std::size_t>(1, pixels / (columns * kTileHeight)) * kTileHeight;
 }
 
+// An error of A changes what is seen of the background.
 void put_background_behind(const Scene& scene, const PixelRect& part, Image& image) {
+  const auto error = image.channel_index(channel_name(Channel::error));
   for (std::uint32_t y = 0; y < part.height; ++y)
     for (std::uint32_t x = 0; x < part.width; ++x) {
       const Color behind = background_at(scene.background, scene.image, part.x + x, part.y + y);
       const auto pixel = image.pixel(x, y);
       for (std::size_t c = 0; c < 3; ++c) pixel[c] += (1 - pixel[3]) * behind[c];
+      if (error) pixel[*error] *= 1 + std::ranges::max(behind);
     }
 }
 
@@ -130,7 +207,7 @@ void require_possible(const Supersampling& sampling, ImageSize size) {
 RenderResult render_supersampled(const ZooMesh& mesh, const VisibilityOrder& order,
                                  const Scene& scene, const PixelRect& part,
                                  const Supersampling& sampling, bool with_background,
-                                 Progress* progress) {
+                                 Progress* progress, std::span<const Channel> channels) {
   require_inside(part, scene.image);
   require_possible(sampling, scene.image);
   const Scene samples = scene_of_samples(scene, sampling);
@@ -138,8 +215,8 @@ RenderResult render_supersampled(const ZooMesh& mesh, const VisibilityOrder& ord
   // of the part, in the picture of samples
   const std::uint32_t left = part.x * n, top = part.y * n;
   const std::uint32_t columns = (part.width + beside) * n, rows = (part.height + beside) * n;
-  const PartRenderer renderer(mesh, order, samples);
-  SampleSum sum(part, sampling);
+  const PartRenderer renderer(mesh, order, samples, channels);
+  SampleSum sum(part, sampling, channels);
   RenderResult result;
   result.statistics.prepare_seconds = renderer.prepare_seconds();
   const std::size_t band = rows_of_band(part, columns);
@@ -148,12 +225,13 @@ RenderResult render_supersampled(const ZooMesh& mesh, const VisibilityOrder& ord
     const auto next = static_cast<std::uint32_t>((y / band + 1) * band);
     const std::uint32_t end = std::min(next, top + rows);
     const RenderResult some = renderer.render({left, y, columns, end - y}, false);
-    sum.add(some.image, y - top);
+    sum.add(weighted(some.image, channels), y - top);
     result.statistics += some.statistics;
     if (progress != nullptr) progress->advance(end - y);
     y = end;
   }
   result.image = sum.take();
+  add_rounding(sampling, result.image);
   if (with_background) put_background_behind(scene, part, result.image);
   return result;
 }

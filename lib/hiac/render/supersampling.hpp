@@ -31,11 +31,16 @@ void require_possible(const Supersampling& sampling, ImageSize size);
 /// pixels: memory is proportional to the picture. A part of a picture has the pixels of the whole
 /// one, and no number of threads changes them, bit for bit.
 ///
-/// Throws UsageError as require_possible and require_inside do. Statistics are those of the
-/// samples.
+/// Further channels: "depth" and "mean_depth" are means over the samples that see something, the
+/// second weighted by their opacity as well, and infinite where none does; all others are means.
+/// So "error" bounds how far the picture is from the same sum over exact samples.
+///
+/// Throws UsageError as require_possible, require_inside and PartRenderer do. Statistics are those
+/// of the samples.
 RenderResult render_supersampled(const ZooMesh& mesh, const VisibilityOrder& order,
                                  const Scene& scene, const PixelRect& part,
                                  const Supersampling& sampling, bool with_background,
-                                 Progress* progress = nullptr);
+                                 Progress* progress = nullptr,
+                                 std::span<const Channel> channels = {});
 
 }  // namespace hiac

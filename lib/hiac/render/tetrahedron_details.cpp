@@ -27,25 +27,21 @@ std::array<double, 4> TetrahedronDetails::values_of(const FrameField& field, dou
 
 double TetrahedronDetails::error_of(const std::array<double, 4>& values, ValueRange range) const {
   const Vector differences{values[1] - values[0], values[2] - values[0], values[3] - values[0]};
-  return field_error(range, gradient_length(edges_, differences), aside_);
+  return field_error(range, gradient_length(edges_, differences), displacement_,
+                     kTetrahedronRounding);
 }
 
 void TetrahedronDetails::enter(CellId cell) {
   cell_ = cell;
   if (!frame_.with_error) return;
   const auto nodes = frame_.mesh.cell_nodes(cell);
+  std::array<Vector, 4> corners;
   for (std::size_t k = 0; k < 4; ++k) {
-    const auto p = frame_.mesh.position(nodes[k]);
-    corners_[k] = {p[0], p[1], p[2]};
-    if (k > 0) edges_[k - 1] = minus(corners_[k], corners_[0]);
+    corners[k] = frame_.projector.relative(frame_.mesh.position(nodes[k]));
+    if (k > 0) edges_[k - 1] = minus(corners[k], corners[0]);
   }
-  for (std::size_t k = 0; k < 4; ++k) {
-    const Vector& a = corners_[(k + 1) % 4];
-    normals_[k] = cross(minus(corners_[(k + 2) % 4], a), minus(corners_[(k + 3) % 4], a));
-    if (dot(normals_[k], minus(corners_[k], a)) < 0)
-      for (double& x : normals_[k]) x = -x;
-  }
-  aside_ = displacement(frame_, cell);
+  end_doubts_ = EndDoubts(CellKind::tetrahedron4, corners);
+  displacement_ = ray_displacement(frame_, cell);
   ValueRange color, extinction;
   const auto color_values = values_of(frame_.color_field(), 0, color);
   const auto extinction_values = values_of(frame_.extinction, 0, extinction);
@@ -66,32 +62,63 @@ void TetrahedronDetails::enter(CellId cell) {
   }
 }
 
-// The planes through which the ray enters and leaves, and how much the displacement moves them
-// along it.
 void TetrahedronDetails::add_edges(const TetrahedronSegment& segment,
                                    SegmentDetails& details) const {
   const double x = segment.x + 0.5, y = segment.y + 0.5;
-  const Vector origin = frame_.projector.origin(x, y);
-  const Vector direction = frame_.projector.direction(x, y);
-  const double scale = length(direction);
-  double enter = -std::numeric_limits<double>::infinity(), leave = -enter;
-  double enter_slope = 0, leave_slope = 0;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const double towards = dot(normals_[k], direction);
-    const double t = dot(normals_[k], minus(corners_[(k + 1) % 4], origin)) / towards;
-    const double slope = length(normals_[k]) * scale / std::abs(towards);
-    if (towards > 0 && t > enter) {
-      enter = t;
-      enter_slope = slope;
-    } else if (towards < 0 && t < leave) {
-      leave = t;
-      leave_slope = slope;
+  const auto [front, back] = end_doubts_.at(frame_.projector.relative_origin(x, y),
+                                            frame_.projector.direction(x, y), displacement_.aside);
+  const bool emission = frame_.optics.emission;
+  const double most = frame_.depth * frame_.projector.ray_scale(x, y);
+  details.front_edge = edge_bound(optics_, emission, std::min(most, front));
+  details.back_edge = edge_bound(optics_, emission, std::min(most, back));
+}
+
+ErrorBound TetrahedronDetails::cuts_bound(const TetrahedronSegment& segment) const {
+  const bool emission = frame_.optics.emission;
+  const double largest = frame_.isosurfaces.largest_light;
+  Vector ray{0, 0, 1};
+  if (frame_.projector.perspective()) {
+    const auto [right, up] = frame_.projector.slopes(segment.x + 0.5, segment.y + 0.5);
+    const double unit = 1 / std::sqrt(right * right + up * up + 1);
+    ray = {right * unit, up * unit, unit};
+  }
+  ErrorBound sum;
+  const auto facts_of = [&](std::size_t k) {
+    const CutOffsets& cut = segment.cuts[k];
+    // a face that has the value exactly is not in doubt
+    const auto doubt = [&](double offset) { return offset == 0 ? 0 : cuts_[k].offset; };
+    return CutFacts{.length = segment.length,
+                    .front = cut.front,
+                    .back = cut.back,
+                    .front_error = doubt(cut.front),
+                    .back_error = doubt(cut.back),
+                    .crossed = cut.crossed};
+  };
+  const auto place = [](const CutFacts& cut) {
+    return cut.length * cut.front / (cut.front - cut.back);
+  };
+  for (std::size_t k = 0; k < segment.cuts.size(); ++k) {
+    const CutFacts cut = facts_of(k);
+    ErrorBound shade;
+    if (cut.crossed)
+      shade = shade_bound(*cuts_[k].surface, frame_.isosurfaces.lights, cuts_[k].normal, ray,
+                          cuts_[k].angle);
+    const ErrorBound bound = cut_bound(optics_, emission, largest, cut, shade);
+    sum.radiance += bound.radiance;
+    sum.transparency += bound.transparency;
+    for (std::size_t j = 0; j < k && cut.crossed; ++j) {
+      const CutFacts other = facts_of(j);
+      const FrameIsosurface &a = *cuts_[k].surface, &b = *cuts_[j].surface;
+      if (!other.crossed || (a.field == b.field && a.value == b.value)) continue;
+      // which of the two is in front may be in doubt
+      if (std::abs(place(cut) - place(other)) <= cut_doubt(cut) + cut_doubt(other))
+        sum = whole_bound(optics_, emission, largest, segment.length);
     }
   }
-  const bool emission = frame_.optics.emission;
-  const double most = frame_.depth * scale;
-  details.front_edge = edge_bound(optics_, emission, std::min(most, aside_ * enter_slope));
-  details.back_edge = edge_bound(optics_, emission, std::min(most, aside_ * leave_slope));
+  sum.transparency = std::min(1.0, sum.transparency);
+  sum.radiance +=
+      sum.transparency * (largest + optics_.color_most * (emission ? segment.length : 1));
+  return sum;
 }
 
 SegmentDetails TetrahedronDetails::describe(const TetrahedronSegment& segment) const {
@@ -115,36 +142,14 @@ SegmentDetails TetrahedronDetails::describe(const TetrahedronSegment& segment) c
                      .opacity = 1 - segment.transparency,
                      // of the volume alone where surfaces are crossed
                      .transparency = segment.cuts.empty() ? segment.transparency : 1});
-  const double largest = frame_.isosurfaces.largest_light;
-  for (std::size_t k = 0; k < segment.cuts.size(); ++k) {
-    const CutOffsets& cut = segment.cuts[k];
-    // a face that has the value exactly is not in doubt
-    const auto doubt = [&](double offset) { return offset == 0 ? 0 : cuts_[k].offset; };
-    ErrorBound shade;
-    if (cut.crossed) {
-      Vector ray{0, 0, 1};
-      if (frame_.projector.perspective()) {
-        const auto [right, up] = frame_.projector.slopes(segment.x + 0.5, segment.y + 0.5);
-        const double unit = 1 / std::sqrt(right * right + up * up + 1);
-        ray = {right * unit, up * unit, unit};
-      }
-      shade = shade_bound(*cuts_[k].surface, frame_.isosurfaces.lights, cuts_[k].normal, ray,
-                          cuts_[k].angle);
-    }
-    const ErrorBound bound = cut_bound(optics_, emission, largest,
-                                       {.length = segment.length,
-                                        .front = cut.front,
-                                        .back = cut.back,
-                                        .front_error = doubt(cut.front),
-                                        .back_error = doubt(cut.back),
-                                        .crossed = cut.crossed},
-                                       shade);
-    sum.radiance += bound.radiance;
-    sum.transparency += bound.transparency;
+  if (!segment.cuts.empty()) {
+    const ErrorBound cuts = cuts_bound(segment);
+    // of the volume, that of a part is seen through the rest
+    const double whole =
+        optics_.color_most * (emission ? segment.length : 1) + frame_.isosurfaces.largest_light;
+    sum.radiance += cuts.radiance + sum.transparency * whole;
+    sum.transparency += cuts.transparency;
   }
-  if (!segment.cuts.empty())
-    sum.radiance +=
-        sum.transparency * (largest + optics_.color_most * (emission ? segment.length : 1));
   details.radiance_error = sum.radiance;
   details.transparency_error = std::min(1.0, sum.transparency);
   add_edges(segment, details);

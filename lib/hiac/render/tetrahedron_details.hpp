@@ -51,15 +51,16 @@ class TetrahedronDetails {
   std::array<double, 4> values_of(const FrameField& field, double from, ValueRange& range) const;
   [[nodiscard]] double error_of(const std::array<double, 4>& values, ValueRange range) const;
   void add_edges(const TetrahedronSegment& segment, SegmentDetails& details) const;
+  [[nodiscard]] ErrorBound cuts_bound(const TetrahedronSegment& segment) const;
 
   const Frame& frame_;
   // of the cell at hand
   CellId cell_ = 0;
-  std::array<Vector, 4> corners_{};
-  std::array<Vector, 3> edges_{};
-  std::array<Vector, 4> normals_{};  // of the faces opposite the corners, pointing inwards
+  std::array<Vector, 3> edges_{};  // from corner 0
+  EndDoubts end_doubts_;
   CellOptics optics_;
-  double aside_ = 0, color_error_ = 0, extinction_error_ = 0;
+  RayDisplacement displacement_;
+  double color_error_ = 0, extinction_error_ = 0;
   bool continuous_ = true;  // fields fit at faces
   std::vector<CutErrors> cuts_;
 };

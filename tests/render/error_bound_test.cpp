@@ -1,0 +1,64 @@
+#include "hiac/render/error_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/render/error_comparison.hpp"
+
+namespace hiac {
+namespace {
+
+using test::compare_error_channel;
+using test::ErrorComparison;
+using test::SceneCells;
+
+// A sample of what error_sweep compares.
+ErrorComparison compared(SceneCells cells, std::uint64_t first, std::uint64_t last,
+                         std::uint32_t side) {
+  ErrorComparison all;
+  for (std::uint64_t seed = first; seed <= last; ++seed)
+    all.add(compare_error_channel(cells, seed, side));
+  for (const test::PixelError& failure : all.failures)
+    ADD_FAILURE() << "seed " << failure.seed << " pixel " << failure.x << ',' << failure.y
+                  << " channel " << failure.channel << " error " << failure.error << " claimed "
+                  << failure.claimed;
+  return all;
+}
+
+TEST(ErrorBound, IsNeverBelowTheErrorOfTetrahedra) {
+  const ErrorComparison all = compared(SceneCells::tetrahedra, 1, 30, 24);
+  EXPECT_GT(all.pixels, 3000U);
+  EXPECT_GT(all.largest_error, 1e-14);
+}
+
+TEST(ErrorBound, IsNeverBelowTheErrorOfOtherKinds) {
+  EXPECT_GT(compared(SceneCells::other_kinds, 1, 30, 9).pixels, 200U);
+}
+
+// A view from far off the origin, along faces: rays have to be followed relative to the eye, and
+// cells without a projected area have to know what their coordinates cost.
+TEST(ErrorBound, HoldsFarFromTheOrigin) { compared(SceneCells::tetrahedra, 46, 46, 80); }
+
+// Fields are constant to the bit where all values are the same.
+TEST(FieldError, IsNoneWhereTheFieldIsConstant) {
+  const RayDisplacement moved{1e-12, 1};
+  EXPECT_EQ(field_error({3, 3}, 0, moved, kTetrahedronRounding), 0);
+  EXPECT_EQ(field_error({3, 4}, 1e300, moved, kTetrahedronRounding), 1);
+  EXPECT_GT(field_error({3, 4}, 0, moved, kTetrahedronRounding), 4e-16);
+}
+
+// A transfer function whose anchor is far from the cell's values loses their digits.
+TEST(CellOptics, KnowsTheRoundingOfFarAnchors) {
+  Volume volume;
+  volume.extinction = ExtinctionTransfer{"f", {{-1e6, {1e6}}, {0, {0}}, {1, {1}}}};
+  const OpticsTables optics = make_optics_tables(volume, Integration::exact);
+  const CellOptics far = cell_optics(optics, {-1e-6, -1e-7}, {-1e-6, -1e-7});
+  const CellOptics near = cell_optics(optics, {1e-7, 1e-6}, {1e-7, 1e-6});
+  EXPECT_GT(far.tau_rounding, 1e-10);
+  EXPECT_LT(near.tau_rounding, 1e-20);
+}
+
+}  // namespace
+}  // namespace hiac
