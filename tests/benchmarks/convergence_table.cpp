@@ -59,7 +59,7 @@ struct Kind {
 };
 
 void print_table() {
-  const Image exact = picture(12, Cut::tetrahedra, CellOrder::cubic);
+  const Image exact = picture(20, Cut::tetrahedra, CellOrder::cubic);
   constexpr std::array<Kind, 4> kKinds{{{"tetrahedra", Cut::tetrahedra},
                                         {"pyramids", Cut::pyramids},
                                         {"prisms", Cut::prisms},
@@ -67,7 +67,7 @@ void print_table() {
   for (const auto& [name, cut] : kKinds)
     for (const CellOrder order : {CellOrder::linear, CellOrder::quadratic, CellOrder::cubic}) {
       Errors before;
-      for (const std::size_t n : {1U, 2U, 4U}) {
+      for (const std::size_t n : {1U, 2U, 4U, 8U}) {
         const Errors e = errors_of(picture(n, cut, order), exact);
         fmt::print("| {} | {} | {} | {:.1e} | {:.1e} |", name, static_cast<int>(order), n,
                    e.largest, e.mean);

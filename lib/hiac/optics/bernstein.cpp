@@ -76,6 +76,55 @@ double binomial(std::size_t n, std::size_t k) {
   return value;
 }
 
+/// Between the bases, for every degree n: from_chebyshev[n][k] are the Bernstein coefficients of
+/// T_k, to_chebyshev[n][i] the Chebyshev coefficients of the i-th Bernstein polynomial.
+struct ConversionTables {
+  using Matrix = std::array<std::array<double, kCount>, kCount>;
+  std::array<Matrix, kCount> from_chebyshev{}, to_chebyshev{};
+
+  ConversionTables() {
+    for (std::size_t n = 0; n < kCount; ++n)
+      for (std::size_t k = 0; k <= n; ++k) {
+        set_from(n, k);
+        set_to(n, k);
+      }
+  }
+
+ private:
+  void set_from(std::size_t n, std::size_t k) {
+    PolynomialCoefficients c{};  // of T_k, whose Bernstein coefficients are ratios of binomials
+    for (std::size_t j = 0; j <= k; ++j)
+      c[j] = ((k - j) % 2 == 0 ? 1 : -1) * binomial(2 * k, 2 * j) / binomial(k, j);
+    for (std::size_t degree = k; degree < n; ++degree) elevate(c, degree);
+    std::copy_n(c.begin(), n + 1, from_chebyshev[n][k].begin());
+  }
+
+  // Sums of cosines in extended precision.
+  void set_to(std::size_t n, std::size_t i) {
+    to_chebyshev[n][i][0] = 1;
+    if (n == 0) return;
+    const long double step = std::numbers::pi_v<long double> / static_cast<long double>(n);
+    const auto at = [step](std::size_t j) { return std::cos(step * static_cast<long double>(j)); };
+    for (std::size_t k = 0; k <= n; ++k) {
+      long double sum = 0;
+      for (std::size_t j = 0; j <= n; ++j) {
+        const long double t = (1 + at(j)) / 2;
+        const long double value = static_cast<long double>(binomial(n, i)) *
+                                  std::pow(t, static_cast<long double>(i)) *
+                                  std::pow(1 - t, static_cast<long double>(n - i));
+        sum += (j == 0 || j == n ? 0.5L : 1) * value * at(j * k % (2 * n));
+      }
+      to_chebyshev[n][i][k] =
+          static_cast<double>((k == 0 || k == n ? 1 : 2) * sum / static_cast<long double>(n));
+    }
+  }
+};
+
+const ConversionTables& conversions() {
+  static const ConversionTables t;
+  return t;
+}
+
 }  // namespace
 
 BernsteinPolynomial::BernsteinPolynomial(std::span<const double> coefficients) {
@@ -139,30 +188,26 @@ double ellipse_bound(const ChebyshevPolynomial& f, double rho, std::size_t first
 }
 
 ChebyshevPolynomial chebyshev_from_bernstein(const BernsteinPolynomial& f) {
-  PolynomialCoefficients values{};
-  const std::size_t n = f.degree;
-  const auto& points = tables().points[n];
-  values[0] = f.c[n];
-  for (std::size_t j = 1; j < n; ++j) values[j] = evaluate(f, 0.5 * (1 + points[j]));
-  if (n > 0) values[n] = f.c[0];
-  return interpolant(values, n);
+  ChebyshevPolynomial p;
+  p.degree = f.degree;
+  const auto& matrix = conversions().to_chebyshev[f.degree];
+  for (std::size_t i = 0; i <= f.degree; ++i)
+    for (std::size_t k = 0; k <= f.degree; ++k) p.c[k] += f.c[i] * matrix[i][k];
+  return p;
 }
 
 BernsteinPolynomial bernstein_from_chebyshev(std::span<const double> coefficients) {
   check_count(coefficients.size());
   BernsteinPolynomial f;
   f.degree = coefficients.size() - 1;
-  for (std::size_t k = 0; k <= f.degree; ++k) {
-    PolynomialCoefficients c{};  // of T_k, whose Bernstein coefficients are ratios of binomials
-    for (std::size_t j = 0; j <= k; ++j)
-      c[j] = ((k - j) % 2 == 0 ? 1 : -1) * binomial(2 * k, 2 * j) / binomial(k, j);
-    for (std::size_t degree = k; degree < f.degree; ++degree) elevate(c, degree);
-    for (std::size_t j = 0; j <= f.degree; ++j) f.c[j] += coefficients[k] * c[j];
-  }
+  const auto& matrix = conversions().from_chebyshev[f.degree];
+  for (std::size_t k = 0; k <= f.degree; ++k)
+    for (std::size_t j = 0; j <= f.degree; ++j) f.c[j] += coefficients[k] * matrix[k][j];
   return f;
 }
 
 ChebyshevPolynomial restricted(const ChebyshevPolynomial& f, double t0, double t1) {
+  if (t0 == 0 && t1 == 1) return f;
   PolynomialCoefficients values{};
   const std::size_t n = f.degree;
   const double middle = t0 + t1 - 1;  // in x of f

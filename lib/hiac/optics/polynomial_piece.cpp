@@ -51,8 +51,9 @@ struct Course {
       largest = std::max(largest, std::abs(shifted.c[i]));
     }
     variation = chebyshev_from_bernstein(shifted);
-    // de Casteljau (3 n operations deep), two transforms (n + 1 terms, n + 1 coefficients) and
-    // Clenshaw's recurrence twice (errors up to n times 4 n), each relative to `largest`
+    // ample for a change of basis (n + 1 terms, whose factors add up to 2 at most), a transform
+    // (n + 1 terms, n + 1 coefficients) and Clenshaw's recurrence twice (errors up to n times 4 n),
+    // each relative to `largest`
     const auto n = static_cast<double>(f.degree);
     field_error = (1 + 3 * n + 4 * (n + 1) * (n + 1) + 8 * n * n) * kUnit * largest;
   }
