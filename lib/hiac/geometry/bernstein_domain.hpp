@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace hiac {
+
+/// Bernstein coefficients of polynomials over a simplex or a product of simplices, from their
+/// values at evenly spaced points: the polynomial lies between the least and the largest of them,
+/// and at corners it equals them.
+class BernsteinDomain {
+ public:
+  /// One factor: a simplex of 1, 2 or 3 dimensions (a line, a triangle, a tetrahedron) with the
+  /// degree of the polynomial in it.
+  struct Factor {
+    std::size_t dimensions, degree;
+  };
+
+  /// At most three dimensions in all.
+  explicit BernsteinDomain(std::span<const Factor> factors);
+
+  /// The points at which values are wanted, in coordinates of the unit simplices, factor by factor.
+  [[nodiscard]] std::span<const std::array<double, 3>> points() const { return points_; }
+  [[nodiscard]] std::size_t size() const { return points_.size(); }
+
+  /// Replaces the values at points() by the coefficients.
+  void to_coefficients(std::span<double> values) const;
+
+  /// How much larger than the largest rounding error of a value that of a coefficient can be.
+  [[nodiscard]] double condition() const { return condition_; }
+
+ private:
+  struct Block {
+    std::size_t size;             // number of points
+    std::vector<double> inverse;  // rows: coefficients from values
+  };
+
+  std::vector<Block> blocks_;
+  std::vector<std::array<double, 3>> points_;
+  double condition_ = 1;
+};
+
+}  // namespace hiac
