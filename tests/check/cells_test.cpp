@@ -160,5 +160,60 @@ TEST(Cells, ConvexMeshesOfOthersAreFoundSo) {
   }
 }
 
+// The determinant of a cell's map at a point of its reference cell.
+double determinant_at(const ZooMesh& mesh, const std::array<double, 3>& xi) {
+  std::array<std::array<double, 3>, kMaxNodesPerCell> gradients{};
+  shape_gradients<double>(mesh.kinds[0], xi, gradients);
+  std::array<std::array<double, 3>, 3> m{};
+  for (std::size_t k = 0; k < mesh.cell_nodes(0).size(); ++k)
+    for (std::size_t r = 0; r < 3; ++r)
+      for (std::size_t c = 0; c < 3; ++c)
+        m[r][c] += gradients[k][c] * mesh.position(mesh.nodes[k])[r];
+  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+         m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
+// Distorted cells of every kind: what is called right has no negative sample, and a negative sample
+// is never overlooked.
+TEST(Cells, JacobiansAsTheirSamples) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::array<int, 2> met{};
+  int undecided = 0;
+  for (int i = 0; i < 450; ++i) {
+    const auto kind = static_cast<CellKind>(1 + i % (kKindCount - 1));
+    const double by = (order_of(kind) == CellOrder::linear ? 0.9 : 0.25) * unit(random);
+    const ZooMesh mesh = moved(reference_cell(kind), [&](const Position& p) {
+      return Position{p[0] + by * (unit(random) - 0.5), p[1] + by * (unit(random) - 0.5),
+                      p[2] + by * (unit(random) - 0.5)};
+    });
+    double least = 1;
+    for (int s = 0; s < 200; ++s) {
+      std::array<double, 3> xi{};
+      double sum = 0;
+      for (std::size_t c = 0; c < corner_count(kind); ++c) {
+        const double weight = std::pow(unit(random), 4);
+        for (std::size_t d = 0; d < 3; ++d) xi[d] += weight * reference_nodes(kind)[c][d];
+        sum += weight;
+      }
+      for (double& x : xi) x /= sum;
+      least = std::min(least, determinant_at(mesh, xi));
+    }
+    const Turn turn = judge_cells(mesh, 1e-10).turns[0];
+    if (least < -1e-9) {
+      EXPECT_EQ(turn, Turn::mixed) << kind_name(kind) << " " << i;
+    }
+    if (turn == Turn::right) {
+      EXPECT_GT(least, -1e-9) << kind_name(kind) << " " << i;
+    }
+    undecided += turn == Turn::undecided ? 1 : 0;
+    ++met[turn == Turn::right ? 0 : 1];
+  }
+  EXPECT_LE(undecided, 4);  // determinants that touch zero
+  EXPECT_GT(met[0], 60);
+  EXPECT_GT(met[1], 60);
+}
+
 }  // namespace
 }  // namespace hiac::test

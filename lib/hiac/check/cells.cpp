@@ -9,8 +9,10 @@
 #include "hiac/base/collect.hpp"
 #include "hiac/check/corner_fans.hpp"
 #include "hiac/check/face_nodes.hpp"
+#include "hiac/geometry/jacobian_sign.hpp"
 #include "hiac/geometry/predicates.hpp"
 #include "hiac/geometry/vector.hpp"
+#include "hiac/mesh/shape_functions.hpp"
 #include "hiac/order/behind_relation.hpp"
 
 namespace hiac {
@@ -57,11 +59,38 @@ Turn turn_at_corners(const Nodes& n, CellShape shape) {
   return Turn::mixed;
 }
 
+Turn turn_inside(const ZooMesh& mesh, CellId cell) {
+  // what a determinant of so little is by rounding alone
+  constexpr double kRounding = 1e-13;
+  std::array<std::array<double, 3>, kMaxNodesPerCell> at{};
+  const auto nodes = mesh.cell_nodes(cell);
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    std::ranges::copy(mesh.position(nodes[k]), at[k].begin());
+  switch (jacobian_sign(mesh.kinds[cell], std::span(at).first(nodes.size()), kRounding)) {
+    case JacobianSign::positive:
+      return Turn::right;
+    case JacobianSign::negative:
+      return Turn::left;
+    case JacobianSign::mixed:
+      return Turn::mixed;
+    case JacobianSign::flat:
+      return Turn::flat;
+    case JacobianSign::undecided:
+      break;
+  }
+  return Turn::undecided;
+}
+
 Turn turn_of(const ZooMesh& mesh, CellId cell) {
   const CellKind kind = mesh.kinds[cell];
   const Nodes n(mesh, cell);
   if (kind == CellKind::tetrahedron4) return turn_of_tetrahedron(n);
-  return turn_at_corners(n, shape_of(kind));
+  if (order_of(kind) != CellOrder::linear) return turn_inside(mesh, cell);
+  const Turn at_corners = turn_at_corners(n, shape_of(kind));
+  if (at_corners == Turn::flat || at_corners == Turn::mixed) return at_corners;
+  const Turn inside = turn_inside(mesh, cell);
+  // of too little volume to tell otherwise than at the corners
+  return inside == Turn::mixed || inside == at_corners ? inside : Turn::undecided;
 }
 
 // Faces and convexity -----------------------------------------------------------------------------

@@ -31,8 +31,9 @@ struct CellShapes {
 /// Judges every cell by itself: zero_volume, inverted, jacobian, jacobian_undecided, left_handed,
 /// nonplanar_face, nonconvex_cell. The mesh's numbers have to be right.
 ///
-/// Signs are exact: a tetrahedron's by one determinant, those of other cells at the corners where
-/// three edges meet (of curved cells: as if their edges were straight).
+/// A tetrahedron's sign is that of one exact determinant. Those of other linear cells are asked
+/// exactly at the corners where three edges meet; what the corners leave open, and all of curved
+/// cells, is proven by Bernstein coefficients (jacobian_sign), in which rounding counts as zero.
 ///
 /// Of faces and convexity: a face counts as planar when its nodes deviate from a plane by no more
 /// than `planarity` times its size; a linear cell is convex when no corner lies outside of a plane
