@@ -72,6 +72,9 @@ struct Format {
 
   /// Whether a file that begins with these bytes is of this format.
   std::function<bool(std::string_view head)> recognizes;
+  /// For formats that are kept in a container (HDF5, say): whether the file is one and holds this
+  /// format. Throws InputError when the container is damaged. Empty: no container.
+  std::function<bool(const std::string& path)> contains;
   /// For formats that no first bytes prove: whether a file that begins with these bytes, has one of
   /// the extensions and is of no format that recognizes it may be of this format. Empty: none is.
   std::function<bool(std::string_view head)> plausible;

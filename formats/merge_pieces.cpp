@@ -116,6 +116,36 @@ std::size_t merge_border_nodes(ZooMesh& mesh, const std::vector<std::size_t>& of
   return gone;
 }
 
+void add_cells(Inventory& all, const Inventory& piece) {
+  for (const CellCount& cells : piece.cells) {
+    const auto known =
+        std::find_if(all.cells.begin(), all.cells.end(), [&](const CellCount& other) {
+          return other.kind == cells.kind && other.fate == cells.fate;
+        });
+    if (known == all.cells.end())
+      all.cells.push_back(cells);
+    else
+      known->count += cells.count;
+  }
+}
+
+void add_fields(Inventory& all, const Inventory& piece) {
+  for (const FieldSummary& field : piece.fields) {
+    const auto known =
+        std::find_if(all.fields.begin(), all.fields.end(), [&](const FieldSummary& other) {
+          return other.name == field.name && other.location == field.location;
+        });
+    if (known == all.fields.end()) {
+      all.fields.push_back(field);
+      continue;
+    }
+    known->tuples += field.tuples;
+    known->low = std::min(known->low, field.low);
+    known->high = std::max(known->high, field.high);
+    known->not_finite += field.not_finite;
+  }
+}
+
 }  // namespace
 
 Reading merge_pieces(std::vector<Reading>&& pieces, const std::string& subject) {
@@ -161,6 +191,13 @@ Reading merge_pieces(std::vector<Reading>&& pieces, const std::string& subject) 
     result.notes.push_back(
         fmt::format("joined the pieces at {} nodes that they had in common", gone));
   return result;
+}
+
+void add_piece(Inventory& all, const Inventory& piece) {
+  all.points += piece.points;
+  add_cells(all, piece);
+  add_fields(all, piece);
+  if (all.times.empty()) all.times = piece.times;
 }
 
 }  // namespace hiac::formats

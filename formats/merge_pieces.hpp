@@ -14,4 +14,7 @@ namespace hiac::formats {
 /// the pieces do not carry the same fields.
 Reading merge_pieces(std::vector<Reading>&& pieces, const std::string& subject);
 
+/// Adds what one more piece of the same mesh holds to the inventory of those before it.
+void add_piece(Inventory& all, const Inventory& piece);
+
 }  // namespace hiac::formats

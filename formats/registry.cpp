@@ -18,6 +18,7 @@
 #include "formats/gambit/gambit.hpp"
 #include "formats/gmsh/gmsh.hpp"
 #include "formats/input_text.hpp"
+#include "formats/library_formats.hpp"
 #include "formats/medit/medit.hpp"
 #include "formats/nastran/nastran.hpp"
 #include "formats/netgen/netgen.hpp"
@@ -98,6 +99,7 @@ std::span<const Format> all_formats() {
     all.push_back(netgen_format());
     all.push_back(gambit_format());
     all.push_back(tecplot_format());
+    add_library_formats(all);
     return all;
   }();
   return formats;
@@ -112,6 +114,10 @@ const Format& format_named(const std::string& name) {
 
 const Format& format_to_read(const std::string& path) {
   std::string head = head_of(path);
+  const std::string extension = lower_extension(path);
+  // a case of several files may be named by an empty one
+  for (const Format& format : all_formats())
+    if (head.empty() && format.contains && format.contains(path)) return format;
   if (head.empty()) throw InputError(path, "is empty (a mesh expected)");
   const bool packed = is_gzip(head);
   if (packed) head = unpacked_head(head, kHeadBytes);
@@ -120,7 +126,8 @@ const Format& format_to_read(const std::string& path) {
   };
   for (const Format& format : all_formats())
     if (readable(format) && format.recognizes(head)) return format;
-  const std::string extension = lower_extension(path);
+  for (const Format& format : all_formats())
+    if (readable(format) && format.contains && format.contains(path)) return format;
   for (const Format& format : all_formats())
     if (readable(format) && format.plausible && has_extension(format, extension) &&
         format.plausible(head))
@@ -146,7 +153,8 @@ const Format& format_to_write(const std::string& path) {
 }
 
 std::string format_library_versions() {
-  return fmt::format("VTK {}.{}.{}", VTK_MAJOR_VERSION, VTK_MINOR_VERSION, VTK_BUILD_VERSION);
+  return fmt::format("VTK {}.{}.{}{}", VTK_MAJOR_VERSION, VTK_MINOR_VERSION, VTK_BUILD_VERSION,
+                     further_library_versions());
 }
 
 }  // namespace hiac::formats

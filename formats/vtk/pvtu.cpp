@@ -42,45 +42,12 @@ Reading read_mesh(const std::string& path, const ReadOptions& options) {
   return reading;
 }
 
-void add_cells(Inventory& all, const Inventory& piece) {
-  for (const CellCount& cells : piece.cells) {
-    const auto known =
-        std::find_if(all.cells.begin(), all.cells.end(), [&](const CellCount& other) {
-          return other.kind == cells.kind && other.fate == cells.fate;
-        });
-    if (known == all.cells.end())
-      all.cells.push_back(cells);
-    else
-      known->count += cells.count;
-  }
-}
-
-void add_fields(Inventory& all, const Inventory& piece) {
-  for (const FieldSummary& field : piece.fields) {
-    const auto known =
-        std::find_if(all.fields.begin(), all.fields.end(), [&](const FieldSummary& other) {
-          return other.name == field.name && other.location == field.location;
-        });
-    if (known == all.fields.end()) {
-      all.fields.push_back(field);
-      continue;
-    }
-    known->tuples += field.tuples;
-    known->low = std::min(known->low, field.low);
-    known->high = std::max(known->high, field.high);
-    known->not_finite += field.not_finite;
-  }
-}
-
 Inventory inspect(const std::string& path) {
   Inventory inventory;
   inventory.format = "pvtu";
   for (const std::string& file : piece_paths(path)) {
     const Inventory piece = vtk::inspect_vtu(file);
-    inventory.points += piece.points;
-    add_cells(inventory, piece);
-    add_fields(inventory, piece);
-    if (inventory.times.empty()) inventory.times = piece.times;
+    add_piece(inventory, piece);
   }
   return inventory;
 }

@@ -1,0 +1,359 @@
+#include "formats/cgns/cgns.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "formats/assemble.hpp"
+#include "formats/cgns/cgns_file.hpp"
+#include "formats/cgns/element_types.hpp"
+#include "formats/foreign_types.hpp"
+#include "formats/hdf5/hdf5_model.hpp"
+#include "formats/isolated.hpp"
+#include "formats/structured.hpp"
+#include "formats/vector_names.hpp"
+#include "hiac/base/error.hpp"
+
+namespace hiac::formats {
+namespace {
+
+using cgns::CgnsFile;
+using cgns::Node;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kNameLength = 32;
+
+/// A zone's place in the mesh.
+struct Zone {
+  std::string name;
+  Node node;
+  bool structured = false;
+  StructuredBlock block;
+  std::size_t points = 0;
+  std::size_t cells = 0;
+  /// Of an unstructured zone, where each of its cells is in the standard's numbering, from 0.
+  std::vector<std::size_t> numbers;
+  std::size_t numbered = 0;  ///< cells of the zone that solutions have values for
+};
+
+/// The solution nodes of one zone that hold a field at one step, one a component.
+struct FieldPart {
+  std::vector<Node> arrays;
+  std::array<std::size_t, 6> rind{};  ///< extra layers of a structured zone's solution
+};
+
+struct FieldKey {
+  std::string name;
+  FieldLocation location;
+  std::size_t components;
+  std::size_t step;
+  auto operator<=>(const FieldKey&) const = default;
+};
+
+/// The inner values of an array of a structured zone that has extra layers round it.
+std::vector<double> inner(const std::vector<double>& all, const std::array<std::size_t, 3>& extents,
+                          const std::array<std::size_t, 6>& rind) {
+  const std::size_t ni = extents[0] + rind[0] + rind[1];
+  const std::size_t nj = extents[1] + rind[2] + rind[3];
+  std::vector<double> values;
+  values.reserve(extents[0] * extents[1] * extents[2]);
+  for (std::size_t k = 0; k < extents[2]; ++k)
+    for (std::size_t j = 0; j < extents[1]; ++j)
+      for (std::size_t i = 0; i < extents[0]; ++i)
+        values.push_back(all[i + rind[0] + ni * (j + rind[2] + nj * (k + rind[4]))]);
+  return values;
+}
+
+/// A field's values in one zone, one list a component.
+std::vector<std::vector<double>> values_in(const CgnsFile& file, const Zone& zone,
+                                           const FieldPart& part, FieldLocation location) {
+  std::array<std::size_t, 3> extents{};
+  std::size_t expected = location == FieldLocation::node ? zone.points : zone.numbered;
+  if (zone.structured) {
+    for (std::size_t d = 0; d < 3; ++d)
+      extents[d] = zone.block.points[d] - (location == FieldLocation::cell ? 1 : 0);
+    expected = 1;
+    for (std::size_t d = 0; d < 3; ++d)
+      expected *= extents[d] + part.rind[2 * d] + part.rind[2 * d + 1];
+  }
+  std::vector<std::vector<double>> columns;
+  for (const Node& array : part.arrays) {
+    std::vector<double> values = file.reals(array);
+    if (values.size() != expected)
+      file.fail(array, fmt::format("holds {} values ({} expected)", values.size(), expected));
+    if (zone.structured) {
+      values = inner(values, extents, part.rind);
+    } else if (location == FieldLocation::cell) {
+      std::vector<double> of_cells;
+      for (const std::size_t number : zone.numbers)
+        of_cells.push_back(number < values.size() ? values[number] : kNaN);
+      values = std::move(of_cells);
+    }
+    columns.push_back(std::move(values));
+  }
+  return columns;
+}
+
+class Reader {
+ public:
+  explicit Reader(const std::string& path) : file_(std::make_shared<CgnsFile>(path)) {}
+
+  ForeignMesh read() {
+    const std::vector<Node> bases = file_->children(file_->root(), "CGNSBase_t");
+    if (bases.empty()) throw InputError(file_->path(), "holds no CGNSBase_t");
+    if (bases.size() > 1)
+      mesh_.notes.push_back(
+          fmt::format("read the base '{}' alone of {}", bases.front().name, bases.size()));
+    if (const auto steps = file_->labelled(bases.front(), "BaseIterativeData_t"))
+      if (const auto times = file_->child(*steps, "TimeValues")) mesh_.times = file_->reals(*times);
+    for (const Node& node : file_->children(bases.front(), "Zone_t")) add_zone(node);
+    for (std::size_t z = 0; z < zones_.size(); ++z) note_solutions(z);
+    for (const auto& [key, parts] : fields_) add_field(key, parts);
+    return std::move(mesh_);
+  }
+
+ private:
+  void add_zone(const Node& node) {
+    Zone zone;
+    zone.name = node.name;
+    zone.node = node;
+    const auto type = file_->labelled(node, "ZoneType_t");
+    zone.structured = !type || file_->text(*type).starts_with("Structured");
+    const std::vector<std::int64_t> sizes = file_->integers(node);
+    if (sizes.empty() || (zone.structured && sizes.size() != 3 * node.shape[0]))
+      file_->fail(node, "does not say how large it is");
+    if (zone.structured)
+      zone.block = structured_block(std::span(sizes).first(std::min<std::size_t>(node.shape[0], 3)),
+                                    file_->size() / 3, file_->path());
+    zone.points = zone.structured ? zone.block.point_count()
+                                  : static_cast<std::size_t>(std::max<std::int64_t>(sizes[0], 0));
+    const std::size_t first_point = mesh_.point_count();
+    const std::size_t first_cell = mesh_.cell_count();
+    add_points(zone);
+    if (zone.structured)
+      add_bricks(mesh_, zone.block, first_point, {}, "");
+    else
+      add_sections(zone, static_cast<std::int64_t>(first_point) - 1);
+    zone.cells = mesh_.cell_count() - first_cell;
+    mesh_.blocks.push_back({zone.name, {{first_cell, mesh_.cell_count()}}});
+    if (!zone.structured && sizes.size() > 1)
+      zone.numbered = static_cast<std::size_t>(std::max<std::int64_t>(sizes[1], 0));
+    zones_.push_back(std::move(zone));
+  }
+
+  void add_points(const Zone& zone) {
+    const auto grid = file_->child(zone.node, "GridCoordinates");
+    if (!grid) file_->fail(zone.node, "has no GridCoordinates");
+    std::array<std::vector<double>, 3> axes;
+    constexpr std::array<const char*, 3> kNames{"CoordinateX", "CoordinateY", "CoordinateZ"};
+    const auto rind = rind_of(*grid);
+    for (std::size_t d = 0; d < 3; ++d) {
+      const auto axis = file_->child(*grid, kNames[d]);
+      if (!axis && d == 2) {
+        axes[d].assign(axes[0].size(), 0);
+        continue;
+      }
+      if (!axis)
+        file_->fail(*grid, fmt::format("has no {} (Cartesian coordinates expected)", kNames[d]));
+      axes[d] = values_in(*file_, zone, {{*axis}, rind}, FieldLocation::node).front();
+    }
+    for (std::size_t i = 0; i < zone.points; ++i)
+      mesh_.xyz.insert(mesh_.xyz.end(), {axes[0][i], axes[1][i], axes[2][i]});
+  }
+
+  [[nodiscard]] std::array<std::size_t, 6> rind_of(const Node& parent) const {
+    std::array<std::size_t, 6> rind{};
+    const auto node = file_->labelled(parent, "Rind_t");
+    if (!node) return rind;
+    const std::vector<std::int64_t> layers = file_->integers(*node);
+    for (std::size_t i = 0; i < std::min<std::size_t>(layers.size(), 6); ++i) {
+      if (layers[i] < 0 || layers[i] > 1000) file_->fail(*node, "has no sensible layers");
+      rind[i] = static_cast<std::size_t>(layers[i]);
+    }
+    return rind;
+  }
+
+  /// Sections in the order of their element numbers, which is the order of cell data.
+  void add_sections(Zone& zone, std::int64_t offset) {
+    std::vector<std::pair<std::int64_t, Node>> sections;
+    for (const Node& section : file_->children(zone.node, "Elements_t")) {
+      const auto range = file_->child(section, "ElementRange");
+      const auto numbers = range ? file_->integers(*range) : std::vector<std::int64_t>();
+      if (numbers.size() != 2) file_->fail(section, "has no ElementRange");
+      sections.emplace_back(numbers[0], section);
+    }
+    std::sort(sections.begin(), sections.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& [first, section] : sections) {
+      const std::size_t first_cell = mesh_.cell_count();
+      add_section(section, offset);
+      const std::size_t count = mesh_.cell_count() - first_cell;
+      for (std::size_t i = 0; i < count; ++i)
+        zone.numbers.push_back(static_cast<std::size_t>(std::max<std::int64_t>(first, 1)) - 1 + i);
+      if (sections.size() > 1)
+        mesh_.blocks.push_back({section.name, {{first_cell, mesh_.cell_count()}}});
+    }
+  }
+
+  void add_section(const Node& section, std::int64_t offset) {
+    const std::vector<std::int64_t> kind = file_->integers(section);
+    const auto list = file_->child(section, "ElementConnectivity");
+    if (kind.empty() || !list) file_->fail(section, "has no ElementConnectivity");
+    const std::vector<std::int64_t> numbers = file_->integers(*list);
+    if (kind[0] == cgns::kPolygons || kind[0] == cgns::kPolyhedra) {
+      add_polyhedra(section, kind[0] == cgns::kPolyhedra, numbers.size());
+    } else if (kind[0] == cgns::kMixed) {
+      for (std::size_t at = 0; at < numbers.size();) {
+        const auto type = type_of(section, numbers[at++]);
+        if (type.nodes > numbers.size() - at) file_->fail(*list, "ended in the middle of a cell");
+        add_cells(type, std::span(numbers).subspan(at, type.nodes), offset);
+        at += type.nodes;
+      }
+    } else {
+      const auto type = type_of(section, kind[0]);
+      if (numbers.size() % type.nodes != 0)
+        file_->fail(*list,
+                    fmt::format("{} nodes make no whole number of {}", numbers.size(), type.name));
+      add_cells(type, numbers, offset);
+    }
+  }
+
+  [[nodiscard]] cgns::ElementType type_of(const Node& section, std::int64_t number) const {
+    const auto type = cgns::element_numbered(number);
+    if (!type) file_->fail(section, fmt::format("has elements of the unknown type {}", number));
+    return *type;
+  }
+
+  void add_cells(const cgns::ElementType& type, std::span<const std::int64_t> numbers,
+                 std::int64_t offset) {
+    mesh_.cell_types.insert(mesh_.cell_types.end(), numbers.size() / type.nodes,
+                            type_index(mesh_, type.name, type.nodes, type.conversion));
+    for (const std::int64_t number : numbers) mesh_.cell_nodes.push_back(number + offset);
+  }
+
+  /// Cells that are lists of faces: not read, but counted for the refusal.
+  void add_polyhedra(const Node& section, bool volume, std::size_t most) {
+    const auto range = file_->child(section, "ElementRange");
+    const std::vector<std::int64_t> numbers = file_->integers(*range);
+    const std::int64_t count =
+        std::clamp<std::int64_t>(numbers[1] - numbers[0] + 1, 0, static_cast<std::int64_t>(most));
+    mesh_.cell_types.insert(mesh_.cell_types.end(), static_cast<std::size_t>(count),
+                            type_index(mesh_, volume ? "NFACE_n (polyhedron)" : "NGON_n", 0,
+                                       volume ? kUnsupported : kNoVolume));
+  }
+
+  /// The step of every solution that a zone's pointers name.
+  std::map<std::string, std::size_t> steps_of(const Node& zone) const {
+    std::map<std::string, std::size_t> steps;
+    const auto iterative = file_->labelled(zone, "ZoneIterativeData_t");
+    const auto pointers =
+        iterative ? file_->child(*iterative, "FlowSolutionPointers") : std::nullopt;
+    if (!pointers) return steps;
+    const std::string all = file_->text(*pointers);
+    for (std::size_t s = 0; s < mesh_.times.size() && (s + 1) * kNameLength <= all.size(); ++s) {
+      std::string name = all.substr(s * kNameLength, kNameLength);
+      name.resize(std::min(name.find('\0'), name.size()));
+      while (name.ends_with(' ')) name.pop_back();
+      steps[name] = s;
+    }
+    return steps;
+  }
+
+  void note_solutions(std::size_t z) {
+    const Zone& zone = zones_[z];
+    const std::map<std::string, std::size_t> steps = steps_of(zone.node);
+    for (const Node& solution : file_->children(zone.node, "FlowSolution_t")) {
+      FieldLocation location = FieldLocation::node;
+      if (const auto place = file_->labelled(solution, "GridLocation_t")) {
+        const std::string name = file_->text(*place);
+        if (name.starts_with("CellCenter")) {
+          location = FieldLocation::cell;
+        } else if (!name.starts_with("Vertex")) {
+          mesh_.notes.push_back(
+              fmt::format("left out the solution '{}', which lives on {}", solution.name, name));
+          continue;
+        }
+      }
+      // a solution that no step names, of a file with several, is of none of them
+      const auto step = steps.find(solution.name);
+      if (!steps.empty() && step == steps.end()) continue;
+      const std::vector<Node> arrays = file_->children(solution, "DataArray_t");
+      std::vector<std::string> names;
+      for (const Node& array : arrays) names.push_back(array.name);
+      for (const VectorName& vector : vectors_among(names)) {
+        FieldPart part;
+        part.rind = rind_of(solution);
+        for (const std::size_t i : vector.parts) part.arrays.push_back(arrays[i]);
+        auto& parts = fields_[{vector.name, location, vector.parts.size(),
+                               steps.empty() ? kAlways : step->second}];
+        parts.resize(zones_.size());
+        parts[z] = std::move(part);
+      }
+    }
+  }
+
+  void add_field(const FieldKey& key, const std::vector<FieldPart>& parts) {
+    ForeignField field;
+    field.name = key.name;
+    field.location = key.location;
+    field.components = static_cast<std::uint32_t>(key.components);
+    if (key.step != kAlways) field.step = key.step;
+    if (!zones_kept_) zones_kept_ = std::make_shared<const std::vector<Zone>>(zones_);
+    field.values = [file = file_, zones = zones_kept_, key, parts] {
+      std::vector<double> values;
+      for (std::size_t z = 0; z < zones->size(); ++z) {
+        const Zone& zone = (*zones)[z];
+        const std::size_t count = key.location == FieldLocation::node ? zone.points : zone.cells;
+        if (parts[z].arrays.empty()) {
+          values.insert(values.end(), count * key.components, kNaN);
+          continue;
+        }
+        const auto columns = values_in(*file, zone, parts[z], key.location);
+        for (std::size_t i = 0; i < count; ++i)
+          for (const std::vector<double>& column : columns) values.push_back(column[i]);
+      }
+      return values;
+    };
+    mesh_.fields.push_back(std::move(field));
+  }
+
+  static constexpr std::size_t kAlways = std::numeric_limits<std::size_t>::max();
+
+  std::shared_ptr<CgnsFile> file_;
+  ForeignMesh mesh_;
+  std::vector<Zone> zones_;
+  std::shared_ptr<const std::vector<Zone>> zones_kept_;
+  std::map<FieldKey, std::vector<FieldPart>> fields_;
+};
+
+ForeignMesh foreign_mesh(const std::string& path) {
+  return read_isolated(path, "the CGNS library",
+                       [](const std::string& file) { return Reader(file).read(); });
+}
+
+}  // namespace
+
+Format cgns_format() {
+  Format format;
+  format.name = "cgns";
+  format.extensions = {".cgns"};
+  format.kinds = "tet4,10,20 pyr5,13,21 prism6,15,24 brick8,20,32";
+  format.fields = "node, cell";
+  format.time_steps = "several";
+  // the first words of an ADF file
+  format.recognizes = [](std::string_view head) { return head.find("ADF Database Version") == 4; };
+  format.contains = [](const std::string& path) { return hdf5::model_of(path) == "cgns"; };
+  format.read = [](const std::string& path, const ReadOptions& options) {
+    return assemble(foreign_mesh(path), options, path);
+  };
+  format.inspect = [](const std::string& path) {
+    return inventory_of(foreign_mesh(path), "cgns", path);
+  };
+  return format;
+}
+
+}  // namespace hiac::formats

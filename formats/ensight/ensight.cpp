@@ -1,0 +1,333 @@
+#include "formats/ensight/ensight.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "formats/assemble.hpp"
+#include "formats/edge_order.hpp"
+#include "formats/ensight/case_file.hpp"
+#include "formats/ensight/gold_file.hpp"
+#include "formats/foreign_types.hpp"
+#include "formats/steps.hpp"
+#include "formats/structured.hpp"
+#include "hiac/base/error.hpp"
+
+namespace hiac::formats {
+namespace {
+
+using ensight::GoldFile;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+struct Element {
+  std::size_t nodes;
+  CellConversion conversion;
+};
+
+/// Elements by name. Mid-edge nodes: round the bottom, round the top, up the sides, as in the zoo;
+/// the pentahedra are right-handed.
+const std::map<std::string, Element>& elements() {
+  static const std::vector<std::uint8_t> penta15 = permutation_by_edges(
+      CellKind::prism15, kRightHandedPrism,
+      std::array<ShapeEdge, 9>{
+          {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}}});
+  static const std::map<std::string, Element> all{
+      {"point", {1, kNoVolume}},
+      {"bar2", {2, kNoVolume}},
+      {"bar3", {3, kNoVolume}},
+      {"tria3", {3, kNoVolume}},
+      {"tria6", {6, kNoVolume}},
+      {"quad4", {4, kNoVolume}},
+      {"quad8", {8, kNoVolume}},
+      {"tetra4", {4, converted_to(CellKind::tetrahedron4)}},
+      {"tetra10", {10, converted_to(CellKind::tetrahedron10)}},
+      {"pyramid5", {5, converted_to(CellKind::pyramid5)}},
+      {"pyramid13", {13, converted_to(CellKind::pyramid13)}},
+      {"penta6", {6, converted_to(CellKind::prism6, kRightHandedPrism)}},
+      {"penta15", {15, converted_to(CellKind::prism15, penta15)}},
+      {"hexa8", {8, converted_to(CellKind::brick8)}},
+      {"hexa20", {20, converted_to(CellKind::brick20)}}};
+  return all;
+}
+
+/// The cells of one part that stand under one element's name.
+struct Section {
+  std::string name;
+  std::size_t first;
+  std::size_t count;              ///< in the file
+  std::vector<std::size_t> kept;  ///< of a block with hidden cells; empty: all
+  [[nodiscard]] std::size_t cells() const { return kept.empty() ? count : kept.size(); }
+};
+
+struct Part {
+  std::size_t first_point = 0;
+  std::size_t points = 0;
+  std::vector<Section> sections;
+};
+using Parts = std::map<std::int64_t, Part>;
+
+class Geometry {
+ public:
+  Geometry(const std::string& path, ForeignMesh& mesh)
+      : file_(GoldFile::open_geometry(path)), mesh_(mesh) {}
+
+  Parts read() {
+    file_.text();
+    file_.text();
+    node_ids_ = has_ids(file_.text());
+    element_ids_ = has_ids(file_.text());
+    while (!file_.at_end()) {
+      const std::string line = file_.text();
+      if (line == "extents")
+        file_.reals(6);
+      else if (line == "part")
+        read_part();
+      else if (!line.empty())
+        file_.fail(fmt::format("'part' expected ({} found)", shown(line)));
+    }
+    return std::move(parts_);
+  }
+  [[nodiscard]] bool binary() const { return file_.binary(); }
+  [[nodiscard]] bool swapped() const { return file_.swapped(); }
+
+ private:
+  static bool has_ids(const std::string& line) {
+    return line.ends_with("given") || line.ends_with("ignore");
+  }
+
+  void read_part() {
+    Part& part = parts_[file_.part_number()];
+    part.first_point = mesh_.point_count();
+    const std::string name = file_.text();
+    const std::size_t first_cell = mesh_.cell_count();
+    while (!file_.at_end()) {
+      const std::string line = file_.text(true);
+      if (line == "part") break;
+      file_.text();
+      if (line == "coordinates")
+        read_coordinates(part);
+      else if (line.starts_with("block"))
+        read_block(line, part);
+      else if (!line.empty())
+        read_section(line, part);
+    }
+    mesh_.blocks.push_back({name, {{first_cell, mesh_.cell_count()}}});
+  }
+
+  void add_points(const std::array<std::vector<double>, 3>& axes, Part& part) {
+    part.points = axes[0].size();
+    for (std::size_t i = 0; i < part.points; ++i)
+      mesh_.xyz.insert(mesh_.xyz.end(), {axes[0][i], axes[1][i], axes[2][i]});
+  }
+
+  void read_coordinates(Part& part) {
+    const std::size_t count = file_.count();
+    if (node_ids_) file_.wholes(count);
+    std::array<std::vector<double>, 3> axes;
+    for (auto& axis : axes) axis = file_.reals(count);
+    add_points(axes, part);
+  }
+
+  void read_block(const std::string& line, Part& part) {
+    if (line.find("uniform") != std::string::npos || line.find("rectilinear") != std::string::npos)
+      file_.fail(fmt::format("'{}' is not read (a curvilinear block expected)", line));
+    const bool blanked = line.find("iblanked") != std::string::npos;
+    const std::vector<std::int64_t> extents = file_.wholes(3);
+    const StructuredBlock block =
+        structured_block(extents, std::size_t{1} << 31, "a block of a part");
+    const std::size_t count = block.point_count();
+    std::array<std::vector<double>, 3> axes;
+    for (auto& axis : axes) axis = file_.reals(count);
+    std::vector<bool> hidden;
+    if (blanked)
+      for (const std::int64_t blank : file_.wholes(count)) hidden.push_back(blank == 0);
+    add_points(axes, part);
+    const std::size_t first = mesh_.cell_count();
+    std::vector<std::size_t> kept = add_bricks(mesh_, block, part.first_point, hidden, "");
+    part.sections.push_back({"block", first, block.cell_count(), std::move(kept)});
+  }
+
+  void read_section(const std::string& line, Part& part) {
+    const bool ghost = line.starts_with("g_");
+    const std::string name = ghost ? line.substr(2) : line;
+    if (name == "nsided" || name == "nfaced") return read_polytopes(name, part);
+    const auto found = elements().find(name);
+    if (found == elements().end())
+      file_.fail(fmt::format("an element's name expected ({} found)", shown(line)));
+    const Element& element = found->second;
+    const std::size_t count = file_.count(4 * element.nodes);
+    if (element_ids_) file_.wholes(count);
+    const std::vector<std::int64_t> nodes = file_.wholes(count * element.nodes);
+    part.sections.push_back({line, mesh_.cell_count(), count, {}});
+    const CellConversion conversion = ghost ? kNoVolume : element.conversion;
+    mesh_.cell_types.insert(mesh_.cell_types.end(), count,
+                            type_index(mesh_, line, element.nodes, conversion));
+    for (const std::int64_t node : nodes) {
+      if (node < 1 || static_cast<std::uint64_t>(node) > part.points)
+        file_.fail(fmt::format("{} names node {} (1 to {} expected)", name, node, part.points));
+      mesh_.cell_nodes.push_back(static_cast<std::int64_t>(part.first_point) + node - 1);
+    }
+  }
+
+  /// Polygons and polyhedra are counted, not read.
+  void read_polytopes(const std::string& name, Part& part) {
+    const std::size_t count = file_.count();
+    if (element_ids_) file_.wholes(count);
+    std::vector<std::int64_t> numbers = file_.wholes(count);
+    for (int level = name == "nfaced" ? 2 : 1; level > 0; --level) {
+      std::size_t total = 0;
+      for (const std::int64_t number : numbers) {
+        if (number < 0 || number > std::int64_t{1} << 31) file_.fail("a number of nodes expected");
+        total += static_cast<std::size_t>(number);
+      }
+      numbers = file_.wholes(total);
+    }
+    part.sections.push_back({name, mesh_.cell_count(), count, {}});
+    mesh_.cell_types.insert(
+        mesh_.cell_types.end(), count,
+        type_index(mesh_, name, 0, name == "nfaced" ? kUnsupported : kNoVolume));
+  }
+
+  GoldFile file_;
+  ForeignMesh& mesh_;
+  Parts parts_;
+  bool node_ids_ = false;
+  bool element_ids_ = false;
+};
+
+/// What reads a variable's files.
+struct VariableReader {
+  Parts parts;
+  bool binary = false;
+  bool swap = false;
+  std::size_t points = 0;
+  std::size_t cells = 0;
+
+  [[nodiscard]] std::vector<double> read(const std::string& path, FieldLocation location,
+                                         std::size_t width) const {
+    GoldFile file(path, binary, swap);
+    file.text();
+    std::vector<double> values((location == FieldLocation::node ? points : cells) * width, kNaN);
+    const Part* part = nullptr;
+    while (!file.at_end()) {
+      const std::string line = file.text();
+      if (line.empty()) continue;
+      if (line == "part") {
+        const auto found = parts.find(file.part_number());
+        if (found == parts.end()) file.fail("the number of a part of the geometry expected");
+        part = &found->second;
+        continue;
+      }
+      if (part == nullptr) file.fail(fmt::format("'part' expected ({} found)", shown(line)));
+      read_values(file, line, *part, location, width, values);
+    }
+    return values;
+  }
+
+ private:
+  static void read_values(GoldFile& file, const std::string& line, const Part& part,
+                          FieldLocation location, std::size_t width, std::vector<double>& values) {
+    const std::string name = line.substr(0, line.find(' '));
+    const bool undefined = line.ends_with("undef");
+    if (line.ends_with("partial")) file.fail("partial values (whole ones expected)");
+    const double absent = undefined ? file.reals(1).front() : kNaN;
+    const Section* section = nullptr;
+    if (location == FieldLocation::cell) {
+      for (const Section& one : part.sections)
+        if (one.name == name) section = &one;
+      if (section == nullptr)
+        file.fail(fmt::format("an element's name of the part expected ({} found)", shown(line)));
+    } else if (name != "coordinates" && name != "block") {
+      file.fail(fmt::format("'coordinates' or 'block' expected ({} found)", shown(line)));
+    }
+    const std::size_t stored = section == nullptr ? part.points : section->count;
+    const std::size_t taken = section == nullptr ? part.points : section->cells();
+    const std::size_t first = section == nullptr ? part.first_point : section->first;
+    // the manual's order of a symmetric tensor is 11 22 33 12 13 23
+    constexpr std::array<std::size_t, 6> kSymmetric{0, 1, 2, 3, 5, 4};
+    for (std::size_t c = 0; c < width; ++c) {
+      const std::vector<double> column = file.reals(stored);
+      const std::size_t place = width == 6 ? kSymmetric[c] : c;
+      for (std::size_t i = 0; i < taken; ++i) {
+        const bool chosen = section != nullptr && !section->kept.empty();
+        const double value = column[chosen ? section->kept[i] : i];
+        values[(first + i) * width + place] = undefined && value == absent ? kNaN : value;
+      }
+    }
+  }
+};
+
+ForeignMesh foreign_mesh(const std::string& path, const ReadOptions& options) {
+  ForeignMesh mesh;
+  const ensight::CaseFile parsed = ensight::read_case_file(path);
+  mesh.notes = parsed.notes;
+  const ensight::TimeSet* times = parsed.time_sets.empty() ? nullptr : &parsed.time_sets.front();
+  if (times != nullptr) mesh.times = times->times;
+  const std::size_t last = mesh.times.empty() ? 0 : mesh.times.size() - 1;
+  const std::size_t step = requested_step(options, mesh.times, path).value_or(last);
+  Geometry geometry(
+      ensight::file_of_step(path, parsed.geometry, parsed.time_set(parsed.geometry_time_set), step),
+      mesh);
+  const auto reader = std::make_shared<VariableReader>();
+  reader->parts = geometry.read();
+  reader->binary = geometry.binary();
+  reader->swap = geometry.swapped();
+  reader->points = mesh.point_count();
+  reader->cells = mesh.cell_count();
+  for (const ensight::Variable& variable : parsed.variables) {
+    const ensight::TimeSet* set = parsed.time_set(variable.time_set);
+    std::vector<std::string> files;
+    for (const std::string& file : variable.files)
+      files.push_back(ensight::file_of_step(path, file, set, step));
+    ForeignField field;
+    field.name = variable.name;
+    field.location = variable.location;
+    field.components = static_cast<std::uint32_t>(variable.components * files.size());
+    if (set != nullptr && !mesh.times.empty()) field.step = step;
+    field.type = "float";
+    field.values = [reader, variable, files] {
+      std::vector<double> values = reader->read(files[0], variable.location, variable.components);
+      if (files.size() == 1) return values;
+      const std::vector<double> imaginary =
+          reader->read(files[1], variable.location, variable.components);
+      std::vector<double> pairs;
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        pairs.push_back(values[i]);
+        pairs.push_back(imaginary[i]);
+      }
+      return pairs;
+    };
+    mesh.fields.push_back(std::move(field));
+  }
+  return mesh;
+}
+
+}  // namespace
+
+Format ensight_format() {
+  Format format;
+  format.name = "ensight";
+  format.extensions = {".case", ".encas"};
+  format.kinds = "tet4,10 pyr5,13 prism6,15 brick8,20";
+  format.fields = "node, cell";
+  format.time_steps = "several";
+  format.recognizes = [](std::string_view head) {
+    return head.find("ensight gold") != std::string_view::npos &&
+           head.find("GEOMETRY") != std::string_view::npos;
+  };
+  format.read = [](const std::string& path, const ReadOptions& options) {
+    return assemble(foreign_mesh(path, options), options, path);
+  };
+  format.inspect = [](const std::string& path) {
+    return inventory_of(foreign_mesh(path, {}), "ensight", path);
+  };
+  return format;
+}
+
+}  // namespace hiac::formats

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace hiac::formats::exodus {
+
+/// Whether a file that begins so is a classic netCDF file: "CDF" and version 1, 2 or 5.
+bool is_classic_netcdf(std::string_view head);
+
+/// Reads the header of a classic netCDF file and checks that the data of every variable are inside
+/// the file. Throws InputError(subject, ...) otherwise.
+///
+/// The layout: https://docs.unidata.ucar.edu/netcdf-c/current/file_format_specifications.html
+void check_classic_layout(std::string_view text, const std::string& subject);
+
+}  // namespace hiac::formats::exodus

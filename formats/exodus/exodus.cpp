@@ -1,0 +1,223 @@
+#include "formats/exodus/exodus.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "formats/assemble.hpp"
+#include "formats/exodus/classic_layout.hpp"
+#include "formats/exodus/element_types.hpp"
+#include "formats/exodus/netcdf_file.hpp"
+#include "formats/foreign_types.hpp"
+#include "formats/hdf5/hdf5_model.hpp"
+#include "formats/isolated.hpp"
+#include "hiac/base/error.hpp"
+
+namespace hiac::formats {
+namespace {
+
+using exodus::NetcdfFile;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// An element block's cells.
+struct Block {
+  std::size_t number;  ///< from 1, as in the names of its variables
+  std::size_t cells;
+};
+
+class Reader {
+ public:
+  explicit Reader(const std::string& path) : file_(std::make_shared<NetcdfFile>(path)) {
+    if (!file_->has("connect1") && file_->dimension("num_nodes") == 0 &&
+        file_->dimension("num_dim") == 0)
+      throw InputError(path, "is a netCDF file without a mesh of the Exodus II model");
+  }
+
+  ForeignMesh read() {
+    read_coordinates();
+    read_blocks();
+    if (file_->has("time_whole")) mesh_.times = file_->reals("time_whole");
+    add_node_fields();
+    add_cell_fields();
+    if (const auto title = file_->text_attribute("", "title"); title && !title->empty())
+      mesh_.metadata.emplace_back("title", *title);
+    note_left_out();
+    return std::move(mesh_);
+  }
+
+ private:
+  void read_coordinates() {
+    points_ = file_->dimension("num_nodes");
+    const std::size_t dimensions = file_->dimension("num_dim");
+    if (dimensions > 3) file_->fail("num_dim", fmt::format("is {} (1 to 3 expected)", dimensions));
+    constexpr std::array<const char*, 3> kNames{"coordx", "coordy", "coordz"};
+    std::array<std::vector<double>, 3> axes;
+    const bool together = points_ > 0 && file_->has("coord");
+    for (std::size_t d = 0; d < dimensions && points_ > 0; ++d) {
+      axes[d] = together ? file_->reals("coord", {d, 0}, {1, points_}) : file_->reals(kNames[d]);
+      if (axes[d].size() != points_)
+        file_->fail(kNames[d],
+                    fmt::format("holds {} coordinates ({} expected)", axes[d].size(), points_));
+    }
+    mesh_.xyz.assign(3 * points_, 0);
+    for (std::size_t d = 0; d < dimensions; ++d)
+      for (std::size_t i = 0; i < points_; ++i) mesh_.xyz[3 * i + d] = axes[d][i];
+    mesh_.first_node = 1;
+  }
+
+  void read_blocks() {
+    const std::size_t count = file_->dimension("num_el_blk");
+    const std::vector<std::string> names = file_->texts("eb_names");
+    std::vector<std::int64_t> ids;
+    if (file_->has("eb_prop1")) ids = file_->integers("eb_prop1");
+    for (std::size_t b = 1; b <= count; ++b) {
+      const std::size_t first = mesh_.cell_count();
+      read_block(b);
+      std::string name = b <= names.size() ? names[b - 1] : "";
+      if (name.empty()) name = fmt::format("{}", b <= ids.size() ? ids[b - 1] : std::int64_t(b));
+      mesh_.blocks.push_back({std::move(name), {{first, mesh_.cell_count()}}});
+    }
+  }
+
+  void read_block(std::size_t number) {
+    const std::string name = fmt::format("connect{}", number);
+    const std::size_t first = mesh_.cell_count();
+    if (file_->has(name))
+      read_cells(name);
+    else if (file_->has(fmt::format("facconn{}", number)))
+      add_unsupported("nfaced (polyhedra)", number);
+    blocks_.push_back({number, mesh_.cell_count() - first});
+  }
+
+  void read_cells(const std::string& name) {
+    const std::vector<std::size_t> shape = file_->shape(name);
+    const std::string element = file_->text_attribute(name, "elem_type").value_or("");
+    if (shape.size() != 2) {
+      mesh_.notes.push_back(fmt::format("left out a block of {} cells", element));
+      return;
+    }
+    const CellConversion conversion = exodus::conversion_of(element, shape[1]);
+    const std::vector<std::int64_t> nodes = file_->integers(name);
+    mesh_.cell_types.insert(mesh_.cell_types.end(), shape[0],
+                            type_index(mesh_, element, shape[1], conversion));
+    mesh_.cell_nodes.insert(mesh_.cell_nodes.end(), nodes.begin(), nodes.end());
+  }
+
+  /// Cells whose nodes are not read.
+  void add_unsupported(const std::string& element, std::size_t number) {
+    const std::string counts = fmt::format("ebepecnt{}", number);
+    const std::size_t count = file_->has(counts) ? file_->integers(counts).size() : 0;
+    mesh_.cell_types.insert(mesh_.cell_types.end(), count,
+                            type_index(mesh_, element, 0, kUnsupported));
+  }
+
+  [[nodiscard]] std::size_t steps() const { return mesh_.times.size(); }
+
+  void add_field(ForeignField field) {
+    if (field.name.empty()) field.name = fmt::format("variable {}", mesh_.fields.size() + 1);
+    mesh_.fields.push_back(std::move(field));
+  }
+
+  void add_node_fields() {
+    const std::vector<std::string> names = file_->texts("name_nod_var");
+    for (std::size_t v = 0; v < names.size(); ++v) {
+      // old files have one array of all variables
+      const std::string own = fmt::format("vals_nod_var{}", v + 1);
+      const bool together = !file_->has(own) && file_->has("vals_nod_var");
+      const std::string variable = together ? "vals_nod_var" : own;
+      if (!file_->has(variable)) continue;
+      for (std::size_t step = 0; step < steps(); ++step) {
+        ForeignField field;
+        field.name = names[v];
+        field.step = step;
+        field.type = file_->type(variable);
+        field.values = [file = file_, variable, together, v, step, points = points_] {
+          return together ? file->reals(variable, {step, v, 0}, {1, 1, points})
+                          : file->reals(variable, {step, 0}, {1, points});
+        };
+        add_field(std::move(field));
+      }
+    }
+  }
+
+  void add_cell_fields() {
+    const std::vector<std::string> names = file_->texts("name_elem_var");
+    for (std::size_t v = 0; v < names.size(); ++v) {
+      const auto variable = [v](std::size_t block) {
+        return fmt::format("vals_elem_var{}eb{}", v + 1, block);
+      };
+      const auto first = std::find_if(blocks_.begin(), blocks_.end(), [&](const Block& block) {
+        return block.cells > 0 && file_->has(variable(block.number));
+      });
+      if (first == blocks_.end()) continue;
+      for (std::size_t step = 0; step < steps(); ++step) {
+        ForeignField field;
+        field.name = names[v];
+        field.location = FieldLocation::cell;
+        field.step = step;
+        field.type = file_->type(variable(first->number));
+        field.values = [file = file_, variable, step, blocks = blocks_] {
+          std::vector<double> values;
+          for (const Block& block : blocks) {
+            const std::string name = variable(block.number);
+            if (block.cells > 0 && file->has(name)) {
+              const auto part = file->reals(name, {step, 0}, {1, block.cells});
+              values.insert(values.end(), part.begin(), part.end());
+            } else {
+              values.insert(values.end(), block.cells, kNaN);
+            }
+          }
+          return values;
+        };
+        add_field(std::move(field));
+      }
+    }
+  }
+
+  void note_left_out() {
+    const std::size_t edges = file_->dimension("num_ed_blk");
+    const std::size_t faces = file_->dimension("num_fa_blk");
+    if (edges + faces > 0)
+      mesh_.notes.push_back(
+          fmt::format("left out {} edge and {} face blocks with their fields", edges, faces));
+    if (const std::size_t globals = file_->dimension("num_glo_var"); globals > 0)
+      mesh_.notes.push_back(fmt::format("left out {} global variables", globals));
+  }
+
+  std::shared_ptr<NetcdfFile> file_;
+  ForeignMesh mesh_;
+  std::size_t points_ = 0;
+  std::vector<Block> blocks_;
+};
+
+ForeignMesh open_exodus(const std::string& path) { return Reader(path).read(); }
+
+ForeignMesh foreign_mesh(const std::string& path) {
+  return read_isolated(path, "the netCDF library", open_exodus);
+}
+
+}  // namespace
+
+Format exodus_format() {
+  Format format;
+  format.name = "exodus";
+  format.extensions = {".e", ".exo", ".ex2", ".exii", ".exo2", ".gen", ".g"};
+  format.kinds = "tet4,10 pyr5,13 prism6,15 brick8,20";
+  format.fields = "node, cell";
+  format.time_steps = "several";
+  format.recognizes = [](std::string_view head) { return exodus::is_classic_netcdf(head); };
+  // netCDF-4 files are HDF5 files
+  format.contains = [](const std::string& path) { return hdf5::model_of(path) == "exodus"; };
+  format.read = [](const std::string& path, const ReadOptions& options) {
+    return assemble(foreign_mesh(path), options, path);
+  };
+  format.inspect = [](const std::string& path) {
+    return inventory_of(foreign_mesh(path), "exodus", path);
+  };
+  return format;
+}
+
+}  // namespace hiac::formats

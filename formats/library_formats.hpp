@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "formats/format.hpp"
+
+namespace hiac::formats {
+
+/// Adds the formats of structured and of binary results: those that are read through a library of
+/// their own, as far as this build has it, and those that need none.
+void add_library_formats(std::vector<Format>& formats);
+
+/// The versions of those libraries, each with a comma before it: ", HDF5 1.10.8".
+std::string further_library_versions();
+
+}  // namespace hiac::formats

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hiac::formats::plot3d {
+
+using Extents = std::array<std::size_t, 3>;
+
+/// A grid file's blocks: coordinates of all x, then y, then z, i fastest; IBLANK where it has it.
+struct Grid {
+  std::vector<Extents> blocks;
+  std::vector<std::vector<double>> coordinates;
+  std::vector<std::vector<std::int32_t>> iblank;  ///< empty when the file has none
+};
+
+/// A Q or function file's blocks: for every variable a value a point.
+struct Solution {
+  std::vector<std::size_t> variables;  ///< of every block
+  std::vector<std::vector<double>> values;
+};
+
+/// Reads a grid file, finding out its dialect. Throws InputError naming the file when none fits.
+Grid read_grid(const std::string& path);
+
+/// Reads a Q file for these blocks: density, three of momentum, stagnation energy, and what
+/// OVERFLOW adds.
+Solution read_q(const std::string& path, const std::vector<Extents>& blocks);
+
+/// Reads a function file for these blocks.
+Solution read_function(const std::string& path, const std::vector<Extents>& blocks);
+
+/// Whether the bytes may be the beginning of a grid file.
+bool may_be_grid(std::string_view head);
+
+}  // namespace hiac::formats::plot3d

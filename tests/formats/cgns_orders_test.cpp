@@ -1,0 +1,91 @@
+// The node order of every element that is read from CGNS files, by files of one cell written
+// through the CGNS library. The elements as in the Standard Interface Data Structures, section 3.3.
+#include <cgnslib.h>
+
+#include "tests/formats/files.hpp"
+#include "tests/formats/one_cell.hpp"
+
+namespace hiac::formats {
+namespace {
+
+const std::vector<std::pair<int, int>> kTetra{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
+const std::vector<std::pair<int, int>> kPyramid{{0, 1}, {1, 2}, {2, 3}, {3, 0},
+                                                {0, 4}, {1, 4}, {2, 4}, {3, 4}};
+const std::vector<std::pair<int, int>> kPrism{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 4},
+                                              {2, 5}, {3, 4}, {4, 5}, {5, 3}};
+const std::vector<std::pair<int, int>> kBrick{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 4}, {1, 5},
+                                              {2, 6}, {3, 7}, {4, 5}, {5, 6}, {6, 7}, {7, 4}};
+
+struct Element {
+  CGNS_ENUMT(ElementType_t) type;
+  DocumentedElement documented;
+};
+
+const std::vector<Element> kElements{
+    {CGNS_ENUMV(TETRA_4), {"TETRA_4", CellKind::tetrahedron4, kTetraCorners, {}}},
+    {CGNS_ENUMV(TETRA_10), {"TETRA_10", CellKind::tetrahedron10, kTetraCorners, kTetra, 1}},
+    {CGNS_ENUMV(TETRA_20),
+     {"TETRA_20",
+      CellKind::tetrahedron20,
+      kTetraCorners,
+      kTetra,
+      2,
+      {{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}}},
+    {CGNS_ENUMV(PYRA_5), {"PYRA_5", CellKind::pyramid5, kPyramidCorners, {}}},
+    {CGNS_ENUMV(PYRA_13), {"PYRA_13", CellKind::pyramid13, kPyramidCorners, kPyramid, 1}},
+    {CGNS_ENUMV(PYRA_21), {"PYRA_21", CellKind::pyramid21, kPyramidCorners, kPyramid, 2}},
+    {CGNS_ENUMV(PENTA_6), {"PENTA_6", CellKind::prism6, kPrismCorners, {}}},
+    {CGNS_ENUMV(PENTA_15), {"PENTA_15", CellKind::prism15, kPrismCorners, kPrism, 1}},
+    {CGNS_ENUMV(PENTA_24), {"PENTA_24", CellKind::prism24, kPrismCorners, kPrism, 2}},
+    {CGNS_ENUMV(HEXA_8), {"HEXA_8", CellKind::brick8, kBrickCorners, {}}},
+    {CGNS_ENUMV(HEXA_20), {"HEXA_20", CellKind::brick20, kBrickCorners, kBrick, 1}},
+    {CGNS_ENUMV(HEXA_32), {"HEXA_32", CellKind::brick32, kBrickCorners, kBrick, 2}},
+};
+
+void check(int status) { ASSERT_EQ(status, CG_OK) << cg_get_error(); }
+
+void write_cell(const std::string& path, const Element& element, int sort) {
+  const std::vector<Vector> points = placed_points(element.documented);
+  int file = 0;
+  int base = 0;
+  int zone = 0;
+  int id = 0;
+  int solution = 0;
+  check(cg_set_file_type(sort));
+  check(cg_open(path.c_str(), CG_MODE_WRITE, &file));
+  check(cg_base_write(file, "base", 3, 3, &base));
+  const std::array<cgsize_t, 3> size{static_cast<cgsize_t>(points.size()), 1, 0};
+  check(cg_zone_write(file, base, "zone", size.data(), CGNS_ENUMV(Unstructured), &zone));
+  constexpr std::array<const char*, 3> kNames{"CoordinateX", "CoordinateY", "CoordinateZ"};
+  for (std::size_t d = 0; d < 3; ++d) {
+    std::vector<double> axis;
+    for (const Vector& p : points) axis.push_back(p[d]);
+    check(cg_coord_write(file, base, zone, CGNS_ENUMV(RealDouble), kNames[d], axis.data(), &id));
+  }
+  std::vector<cgsize_t> nodes;
+  std::vector<double> values;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    nodes.push_back(static_cast<cgsize_t>(i + 1));
+    values.push_back(polynomial(element.documented.kind, points[i]));
+  }
+  check(cg_section_write(file, base, zone, "cells", element.type, 1, 1, 0, nodes.data(), &id));
+  check(cg_sol_write(file, base, zone, "solution", CGNS_ENUMV(Vertex), &solution));
+  check(
+      cg_field_write(file, base, zone, solution, CGNS_ENUMV(RealDouble), "p", values.data(), &id));
+  check(cg_close(file));
+}
+
+TEST(CgnsOrders, OneCellFilesHavePositiveJacobiansAndTheirField) {
+  const ScratchFolder folder;
+  for (const Element& element : kElements)
+    for (const int sort : {CG_FILE_HDF5, CG_FILE_ADF}) {
+      const std::string path = folder.file("cell.cgns");
+      std::filesystem::remove(path);
+      write_cell(path, element, sort);
+      ASSERT_EQ(format_to_read(path).name, "cgns");
+      expect_one_cell(read_any(path).mesh, element.documented);
+    }
+}
+
+}  // namespace
+}  // namespace hiac::formats
