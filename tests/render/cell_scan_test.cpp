@@ -26,13 +26,27 @@ void add_constant_field(ZooMesh& mesh) {
   test::add_node_field(mesh, "f", [](const Position&) { return 0.5; });
 }
 
-// Meshes of the unit cube.
+// Meshes of the unit cube; those that are warped have bilinear faces inside it,
+// and those that are curved or cubic parametric ones.
 std::vector<NamedMesh> cubes() {
   std::vector<NamedMesh> meshes{{"bricks", test::structured(4, Cut::bricks)},
                                 {"prisms", test::structured(4, Cut::prisms)},
                                 {"pyramids", test::structured(4, Cut::pyramids)},
                                 {"tetrahedra", test::structured(4, Cut::tetrahedra)},
                                 {"mixed", test::mixed_columns(4)}};
+  const auto warped = [](const Position& p) { return test::warped(p, 0.05); };
+  for (const auto& [name, mesh] : {NamedMesh{"warped bricks", test::structured(4, Cut::bricks)},
+                                   {"warped prisms", test::structured(4, Cut::prisms)},
+                                   {"warped mixed", test::mixed_columns(4)}})
+    meshes.push_back({name, test::moved(mesh, warped)});
+  const auto of_order = [](const ZooMesh& mesh, CellOrder order) {
+    return test::moved(test::of_order(mesh, order), test::bent);
+  };
+  meshes.push_back(
+      {"curved tetrahedra", of_order(test::structured(2, Cut::tetrahedra), CellOrder::quadratic)});
+  meshes.push_back({"curved mixed", of_order(test::mixed_columns(2), CellOrder::quadratic)});
+  meshes.push_back({"cubic bricks", of_order(test::structured(2, Cut::bricks), CellOrder::cubic)});
+  meshes.push_back({"cubic prisms", of_order(test::structured(2, Cut::prisms), CellOrder::cubic)});
   for (auto& [name, mesh] : meshes) add_constant_field(mesh);
   return meshes;
 }
@@ -86,7 +100,9 @@ void expect_watertight(const NamedMesh& m, const Scene& scene, double bound, con
       if (c.length > 0) ++judged;
       worst = std::max(worst, c.on_boundary ? alpha - expected : error);
     }
-  EXPECT_LE(worst, bound) << m.name;
+  // between curved faces a ray has several times as many operations behind it
+  const bool curved = order_of(m.mesh.kinds[0]) != CellOrder::linear;
+  EXPECT_LE(worst, curved ? 8 * bound : bound) << m.name;
   EXPECT_GT(judged, 50U) << m.name;
 }
 

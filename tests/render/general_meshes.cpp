@@ -1,6 +1,7 @@
 #include "tests/render/general_meshes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <random>
 
@@ -18,6 +19,26 @@ Position tapered(const Position& p) {
   const double w = 1 + 0.6 * p[2] - 0.25 * p[0] + 0.3 * p[1];
   const Position q = sheared(p);
   return {q[0] / w, q[1] / w, q[2] / w};
+}
+
+Position warped(const Position& p, double by) {
+  Position q = p;
+  for (const double x : p)
+    if (x <= 0 || x >= 1) return p;
+  for (std::size_t a = 0; a < 3; ++a) {
+    const double wave = std::sin(127.1 * p[a] + 311.7 * p[(a + 1) % 3] + 74.7 * p[(a + 2) % 3]);
+    const double random = 43758.5453 * wave;
+    q[a] += by * (2 * (random - std::floor(random)) - 1);
+  }
+  return q;
+}
+
+Position bent(const Position& p) {
+  double inner = 0.03;
+  for (const double x : p) inner *= 4 * x * (1 - x);
+  return {p[0] + inner * std::sin(7 * p[1] + 5 * p[2]),
+          p[1] + inner * std::sin(6 * p[2] + 8 * p[0]),
+          p[2] + inner * std::sin(9 * p[0] + 4 * p[1])};
 }
 
 ZooMesh two_wedges() {

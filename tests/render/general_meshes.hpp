@@ -15,6 +15,13 @@ Position sheared(const Position& p);
 /// A projective map of the unit cube: planes stay planes, bricks become frusta and worse.
 Position tapered(const Position& p);
 
+/// Moves points inside the unit cube by up to `by` in every coordinate, at random: quadrilaterals
+/// between them are no longer planar. Points of the cube's surface stay.
+Position warped(const Position& p, double by);
+
+/// Moves points inside the unit cube smoothly: nodes of higher order then bend edges and faces.
+Position bent(const Position& p);
+
 /// Two 7-node wedges that share a quadrilateral face, as large as the unit cube.
 ZooMesh two_wedges();
 

@@ -44,23 +44,41 @@ TEST(Renderable, CellsAllTurnedInsideOutAreLetPass) {
       check_renderable(with_field(test::moved(test::mixed_columns(2), mirrored)), scene()));
 }
 
-TEST(Renderable, FacesThatAreNotPlanarAreNamed) {
-  const ZooMesh twisted =
-      with_field(test::moved(test::structured(2, Cut::bricks), [](const Position& p) {
-        return p[0] == 1 && p[1] == 1 && p[2] == 1 ? Position{1.25, 1, 1} : p;
-      }));
-  Scene s = scene();
-  EXPECT_THAT([&] { check_renderable(twisted, s); },
-              ThrowsMessage<InputError>(AllOf(HasSubstr("cell 7 (brick8)"), HasSubstr("not planar"),
-                                              HasSubstr("1e-10"))));
-  s.render.planarity = 0.5;
-  EXPECT_NO_THROW(check_renderable(twisted, s));
+// A corner of the last brick pushed in along its diagonal: its faces are no longer planar, the
+// cell no longer convex, and all is well until it comes near the faces opposite.
+ZooMesh with_corner_at(double x) {
+  return with_field(test::moved(test::structured(2, Cut::bricks), [x](const Position& p) {
+    return p[0] == 1 && p[1] == 1 && p[2] == 1 ? Position{x, x, x} : p;
+  }));
+}
+
+TEST(Renderable, FacesThatAreNotPlanarAreLetPass) {
+  EXPECT_NO_THROW(check_renderable(with_corner_at(1.25), scene()));
+  EXPECT_NO_THROW(check_renderable(with_corner_at(0.9), scene()));
+}
+
+TEST(Renderable, CellsInsideOutInPartAreNamedOrSkipped) {
+  const ZooMesh twisted = with_corner_at(0.6);
+  EXPECT_THAT([&] { check_renderable(twisted, scene()); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("cell 7 (brick8)"), HasSubstr("Jacobian"),
+                                              HasSubstr("--skip-invalid"))));
+  EXPECT_EQ(invalid_cells(twisted, 1e-10), std::vector<CellId>{7});
+  EXPECT_NO_THROW(check_renderable(twisted, scene(), InvalidCells::skipped));
+}
+
+TEST(Renderable, OrdersAreKeptWithoutSomeCells) {
+  VisibilityOrder order{std::vector<CellId>{5, 3, 0, 1, 4, 2},
+                        std::vector<CellGroup>{{1, 3}, {4, 2}}, "exact"};
+  const VisibilityOrder left = without_cells(order, std::vector<CellId>{2, 3, 5});
+  EXPECT_EQ(std::vector(left.cells.begin(), left.cells.end()), (std::vector<CellId>{0, 1, 4}));
+  ASSERT_EQ(left.groups.size(), 1U);
+  EXPECT_EQ(left.groups[0], (CellGroup{0, 2}));
 }
 
 TEST(Renderable, TheNumberOfFailingCellsIsSaid) {
   const ZooMesh twisted =
       with_field(test::moved(test::structured(2, Cut::bricks), [](const Position& p) {
-        return p[0] == 0.5 && p[1] == 0.5 && p[2] == 0.5 ? Position{0.6, 0.52, 0.5} : p;
+        return p[0] == 0.5 && p[1] == 0.5 && p[2] == 0.5 ? Position{-0.2, 1.7, -0.8} : p;
       }));
   EXPECT_THAT([&] { check_renderable(twisted, scene()); },
               ThrowsMessage<InputError>(AllOf(HasSubstr("cell 0"), HasSubstr("8 cells in all"))));
@@ -120,18 +138,19 @@ TEST(Renderable, FieldsThatDoNotExistAreRefused) {
   EXPECT_THROW(check_renderable(test::structured(1, Cut::bricks), scene()), UsageError);
 }
 
-TEST(Renderable, StraightCellsOfHigherOrderAreLetPassAndCurvedEdgesAreNamed) {
+TEST(Renderable, CellsOfHigherOrderAreLetPassUnlessTheirEdgesBendTooFar) {
   for (const CellOrder order : {CellOrder::quadratic, CellOrder::cubic}) {
     ZooMesh mesh =
         with_field(test::of_order(test::moved(test::mixed_columns(2), test::tapered), order));
     EXPECT_NO_THROW(check_renderable(mesh, scene()));
     std::vector<double> xyz(mesh.xyz.begin(), mesh.xyz.end());
-    xyz.back() += 1e-6;  // a node between corners of the last cell
-    mesh.xyz = std::move(xyz);
-    EXPECT_THAT(
-        [&] { check_renderable(mesh, scene()); },
-        ThrowsMessage<InputError>(AllOf(HasSubstr("edges are curved"), HasSubstr("--corners-only"),
-                                        HasSubstr("render.planarity"))));
+    xyz.back() += 1e-3;  // a node between corners of the last cell
+    mesh.xyz = std::vector<double>(xyz);
+    EXPECT_NO_THROW(check_renderable(mesh, scene()));
+    xyz.back() += 0.5;
+    mesh.xyz = std::vector<double>(xyz);
+    EXPECT_THAT([&] { check_renderable(mesh, scene()); },
+                ThrowsMessage<InputError>(HasSubstr("Jacobian")));
   }
 }
 

@@ -12,6 +12,7 @@
 #include "hiac/image/image_io.hpp"
 #include "hiac/mesh/zoo_container.hpp"
 #include "hiac/scene/scene_parser.hpp"
+#include "tests/support/meshes.hpp"
 #include "tests/support/reference.hpp"
 #include "tests/tools/tool_folder.hpp"
 
@@ -118,6 +119,37 @@ TEST_F(Pipeline, WhatIsNotDrawnIsRefusedByName) {
                 "' --set render.interpolation=polynomial -o no.png"),
             3);
   EXPECT_FALSE(std::filesystem::exists(file("no.png")));
+}
+
+TEST_F(Pipeline, CellsInsideOutInPartAreNamedOrLeftOut) {
+  // two bricks side by side, a corner of the second pushed through its opposite faces
+  ZooMesh mesh = test::make_mesh({{0, 0, 0},
+                                  {1, 0, 0},
+                                  {2, 0, 0},
+                                  {0, 1, 0},
+                                  {1, 1, 0},
+                                  {2, 1, 0},
+                                  {0, 0, 1},
+                                  {1, 0, 1},
+                                  {2, 0, 1},
+                                  {0, 1, 1},
+                                  {1, 1, 1},
+                                  {0.9, -0.1, -0.1}},
+                                 {{CellKind::brick8, {0, 1, 4, 3, 6, 7, 10, 9}},
+                                  {CellKind::brick8, {1, 2, 5, 4, 7, 8, 11, 10}}});
+  test::add_node_field(mesh, "velocity", [](const test::Position&) { return 0.5; });
+  write_zoo_file(file("m.zoo"), {mesh, {}});
+  const std::string draw = "$RENDER m.zoo --view '" + kSampleView +
+                           "' --size 40x30 --set volume.color.field=velocity "
+                           "--set volume.extinction.field=velocity --json facts.json -o p.npy ";
+  EXPECT_EQ(run(draw), 3);
+  EXPECT_NE(
+      bytes_of(file("err.txt")).find("cell 1 (brick8): the cell is turned inside out in part"),
+      std::string::npos)
+      << bytes_of(file("err.txt"));
+  EXPECT_EQ(run(draw + "--skip-invalid"), 0) << bytes_of(file("err.txt"));
+  EXPECT_NE(bytes_of(file("err.txt")).find("1 of 2 cells"), std::string::npos);
+  EXPECT_NE(bytes_of(file("facts.json")).find("\"skipped_cells\": 1"), std::string::npos);
 }
 
 // A picture of the sample, small, by hiac-render with these options.

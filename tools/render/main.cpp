@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -46,7 +47,7 @@ struct Options {
   std::vector<std::string> overrides;
   PictureOptions picture;
   int depth = 0;
-  bool no_background = false, linear = false, all_frames = false;
+  bool no_background = false, linear = false, all_frames = false, skip_invalid = false;
   std::optional<std::uint32_t> frame;
 };
 
@@ -132,12 +133,13 @@ Json note_work(Tool& tool, bool one_of_many, const RenderStatistics& s) {
 // Makes pictures of one mesh.
 class Renderer {
  public:
-  // `under`: the picture to put behind each of them.
-  Renderer(Tool& tool, const Options& options, const ZooFile& file,
+  // `skipped`: cells to leave out; `under`: the picture to put behind each of them.
+  Renderer(Tool& tool, const Options& options, const ZooFile& file, std::vector<CellId> skipped,
            const std::optional<Image>& under)
       : tool_(tool),
         options_(options),
         mesh_(file.mesh),
+        skipped_(std::move(skipped)),
         under_(under),
         orderer_(tool, file.mesh),
         given_(given_orders(options, file)),
@@ -187,7 +189,14 @@ class Renderer {
   }
 
  private:
+  // Without the cells that are left out.
   OrderRecord find_order(const Scene& scene, Json& facts) {
+    OrderRecord record = order_of_all(scene, facts);
+    if (!skipped_.empty()) record.order = without_cells(record.order, skipped_);
+    return record;
+  }
+
+  OrderRecord order_of_all(const Scene& scene, Json& facts) {
     if (!given_) {
       MeshOrder made = orderer_.exact(scene);
       facts = std::move(made.facts);
@@ -204,6 +213,7 @@ class Renderer {
   Tool& tool_;
   const Options& options_;
   const ZooMesh& mesh_;
+  std::vector<CellId> skipped_;
   const std::optional<Image>& under_;
   Orderer orderer_;
   std::optional<GivenOrders> given_;
@@ -292,14 +302,32 @@ ParsedScene read_specification(Tool& tool, Options& options) {
   return parsed;
 }
 
+// Throws unless the mesh can be drawn; returns the cells to leave out for that.
+std::vector<CellId> check_mesh(Tool& tool, const Options& options, const ZooMesh& mesh,
+                               const Scene& scene) {
+  if (!options.skip_invalid) {
+    check_renderable(mesh, scene);
+    return {};
+  }
+  check_renderable(mesh, scene, InvalidCells::skipped);
+  std::vector<CellId> skipped = invalid_cells(mesh, scene.render.planarity);
+  tool.facts()["skipped_cells"] = skipped.size();
+  if (!skipped.empty())
+    tool.warn(
+        fmt::format("{} of {} cells are turned inside out in part and left out, first cell "
+                    "{}: the picture has holes there",
+                    skipped.size(), mesh.cell_count(), skipped.front()));
+  return skipped;
+}
+
 void explain(Tool& tool, Options options) {
   parse_pixel(options.pixel);
   const ParsedScene parsed = read_specification(tool, options);
   check_frame_options(options, parsed.scene);
   const ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
-  check_renderable(file.mesh, parsed.scene);
+  std::vector<CellId> skipped = check_mesh(tool, options, file.mesh, parsed.scene);
   note_model(tool, file.mesh, parsed.scene);
-  Renderer(tool, options, file, std::nullopt)
+  Renderer(tool, options, file, std::move(skipped), std::nullopt)
       .explain(options.frame ? scene_of_frame(parsed.scene, *options.frame) : parsed.scene);
 }
 
@@ -314,10 +342,10 @@ void render(Tool& tool, Options options) {
   const std::optional<Image> under = read_under(options, {part.width, part.height});
   check_frame_options(options, scene);
   const ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
-  check_renderable(file.mesh, scene);
+  std::vector<CellId> skipped = check_mesh(tool, options, file.mesh, scene);
   note_model(tool, file.mesh, scene);
   if (!options.color_bar.empty()) write_color_bar(tool, options, file.mesh, scene.volume);
-  Renderer renderer(tool, options, file, under);
+  Renderer renderer(tool, options, file, std::move(skipped), under);
   if (scene.path) {
     render_frames(tool, options, scene, renderer);
     return;
@@ -383,6 +411,8 @@ int main(int argc, char** argv) {
   app.add_option("--depth", options.depth,
                  "Bits a sample: 8 or 16 (.png .sgi), or 32, floating-point (.tiff); default: 8")
       ->type_name("BITS");
+  app.add_flag("--skip-invalid", options.skip_invalid,
+               "Leave out cells that are turned inside out in part, in place of refusing the mesh");
   app.add_flag("--linear", options.linear, "Integer images: linear values instead of sRGB");
   auto* pixel =
       app.add_option("--pixel", options.pixel,

@@ -8,36 +8,16 @@
 #include "hiac/base/parallel.hpp"
 #include "hiac/order/cell_side.hpp"
 #include "hiac/order/eye_side.hpp"
+#include "hiac/order/patch_side.hpp"
 
 namespace hiac {
 namespace {
 
 constexpr std::size_t kGrain = 1 << 13;
 
-using Corners = std::array<Point3, 4>;
-
 unsigned arrows_of_sides(int eye, int cell) {
   if (eye == 0 || cell == 0) return kNoArrow;
   return eye == cell ? kCellFirst : kNeighborFirst;
-}
-
-// Which way rays cross a bilinear patch: +1, -1, 0 (none do), or 2: both ways. The sign of
-// (P - e).(P_u x P_v) is bilinear in u, v and so is bounded by its signs at the corners, each the
-// orientation of one corner's triangle. With signs of both kinds rays cross both ways, unless the
-// patch is planar for this purpose and seen edge-on but for the rounding of its coordinates. (An
-// arrow by the plane of some of its corners would be a throw of dice: many make cycles.)
-constexpr int kBothSides = 2;
-
-int eye_side_of_patch(const Corners& p, const View& view, double planarity) {
-  bool positive = false, negative = false;
-  for (std::size_t k = 1; k < 5; ++k) {
-    const int side = eye_side(p[(k + 3) % 4], p[k % 4], p[(k + 1) % 4], view);
-    positive = positive || side > 0;
-    negative = negative || side < 0;
-  }
-  if (positive != negative) return positive ? 1 : -1;
-  if (!positive) return 0;
-  return quadrilateral_deviation(p[0], p[1], p[2], p[3]) > planarity ? kBothSides : 0;
 }
 
 struct Question {
@@ -52,6 +32,10 @@ int eye_side_of_face(const Question& q, CellId cell, std::size_t face) {
   const auto nodes = mesh.cell_nodes(cell);
   const auto at = corners_from(shape, q.basis.sides[cell].start(face));
   const auto corner = [&](std::size_t k) { return mesh.position(nodes[at[k]]); };
+  if (order_of(mesh.kinds[cell]) != CellOrder::linear) {
+    const FaceForm form = face_form(mesh, cell, face, q.planarity);
+    if (form.shape.degree > 1) return eye_side_of_curved_face(mesh, cell, face, form, q.view);
+  }
   if (shape.corner_count == 3) return eye_side(corner(0), corner(1), corner(2), q.view);
   return eye_side_of_patch({corner(0), corner(1), corner(2), corner(3)}, q.view, q.planarity);
 }
@@ -62,7 +46,10 @@ CellArrows settled_arrows(const Question& q, CellId cell) {
   const CellSides& sides = q.basis.sides[cell];
   const unsigned asked = (sides.positive | sides.negative) & ~unsigned{sides.unsettled};
   unsigned positive = 0, negative = 0;
-  if (shape_of(mesh.kinds[cell]) == CellShape::tetrahedron) {
+  const CellKind kind = mesh.kinds[cell];
+  const bool flat = kind == CellKind::tetrahedron4 || (shape_of(kind) == CellShape::tetrahedron &&
+                                                       !has_curved_faces(mesh, cell, q.planarity));
+  if (flat) {
     const auto nodes = mesh.cell_nodes(cell);
     const auto at = [&](std::size_t k) { return mesh.position(nodes[k]).data(); };
     const EyeSides eye = eye_sides_of_tetrahedron({at(0), at(1), at(2), at(3)}, q.view);
@@ -141,21 +128,6 @@ void join_unsettled(const Question& q, std::vector<CellArrows>& of_cell) {
 }
 
 }  // namespace
-
-double quadrilateral_deviation(Point3 a, Point3 b, Point3 c, Point3 d) {
-  const auto minus = [](Point3 p, Point3 q) {
-    return std::array<double, 3>{p[0] - q[0], p[1] - q[1], p[2] - q[2]};
-  };
-  const auto length = [](const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); };
-  const auto ab = minus(b, a), ac = minus(c, a), bd = minus(d, b);
-  const std::array<double, 3> n{ac[1] * bd[2] - ac[2] * bd[1], ac[2] * bd[0] - ac[0] * bd[2],
-                                ac[0] * bd[1] - ac[1] * bd[0]};
-  const double area = length(n), size = std::max(length(ac), length(bd));
-  if (!(area > 0)) return 0;
-  // the diagonals' distance from one another: their common normal against an edge between them
-  const double gap = std::abs(n[0] * ab[0] + n[1] * ab[1] + n[2] * ab[2]) / area;
-  return gap / size;
-}
 
 BehindRelation shared_face_relation(const OrderBasis& basis, const View& view, double planarity) {
   const Question q{basis, view, planarity};

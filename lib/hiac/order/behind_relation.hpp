@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "hiac/geometry/face_form.hpp"
 #include "hiac/geometry/view.hpp"
 #include "hiac/order/order_basis.hpp"
 
@@ -57,15 +58,11 @@ struct BehindRelation {
 /// A face is on the side of its plane on which the rest of its cell lies; the eye's side against
 /// that says which way rays cross. Quadrilaterals are bilinear patches: when the eye lies on one
 /// side of the four corner triangles all rays cross one way, else both arrows are put, unless the
-/// patch deviates from a plane by less than `planarity` of its size: then it is seen edge-on. A
+/// patch deviates from a plane by less than `planarity` of its size: then it is seen edge-on. Faces
+/// with curved edges: the same by Bernstein coefficients (patch_side.hpp). A
 /// cell without volume has no side of its own and takes what its neighbours say; between two such
 /// cells go both arrows where rays cross the face. All faces that the same two cells share get the
 /// same arrows.
 BehindRelation shared_face_relation(const OrderBasis& basis, const View& view, double planarity);
-
-/// Deviation of a quadrilateral from a plane: the distance between its two diagonals' lines,
-/// divided by the longer diagonal. 0 for a degenerate face.
-double quadrilateral_deviation(std::span<const double, 3> a, std::span<const double, 3> b,
-                               std::span<const double, 3> c, std::span<const double, 3> d);
 
 }  // namespace hiac

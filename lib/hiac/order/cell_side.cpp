@@ -4,6 +4,10 @@
 #include <cmath>
 #include <span>
 
+#include "hiac/geometry/vector.hpp"
+#include "hiac/mesh/corner_fan.hpp"
+#include "hiac/mesh/shape_functions.hpp"
+
 namespace hiac {
 namespace {
 
@@ -33,6 +37,46 @@ unsigned plane_start(const ZooMesh& mesh, CellId cell, const ShapeFace& face) {
   };
   const bool in_line = area_at(middle) < kNearlyInLine * area_at(middle + 2);
   return static_cast<unsigned>((in_line ? middle + 1 : middle + 3) % 4);
+}
+
+int side_of_all_faces(const ZooMesh& mesh, CellId cell) {
+  const CellShape shape = shape_of(mesh.kinds[cell]);
+  const auto nodes = mesh.cell_nodes(cell);
+  const auto at = [&](std::size_t k) { return mesh.position(nodes[k]); };
+  bool positive = false, negative = false;
+  for (std::size_t corner = 0; corner < topology_of(shape).corner_count; ++corner) {
+    const CornerFan& fan = corner_fan(shape, corner);
+    const auto next = [&](std::size_t k) { return at(fan.neighbors[k % fan.count]); };
+    for (std::size_t k = 0; k < (fan.count == 3 ? 1 : fan.count); ++k) {
+      const int turn = orientation(at(corner), next(k), next(k + 1), next(k + 2));
+      positive = positive || turn > 0;
+      negative = negative || turn < 0;
+    }
+  }
+  return static_cast<int>(positive) - static_cast<int>(negative);
+}
+
+int side_by_jacobian(const ZooMesh& mesh, CellId cell) {
+  constexpr double kFarFromZero = 1e-6;
+  const CellKind kind = mesh.kinds[cell];
+  const auto nodes = mesh.cell_nodes(cell);
+  const std::size_t corners = corner_count(kind);
+  std::array<double, 3> middle{};
+  for (std::size_t k = 0; k < corners; ++k)
+    for (std::size_t c = 0; c < 3; ++c)
+      middle[c] += reference_nodes(kind)[k][c] / static_cast<double>(corners);
+  std::array<std::array<double, 3>, kMaxNodesPerCell> gradients;
+  shape_gradients<double>(kind, middle, gradients);
+  std::array<Vector, 3> columns{};
+  for (std::size_t k = 1; k < nodes.size(); ++k) {
+    const Vector from = minus(mesh.position(nodes[k]), mesh.position(nodes[0]));
+    for (std::size_t a = 0; a < 3; ++a)
+      for (std::size_t c = 0; c < 3; ++c) columns[a][c] += gradients[k][a] * from[c];
+  }
+  const double determinant = dot(columns[0], cross(columns[1], columns[2]));
+  const double size = length(columns[0]) * length(columns[1]) * length(columns[2]);
+  if (!(std::abs(determinant) > kFarFromZero * size)) return 0;
+  return determinant > 0 ? -1 : 1;
 }
 
 int side_of_cell(const ZooMesh& mesh, CellId cell, const std::array<std::uint8_t, 4>& plane) {

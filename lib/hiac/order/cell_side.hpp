@@ -33,6 +33,14 @@ inline std::array<std::uint8_t, 4> plane_corners(const ZooMesh& mesh, CellId cel
 /// the orientation of the first corner of the cell that is off the face and off the plane; 0 when
 /// there is none (a cell without volume).
 int side_of_cell(const ZooMesh& mesh, CellId cell, const std::array<std::uint8_t, 4>& plane);
+/// The side of every face on which a cell lies that turns one way at all its corners, whether or
+/// not its faces are planar: -1 for positively oriented cells (cell_kind.hpp), +1 for their mirror
+/// images; 0 where corners turn both ways, or none does. Exact for the corners.
+int side_of_all_faces(const ZooMesh& mesh, CellId cell);
+
+/// The same for a cell of higher order, whose corners alone do not tell: by the sign of its
+/// Jacobian determinant in its middle; 0 where that is not far from zero.
+int side_by_jacobian(const ZooMesh& mesh, CellId cell);
 inline int side_of_cell(const ZooMesh& mesh, CellId cell, const ShapeFace& face) {
   return side_of_cell(mesh, cell, plane_corners(mesh, cell, face));
 }

@@ -8,10 +8,13 @@
 #include <utility>
 
 #include "hiac/base/collect.hpp"
+#include "hiac/base/parallel.hpp"
+#include "hiac/order/bent_face.hpp"
 #include "hiac/order/eye_side.hpp"
 #include "hiac/order/face_grid.hpp"
 #include "hiac/order/face_obstruction.hpp"
 #include "hiac/order/gap_window.hpp"
+#include "hiac/order/patch_side.hpp"
 
 namespace hiac {
 namespace {
@@ -26,17 +29,22 @@ struct GapFace {
   bool exit;    // rays leave the cell through it; else they enter
   double size;  // longest edge or diagonal from its first corner
   Outline outline;
+  std::span<const Vector> hull;  // of a face that is not planar; else empty
+
+  [[nodiscard]] bool bent() const { return !hull.empty(); }
 };
 
 struct Question {
   const OrderBasis& basis;
   const View& view;
   double planarity;
+  std::vector<BentFace> bent;  // of every unmatched face
 };
 
-// Appends a face, or a triangle of a warped one, unless no ray crosses it in the window.
+// Appends a face, unless no ray crosses it in the window.
 void add_face(const Question& q, const Window& window, const UnmatchedFace& face,
-              std::span<const NodeId> corners, std::vector<GapFace>& faces) {
+              std::vector<GapFace>& faces) {
+  const auto corners = std::span(face.nodes).first(face.corner_count);
   GapFace gap{};
   gap.cell = face.cell;
   gap.seen.count = corners.size();
@@ -54,16 +62,41 @@ void add_face(const Question& q, const Window& window, const UnmatchedFace& face
   if (window.place(gap.seen, gap.outline)) faces.push_back(gap);
 }
 
+// Of a face that rays cross both ways, two: an exit and an entry.
+void add_bent_face(const Window& window, const UnmatchedFace& face, const BentFace& bent,
+                   std::vector<GapFace>& faces) {
+  if (bent.eye == 0) return;
+  GapFace gap{};
+  gap.cell = face.cell;
+  gap.hull = bent.hull;
+  for (const Vector& p : bent.hull) gap.size = std::max(gap.size, length(minus(p, bent.hull[0])));
+  if (!window.place_hull(bent.hull, gap.outline)) return;
+  for (const bool exit : {true, false}) {
+    if (face.side != 0 && bent.eye != kBothSides && exit != (bent.eye == face.side)) continue;
+    gap.exit = exit;
+    faces.push_back(gap);
+  }
+}
+
 std::vector<GapFace> faces_in(const Question& q, const Window& window) {
   const auto& unmatched = q.basis.unmatched;
   return collect<GapFace>(unmatched.size(), kFaceGrain, [&](std::size_t i, auto& faces) {
-    const UnmatchedFace& face = unmatched[i];
-    const auto nodes = std::span(face.nodes);
-    const bool warped = face.corner_count == 4 && face.deviation > q.planarity;
-    const bool whole = face.corner_count == 4 && !warped;
-    add_face(q, window, face, nodes.first(whole ? 4 : 3), faces);
-    if (warped) add_face(q, window, face, std::array{nodes[0], nodes[2], nodes[3]}, faces);
+    if (q.bent[i].hull.empty())
+      add_face(q, window, unmatched[i], faces);
+    else
+      add_bent_face(window, unmatched[i], q.bent[i], faces);
   });
+}
+
+// What a face lies in: its hull, or its corners.
+std::vector<Vector> hull_of(const GapFace& face) {
+  if (face.bent()) return {face.hull.begin(), face.hull.end()};
+  std::vector<Vector> corners;
+  for (std::size_t k = 0; k < face.seen.count; ++k) {
+    const Point3 p = face.seen.corner(k);
+    corners.push_back({p[0], p[1], p[2]});
+  }
+  return corners;
 }
 
 // What the corners of a face in a window tell, given how far they may be off.
@@ -171,6 +204,12 @@ class PairSearch {
   // True when the pair had to be asked more than its bounds.
   bool decide(const GapFace& exit, const GapFace& entry, std::vector<GapArrow>& arrows) const {
     if (exit.cell == entry.cell) return false;
+    if (exit.bent() || entry.bent()) {
+      const double slack = q_.planarity * std::max(exit.size, entry.size);
+      if (may_be_met_first(hull_of(exit), hull_of(entry), q_.view, slack))
+        arrows.push_back({exit.cell, entry.cell});
+      return true;
+    }
     const Overlap overlap = window_.pyramid() ? Overlap::unknown : overlap_in_window(exit, entry);
     if (overlap == Overlap::none) return true;
     if (overlap == Overlap::unknown && !projections_overlap(exit.seen, entry.seen, q_.view))
@@ -220,10 +259,18 @@ GapRelation sorted_by_cell(std::size_t cells, std::span<const GapArrow> arrows) 
 
 GapRelation gap_relation(const OrderBasis& basis, const View& view, double planarity) {
   if (basis.convex) return {};  // no ray leaves the mesh and enters it again
-  const Question question{basis, view, planarity};
+  Question question{basis, view, planarity, {}};
+  question.bent.resize(basis.unmatched.size());
+  parallel_for(question.bent.size(), kFaceGrain, [&](IndexRange range) {
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      question.bent[i] = bent_face(*basis.mesh, basis.unmatched[i], view, planarity);
+  });
+  std::vector<Vector> points;
+  for (const BentFace& face : question.bent)
+    points.insert(points.end(), face.hull.begin(), face.hull.end());
   std::vector<GapArrow> arrows;
   std::uint64_t pairs = 0;
-  for (const Window& window : windows_of(*basis.mesh, view))
+  for (const Window& window : windows_of(*basis.mesh, points, view))
     pairs += PairSearch(question, window).run(arrows);
   GapRelation relation = sorted_by_cell(basis.mesh->cell_count(), arrows);
   relation.candidate_pairs = pairs;

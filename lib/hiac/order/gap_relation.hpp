@@ -37,8 +37,9 @@ GapRelation sorted_by_cell(std::size_t cells, std::span<const GapArrow> arrows);
 /// pair is decided by exact determinants of input coordinates, in the spirit of the paper's
 /// Obstructs sequence (section 6): the projections overlap unless a plane through the eye and an
 /// edge of either separates them, and then planes, crossing edges or contained corners tell which
-/// is in front. Faces that touch to within `planarity` of their size count as touching: a ray that
-/// leaves one there enters the other.
+/// is in front. A face that is not planar is asked as the hull that it lies in (bent_face.hpp), and
+/// an arrow put unless it is certain that none is needed. Faces that touch to within `planarity` of
+/// their size count as touching: a ray that leaves one there enters the other.
 ///
 /// With those of shared_face_relation these arrows order all cells along every ray: consecutive
 /// cells on a ray either share a face or are joined by an arrow from here.

@@ -73,6 +73,36 @@ bool Window::place_whole(std::span<const Vector> corners, double farthest, Outli
   return true;
 }
 
+Vector Window::seen(const Vector& p, double& farthest) const {
+  const Vector v = view_.perspective ? minus(p, view_.eye) : p;
+  farthest = std::max(farthest, largest(v));
+  return {dot(v, right_), dot(v, up_), dot(v, axis_)};
+}
+
+bool Window::place_hull(std::span<const Vector> points, Outline& outline) const {
+  std::vector<Vector> seen_points;
+  double farthest = 0;
+  for (const Vector& p : points) seen_points.push_back(seen(p, farthest));
+  if (!pyramid_) return place_whole(seen_points, farthest, outline);
+  // of a pyramid it may fill all, unless it lies outside of one of its sides
+  constexpr double kOpening = 1 + 1e-9;
+  Interval depth;
+  std::array<bool, 5> outside;
+  outside.fill(true);
+  for (const Vector& p : seen_points) {
+    depth.include(p[2]);
+    const double opening = kOpening * p[2];
+    const std::array<double, 5> within{opening - p[0], opening + p[0], opening - p[1],
+                                       opening + p[1], p[2]};
+    for (std::size_t k = 0; k < 5; ++k) outside[k] = outside[k] && within[k] < 0;
+  }
+  if (std::ranges::find(outside, true) != outside.end()) return false;
+  depth.low = std::max(depth.low, 0.0);
+  depth.widen(kRounding * farthest);
+  outline = {{-kOpening, kOpening}, {-kOpening, kOpening}, depth, {}, {}, 0};
+  return true;
+}
+
 bool Window::place(const SeenFace& face, Outline& outline) const {
   std::array<Vector, 4> corners;
   double farthest = 0;
@@ -91,11 +121,14 @@ bool Window::place(const SeenFace& face, Outline& outline) const {
   return place_whole(seen, farthest, outline);
 }
 
-std::vector<Window> windows_of(const ZooMesh& mesh, const View& view) {
+std::vector<Window> windows_of(const ZooMesh& mesh, std::span<const Vector> points,
+                               const View& view) {
   if (!view.perspective) return {Window(view, view.direction, false)};
   std::array<Interval, 3> box;
   for (std::size_t i = 0; i < mesh.xyz.size(); i += 3)
     for (std::size_t c = 0; c < 3; ++c) box[c].include(mesh.xyz[i + c]);
+  for (const Vector& p : points)
+    for (std::size_t c = 0; c < 3; ++c) box[c].include(p[c]);
   Vector axis;
   for (std::size_t c = 0; c < 3; ++c)
     axis[c] = std::clamp(view.eye[c], box[c].low, box[c].high) - view.eye[c];

@@ -53,8 +53,11 @@ class Window {
 
   /// False when nothing of the face is seen here.
   bool place(const SeenFace& face, Outline& outline) const;
+  /// The same for the convex hull of at least four points.
+  bool place_hull(std::span<const Vector> points, Outline& outline) const;
 
  private:
+  [[nodiscard]] Vector seen(const Vector& p, double& farthest) const;
   bool place_whole(std::span<const Vector> corners, double farthest, Outline& outline) const;
 
   View view_;
@@ -62,8 +65,9 @@ class Window {
   bool pyramid_;
 };
 
-/// The windows that together see the whole mesh: one when it lies on one side of the eye, else the
-/// six sides of a cube around the eye.
-std::vector<Window> windows_of(const ZooMesh& mesh, const View& view);
+/// The windows that together see the whole mesh, and points besides: one when they lie on one side
+/// of the eye, else the six sides of a cube around the eye.
+std::vector<Window> windows_of(const ZooMesh& mesh, std::span<const Vector> points,
+                               const View& view);
 
 }  // namespace hiac

@@ -7,6 +7,7 @@
 
 #include "hiac/base/collect.hpp"
 #include "hiac/base/error.hpp"
+#include "hiac/geometry/face_form.hpp"
 #include "hiac/order/behind_relation.hpp"
 #include "hiac/order/cell_side.hpp"
 #include "hiac/order/convexity.hpp"
@@ -22,18 +23,27 @@ CellSides sides_of(const ZooMesh& mesh, CellId cell, std::span<const CellId> nei
   CellSides sides;
   const auto nodes = mesh.cell_nodes(cell);
   const auto faces = topology_of(mesh.kinds[cell]).faces;
-  const bool tetrahedron = shape_of(mesh.kinds[cell]) == CellShape::tetrahedron;
-  // the faces of a tetrahedron all have it on the side that its own orientation tells
-  const int tetrahedron_side = tetrahedron
-                                   ? -orientation(mesh.position(nodes[0]), mesh.position(nodes[1]),
-                                                  mesh.position(nodes[2]), mesh.position(nodes[3]))
-                                   : 0;
+  const CellKind kind = mesh.kinds[cell];
+  const int curved_side = order_of(kind) == CellOrder::linear ? 0 : side_by_jacobian(mesh, cell);
+  const bool tetrahedron = shape_of(kind) == CellShape::tetrahedron;
+  // the faces of a tetrahedron all have it on the side that its own orientation tells; so have
+  // those of any cell that is not turned inside out in part, bent as they may be
+  const int one_side = curved_side != 0 ? curved_side
+                       : tetrahedron
+                           ? -orientation(mesh.position(nodes[0]), mesh.position(nodes[1]),
+                                          mesh.position(nodes[2]), mesh.position(nodes[3]))
+                           : side_of_all_faces(mesh, cell);
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const unsigned start = plane_start(mesh, cell, faces[f]);
     const auto plane = corners_from(faces[f], start);
-    const int side = tetrahedron ? tetrahedron_side : side_of_cell(mesh, cell, plane);
+    const int side = tetrahedron || one_side != 0 ? one_side : side_of_cell(mesh, cell, plane);
     if (neighbors[f] == kNoCell) {
-      UnmatchedFace face{cell, {}, faces[f].corner_count, static_cast<std::int8_t>(side), 0};
+      UnmatchedFace face{cell,
+                         static_cast<std::uint8_t>(f),
+                         {},
+                         faces[f].corner_count,
+                         static_cast<std::int8_t>(side),
+                         0};
       for (std::size_t k = 0; k < 4; ++k) face.nodes[k] = nodes[plane[k]];
       const auto at = [&](std::size_t k) { return mesh.position(face.nodes[k]); };
       // an edge without length is none: it has no side on which other faces could be
@@ -97,6 +107,14 @@ bool settled(const OrderBasis& basis, CellId cell, std::size_t face) {
   return winding * basis.sides[cell].side(face) * basis.sides[other].side(back) < 0;
 }
 
+// Whether an unmatched face has nodes off its plane: convexity is asked of corners alone.
+bool has_curved_boundary(const OrderBasis& basis) {
+  return std::ranges::any_of(basis.unmatched, [&](const UnmatchedFace& face) {
+    return order_of(basis.mesh->kinds[face.cell]) != CellOrder::linear &&
+           face_form(*basis.mesh, face.cell, face.face, 0).curved;
+  });
+}
+
 }  // namespace
 
 OrderBasis order_basis(const ZooMesh& mesh, FaceAdjacency adjacency) {
@@ -121,7 +139,7 @@ OrderBasis order_basis(const ZooMesh& mesh, FaceAdjacency adjacency) {
   for (const auto& [cell, face] : basis.unsettled)
     basis.sides[cell].unsettled |= static_cast<std::uint8_t>(1U << face);
   basis.shared_faces = (basis.adjacency.neighbors.size() - basis.unmatched.size()) / 2;
-  basis.convex = boundary_is_convex(mesh, basis.adjacency);
+  basis.convex = !has_curved_boundary(basis) && boundary_is_convex(mesh, basis.adjacency);
   return basis;
 }
 

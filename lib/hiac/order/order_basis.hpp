@@ -27,6 +27,7 @@ struct CellSides {
 /// A face without neighbour: its plane_corners() and how its cell lies to them.
 struct UnmatchedFace {
   CellId cell;
+  std::uint8_t face;            ///< of the cell
   std::array<NodeId, 4> nodes;  ///< a triangle repeats its last one
   std::uint8_t corner_count;    ///< 3 or 4; 3 where two of four corners are at one place
   std::int8_t side;             ///< side_of_cell(); 0 for a cell without volume

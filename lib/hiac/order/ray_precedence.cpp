@@ -10,6 +10,7 @@
 
 // CGAL's kernel and number types are LGPL; nothing of its GPL parts is used here.
 
+#include "hiac/geometry/face_form.hpp"
 #include "hiac/geometry/predicates.hpp"
 
 namespace hiac {
@@ -340,6 +341,9 @@ std::optional<HullCell> hull_cell(const ZooMesh& mesh, CellId cell, const View& 
                                   double inset) {
   HullCell hull{};
   const CellKind kind = mesh.kinds[cell];
+  // of curved edges corners know nothing
+  if (order_of(kind) != CellOrder::linear && has_curved_faces(mesh, cell, std::max(inset, 1e-14)))
+    return std::nullopt;
   const auto nodes = mesh.cell_nodes(cell);
   const std::size_t count = corner_count(kind);
   for (std::size_t k = 0; k < count; ++k) {

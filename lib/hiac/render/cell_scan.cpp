@@ -151,11 +151,13 @@ struct RowSection {
   std::array<CrossedTriangle, CellSurface::kMostTriangles> triangles;
   std::size_t triangle_count;
 
-  // `above`: corners on the row or above it.
-  HWY_INLINE RowSection(const CellSurface& surface, const bool* above) : triangle_count(0) {
+  // `above`: corners on the row or above it. Triangles of curved faces are left out.
+  HWY_INLINE RowSection(const CellSurface& surface, const CurvedFaces* curved, const bool* above)
+      : triangle_count(0) {
     for (std::size_t e = 0; e < surface.edge_count; ++e)
       crossed[e] = above[surface.edges[e][0]] != above[surface.edges[e][1]];
     for (std::size_t k = 0; k < surface.triangle_count; ++k) {
+      if (curved != nullptr && curved->holds(surface.triangles[k].face)) continue;
       // two edges of a triangle are crossed, or none
       const auto& [a, b, c] = surface.triangles[k].edges;
       if (!crossed[a] && !crossed[b]) continue;
@@ -167,36 +169,55 @@ struct RowSection {
 // Where one ray crosses a cell's surface.
 class RayCrossings {
  public:
-  // Keeps them in order.
-  HWY_INLINE void add(double t, std::uint8_t face) {
+  // Keeps them in order. `u`, `v`: of curved faces.
+  HWY_INLINE void add(double t, std::uint8_t face, double u = 0, double v = 0) {
     std::size_t at = count_++;
-    for (; at > 0 && t_[at - 1] > t; --at) {
-      t_[at] = t_[at - 1];
-      face_[at] = face_[at - 1];
-    }
-    t_[at] = t;
-    face_[at] = face;
+    for (; at > 0 && places_[at - 1].t > t; --at) places_[at] = places_[at - 1];
+    places_[at] = {t, u, v, face};
   }
 
-  // The ray enters and leaves in turn: once each, but that rounding may roughen a surface along
-  // which the ray runs.
-  HWY_INLINE void append_to(std::vector<CellCrossing>& crossings, int x, int y) const {
-    for (std::size_t k = 0; k + 1 < count_; k += 2)
-      crossings.push_back({x, y, t_[k], t_[k + 1], face_[k], face_[k + 1]});
+  // The ray enters and leaves in turn: of a convex cell once each, but that rounding may roughen a
+  // surface along which the ray runs.
+  HWY_INLINE void append_to(std::vector<CellCrossing>& crossings, const CurvedFaces* curved, int x,
+                            int y) const {
+    for (std::size_t k = 0; k + 1 < count_; k += 2) {
+      const Place &front = places_[k], &back = places_[k + 1];
+      crossings.push_back({x, y, front.t, back.t, front.face, back.face, reference(curved, front),
+                           reference(curved, back), slope(curved, front, x),
+                           slope(curved, back, x)});
+    }
   }
 
  private:
-  std::array<double, CellSurface::kMostTriangles> t_;
-  std::array<std::uint8_t, CellSurface::kMostTriangles> face_;
+  struct Place {
+    double t, u, v;
+    std::uint8_t face;
+  };
+
+  static HWY_INLINE std::array<double, 3> reference(const CurvedFaces* curved, const Place& place) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    if (curved == nullptr || !curved->holds(place.face)) return {kNone, kNone, kNone};
+    return curved->reference(place.face, place.u, place.v);
+  }
+
+  static HWY_INLINE double slope(const CurvedFaces* curved, const Place& place, int x) {
+    if (curved == nullptr || !curved->with_slopes() || !curved->holds(place.face))
+      return std::numeric_limits<double>::quiet_NaN();
+    return curved->slope(place.face, place.u, place.v, x);
+  }
+
+  std::array<Place, CellSurface::kMostTriangles + CurvedFaces::kMostZeros> places_;
   std::size_t count_ = 0;
 };
 
 // A cell whose nodes are all on the screen, row by row.
 class ScreenScan {
  public:
-  ScreenScan(const Frame& frame, const CellSurface& surface, const TileRect& tile)
+  ScreenScan(const Frame& frame, const CellSurface& surface, CurvedFaces* curved,
+             const TileRect& tile)
       : perspective_(frame.projector.perspective()),
         surface_(surface),
+        curved_(curved),
         tile_(tile),
         nodes_(projected_nodes(frame, surface)),
         depth_(surface, nodes_) {}
@@ -207,6 +228,11 @@ class ScreenScan {
       top = std::min(top, nodes_[k].y);
       bottom = std::max(bottom, nodes_[k].y);
     }
+    if (curved_ != nullptr) {
+      const ScreenBounds bounds = curved_->bounds();
+      top = bounds.in_front ? std::min(top, bounds.y0) : tile_.y0;
+      bottom = bounds.in_front ? std::max(bottom, bounds.y1) : tile_.y1;
+    }
     const int row_end = first_center(bottom, tile_.y0, tile_.y1);
     for (int y = first_center(top, tile_.y0, tile_.y1); y < row_end; ++y) scan_row(y, crossings);
   }
@@ -216,9 +242,14 @@ class ScreenScan {
     const double center = y + 0.5;
     std::array<bool, CellSurface::kMostCorners> above;
     for (std::size_t k = 0; k < surface_.corner_count; ++k) above[k] = is_above(nodes_[k], center);
-    const RowSection section(surface_, above.data());
+    const RowSection section(surface_, curved_, above.data());
     std::array<RowCrossing, CellSurface::kMostEdges> edges;
     int first = tile_.x1, last = tile_.x0;
+    if (curved_ != nullptr) {
+      curved_->begin_row(center, tile_, above.data());
+      first = curved_->columns()[0];
+      last = curved_->columns()[1];
+    }
     for (std::size_t e = 0; e < surface_.edge_count; ++e) {
       if (!section.crossed[e]) continue;
       edges[e] =
@@ -234,20 +265,25 @@ class ScreenScan {
         const double depth = depth_.at(k, edges[e], edges[f], x + 0.5, center);
         ray.add(perspective_ ? -1 / depth : depth, surface_.triangles[k].face);
       }
-      ray.append_to(crossings, x, y);
+      if (curved_ != nullptr)
+        curved_->at_pixel(
+            x, [&](std::size_t e) { return x >= edges[e].column; },
+            [&](double t, std::uint8_t face, double u, double v) { ray.add(t, face, u, v); });
+      ray.append_to(crossings, curved_, x, y);
     }
   }
 
   bool perspective_;
   const CellSurface& surface_;
+  CurvedFaces* curved_;
   const TileRect& tile_;
   Nodes nodes_;
   SurfaceDepth depth_;
 };
 
-void scan_projected(const Frame& frame, const CellSurface& surface, const TileRect& tile,
-                    std::vector<CellCrossing>& crossings) {
-  ScreenScan(frame, surface, tile).scan(crossings);
+void scan_projected(const Frame& frame, const CellSurface& surface, CurvedFaces* curved,
+                    const TileRect& tile, std::vector<CellCrossing>& crossings) {
+  ScreenScan(frame, surface, curved, tile).scan(crossings);
 }
 
 // The distance of a point from a plane through the eye, or 0 when it is rounding in comparison with
@@ -262,9 +298,11 @@ using Vector = std::array<double, 3>;
 // A cell beside the eye, row by row.
 class LineScan {
  public:
-  LineScan(const Frame& frame, const CellSurface& surface, const TileRect& tile)
+  LineScan(const Frame& frame, const CellSurface& surface, CurvedFaces* curved,
+           const TileRect& tile)
       : frame_(frame),
         surface_(surface),
+        curved_(curved),
         tile_(tile),
         nodes_(projected_nodes(frame, surface)),
         depth_(surface, nodes_) {
@@ -275,7 +313,8 @@ class LineScan {
   }
 
   void scan(std::vector<CellCrossing>& crossings) {
-    if (outside_tile()) return;
+    const bool in_corners_hull = curved_ == nullptr || !curved_->has_curved_edges();
+    if (in_corners_hull && outside_tile()) return;
     for (int y = tile_.y0; y < tile_.y1; ++y) scan_row(y, crossings);
   }
 
@@ -305,8 +344,9 @@ class LineScan {
       height_[k] = straightened(up - slope * forward, std::abs(right) + std::abs(forward));
       above[k] = projectable_[k] ? is_above(nodes_[k], center) : height_[k] >= 0;
     }
-    const RowSection section(surface_, above.data());
-    if (!cut_edges(section, center)) return;
+    const RowSection section(surface_, curved_, above.data());
+    if (!cut_edges(section, center) && curved_ == nullptr) return;
+    if (curved_ != nullptr) curved_->begin_row(center, tile_, above.data());
     for (int x = tile_.x0; x < tile_.x1; ++x) {
       set_sides(section, x);
       RayCrossings ray;
@@ -315,7 +355,11 @@ class LineScan {
         if (edges_[t.e].left_of_pixel != edges_[t.f].left_of_pixel)
           ray.add(parameter(t, x + 0.5, center), surface_.triangles[t.triangle].face);
       }
-      ray.append_to(crossings, x, y);
+      if (curved_ != nullptr)
+        curved_->at_pixel(
+            x, [&](std::size_t e) { return edges_[e].left_of_pixel; },
+            [&](double t, std::uint8_t face, double u, double v) { ray.add(t, face, u, v); });
+      ray.append_to(crossings, curved_, x, y);
     }
   }
 
@@ -375,6 +419,7 @@ class LineScan {
 
   const Frame& frame_;
   const CellSurface& surface_;
+  CurvedFaces* curved_;
   const TileRect& tile_;
   Nodes nodes_;
   SurfaceDepth depth_;
@@ -385,9 +430,9 @@ class LineScan {
   std::array<CrossedEdge, CellSurface::kMostEdges> edges_;
 };
 
-void scan_beside_eye(const Frame& frame, const CellSurface& surface, const TileRect& tile,
-                     std::vector<CellCrossing>& crossings) {
-  LineScan(frame, surface, tile).scan(crossings);
+void scan_beside_eye(const Frame& frame, const CellSurface& surface, CurvedFaces* curved,
+                     const TileRect& tile, std::vector<CellCrossing>& crossings) {
+  LineScan(frame, surface, curved, tile).scan(crossings);
 }
 
 }  // namespace hiac::HWY_NAMESPACE
@@ -399,14 +444,14 @@ namespace hiac {
 HWY_EXPORT(scan_projected);
 HWY_EXPORT(scan_beside_eye);
 
-void scan_projected_cell(const Frame& frame, const CellSurface& surface, const TileRect& tile,
-                         std::vector<CellCrossing>& crossings) {
-  HWY_DYNAMIC_DISPATCH(scan_projected)(frame, surface, tile, crossings);
+void scan_projected_cell(const Frame& frame, const CellSurface& surface, CurvedFaces* curved,
+                         const TileRect& tile, std::vector<CellCrossing>& crossings) {
+  HWY_DYNAMIC_DISPATCH(scan_projected)(frame, surface, curved, tile, crossings);
 }
 
-void scan_cell_beside_eye(const Frame& frame, const CellSurface& surface, const TileRect& tile,
-                          std::vector<CellCrossing>& crossings) {
-  HWY_DYNAMIC_DISPATCH(scan_beside_eye)(frame, surface, tile, crossings);
+void scan_cell_beside_eye(const Frame& frame, const CellSurface& surface, CurvedFaces* curved,
+                          const TileRect& tile, std::vector<CellCrossing>& crossings) {
+  HWY_DYNAMIC_DISPATCH(scan_beside_eye)(frame, surface, curved, tile, crossings);
 }
 
 void scan_cell(const Frame& frame, CellId cell, const TileRect& tile,
@@ -417,7 +462,10 @@ void scan_cell(const Frame& frame, CellId cell, const TileRect& tile,
                    surface.nodes.begin() + static_cast<std::ptrdiff_t>(surface.corner_count),
                    [&](NodeId node) { return std::isnan(frame.nodes[node].depth); });
   const auto scan = projected ? scan_projected_cell : scan_cell_beside_eye;
-  scan(frame, surface, tile, crossings);
+  if (!has_curved_faces(frame.mesh, cell, frame.straightness))
+    return scan(frame, surface, nullptr, tile, crossings);
+  CurvedFaces curved(frame, cell, surface);
+  scan(frame, surface, &curved, tile, crossings);
 }
 
 }  // namespace hiac

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "hiac/render/cell_surface.hpp"
+#include "hiac/render/curved_faces.hpp"
 #include "hiac/render/frame.hpp"
 #include "hiac/render/tile.hpp"
 
@@ -14,10 +16,17 @@ struct CellCrossing {
   int x, y;
   double front, back;
   std::uint8_t front_face, back_face;  ///< CellSurface::Triangle::face
+  /// Reference coordinates of the places, where the faces are curved; else not numbers.
+  std::array<double, 3> front_reference, back_reference;
+  /// How far along the ray a place moves when the face is moved aside by 1, for small movements:
+  /// where faces are curved and errors are asked for; else not a number.
+  double front_slope, back_slope;
 };
 
-/// Appends the crossings of a convex cell with the rays of a tile's pixels, ray by ray front to
-/// back; z-clipping is not applied. All nodes must be projectable (ProjectedNode).
+/// Appends the crossings of a cell with the rays of a tile's pixels, ray by ray front to back;
+/// z-clipping is not applied. All corners must be projectable (ProjectedNode). `curved`: the cell's
+/// faces that are not planar (curved_faces.hpp), none where it is null; a cell that has none is
+/// convex.
 ///
 /// A pixel belongs to a triangle of the surface by the rule of the tetrahedron kernel
 /// (scan_conversion-inl.hpp), and depths on triangles are computed as there, operation by
@@ -26,8 +35,8 @@ struct CellCrossing {
 /// it; the kernel does not draw cells with such faces (kernel_cells.hpp). A ray that runs in faces
 /// to within rounding may cross a cell several times; cells share what such rays see without gap
 /// or overlap.
-void scan_projected_cell(const Frame& frame, const CellSurface& surface, const TileRect& tile,
-                         std::vector<CellCrossing>& crossings);
+void scan_projected_cell(const Frame& frame, const CellSurface& surface, CurvedFaces* curved,
+                         const TileRect& tile, std::vector<CellCrossing>& crossings);
 
 /// The same for a cell some of whose nodes are not projectable, in perspective: parts of it lie
 /// beside or behind the eye, and so may the crossings (front and back below 0).
@@ -39,8 +48,8 @@ void scan_projected_cell(const Frame& frame, const CellSurface& surface, const T
 /// For an edge with projectable nodes both questions have the answer that the screen gives. So
 /// every line crosses the surfaces of all cells consistently, whatever rounding does, and the tie
 /// break is the same: the pixel is moved right, and then down, by infinitesimal amounts.
-void scan_cell_beside_eye(const Frame& frame, const CellSurface& surface, const TileRect& tile,
-                          std::vector<CellCrossing>& crossings);
+void scan_cell_beside_eye(const Frame& frame, const CellSurface& surface, CurvedFaces* curved,
+                          const TileRect& tile, std::vector<CellCrossing>& crossings);
 
 /// The same for a cell of the frame's mesh, by whichever of the two is for it.
 void scan_cell(const Frame& frame, CellId cell, const TileRect& tile,

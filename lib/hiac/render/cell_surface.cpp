@@ -17,7 +17,7 @@ class SurfaceBuilder {
     surface_.corner_count = count;
     for (std::size_t k = 0; k < count; ++k) {
       surface_.nodes[k] = static_cast<NodeId>(key[k] >> 3);
-      rank_[key[k] & 7] = static_cast<Corner>(k);
+      surface_.ranks[key[k] & 7] = static_cast<Corner>(k);
     }
     for (auto& row : edge_) row.fill(kNoEdge);
   }
@@ -25,7 +25,7 @@ class SurfaceBuilder {
   void add_face(const ShapeFace& face, std::size_t number) {
     face_ = static_cast<Corner>(number);
     std::array<Corner, 4> c{};
-    for (std::size_t k = 0; k < face.corner_count; ++k) c[k] = rank_[face.corners[k]];
+    for (std::size_t k = 0; k < face.corner_count; ++k) c[k] = surface_.ranks[face.corners[k]];
     if (face.corner_count == 3) return add_triangle({c[0], c[1], c[2]});
     std::size_t s = 0;
     for (std::size_t k = 1; k < 4; ++k)
@@ -57,7 +57,6 @@ class SurfaceBuilder {
 
   CellSurface surface_;
   Corner face_ = 0;  // at hand
-  std::array<Corner, CellSurface::kMostCorners> rank_{};
   std::array<std::array<Corner, CellSurface::kMostCorners>, CellSurface::kMostCorners> edge_;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -25,8 +26,17 @@ struct CellSurface {
 
   std::size_t corner_count = 0, edge_count = 0, triangle_count = 0;
   std::array<NodeId, kMostCorners> nodes;                     ///< ascending
+  std::array<std::uint8_t, kMostCorners> ranks;               ///< of the kind's corners in `nodes`
   std::array<std::array<std::uint8_t, 2>, kMostEdges> edges;  ///< corners, ascending
   std::array<Triangle, kMostTriangles> triangles;
+
+  /// The edge between two corners that have one.
+  [[nodiscard]] std::uint8_t edge_between(std::uint8_t a, std::uint8_t b) const {
+    const auto low = std::min(a, b), high = std::max(a, b);
+    std::uint8_t e = 0;
+    while (edges[e][0] != low || edges[e][1] != high) ++e;
+    return e;
+  }
 };
 
 /// `nodes`: the cell's nodes in their conventional order.

@@ -160,7 +160,7 @@ void CutsAlongRay::add_places(const CellMap& map, const CellCrossing& crossing,
 // In the camera's frame; `rounding`: what its direction is wrong by.
 std::array<double, 3> CutsAlongRay::normal_at(const CellMap& map, const RayStretch& stretch,
                                               const Cut& cut, double t, double& rounding) const {
-  const CellMap::Point xi = map.reference(stretch.at(t), map.middle());
+  const CellMap::Point xi = map.reference(stretch.at(t), stretch.guess(map));
   std::array<std::array<double, 3>, CellMap::kMostNodes> shape;
   shape_gradients<double>(kind_, xi, shape);
   std::array<std::array<double, 3>, 3> columns{};

@@ -137,7 +137,7 @@ void FieldAlongRay::sample(const RayStretch& stretch, double begin, double end, 
   const ChebyshevPoints& points = chebyshev_points(kMostDegree);
   for (std::size_t j = 0; j <= kMostDegree; j += stride) {
     if (samples.stride != 0 && j % samples.stride == 0) continue;
-    CellMap::Point guess = map_.middle();
+    CellMap::Point guess = stretch.guess(map_);
     if (samples.stride != 0) {
       const auto &before = samples.xi[j - stride], &after = samples.xi[j + stride];
       for (std::size_t a = 0; a < 3; ++a) guess[a] = 0.5 * (before[a] + after[a]);

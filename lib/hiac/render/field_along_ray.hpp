@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -14,6 +16,13 @@ namespace hiac {
 struct RayStretch {
   std::array<double, 3> origin, direction;
   double front, back;
+  /// Reference coordinates of a place of the ray in the cell, where one is known; else not numbers.
+  CellMap::Point known{std::numeric_limits<double>::quiet_NaN()};
+
+  /// Where to look for those of other places: there, or in the cell's middle.
+  [[nodiscard]] const CellMap::Point& guess(const CellMap& map) const {
+    return std::isnan(known[0]) ? map.middle() : known;
+  }
 
   [[nodiscard]] std::array<double, 3> at(double t) const {
     return {origin[0] + t * direction[0], origin[1] + t * direction[1],

@@ -180,7 +180,9 @@ class GeneralCellRenderer {
     const RayStretch stretch{frame_.projector.relative_origin(x, y),
                              frame_.projector.direction(x, y),
                              std::max(crossing.front, frame_.projector.near()),
-                             std::min(crossing.back, frame_.projector.far())};
+                             std::min(crossing.back, frame_.projector.far()),
+                             std::isnan(crossing.front_reference[0]) ? crossing.back_reference
+                                                                     : crossing.front_reference};
     // where surfaces cross a cell without depth, they are seen all the same
     if (is_cut_ ? stretch.front > stretch.back : !(stretch.front < stretch.back)) return;
     ++counts_.segments;
@@ -216,7 +218,7 @@ class GeneralCellRenderer {
       if (is_empty_ || !(front < back)) return;
       const double before = sum.transparency;
       const PlainRadiance r =
-          radiance_of({stretch.origin, stretch.direction, front, back}, scale, field,
+          radiance_of({stretch.origin, stretch.direction, front, back, stretch.known}, scale, field,
                       std::max(visible * sum.transparency, kLeastVisible));
       sum.add_behind(r);
       add_depth(0.5 * (front + back), before - sum.transparency);
@@ -366,8 +368,13 @@ class GeneralCellRenderer {
     const auto [front, back] =
         end_doubts_.at(stretch.origin, stretch.direction, displacement_.aside);
     const double most = frame_.depth * longest_unit_;
-    details_.front_edge = edge_bound(optics_here_, emission, std::min(front, most));
-    details_.back_edge = edge_bound(optics_here_, emission, std::min(back, most));
+    const auto doubt = [&](double planar, double curved_slope) {
+      // a curved face may be four times as steep on the way
+      return std::min(std::isnan(curved_slope) ? planar : 4 * displacement_.aside * curved_slope,
+                      most);
+    };
+    details_.front_edge = edge_bound(optics_here_, emission, doubt(front, crossing.front_slope));
+    details_.back_edge = edge_bound(optics_here_, emission, doubt(back, crossing.back_slope));
     if (frame_.color_field().location == FieldLocation::node &&
         frame_.extinction.location == FieldLocation::node)
       return;

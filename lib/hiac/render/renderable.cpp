@@ -11,10 +11,13 @@
 
 #include <fmt/format.h>
 
+#include "hiac/base/collect.hpp"
 #include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
+#include "hiac/geometry/face_form.hpp"
+#include "hiac/geometry/jacobian_sign.hpp"
 #include "hiac/geometry/vector.hpp"
-#include "hiac/order/behind_relation.hpp"
+#include "hiac/mesh/corner_fan.hpp"
 #include "hiac/render/cell_field.hpp"
 
 namespace hiac {
@@ -61,82 +64,6 @@ void check_scene(const Scene& scene) {
         "key `render.interpolation`: this version interpolates \"isoparametric\" alone");
 }
 
-// edge_deviation of a cell of the mesh.
-double deviation_of_edges(const ZooMesh& mesh, std::size_t cell) {
-  return edge_deviation(mesh.kinds[cell], cell_positions(mesh, static_cast<CellId>(cell)));
-}
-
-void check_edges(const ZooMesh& mesh, double straightness) {
-  const Failures failures = count_failures(mesh.cell_count(), [&](std::size_t cell) {
-    return !(deviation_of_edges(mesh, cell) <= straightness);
-  });
-  if (failures.count == 0) return;
-  throw InputError(
-      cell_name(mesh, failures.first),
-      fmt::format("edges are curved: nodes between corners are off their places on straight edges "
-                  "(by at most {:g} of the cell's size expected, `render.planarity`, {:g} found{}; "
-                  "convert with --corners-only to neglect the nodes between corners)",
-                  straightness, deviation_of_edges(mesh, failures.first), others(failures)));
-}
-
-// The largest deviation of a cell's quadrilateral faces from planes.
-double largest_deviation(const ZooMesh& mesh, std::size_t cell) {
-  const auto nodes = mesh.cell_nodes(static_cast<CellId>(cell));
-  double largest = 0;
-  for (const ShapeFace& face : topology_of(mesh.kinds[cell]).faces) {
-    if (face.corner_count != 4) continue;
-    const auto at = [&](std::size_t k) { return mesh.position(nodes[face.corners[k]]); };
-    largest = std::max(largest, quadrilateral_deviation(at(0), at(1), at(2), at(3)));
-  }
-  return largest;
-}
-
-void check_faces(const ZooMesh& mesh, double planarity) {
-  const Failures failures = count_failures(mesh.cell_count(), [&](std::size_t cell) {
-    return !(largest_deviation(mesh, cell) <= planarity);
-  });
-  if (failures.count == 0) return;
-  throw InputError(
-      cell_name(mesh, failures.first),
-      fmt::format("a quadrilateral face is not planar (deviation of at most {:g} of its size "
-                  "expected, `render.planarity`, {:g} found{})",
-                  planarity, largest_deviation(mesh, failures.first), others(failures)));
-}
-
-// For every corner of a shape, the corners at the other ends of its edges, in turn around it, seen
-// alike from all corners.
-struct CornerFan {
-  std::size_t count = 0;
-  std::array<std::uint8_t, 4> neighbors{};
-};
-using ShapeFans = std::array<CornerFan, 8>;
-
-constexpr ShapeFans make_fans(CellShape shape) {
-  ShapeFans fans{};
-  for (std::size_t corner = 0; corner < topology_of(shape).corner_count; ++corner) {
-    // every face at the corner leads from the neighbour after it to the one before it
-    std::array<std::uint8_t, 8> next{};
-    std::uint8_t start = 0;
-    for (const ShapeFace& face : topology_of(shape).faces)
-      for (std::size_t k = 0; k < face.corner_count; ++k) {
-        if (face.corners[k] != corner) continue;
-        start = face.corners[(k + 1) % face.corner_count];
-        next[start] = face.corners[(k + face.corner_count - 1) % face.corner_count];
-      }
-    CornerFan& fan = fans[corner];
-    std::uint8_t at = start;
-    do {
-      fan.neighbors[fan.count++] = at;
-      at = next[at];
-    } while (at != start);
-  }
-  return fans;
-}
-
-constexpr std::array<ShapeFans, kShapeCount> kFans{
-    make_fans(CellShape::tetrahedron), make_fans(CellShape::pyramid), make_fans(CellShape::prism),
-    make_fans(CellShape::wedge), make_fans(CellShape::brick)};
-
 // Whether the cell's surface turns the other way at some corners than at others (the Jacobian
 // changes its sign). A closed surface with convex planar faces that turns the same way at all
 // corners bounds a convex body. Three edges in a plane turn no way.
@@ -146,7 +73,7 @@ bool turns_both_ways(const ZooMesh& mesh, std::size_t cell, double planarity) {
   const auto nodes = mesh.cell_nodes(static_cast<CellId>(cell));
   bool left = false, right = false;
   for (std::size_t corner = 0; corner < topology_of(shape).corner_count; ++corner) {
-    const CornerFan& fan = kFans[static_cast<std::size_t>(shape)][corner];
+    const CornerFan& fan = corner_fan(shape, corner);
     std::array<Vector, 4> edge;
     for (std::size_t k = 0; k < fan.count; ++k)
       edge[k] = minus(mesh.position(nodes[fan.neighbors[k]]), mesh.position(nodes[corner]));
@@ -181,15 +108,39 @@ bool has_bent_face(const ZooMesh& mesh, std::size_t cell, double planarity) {
   return false;
 }
 
-void check_convexity(const ZooMesh& mesh, double planarity) {
-  const Failures failures = count_failures(mesh.cell_count(), [&](std::size_t cell) {
-    return turns_both_ways(mesh, cell, planarity) || has_bent_face(mesh, cell, planarity);
-  });
-  if (failures.count == 0) return;
+// What is wrong with a cell's geometry: nothing, or how the expected and the found read.
+const char* fault_of(const ZooMesh& mesh, std::size_t cell, double planarity) {
+  if (!has_curved_faces(mesh, static_cast<CellId>(cell), planarity)) {
+    const bool bent =
+        turns_both_ways(mesh, cell, planarity) || has_bent_face(mesh, cell, planarity);
+    return bent ? "the cell is not convex, or turned inside out in part (corners that all turn one "
+                  "way expected, both ways found"
+                : nullptr;
+  }
+  const auto at = cell_positions(mesh, static_cast<CellId>(cell));
+  const auto nodes = std::span(at).first(node_count(mesh.kinds[cell]));
+  switch (jacobian_sign(mesh.kinds[cell], nodes, planarity)) {
+    case JacobianSign::mixed:
+      return "the cell is turned inside out in part (a Jacobian determinant of one sign expected, "
+             "both signs found";
+    case JacobianSign::undecided:
+      return "the cell may be turned inside out in part (a Jacobian determinant of one sign "
+             "expected, which could not be proven";
+    case JacobianSign::positive:
+    case JacobianSign::negative:
+    case JacobianSign::flat:
+      break;
+  }
+  return nullptr;
+}
+
+void check_geometry(const ZooMesh& mesh, double planarity) {
+  const std::vector<CellId> invalid = invalid_cells(mesh, planarity);
+  if (invalid.empty()) return;
+  const Failures failures{invalid.size(), invalid.front()};
   throw InputError(cell_name(mesh, failures.first),
-                   fmt::format("the cell is not convex, or turned inside out in part (corners that "
-                               "all turn one way expected, both ways found{})",
-                               others(failures)));
+                   fmt::format("{}{}; --skip-invalid leaves such cells out)",
+                               fault_of(mesh, failures.first, planarity), others(failures)));
 }
 
 // The cells' values of a field, by entry of ZooMesh::nodes (nodes and corners) or by cell.
@@ -222,11 +173,37 @@ void check_field(const ZooMesh& mesh, const std::string& name) {
 
 }  // namespace
 
-void check_renderable(const ZooMesh& mesh, const Scene& scene) {
+std::vector<CellId> invalid_cells(const ZooMesh& mesh, double planarity) {
+  return collect<CellId>(mesh.cell_count(), kGrain, [&](std::size_t cell, auto& found) {
+    if (fault_of(mesh, cell, planarity) != nullptr) found.push_back(static_cast<CellId>(cell));
+  });
+}
+
+VisibilityOrder without_cells(const VisibilityOrder& order, std::span<const CellId> cells) {
+  const auto leave = [&](CellId cell) { return !std::ranges::binary_search(cells, cell); };
+  std::vector<CellId> kept;
+  std::vector<CellGroup> groups;
+  auto group = order.groups.begin();
+  const CellGroup* of_group = nullptr;  // that the last of `groups` is what is left of
+  for (std::uint32_t rank = 0; rank < order.cells.size(); ++rank) {
+    for (; group != order.groups.end() && rank >= group->first + group->count; ++group) {
+    }
+    if (!leave(order.cells[rank])) continue;
+    if (group != order.groups.end() && rank >= group->first) {
+      const bool known = !groups.empty() && of_group == &*group;
+      if (!known) groups.push_back({static_cast<std::uint32_t>(kept.size()), 0});
+      of_group = &*group;
+      ++groups.back().count;
+    }
+    kept.push_back(order.cells[rank]);
+  }
+  std::erase_if(groups, [](const CellGroup& g) { return g.count < 2; });
+  return {std::move(kept), std::move(groups), order.algorithm};
+}
+
+void check_renderable(const ZooMesh& mesh, const Scene& scene, InvalidCells invalid) {
   check_scene(scene);
-  check_edges(mesh, scene.render.planarity);
-  check_faces(mesh, scene.render.planarity);
-  check_convexity(mesh, scene.render.planarity);
+  if (invalid == InvalidCells::refused) check_geometry(mesh, scene.render.planarity);
   std::set<std::string> fields;
   if (scene.volume.color) fields.insert(scene.volume.color->field);
   if (scene.volume.extinction) fields.insert(scene.volume.extinction->field);

@@ -1,6 +1,11 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
+#include <vector>
+
 #include "hiac/mesh/zoo_mesh.hpp"
+#include "hiac/order/visibility_order.hpp"
 #include "hiac/scene/scene.hpp"
 
 namespace hiac {
@@ -8,12 +13,20 @@ namespace hiac {
 /// Throws InputError, naming what it is and where it is first met, when the scene or the mesh holds
 /// something that the engine does not draw: nothing is approximated or left out in silence.
 ///
-/// Of the scene: interpolation other than the default. Of the mesh: curved edges (edge_deviation
-/// above scene.render.planarity); quadrilateral faces that deviate from a plane by more than
-/// scene.render.planarity of their size (quadrilateral_deviation); cells that are not convex or
-/// turned inside out in part (corners of the cell or of a face turn different ways); values that
-/// are not finite in a field that is used, at a place that some cell uses. UsageError, as from
-/// scalar_field, when a field does not exist.
-void check_renderable(const ZooMesh& mesh, const Scene& scene);
+/// Of the scene: interpolation other than the default. Of the mesh:
+/// invalid_cells, where they are refused; values that are not finite in a field that is used, at a
+/// place that some cell uses. UsageError, as from scalar_field, when a field does not exist.
+enum class InvalidCells : std::uint8_t { refused, skipped };
+void check_renderable(const ZooMesh& mesh, const Scene& scene,
+                      InvalidCells invalid = InvalidCells::refused);
+
+/// The cells that cannot be drawn, ascending: turned inside out in part. With planar faces (to
+/// `planarity` of their size, quadrilateral_deviation) and straight edges: corners of the cell or
+/// of a face turn different ways, so that it is not convex. Else the Jacobian determinant is not
+/// proven to be of one sign (jacobian_sign; `planarity` of its size counts as zero).
+std::vector<CellId> invalid_cells(const ZooMesh& mesh, double planarity);
+
+/// The order of all cells but these (ascending).
+VisibilityOrder without_cells(const VisibilityOrder& order, std::span<const CellId> cells);
 
 }  // namespace hiac

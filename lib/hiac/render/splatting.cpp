@@ -105,7 +105,8 @@ class SplatChoice {
     std::int64_t covered = 0;
     for (int y = box.y0; y < box.y1 && covered < splat_below_; ++y) {
       crossings_.clear();
-      scan_projected_cell(frame_, surface, {box.x0, y, box.x1, y + 1}, crossings_);
+      // curved faces as if they were planar: splats are no more than that
+      scan_projected_cell(frame_, surface, nullptr, {box.x0, y, box.x1, y + 1}, crossings_);
       // a ray in a face may cross it several times
       for (std::size_t k = 0; k < crossings_.size(); ++k)
         if (k == 0 || crossings_[k].x != crossings_[k - 1].x) ++covered;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "hiac/base/parallel.hpp"
+#include "hiac/render/curved_faces.hpp"
 #include "hiac/render/quadratic_bspline.hpp"
 #include "hiac/render/splatting.hpp"
 
@@ -50,6 +51,9 @@ class Binner {
 
   [[nodiscard]] TileRange range(CellId cell) const {
     if (frame_.is_splatted(cell)) return tiles_of_splat(splat_of(frame_, cell));
+    if (order_of(frame_.mesh.kinds[cell]) != CellOrder::linear &&
+        has_curved_faces(frame_.mesh, cell, frame_.straightness))
+      return range_of_curved(cell);
     const auto nodes = frame_.mesh.cell_nodes(cell).first(corner_count(frame_.mesh.kinds[cell]));
     Box box;
     double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
@@ -71,6 +75,15 @@ class Binner {
   }
 
  private:
+  // With curved edges.
+  [[nodiscard]] TileRange range_of_curved(CellId cell) const {
+    const ScreenBounds bounds = bounds_of_curved_cell(frame_, cell);
+    if (bounds.nearest > frame_.projector.far() || bounds.farthest < frame_.projector.near())
+      return {};
+    if (!bounds.in_front) return all_;
+    return tiles_of({bounds.x0, bounds.y0, bounds.x1, bounds.y1});
+  }
+
   [[nodiscard]] TileRange tiles_of(const Box& box) const {
     const int x0 = first_center(box.x0, width_), x1 = first_center(box.x1, width_);
     const int y0 = first_center(box.y0, height_), y1 = first_center(box.y1, height_);

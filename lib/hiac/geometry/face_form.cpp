@@ -1,0 +1,123 @@
+#include "hiac/geometry/face_form.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hiac/geometry/vector.hpp"
+
+namespace hiac {
+namespace {
+
+std::size_t edge_between(CellKind kind, std::uint8_t a, std::uint8_t b) {
+  const auto edges = topology_of(kind).edges;
+  const auto found = std::ranges::find_if(edges, [&](const ShapeEdge& e) {
+    return (e[0] == a && e[1] == b) || (e[0] == b && e[1] == a);
+  });
+  return static_cast<std::size_t>(found - edges.begin());
+}
+
+// A face's corners, numbers of its cell's, in the order that its cells share: from the lowest node
+// on, towards the lower of its neighbours.
+std::array<std::uint8_t, 4> canonical_corners(const ShapeFace& face,
+                                              std::span<const NodeId> nodes) {
+  const std::size_t n = face.corner_count;
+  const auto node = [&](std::size_t k) { return nodes[face.corners[k % n]]; };
+  std::size_t first = 0;
+  for (std::size_t k = 1; k < n; ++k)
+    if (node(k) < node(first)) first = k;
+  const bool forward = node(first + 1) < node(first + n - 1);
+  std::array<std::uint8_t, 4> corners{};
+  for (std::size_t k = 0; k < n; ++k)
+    corners[k] = face.corners[(first + (forward ? k : n - k)) % n];
+  return corners;
+}
+
+}  // namespace
+
+double quadrilateral_deviation(Point3 a, Point3 b, Point3 c, Point3 d) {
+  const Vector ab = minus(b, a), ac = minus(c, a), bd = minus(d, b);
+  const Vector n = cross(ac, bd);
+  const double area = length(n), size = std::max(length(ac), length(bd));
+  if (!(area > 0)) return 0;
+  // the diagonals' distance from one another: their common normal against an edge between them
+  const double gap = std::abs(dot(n, ab)) / area;
+  return gap / size;
+}
+
+EdgeNodes edge_nodes(CellKind kind, std::span<const NodeId> nodes, std::size_t edge) {
+  const ShapeEdge& ends = topology_of(kind).edges[edge];
+  const auto inner = static_cast<std::size_t>(order_of(kind)) - 1;
+  EdgeNodes result{inner + 2, {nodes[ends[0]]}};
+  for (std::size_t k = 0; k < inner; ++k)
+    result.nodes[k + 1] = nodes[corner_count(kind) + inner * edge + k];
+  result.nodes[inner + 1] = nodes[ends[1]];
+  if (result.nodes[0] > result.nodes[inner + 1])
+    std::reverse(result.nodes.begin(),
+                 result.nodes.begin() + static_cast<std::ptrdiff_t>(result.count));
+  return result;
+}
+
+bool is_curved(const ZooMesh& mesh, const EdgeNodes& edge, double straightness) {
+  const Point3 a = mesh.position(edge.nodes[0]);
+  const Vector along = minus(mesh.position(edge.nodes[edge.count - 1]), a);
+  double off = 0;
+  for (std::size_t k = 1; k + 1 < edge.count; ++k) {
+    const double s = static_cast<double>(k) / static_cast<double>(edge.count - 1);
+    const Vector from = minus(mesh.position(edge.nodes[k]), a);
+    off = std::max(
+        off, length({from[0] - s * along[0], from[1] - s * along[1], from[2] - s * along[2]}));
+  }
+  return off > straightness * length(along);
+}
+
+FaceForm face_form(const ZooMesh& mesh, CellId cell, std::size_t number, double straightness) {
+  const CellKind kind = mesh.kinds[cell];
+  const auto nodes = mesh.cell_nodes(cell);
+  const ShapeFace& face = topology_of(kind).faces[number];
+  const std::size_t n = face.corner_count;
+  FaceForm form{false, {1, n == 3, false}, canonical_corners(face, nodes), {}};
+  for (std::size_t k = 0; k < n; ++k) {
+    form.edges[k] = edge_between(kind, form.corners[k], form.corners[(k + 1) % n]);
+    if (order_of(kind) != CellOrder::linear &&
+        is_curved(mesh, edge_nodes(kind, nodes, form.edges[k]), straightness))
+      form.shape.degree = static_cast<std::uint8_t>(order_of(kind));
+  }
+  const auto at = [&](std::size_t k) { return mesh.position(nodes[form.corners[k]]); };
+  if (kind == CellKind::tetrahedron20) {
+    const Point3 centre = mesh.position(nodes[16 + number]);
+    const Vector u = minus(at(1), at(0)), v = minus(at(2), at(0)), w = minus(centre, at(0));
+    const Vector off{w[0] - (u[0] + v[0]) / 3, w[1] - (u[1] + v[1]) / 3, w[2] - (u[2] + v[2]) / 3};
+    if (length(off) > straightness * std::max(length(u), length(v))) form.shape.degree = 3;
+    form.shape.centre = form.shape.degree == 3;
+  }
+  form.curved = form.shape.degree > 1 ||
+                (n == 4 && quadrilateral_deviation(at(0), at(1), at(2), at(3)) > straightness);
+  return form;
+}
+
+std::array<NodeId, kMostPatchNodes> patch_nodes(const ZooMesh& mesh, CellId cell, std::size_t face,
+                                                const FaceForm& form) {
+  const CellKind kind = mesh.kinds[cell];
+  const auto nodes = mesh.cell_nodes(cell);
+  const std::size_t n = form.shape.corner_count(), inner = form.shape.degree - std::size_t{1};
+  std::array<NodeId, kMostPatchNodes> of_face{};
+  for (std::size_t k = 0; k < n; ++k) {
+    of_face[k] = nodes[form.corners[k]];
+    const EdgeNodes edge = edge_nodes(kind, nodes, form.edges[k]);
+    const bool along = edge.nodes[0] == of_face[k];
+    for (std::size_t i = 0; i < inner; ++i)
+      of_face[n + inner * k + i] = edge.nodes[along ? i + 1 : inner - i];
+  }
+  if (form.shape.centre)
+    of_face[n + inner * n] = nodes[corner_count(kind) + 2 * edge_count(kind) + face];
+  return of_face;
+}
+
+bool has_curved_faces(const ZooMesh& mesh, CellId cell, double straightness) {
+  if (mesh.kinds[cell] == CellKind::tetrahedron4) return false;
+  for (std::size_t f = 0; f < face_count(mesh.kinds[cell]); ++f)
+    if (face_form(mesh, cell, f, straightness).curved) return true;
+  return false;
+}
+
+}  // namespace hiac

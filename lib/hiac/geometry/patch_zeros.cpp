@@ -1,0 +1,378 @@
+#include "hiac/geometry/patch_zeros.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <utility>
+
+namespace hiac {
+namespace {
+
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Zeros this far outside the domain may be inside but for rounding.
+constexpr double kMargin = 1e-3;
+// Below this size nothing more is told apart.
+constexpr int kMostHalvings = 12;
+constexpr int kMostSteps = 12;
+// Zeros closer to each other than this are one.
+constexpr double kSame = 1e-9;
+
+int sign_of(double x) { return x < 0 ? -1 : 1; }
+
+double outside(const PatchShape& shape, double u, double v) {
+  const double below = std::max(-u, -v);
+  return shape.triangle ? std::max(below, u + v - 1) : std::max({below, u - 1, v - 1});
+}
+
+// Into the domain; from anywhere, not-a-number included.
+PatchZero clamped(const PatchShape& shape, PatchZero zero) {
+  zero.u = zero.u > 0 ? std::min(zero.u, 1.0) : 0;
+  zero.v = zero.v > 0 ? std::min(zero.v, 1.0) : 0;
+  if (shape.triangle && zero.u + zero.v > 1) {
+    const double over = 0.5 * (zero.u + zero.v - 1);
+    zero.u = std::clamp(zero.u - over, 0.0, 1.0);
+    zero.v = 1 - zero.u;
+  }
+  return zero;
+}
+
+// The corners of a patch: where they are, and in its nets.
+struct Corner {
+  double u, v;
+  std::size_t control;
+};
+
+std::array<Corner, 4> corners_of(const PatchShape& shape) {
+  const std::size_t n = shape.degree, last = n * (n + 1);
+  if (shape.triangle) return {{{0, 0, 0}, {1, 0, n}, {0, 1, last}, {0, 0, 0}}};
+  return {{{0, 0, 0}, {1, 0, n}, {1, 1, last + n}, {0, 1, last}}};
+}
+
+double size_at(const PatchZeroQuestion& q, const Corner& corner) {
+  return std::max(std::abs(q.a[corner.control]), std::abs(q.b[corner.control]));
+}
+
+// Of the corners that are as near to zero as the nearest one, to within rounding, the least deep.
+PatchZero least_deep_corner(const PatchZeroQuestion& q, int sign) {
+  const auto corners = corners_of(q.shape);
+  double nearest = kInfinity;
+  for (const Corner& corner : corners) nearest = std::min(nearest, size_at(q, corner));
+  PatchZero zero{0, 0, sign, 0};
+  double least = kInfinity;
+  for (const Corner& corner : corners) {
+    if (!(size_at(q, corner) <= nearest + q.rounding) || !(q.depth[corner.control] < least))
+      continue;
+    least = q.depth[corner.control];
+    zero.u = corner.u;
+    zero.v = corner.v;
+  }
+  return zero;
+}
+
+// Whether the ray runs along an edge.
+bool along_an_edge(const PatchZeroQuestion& q) {
+  const auto corners = corners_of(q.shape);
+  for (std::size_t k = 0; k < q.shape.corner_count(); ++k)
+    if (size_at(q, corners[k]) <= q.rounding &&
+        size_at(q, corners[(k + 1) % q.shape.corner_count()]) <= q.rounding)
+      return true;
+  return false;
+}
+
+// What of the candidates counts, so that signs add up to `winding`.
+PatchZeros settled(const PatchZeroQuestion& q, const PatchZeros& candidates) {
+  const PatchShape& shape = q.shape;
+  const int winding = q.winding;
+  PatchZeros inside, beyond;
+  int sum = 0;
+  for (const PatchZero& zero : candidates) {
+    const bool in = zero.outside <= 0;
+    (in ? inside : beyond).add(zero);
+    if (in) sum += zero.sign;
+  }
+  while (sum != winding) {
+    const int wanted = sum < winding ? 1 : -1;
+    constexpr std::size_t kNone = PatchZeros::kMost;
+    std::size_t take = kNone, leave = kNone;
+    double least = kInfinity;
+    for (std::size_t k = 0; k < beyond.size(); ++k)
+      if (beyond[k].sign == wanted && beyond[k].outside < least) {
+        least = beyond[k].outside;
+        take = k;
+      }
+    for (std::size_t k = 0; k < inside.size(); ++k)
+      if (inside[k].sign != wanted && -inside[k].outside < least) {
+        least = -inside[k].outside;
+        take = kNone;
+        leave = k;
+      }
+    if (leave != kNone) {
+      inside.remove(leave);
+    } else if (take != kNone) {
+      inside.add(beyond[take]);
+      beyond.remove(take);
+    } else {
+      // nothing was found: the patch is seen edge-on
+      if (inside.size() == PatchZeros::kMost) break;
+      inside.add(least_deep_corner(q, wanted));
+    }
+    sum += wanted;
+  }
+  PatchZeros result;
+  for (const PatchZero& zero : inside) result.add(clamped(shape, zero));
+  return result;
+}
+
+// Degree 1 over the square ---------------------------------------------------------------------
+
+class Bilinear {
+ public:
+  explicit Bilinear(const PatchZeroQuestion& question)
+      : q_(question), a_(question.a), b_(question.b) {}
+
+  // Elimination of v: with z = u / (1 - u), c0 + m z + c2 z^2 = 0. The derivative by u has the sign
+  // of that by z, and is d(a, b) / d(u, v).
+  [[nodiscard]] PatchZeros zeros() const {
+    const double c0 = cross(0, 2), c2 = cross(1, 3), m = cross(0, 3) + cross(1, 2);
+    const double discriminant = m * m - 4 * c0 * c2;
+    PatchZeros candidates;
+    if (discriminant < 0 && q_.winding == 0) return candidates;
+    const double root = discriminant > 0 ? std::sqrt(discriminant) : 0;
+    const int sign = sign_of(m);
+    const double h = -0.5 * (m + sign * root);
+    if (q_.one_way && std::abs(q_.winding) == 1) {
+      const PatchZero zero = sign == q_.winding ? at(c0, h, q_.winding) : at(h, c2, q_.winding);
+      if (std::isfinite(zero.u) && std::isfinite(zero.v)) {
+        candidates.add(clamped(q_.shape, zero));
+        return candidates;
+      }
+    }
+    add(candidates, at(h, c2, -sign));
+    add(candidates, at(c0, h, sign));
+    return settled(q_, candidates);
+  }
+
+ private:
+  [[nodiscard]] double cross(std::size_t i, std::size_t j) const {
+    return a_[i] * b_[j] - a_[j] * b_[i];
+  }
+
+  void add(PatchZeros& zeros, PatchZero zero) const {
+    if (!std::isfinite(zero.u) || !std::isfinite(zero.v)) return;
+    zero.outside = outside(q_.shape, zero.u, zero.v);
+    zeros.add(zero);
+  }
+
+  // The zero with u / (1 - u) = s / r.
+  [[nodiscard]] PatchZero at(double s, double r, int sign) const {
+    const double u = s / (s + r);
+    const double a0 = (1 - u) * a_[0] + u * a_[1], a1 = (1 - u) * a_[2] + u * a_[3];
+    const double b0 = (1 - u) * b_[0] + u * b_[1], b1 = (1 - u) * b_[2] + u * b_[3];
+    const double v = std::abs(a0 - a1) > std::abs(b0 - b1) ? a0 / (a0 - a1) : b0 / (b0 - b1);
+    return {u, v, sign, 0};
+  }
+
+  const PatchZeroQuestion& q_;
+  const PatchNet<double>&a_, &b_;
+};
+
+// Higher degrees ------------------------------------------------------------------------------
+
+// All coefficients surely of one sign.
+bool has_one_sign(const PatchNet<double>& net, std::size_t count, double rounding) {
+  double least = kInfinity, most = -kInfinity;
+  for (std::size_t k = 0; k < count; ++k) {
+    least = std::min(least, net[k]);
+    most = std::max(most, net[k]);
+  }
+  return least > rounding || most < -rounding;
+}
+
+double largest_of(const PatchNet<double>& net, std::size_t count) {
+  double most = 0;
+  for (std::size_t k = 0; k < count; ++k) most = std::max(most, std::abs(net[k]));
+  return most;
+}
+
+// De Casteljau's algorithm on `degree` + 1 numbers `stride` apart: they become those of the part
+// from 0 to s, and `rest` those from s to 1.
+void split_line(std::size_t degree, std::size_t stride, double s, double* line, double* rest) {
+  for (std::size_t k = 0; k <= degree; ++k) rest[k * stride] = line[k * stride];
+  for (std::size_t level = 1; level <= degree; ++level) {
+    for (std::size_t k = degree; k >= level; --k)
+      line[k * stride] = (1 - s) * line[(k - 1) * stride] + s * line[k * stride];
+    rest[(degree - level) * stride] = line[degree * stride];
+  }
+}
+
+struct NetPair {
+  PatchNet<double> low, high;
+};
+
+NetPair split(const PatchNet<double>& net, std::size_t degree, bool along_v, double s) {
+  NetPair parts{net, {}};
+  const std::size_t side = degree + 1;
+  for (std::size_t k = 0; k <= degree; ++k) {
+    const std::size_t first = along_v ? k : k * side;
+    split_line(degree, along_v ? side : 1, s, &parts.low[first], &parts.high[first]);
+  }
+  return parts;
+}
+
+class Search {
+ public:
+  explicit Search(const PatchZeroQuestion& question)
+      : q_(question),
+        shape_(question.shape),
+        n_(shape_.degree),
+        count_(shape_.control_count()),
+        a_(question.a),
+        b_(question.b) {
+    const double size = std::max(largest_of(a_, count_), largest_of(b_, count_));
+    rounding_ = 16 * kEpsilon * size;
+  }
+
+  [[nodiscard]] PatchZeros zeros() {
+    if (std::isfinite(rounding_)) look(widened(a_), widened(b_), -kMargin, -kMargin, 0);
+    return settled(q_, found_);
+  }
+
+  // Newton's iteration; the sign is 0 where it does not converge.
+  [[nodiscard]] PatchZero newton(std::array<double, 2> at) const {
+    auto [u, v] = at;
+    for (int step = 0; step < kMostSteps; ++step) {
+      const BernsteinValues bu(n_, u), bv(n_, v);
+      const PatchValue a = evaluate_patch(n_, a_, bu, bv), b = evaluate_patch(n_, b_, bu, bv);
+      const double determinant = a.by_u * b.by_v - a.by_v * b.by_u;
+      const double du = (a.value * b.by_v - a.by_v * b.value) / determinant;
+      const double dv = (a.by_u * b.value - a.value * b.by_u) / determinant;
+      u -= du;
+      v -= dv;
+      if (!(std::abs(u) < 4 && std::abs(v) < 4)) break;
+      const double moved = std::max(std::abs(du), std::abs(dv));
+      // it converges quadratically, but not farther than rounding lets it
+      if (moved < 1e-9) return {u, v, sign_of(determinant), outside(shape_, u, v)};
+    }
+    return {u, v, 0, kInfinity};
+  }
+
+ private:
+  // Over the square with a margin.
+  [[nodiscard]] PatchNet<double> widened(PatchNet<double> net) const {
+    for (const bool along_v : {false, true}) {
+      net = split(net, n_, along_v, -kMargin).high;
+      net = split(net, n_, along_v, (1 + 2 * kMargin) / (1 + kMargin)).low;
+    }
+    return net;
+  }
+
+  [[nodiscard]] static double size_at(int halvings) {
+    return std::ldexp(1 + 2 * kMargin, -halvings);
+  }
+
+  void look(const PatchNet<double>& a, const PatchNet<double>& b, double u, double v,
+            int halvings) {
+    const double size = size_at(halvings);
+    if (shape_.triangle && u + v > 1 + kMargin) return;
+    if (has_one_sign(a, count_, rounding_) || has_one_sign(b, count_, rounding_)) return;
+    bool unique = false;
+    if (!may_have_zeros(a, b, unique)) return;
+    if (unique || halvings == kMostHalvings) {
+      const PatchZero zero = newton({u + 0.5 * size, v + 0.5 * size});
+      const double slack = (unique ? 1e-6 : 1.0) * size;
+      const bool here = zero.sign != 0 && zero.u >= u - slack && zero.u <= u + size + slack &&
+                        zero.v >= v - slack && zero.v <= v + size + slack;
+      if (here) add(zero);
+      if (here || halvings == kMostHalvings) return;
+    }
+    const NetPair a_v = split(a, n_, true, 0.5), b_v = split(b, n_, true, 0.5);
+    const double half = 0.5 * size;
+    for (const bool upper : {false, true}) {
+      const NetPair a_u = split(upper ? a_v.high : a_v.low, n_, false, 0.5);
+      const NetPair b_u = split(upper ? b_v.high : b_v.low, n_, false, 0.5);
+      const double at_v = upper ? v + half : v;
+      look(a_u.low, b_u.low, u, at_v, halvings + 1);
+      look(a_u.high, b_u.high, u + half, at_v, halvings + 1);
+    }
+  }
+
+  // Of the map with its Jacobian in the middle taken away: `unique` when it is then so near to the
+  // identity that it is one to one on the whole part.
+  bool may_have_zeros(const PatchNet<double>& a, const PatchNet<double>& b, bool& unique) const {
+    const BernsteinValues middle(n_, 0.5);
+    const PatchValue da = evaluate_patch(n_, a, middle, middle),
+                     db = evaluate_patch(n_, b, middle, middle);
+    const double inverse = 1 / (da.by_u * db.by_v - da.by_v * db.by_u);
+    if (!std::isfinite(inverse)) return true;
+    PatchNet<double> p, q;
+    double rounding_p = 0, rounding_q = 0;
+    const double p_a = db.by_v * inverse, p_b = -da.by_v * inverse, q_a = -db.by_u * inverse,
+                 q_b = da.by_u * inverse;
+    for (std::size_t k = 0; k < count_; ++k) {
+      p[k] = p_a * a[k] + p_b * b[k];
+      q[k] = q_a * a[k] + q_b * b[k];
+    }
+    rounding_p = 2 * (std::abs(p_a) + std::abs(p_b)) * rounding_;
+    rounding_q = 2 * (std::abs(q_a) + std::abs(q_b)) * rounding_;
+    if (has_one_sign(p, count_, rounding_p) || has_one_sign(q, count_, rounding_q)) return false;
+    unique = nearly_identity(p, true) && nearly_identity(q, false);
+    return true;
+  }
+
+  // Whether the derivative by its own coordinate is nearer to 1, and that by the other nearer to 0,
+  // than 1 both together.
+  [[nodiscard]] bool nearly_identity(const PatchNet<double>& p, bool own_is_u) const {
+    const std::size_t side = n_ + 1;
+    const auto n = static_cast<double>(n_);
+    double own = 0, other = 0;
+    for (std::size_t j = 0; j < side; ++j)
+      for (std::size_t i = 0; i < n_; ++i) {
+        const double by_u = n * (p[i + 1 + side * j] - p[i + side * j]);
+        const double by_v = n * (p[j + side * (i + 1)] - p[j + side * i]);
+        own = std::max(own, std::abs((own_is_u ? by_u : by_v) - 1));
+        other = std::max(other, std::abs(own_is_u ? by_v : by_u));
+      }
+    return own + other < 0.95;
+  }
+
+  void add(const PatchZero& zero) {
+    for (const PatchZero& known : found_)
+      if (std::abs(known.u - zero.u) < kSame && std::abs(known.v - zero.v) < kSame) return;
+    found_.add(zero);
+  }
+
+  const PatchZeroQuestion& q_;
+  const PatchShape& shape_;
+  std::size_t n_, count_;
+  const PatchNet<double>&a_, &b_;
+  double rounding_;
+  PatchZeros found_;
+};
+
+}  // namespace
+
+PatchZeros patch_zeros(const PatchZeroQuestion& q) {
+  if (q.one_way && q.winding == 0) return {};
+  if (along_an_edge(q)) {
+    PatchZeros corner;
+    for (int k = 0; k < std::abs(q.winding); ++k)
+      corner.add(least_deep_corner(q, sign_of(q.winding)));
+    return corner;
+  }
+  if (q.shape.degree == 1) return Bilinear(q).zeros();
+  Search search(q);
+  if (q.one_way && std::abs(q.winding) == 1) {
+    const PatchZero zero = search.newton(q.guess);
+    if (zero.sign == q.winding && zero.outside < kSame) {
+      PatchZeros one;
+      one.add(clamped(q.shape, zero));
+      return one;
+    }
+  }
+  return search.zeros();
+}
+
+}  // namespace hiac

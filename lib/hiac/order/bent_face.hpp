@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "hiac/geometry/vector.hpp"
+#include "hiac/geometry/view.hpp"
+#include "hiac/order/order_basis.hpp"
+
+namespace hiac {
+
+/// An unmatched face that is not planar: a bilinear patch, or one with curved edges.
+struct BentFace {
+  std::vector<Vector> hull;  ///< it lies in the convex hull of these; empty: the face is planar
+  int eye = 0;               ///< the side on which the eye is: +1, -1, kBothSides, or 0 (none)
+};
+
+/// The face as a view has it; with an empty hull where it is planar to within `planarity`.
+BentFace bent_face(const ZooMesh& mesh, const UnmatchedFace& face, const View& view,
+                   double planarity);
+
+/// False only when it is certain that no viewing ray meets the hull of `f` and then, farther on,
+/// that of `g`, but where they touch: because a plane through the eye and an edge of either parts
+/// them, or because a plane through corners of either has g and the eye on one side and f on the
+/// other. `slack`: a distance, world units, by which they may overlap and still count as parted.
+bool may_be_met_first(std::span<const Vector> f, std::span<const Vector> g, const View& view,
+                      double slack);
+
+}  // namespace hiac
