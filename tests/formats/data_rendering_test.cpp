@@ -29,9 +29,16 @@ using test::Position;
 constexpr std::size_t kMostCells = 4000;
 constexpr std::uintmax_t kMostBytes = 2'000'000;
 
-// Meshes of cells that overlap: no order is right for them.
-const std::set<std::string> kInvalid{"nasty/curved/sphereCylinder_22492_inv.vtk",
-                                     "nasty/tangled/tet_4_tangled.vtk"};
+// Meshes of cells that overlap, some of them inside out: no order is right for them. (furnace,
+// static_cantilever: shells that the solver thickened, which overlap where they meet at an angle;
+// greencyc1: two curved meshes that do not fit at their common surface.)
+const std::set<std::string> kInvalid{"calculix_frd/furnace.frd", "calculix_frd/greencyc1.frd",
+                                     "calculix_frd/static_cantilever_calculix.frd",
+                                     "exodus/mixed/edgeFaceElem.exii",
+                                     "nasty/curved/sphereCylinder_22492_inv.vtk"};
+bool is_invalid(const std::string& name) {
+  return kInvalid.contains(name) || name.starts_with("nasty/tangled/");
+}
 
 struct Box {
   Position center{};
@@ -160,7 +167,7 @@ TEST(DataRendering, NoSegmentIsOutOfOrder) {
     if (!outcome.refused.empty()) continue;
     ++drawn;
     EXPECT_GT(outcome.segments, 0U) << name;
-    if (kInvalid.contains(name)) continue;
+    if (is_invalid(name)) continue;
     EXPECT_EQ(outcome.violations, 0U) << name;
   }
   EXPECT_GT(drawn, 20U);

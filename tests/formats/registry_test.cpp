@@ -29,7 +29,7 @@ TEST(Registry, UnknownContentIsRefused) {
     return std::string();
   };
   EXPECT_THAT(message(folder.write("a.vtu", "no XML")), HasSubstr("is not a vtu file"));
-  EXPECT_THAT(message(folder.write("a.xyz", "nothing")), HasSubstr("unknown file format"));
+  EXPECT_THAT(message(folder.write("a.unheard", "nothing")), HasSubstr("unknown file format"));
   EXPECT_THAT(message(folder.write("empty.vtk", "")), HasSubstr("is empty"));
   EXPECT_THAT(message(folder.file("missing.vtk")), HasSubstr("cannot be opened"));
   EXPECT_THAT(message("/"), HasSubstr("is a directory"));

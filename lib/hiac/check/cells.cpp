@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "hiac/base/collect.hpp"
-#include "hiac/check/corner_fans.hpp"
+#include "hiac/check/corner_edges.hpp"
 #include "hiac/check/face_nodes.hpp"
 #include "hiac/geometry/jacobian_sign.hpp"
 #include "hiac/geometry/predicates.hpp"
@@ -47,9 +47,9 @@ bool lie_in_one_plane(const Nodes& n, std::size_t count) {
 // What the signs at the corners tell of a linear cell.
 Turn turn_at_corners(const Nodes& n, CellShape shape) {
   bool positive = false, negative = false;
-  const CornerFans& all = kCornerFans[static_cast<std::size_t>(shape)];
+  const ShapeCornerEdges& all = kCornerEdges[static_cast<std::size_t>(shape)];
   for (std::size_t i = 0; i < all.count; ++i) {
-    const CornerFan& fan = all.fans[i];
+    const CornerEdges& fan = all.corners[i];
     const int sign = orientation(n.at(fan.corner), n.at(fan.a), n.at(fan.b), n.at(fan.c));
     positive = positive || sign > 0;
     negative = negative || sign < 0;

@@ -193,7 +193,7 @@ class GeneralCellRenderer {
     const PlainRadiance radiance =
         is_cut_ ? between_surfaces(crossing, map, stretch, scale, field, visible)
                 : radiance_of(stretch, scale, field, visible);
-    if (frame_.with_details) describe(at, field, stretch, scale, radiance);
+    if (frame_.with_details) describe(at, crossing, field, stretch, scale, radiance);
     if (group_ != nullptr)
       group_->append(static_cast<std::uint32_t>(at), stretch.front, stretch.back, radiance.rgb[0],
                      radiance.rgb[1], radiance.rgb[2], radiance.transparency);
@@ -321,19 +321,20 @@ class GeneralCellRenderer {
   }
 
   // Completes details_ and tells the pixel, or the group.
-  void describe(std::size_t at, const FieldAlongRay& field, const RayStretch& stretch, double scale,
-                const PlainRadiance& radiance) {
+  void describe(std::size_t at, const CellCrossing& crossing, const FieldAlongRay& field,
+                const RayStretch& stretch, double scale, const PlainRadiance& radiance) {
     details_.light = std::ranges::max(radiance.rgb);
     details_.transparency = radiance.transparency;
     details_.mean = weight_ > 0 ? weighted_depth_ / weight_ : 0.5 * (stretch.front + stretch.back);
     if (is_empty_ && !surfaces_.empty()) details_.first = surfaces_.front().t;
-    if (frame_.with_error) add_errors(field, stretch, scale);
+    if (frame_.with_error) add_errors(crossing, field, stretch, scale);
     if (group_ != nullptr) return group_->details.push_back(details_);
     details_.out_of_order = out_of_order(at, stretch);
     buffer_.describe(at, details_);
   }
 
-  void add_errors(const FieldAlongRay& field, const RayStretch& stretch, double scale) {
+  void add_errors(const CellCrossing& crossing, const FieldAlongRay& field,
+                  const RayStretch& stretch, double scale) {
     const bool emission = optics_.emission;
     const double length = (stretch.back - stretch.front) * scale;
     double color_change = 0, extinction_change = 0;

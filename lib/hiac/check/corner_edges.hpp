@@ -12,18 +12,18 @@ namespace hiac {
 /// det[a - corner, b - corner, c - corner] > 0 for a positively oriented cell. Times a constant it
 /// is the Jacobian of a linear cell's map at that corner (at a pyramid's or a wedge's, in the limit
 /// along the edges).
-struct CornerFan {
+struct CornerEdges {
   std::uint8_t corner, a, b, c;
 };
 
-struct CornerFans {
+struct ShapeCornerEdges {
   std::size_t count = 0;
-  std::array<CornerFan, 8> fans{};
+  std::array<CornerEdges, 8> corners{};
 };
 
 /// All such corners of a shape: all but a pyramid's apex and a wedge's node 6.
-constexpr CornerFans corner_fans_of(const ShapeTopology& shape) {
-  CornerFans all;
+constexpr ShapeCornerEdges corner_edges_of(const ShapeTopology& shape) {
+  ShapeCornerEdges all;
   for (std::uint8_t corner = 0; corner < shape.corner_count; ++corner) {
     // a face that runs counter-clockwise through before, corner, after: `before` follows `after`
     // when one goes around the corner clockwise
@@ -39,16 +39,16 @@ constexpr CornerFans corner_fans_of(const ShapeTopology& shape) {
       }
     if (faces != 3) continue;
     const std::uint8_t second = follows[first], third = follows[second];
-    all.fans[all.count++] = {corner, third, second, first};
+    all.corners[all.count++] = {corner, third, second, first};
   }
   return all;
 }
 
 /// The same of every shape, as a table.
-inline constexpr std::array<CornerFans, kShapeCount> kCornerFans = [] {
-  std::array<CornerFans, kShapeCount> table{};
+inline constexpr std::array<ShapeCornerEdges, kShapeCount> kCornerEdges = [] {
+  std::array<ShapeCornerEdges, kShapeCount> table{};
   for (std::size_t s = 0; s < kShapeCount; ++s)
-    table[s] = corner_fans_of(topology_of(static_cast<CellShape>(s)));
+    table[s] = corner_edges_of(topology_of(static_cast<CellShape>(s)));
   return table;
 }();
 
