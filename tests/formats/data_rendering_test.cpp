@@ -18,6 +18,7 @@
 #include "hiac/render/renderable.hpp"
 #include "hiac/scene/view_of.hpp"
 #include "tests/formats/files.hpp"
+#include "tests/support/instrumented.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace hiac::formats {
@@ -26,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 using test::Position;
 
-constexpr std::size_t kMostCells = 4000;
+constexpr std::size_t kMostCells = test::kInstrumented ? 150 : 1200;
 constexpr std::uintmax_t kMostBytes = 2'000'000;
 
 // Meshes of cells that overlap, some of them inside out: no order is right for them. (furnace,
