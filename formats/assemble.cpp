@@ -269,4 +269,15 @@ Inventory inventory_of(const ForeignMesh& foreign, std::string_view format,
   return inventory;
 }
 
+void read_through(
+    Format& format,
+    std::function<ForeignMesh(const std::string& path, const ReadOptions& options)> open) {
+  format.read = [open](const std::string& path, const ReadOptions& options) {
+    return assemble(open(path, options), options, path);
+  };
+  format.inspect = [open = std::move(open), name = format.name](const std::string& path) {
+    return inventory_of(open(path, {}), name, path);
+  };
+}
+
 }  // namespace hiac::formats

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -20,5 +21,11 @@ Reading assemble(ForeignMesh&& foreign, const ReadOptions& options, const std::s
 /// The inventory of what a file holds. Fields are summed up at their last step.
 Inventory inventory_of(const ForeignMesh& foreign, std::string_view format,
                        const std::string& subject);
+
+/// Makes a format, whose name is set, read and list its files through these two: `open` finds out
+/// what a file holds (without a request where it is to be listed).
+void read_through(
+    Format& format,
+    std::function<ForeignMesh(const std::string& path, const ReadOptions& options)> open);
 
 }  // namespace hiac::formats

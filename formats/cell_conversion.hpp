@@ -29,4 +29,19 @@ struct CellConversion {
   bool further_nodes = false;
 };
 
+/// A conversion to `kind`.
+constexpr CellConversion converted_to(CellKind kind,
+                                      std::span<const std::uint8_t> permutation = {}) {
+  return {CellFate::converted, kind, permutation, std::nullopt, false};
+}
+/// A volume cell that the zoo has no kind for; its corners make `corners`.
+constexpr CellConversion unsupported_with(CellKind corners,
+                                          std::span<const std::uint8_t> permutation = {}) {
+  return {CellFate::unsupported, {}, permutation, corners, false};
+}
+inline constexpr CellConversion kUnsupported{CellFate::unsupported, {}, {}, std::nullopt, false};
+/// A surface, a line, a point.
+inline constexpr CellConversion kNoVolume{CellFate::no_volume, {}, {}, std::nullopt, false};
+inline constexpr CellConversion kWrongCount{CellFate::wrong, {}, {}, std::nullopt, false};
+
 }  // namespace hiac::formats

@@ -1,7 +1,10 @@
 #include "formats/edge_order.hpp"
 
 #include <algorithm>
+#include <list>
+#include <mutex>
 #include <stdexcept>
+#include <utility>
 
 namespace hiac::formats {
 
@@ -28,6 +31,14 @@ std::vector<std::uint8_t> permutation_by_edges(CellKind kind, std::span<const st
   const std::size_t behind = count + per_edge * edges.size();
   for (const std::uint8_t face : faces) result.push_back(place(behind + face));
   return result;
+}
+
+std::span<const std::uint8_t> kept_permutation(std::vector<std::uint8_t> permutation) {
+  static std::mutex guard;
+  static std::list<std::vector<std::uint8_t>> all;
+  const std::scoped_lock lock(guard);
+  const auto kept = std::find(all.begin(), all.end(), permutation);
+  return kept != all.end() ? *kept : all.emplace_back(std::move(permutation));
 }
 
 }  // namespace hiac::formats

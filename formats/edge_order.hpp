@@ -23,4 +23,7 @@ std::vector<std::uint8_t> permutation_by_edges(CellKind kind, std::span<const st
                                                std::span<const ShapeEdge> edges,
                                                std::span<const std::uint8_t> faces = {});
 
+/// The same permutation, kept for good: conversions look into it. Equal ones are kept once.
+std::span<const std::uint8_t> kept_permutation(std::vector<std::uint8_t> permutation);
+
 }  // namespace hiac::formats

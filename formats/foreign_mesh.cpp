@@ -1,7 +1,12 @@
 #include "formats/foreign_mesh.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <memory>
+#include <string>
+#include <utility>
+
+#include "hiac/base/error.hpp"
 
 namespace hiac::formats {
 
@@ -23,23 +28,10 @@ std::uint16_t ForeignMesh::type_place(std::string_view name, std::size_t nodes,
     return type.name == name && type.nodes == nodes;
   });
   if (known != types.end()) return static_cast<std::uint16_t>(known - types.begin());
+  if (types.size() > std::numeric_limits<std::uint16_t>::max())
+    throw InputError(std::string(name), "one cell type too many (65536 at most expected)");
   types.push_back({std::string(name), nodes, conversion});
   return static_cast<std::uint16_t>(types.size() - 1);
-}
-
-void ForeignMesh::add_last_to_block(std::string_view name) {
-  const std::size_t cell = cell_count() - 1;
-  // cells of a block come in runs: the latest is at the end of the list or near it
-  auto known = std::find_if(blocks.rbegin(), blocks.rend(),
-                            [&](const ForeignBlock& block) { return block.name == name; });
-  if (known == blocks.rend()) {
-    blocks.push_back({std::string(name), {}});
-    known = blocks.rbegin();
-  }
-  if (!known->cells.empty() && known->cells.back().end == cell)
-    ++known->cells.back().end;
-  else
-    known->cells.push_back({cell, cell + 1});
 }
 
 }  // namespace hiac::formats

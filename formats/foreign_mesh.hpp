@@ -69,11 +69,10 @@ struct ForeignMesh {
   std::vector<std::pair<std::string, std::string>> metadata;
   std::vector<std::string> notes;
 
-  /// The place of the type of that name, which is added when it is new.
+  /// The place of the type of that name and number of nodes, which is added when it is new. Throws
+  /// InputError when there are 65536 already.
   std::uint16_t type_place(std::string_view name, std::size_t nodes,
                            const CellConversion& conversion);
-  /// Adds the cell that was added last to the block of that name.
-  void add_last_to_block(std::string_view name);
 
   [[nodiscard]] std::size_t point_count() const { return xyz.size() / 3; }
   [[nodiscard]] std::size_t cell_count() const { return cell_types.size(); }

@@ -5,9 +5,7 @@
 #include <csignal>
 #include <filesystem>
 #include <memory>
-#include <mutex>
 #include <new>
-#include <set>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -18,6 +16,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "formats/edge_order.hpp"
 #include "formats/pack.hpp"
 #include "hiac/base/error.hpp"
 
@@ -185,15 +184,6 @@ void silence() {
 
 // ---- the side that asks
 
-/// Permutations of node orders live as long as the program, as those in tables do.
-std::span<const std::uint8_t> kept_permutation(const std::string& permutation) {
-  static std::mutex mutex;
-  static std::set<std::string> known;
-  const std::lock_guard lock(mutex);
-  const std::string& kept = *known.insert(permutation).first;
-  return {reinterpret_cast<const std::uint8_t*>(kept.data()), kept.size()};
-}
-
 ForeignType unpack_type(PackReader& in) {
   ForeignType type;
   type.name = in.text();
@@ -202,7 +192,8 @@ ForeignType unpack_type(PackReader& in) {
   type.conversion.kind = static_cast<CellKind>(in.number());
   const std::uint64_t corners = in.number();
   if (corners < kKindCount) type.conversion.corners = static_cast<CellKind>(corners);
-  type.conversion.permutation = kept_permutation(in.text());
+  const std::string permutation = in.text();
+  type.conversion.permutation = kept_permutation({permutation.begin(), permutation.end()});
   type.conversion.further_nodes = in.number() != 0;
   return type;
 }

@@ -15,15 +15,9 @@ CellConversion solid_conversion(CellKind kind, std::span<const ShapeEdge> edges 
 CellConversion ordered_conversion(CellKind kind, std::span<const std::uint8_t> corners,
                                   std::span<const ShapeEdge> edges);
 
-/// The conversion with every node's place given.
-CellConversion permuted_conversion(CellKind kind, std::span<const std::uint8_t> permutation);
-
 /// Solids whose vertical edges come before those of the top: bricks of 20 nodes and prisms of 15
 /// (CalculiX's results, Nastran).
 CellConversion vertical_edges_first(CellKind kind);
-
-/// A surface, a line, a point.
-CellConversion no_volume();
 
 /// A volume that the zoo has no kind for, whose first nodes are the corners of the shape.
 CellConversion unsupported_with_corners(CellShape shape);

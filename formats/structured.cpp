@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "formats/foreign_types.hpp"
+#include "formats/foreign_mesh.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats {
@@ -39,8 +39,7 @@ std::vector<std::size_t> add_bricks(ForeignMesh& mesh, const StructuredBlock& bl
                                     const std::string& name) {
   const std::size_t first_cell = mesh.cell_count();
   const auto [ni, nj, nk] = block.points;
-  const std::uint16_t type =
-      type_index(mesh, "structured brick", 8, converted_to(CellKind::brick8));
+  const std::uint16_t type = mesh.type_place("structured brick", 8, converted_to(CellKind::brick8));
   const std::array<std::size_t, 8> corners{0,       1,           1 + ni,           ni,
                                            ni * nj, ni * nj + 1, ni * nj + 1 + ni, ni * nj + ni};
   std::vector<std::size_t> kept;

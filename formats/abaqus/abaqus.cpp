@@ -38,12 +38,7 @@ Format abaqus_format() {
   format.recognizes = begins_with_keyword;
   format.plausible = [](std::string_view head) { return head.starts_with("**"); };
   format.gzip = true;
-  format.read = [](const std::string& path, const ReadOptions& options) {
-    return assemble(read_file(path), options, path);
-  };
-  format.inspect = [](const std::string& path) {
-    return inventory_of(read_file(path), "abaqus", path);
-  };
+  read_through(format, [](const std::string& path, const ReadOptions&) { return read_file(path); });
   return format;
 }
 

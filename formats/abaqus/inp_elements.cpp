@@ -46,7 +46,7 @@ std::optional<CellShape> unsupported_of(std::size_t nodes, std::string_view suff
 }  // namespace
 
 InpElement inp_element(std::string_view type) {
-  InpElement element{{std::string(type), 0, no_volume()}, 0};
+  InpElement element{{std::string(type), 0, kNoVolume}, 0};
   for (const std::string_view family : kSolids) {
     if (!type.starts_with(family)) continue;
     const std::string_view rest = type.substr(family.size());

@@ -28,12 +28,9 @@ Format ansys_format() {
   format.time_steps = "none";
   format.recognizes = has_archive_line;
   format.gzip = true;
-  format.read = [](const std::string& path, const ReadOptions& options) {
-    return assemble(ansys::read_cdb(InputText(path)), options, path);
-  };
-  format.inspect = [](const std::string& path) {
-    return inventory_of(ansys::read_cdb(InputText(path)), "ansys", path);
-  };
+  read_through(format, [](const std::string& path, const ReadOptions&) {
+    return ansys::read_cdb(InputText(path));
+  });
   return format;
 }
 

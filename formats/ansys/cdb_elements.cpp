@@ -59,7 +59,7 @@ CellConversion conversion_of(std::size_t library_nodes, std::size_t nodes) {
 
 ForeignType element_type(std::int64_t routine, std::size_t nodes, std::int64_t mesh200_shape) {
   const std::size_t library_nodes = nodes_of(routine, mesh200_shape);
-  ForeignType type{fmt::format("type{}", routine), nodes, no_volume()};
+  ForeignType type{fmt::format("type{}", routine), nodes, kNoVolume};
   if (library_nodes > 0) type.conversion = conversion_of(library_nodes, nodes);
   // what is not known and has so many nodes may well be a solid
   else if (nodes >= 8 && !has(kFlat8, routine))

@@ -22,12 +22,9 @@ Format frd_format() {
     return head.starts_with("    1") || head.starts_with("    2C");
   };
   format.gzip = true;
-  format.read = [](const std::string& path, const ReadOptions& options) {
-    return assemble(frd::read_frd(std::make_shared<InputText>(path)), options, path);
-  };
-  format.inspect = [](const std::string& path) {
-    return inventory_of(frd::read_frd(std::make_shared<InputText>(path)), "frd", path);
-  };
+  read_through(format, [](const std::string& path, const ReadOptions&) {
+    return frd::read_frd(std::make_shared<InputText>(path));
+  });
   return format;
 }
 

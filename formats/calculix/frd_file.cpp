@@ -32,12 +32,12 @@ std::vector<ForeignType> element_types() {
           {"he20", 20, vertical_edges_first(CellKind::brick20)},
           {"pe15", 15, vertical_edges_first(CellKind::prism15)},
           {"te10", 10, solid_conversion(CellKind::tetrahedron10)},
-          {"tr3", 3, no_volume()},
-          {"tr6", 6, no_volume()},
-          {"qu4", 4, no_volume()},
-          {"qu8", 8, no_volume()},
-          {"be2", 2, no_volume()},
-          {"be3", 3, no_volume()}};
+          {"tr3", 3, kNoVolume},
+          {"tr6", 6, kNoVolume},
+          {"qu4", 4, kNoVolume},
+          {"qu8", 8, kNoVolume},
+          {"be2", 2, kNoVolume},
+          {"be3", 3, kNoVolume}};
 }
 
 /// A result block: which values it has, and where they begin.

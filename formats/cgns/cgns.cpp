@@ -11,7 +11,7 @@
 #include "formats/assemble.hpp"
 #include "formats/cgns/cgns_file.hpp"
 #include "formats/cgns/element_types.hpp"
-#include "formats/foreign_types.hpp"
+#include "formats/foreign_mesh.hpp"
 #include "formats/hdf5/hdf5_model.hpp"
 #include "formats/isolated.hpp"
 #include "formats/structured.hpp"
@@ -231,7 +231,7 @@ class Reader {
   void add_cells(const cgns::ElementType& type, std::span<const std::int64_t> numbers,
                  std::int64_t offset) {
     mesh_.cell_types.insert(mesh_.cell_types.end(), numbers.size() / type.nodes,
-                            type_index(mesh_, type.name, type.nodes, type.conversion));
+                            mesh_.type_place(type.name, type.nodes, type.conversion));
     for (const std::int64_t number : numbers) mesh_.cell_nodes.push_back(number + offset);
   }
 
@@ -242,8 +242,8 @@ class Reader {
     const std::int64_t count =
         std::clamp<std::int64_t>(numbers[1] - numbers[0] + 1, 0, static_cast<std::int64_t>(most));
     mesh_.cell_types.insert(mesh_.cell_types.end(), static_cast<std::size_t>(count),
-                            type_index(mesh_, volume ? "NFACE_n (polyhedron)" : "NGON_n", 0,
-                                       volume ? kUnsupported : kNoVolume));
+                            mesh_.type_place(volume ? "NFACE_n (polyhedron)" : "NGON_n", 0,
+                                             volume ? kUnsupported : kNoVolume));
   }
 
   /// The step of every solution that a zone's pointers name.
@@ -347,12 +347,8 @@ Format cgns_format() {
   // the first words of an ADF file
   format.recognizes = [](std::string_view head) { return head.find("ADF Database Version") == 4; };
   format.contains = [](const std::string& path) { return hdf5::model_of(path) == "cgns"; };
-  format.read = [](const std::string& path, const ReadOptions& options) {
-    return assemble(foreign_mesh(path), options, path);
-  };
-  format.inspect = [](const std::string& path) {
-    return inventory_of(foreign_mesh(path), "cgns", path);
-  };
+  read_through(format,
+               [](const std::string& path, const ReadOptions&) { return foreign_mesh(path); });
   return format;
 }
 

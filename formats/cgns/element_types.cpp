@@ -3,8 +3,8 @@
 #include <map>
 #include <vector>
 
+#include "formats/cell_conversion.hpp"
 #include "formats/edge_order.hpp"
-#include "formats/foreign_types.hpp"
 #include "formats/upright_edges.hpp"
 
 namespace hiac::formats::cgns {

@@ -13,7 +13,7 @@
 #include "formats/edge_order.hpp"
 #include "formats/ensight/case_file.hpp"
 #include "formats/ensight/gold_file.hpp"
-#include "formats/foreign_types.hpp"
+#include "formats/foreign_mesh.hpp"
 #include "formats/steps.hpp"
 #include "formats/structured.hpp"
 #include "hiac/base/error.hpp"
@@ -167,7 +167,7 @@ class Geometry {
     part.sections.push_back({line, mesh_.cell_count(), count, {}});
     const CellConversion conversion = ghost ? kNoVolume : element.conversion;
     mesh_.cell_types.insert(mesh_.cell_types.end(), count,
-                            type_index(mesh_, line, element.nodes, conversion));
+                            mesh_.type_place(line, element.nodes, conversion));
     for (const std::int64_t node : nodes) {
       if (node < 1 || static_cast<std::uint64_t>(node) > part.points)
         file_.fail(fmt::format("{} names node {} (1 to {} expected)", name, node, part.points));
@@ -189,9 +189,8 @@ class Geometry {
       numbers = file_.wholes(total);
     }
     part.sections.push_back({name, mesh_.cell_count(), count, {}});
-    mesh_.cell_types.insert(
-        mesh_.cell_types.end(), count,
-        type_index(mesh_, name, 0, name == "nfaced" ? kUnsupported : kNoVolume));
+    mesh_.cell_types.insert(mesh_.cell_types.end(), count,
+                            mesh_.type_place(name, 0, name == "nfaced" ? kUnsupported : kNoVolume));
   }
 
   GoldFile file_;
@@ -321,12 +320,7 @@ Format ensight_format() {
     return head.find("ensight gold") != std::string_view::npos &&
            head.find("GEOMETRY") != std::string_view::npos;
   };
-  format.read = [](const std::string& path, const ReadOptions& options) {
-    return assemble(foreign_mesh(path, options), options, path);
-  };
-  format.inspect = [](const std::string& path) {
-    return inventory_of(foreign_mesh(path, {}), "ensight", path);
-  };
+  read_through(format, foreign_mesh);
   return format;
 }
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "formats/cell_conversion.hpp"
 #include "formats/edge_order.hpp"
-#include "formats/foreign_types.hpp"
 #include "formats/upright_edges.hpp"
 
 namespace hiac::formats::exodus {

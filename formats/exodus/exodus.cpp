@@ -10,7 +10,7 @@
 #include "formats/exodus/classic_layout.hpp"
 #include "formats/exodus/element_types.hpp"
 #include "formats/exodus/netcdf_file.hpp"
-#include "formats/foreign_types.hpp"
+#include "formats/foreign_mesh.hpp"
 #include "formats/hdf5/hdf5_model.hpp"
 #include "formats/isolated.hpp"
 #include "hiac/base/error.hpp"
@@ -102,7 +102,7 @@ class Reader {
     const CellConversion conversion = exodus::conversion_of(element, shape[1]);
     const std::vector<std::int64_t> nodes = file_->integers(name);
     mesh_.cell_types.insert(mesh_.cell_types.end(), shape[0],
-                            type_index(mesh_, element, shape[1], conversion));
+                            mesh_.type_place(element, shape[1], conversion));
     mesh_.cell_nodes.insert(mesh_.cell_nodes.end(), nodes.begin(), nodes.end());
   }
 
@@ -111,7 +111,7 @@ class Reader {
     const std::string counts = fmt::format("ebepecnt{}", number);
     const std::size_t count = file_->has(counts) ? file_->integers(counts).size() : 0;
     mesh_.cell_types.insert(mesh_.cell_types.end(), count,
-                            type_index(mesh_, element, 0, kUnsupported));
+                            mesh_.type_place(element, 0, kUnsupported));
   }
 
   [[nodiscard]] std::size_t steps() const { return mesh_.times.size(); }
@@ -211,12 +211,8 @@ Format exodus_format() {
   format.recognizes = [](std::string_view head) { return exodus::is_classic_netcdf(head); };
   // netCDF-4 files are HDF5 files
   format.contains = [](const std::string& path) { return hdf5::model_of(path) == "exodus"; };
-  format.read = [](const std::string& path, const ReadOptions& options) {
-    return assemble(foreign_mesh(path), options, path);
-  };
-  format.inspect = [](const std::string& path) {
-    return inventory_of(foreign_mesh(path), "exodus", path);
-  };
+  read_through(format,
+               [](const std::string& path, const ReadOptions&) { return foreign_mesh(path); });
   return format;
 }
 

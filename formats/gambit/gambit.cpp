@@ -29,15 +29,15 @@ constexpr std::int64_t kTetrahedron = 6;
 constexpr std::int64_t kPyramid = 7;
 
 CellConversion conversion_of(std::int64_t shape, std::int64_t nodes) {
-  if (shape < kBrick) return no_volume();
-  if (shape == kBrick && nodes == 8) return permuted_conversion(CellKind::brick8, kBrick8);
-  if (shape == kBrick && nodes == 20) return permuted_conversion(CellKind::brick20, kBrick20);
+  if (shape < kBrick) return kNoVolume;
+  if (shape == kBrick && nodes == 8) return converted_to(CellKind::brick8, kBrick8);
+  if (shape == kBrick && nodes == 20) return converted_to(CellKind::brick20, kBrick20);
   if (shape == kWedge && nodes == 6) return solid_conversion(CellKind::prism6);
-  if (shape == kWedge && nodes == 15) return permuted_conversion(CellKind::prism15, kPrism15);
+  if (shape == kWedge && nodes == 15) return converted_to(CellKind::prism15, kPrism15);
   if (shape == kTetrahedron && nodes == 4) return solid_conversion(CellKind::tetrahedron4);
   if (shape == kTetrahedron && nodes == 10)
-    return permuted_conversion(CellKind::tetrahedron10, kTetrahedron10);
-  if (shape == kPyramid && nodes == 5) return permuted_conversion(CellKind::pyramid5, kPyramid5);
+    return converted_to(CellKind::tetrahedron10, kTetrahedron10);
+  if (shape == kPyramid && nodes == 5) return converted_to(CellKind::pyramid5, kPyramid5);
   return {};
 }
 
@@ -210,12 +210,7 @@ Format gambit_format() {
   };
   format.plausible = [](std::string_view head) { return head.find("CONTROL INFO") < 80; };
   format.gzip = true;
-  format.read = [](const std::string& path, const ReadOptions& options) {
-    return assemble(read_file(path), options, path);
-  };
-  format.inspect = [](const std::string& path) {
-    return inventory_of(read_file(path), "gambit", path);
-  };
+  read_through(format, [](const std::string& path, const ReadOptions&) { return read_file(path); });
   return format;
 }
 

@@ -37,12 +37,7 @@ Format gmsh_format() {
            head.starts_with("$Comments");
   };
   format.gzip = true;
-  format.read = [](const std::string& path, const ReadOptions& options) {
-    return assemble(read_file(path), options, path);
-  };
-  format.inspect = [](const std::string& path) {
-    return inventory_of(read_file(path), "gmsh", path);
-  };
+  read_through(format, [](const std::string& path, const ReadOptions&) { return read_file(path); });
   format.write = gmsh::write_msh;
   return format;
 }

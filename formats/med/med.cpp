@@ -10,7 +10,7 @@
 #include <fmt/ranges.h>
 
 #include "formats/assemble.hpp"
-#include "formats/foreign_types.hpp"
+#include "formats/foreign_mesh.hpp"
 #include "formats/hdf5/hdf5_file.hpp"
 #include "formats/hdf5/hdf5_model.hpp"
 #include "formats/isolated.hpp"
@@ -226,7 +226,7 @@ class Reader {
         for (std::size_t n = 0; n < cells.nodes; ++n)
           mesh_.cell_nodes.push_back(stored[n * cells.count + i]);
       mesh_.cell_types.insert(mesh_.cell_types.end(), cells.count,
-                              type_index(mesh_, name, cells.nodes, element->conversion));
+                              mesh_.type_place(name, cells.nodes, element->conversion));
       cells_.emplace(name, cells);
     }
   }
@@ -240,7 +240,7 @@ class Reader {
         file_->has(counted) ? file_->integers(counted).size() : std::uint64_t{1};
     const bool polygons = name.starts_with("POG");
     mesh_.cell_types.insert(mesh_.cell_types.end(), count > 1 ? count - 1 : 1,
-                            type_index(mesh_, name, 0, polygons ? kNoVolume : kUnsupported));
+                            mesh_.type_place(name, 0, polygons ? kNoVolume : kUnsupported));
   }
 
   /// The groups of cells, which are unions of families.
@@ -393,12 +393,8 @@ Format med_format() {
   format.time_steps = "several";
   format.recognizes = [](std::string_view) { return false; };
   format.contains = [](const std::string& path) { return hdf5::model_of(path) == "med"; };
-  format.read = [](const std::string& path, const ReadOptions& options) {
-    return assemble(foreign_mesh(path), options, path);
-  };
-  format.inspect = [](const std::string& path) {
-    return inventory_of(foreign_mesh(path), "med", path);
-  };
+  read_through(format,
+               [](const std::string& path, const ReadOptions&) { return foreign_mesh(path); });
   return format;
 }
 

@@ -50,7 +50,7 @@ constexpr std::int32_t kEndCode = 54;
 
 CellConversion conversion_of(const CellKeyword& keyword) {
   if (keyword.kind) return solid_conversion(*keyword.kind);
-  return keyword.corners ? unsupported_with_corners(*keyword.corners) : no_volume();
+  return keyword.corners ? unsupported_with_corners(*keyword.corners) : kNoVolume;
 }
 
 /// What both encodings fill.

@@ -14,12 +14,9 @@ Format medit_format() {
   format.time_steps = "none";
   format.recognizes = medit::looks_like_gmf;
   format.gzip = true;
-  format.read = [](const std::string& path, const ReadOptions& options) {
-    return assemble(medit::read_gmf(InputText(path)), options, path);
-  };
-  format.inspect = [](const std::string& path) {
-    return inventory_of(medit::read_gmf(InputText(path)), "medit", path);
-  };
+  read_through(format, [](const std::string& path, const ReadOptions&) {
+    return medit::read_gmf(InputText(path));
+  });
   return format;
 }
 

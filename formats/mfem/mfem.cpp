@@ -11,7 +11,7 @@
 
 #include "formats/assemble.hpp"
 #include "formats/edge_order.hpp"
-#include "formats/foreign_types.hpp"
+#include "formats/foreign_mesh.hpp"
 #include "formats/input_text.hpp"
 #include "formats/mfem/dof_map.hpp"
 #include "formats/mfem/mesh_file.hpp"
@@ -161,7 +161,7 @@ class Reader {
         nodes.assign(
             element.vertices.begin(),
             element.vertices.begin() + static_cast<long>(mfem::vertex_count(element.geometry)));
-      mesh_.cell_types.push_back(type_index(mesh_, name, nodes.size(), conversion));
+      mesh_.cell_types.push_back(mesh_.type_place(name, nodes.size(), conversion));
       mesh_.cell_nodes.insert(mesh_.cell_nodes.end(), nodes.begin(), nodes.end());
     }
   }
@@ -294,12 +294,8 @@ Format mfem_format() {
   format.recognizes = [](std::string_view head) {
     return head.starts_with("MFEM mesh v") || head.starts_with("MFEM NC mesh v");
   };
-  format.read = [](const std::string& path, const ReadOptions& options) {
-    return assemble(Reader(path).read(), options, path);
-  };
-  format.inspect = [](const std::string& path) {
-    return inventory_of(Reader(path).read(), "mfem", path);
-  };
+  read_through(format,
+               [](const std::string& path, const ReadOptions&) { return Reader(path).read(); });
   return format;
 }
 

@@ -91,7 +91,7 @@ class BulkReader {
     } else if (name.starts_with('=')) {
       cursor.fail_at(card.offset, "replicated entries ('=') are not supported");
     } else if (kFlat.contains(name)) {
-      begin_cell(type_place(name, 0, no_volume()), integer_or(card, 0, 0, cursor));
+      begin_cell(type_place(name, 0, kNoVolume), integer_or(card, 0, 0, cursor));
     }
   }
 

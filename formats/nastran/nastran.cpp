@@ -36,12 +36,9 @@ Format nastran_format() {
            starts_with_upper(head, "ID ") || starts_with_upper(head, "INCLUDE");
   };
   format.gzip = true;
-  format.read = [](const std::string& path, const ReadOptions& options) {
-    return assemble(nastran::read_bulk_data(path), options, path);
-  };
-  format.inspect = [](const std::string& path) {
-    return inventory_of(nastran::read_bulk_data(path), "nastran", path);
-  };
+  read_through(format, [](const std::string& path, const ReadOptions&) {
+    return nastran::read_bulk_data(path);
+  });
   return format;
 }
 

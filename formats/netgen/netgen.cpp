@@ -190,12 +190,9 @@ Format netgen_format() {
     return false;
   };
   format.gzip = true;
-  format.read = [](const std::string& path, const ReadOptions& options) {
-    return assemble(VolReader(InputText(path)).run(), options, path);
-  };
-  format.inspect = [](const std::string& path) {
-    return inventory_of(VolReader(InputText(path)).run(), "netgen", path);
-  };
+  read_through(format, [](const std::string& path, const ReadOptions&) {
+    return VolReader(InputText(path)).run();
+  });
   return format;
 }
 

@@ -10,7 +10,7 @@
 
 #include "formats/assemble.hpp"
 #include "formats/face_cells.hpp"
-#include "formats/foreign_types.hpp"
+#include "formats/foreign_mesh.hpp"
 #include "formats/openfoam/foam_file.hpp"
 #include "formats/steps.hpp"
 #include "hiac/base/error.hpp"
@@ -115,11 +115,11 @@ class Reader {
     }
     const auto found = cell_of_faces(outward);
     if (!found) {
-      mesh_.cell_types.push_back(type_index(mesh_, "polyhedron", 0, kUnsupported));
+      mesh_.cell_types.push_back(mesh_.type_place("polyhedron", 0, kUnsupported));
       return;
     }
-    mesh_.cell_types.push_back(type_index(mesh_, std::string(topology_of(found->kind).name),
-                                          found->nodes.size(), converted_to(found->kind)));
+    mesh_.cell_types.push_back(mesh_.type_place(std::string(topology_of(found->kind).name),
+                                                found->nodes.size(), converted_to(found->kind)));
     mesh_.cell_nodes.insert(mesh_.cell_nodes.end(), found->nodes.begin(), found->nodes.end());
   }
 
@@ -182,12 +182,9 @@ Format openfoam_format() {
     const std::string extension = fs::path(path).extension().string();
     return extension == ".foam" || extension == ".OpenFOAM";
   };
-  format.read = [](const std::string& path, const ReadOptions& options) {
-    return assemble(Reader(path, options).read(), options, path);
-  };
-  format.inspect = [](const std::string& path) {
-    return inventory_of(Reader(path, {}).read(), "openfoam", path);
-  };
+  read_through(format, [](const std::string& path, const ReadOptions& options) {
+    return Reader(path, options).read();
+  });
   return format;
 }
 

@@ -128,12 +128,7 @@ Format plot3d_format() {
   format.time_steps = "several (.p3d)";
   format.recognizes = plot3d::may_be_index;
   format.plausible = plot3d::may_be_grid;
-  format.read = [](const std::string& path, const ReadOptions& options) {
-    return assemble(foreign_mesh(path, options), options, path);
-  };
-  format.inspect = [](const std::string& path) {
-    return inventory_of(foreign_mesh(path, {}), "plot3d", path);
-  };
+  read_through(format, foreign_mesh);
   return format;
 }
 

@@ -54,9 +54,9 @@ class Su2Reader {
 
   void read_elements(std::size_t count) {
     static const std::map<std::int64_t, ForeignType> kTypes{
-        {3, {"line", 2, no_volume()}},
-        {5, {"triangle", 3, no_volume()}},
-        {9, {"quadrilateral", 4, no_volume()}},
+        {3, {"line", 2, kNoVolume}},
+        {5, {"triangle", 3, kNoVolume}},
+        {9, {"quadrilateral", 4, kNoVolume}},
         {10, {"tetrahedron", 4, solid_conversion(CellKind::tetrahedron4)}},
         {12, {"hexahedron", 8, solid_conversion(CellKind::brick8)}},
         {13, {"prism", 6, solid_conversion(CellKind::prism6)}},
@@ -114,12 +114,9 @@ Format su2_format() {
     return false;
   };
   format.gzip = true;
-  format.read = [](const std::string& path, const ReadOptions& options) {
-    return assemble(Su2Reader(InputText(path)).run(), options, path);
-  };
-  format.inspect = [](const std::string& path) {
-    return inventory_of(Su2Reader(InputText(path)).run(), "su2", path);
-  };
+  read_through(format, [](const std::string& path, const ReadOptions&) {
+    return Su2Reader(InputText(path)).run();
+  });
   return format;
 }
 

@@ -47,7 +47,7 @@ void add_ordered_cells(const Zone& zone, std::size_t first_node, ForeignMesh& me
   const bool solid = ni > 1 && nj > 1 && nk > 1;
   const std::uint16_t type =
       solid ? mesh.type_place("ordered hexahedron", 8, solid_conversion(CellKind::brick8))
-            : mesh.type_place("ordered surface or line", 0, no_volume());
+            : mesh.type_place("ordered surface or line", 0, kNoVolume);
   if (!solid) {
     mesh.cell_types.insert(mesh.cell_types.end(), zone.elements, type);
     return;
@@ -65,7 +65,7 @@ void add_ordered_cells(const Zone& zone, std::size_t first_node, ForeignMesh& me
 
 void add_elements(const Zone& zone, std::size_t first_node, const std::string& subject,
                   ForeignMesh& mesh) {
-  CellConversion conversion = no_volume();
+  CellConversion conversion = kNoVolume;
   if (zone.element == "BRICK") conversion = solid_conversion(CellKind::brick8);
   if (zone.element == "TETRAHEDRON") conversion = solid_conversion(CellKind::tetrahedron4);
   const std::uint16_t type = mesh.type_place(zone.element, zone.nodes_per_element, conversion);
@@ -170,14 +170,9 @@ Format tecplot_format() {
     return false;
   };
   format.gzip = true;
-  format.read = [](const std::string& path, const ReadOptions& options) {
-    return assemble(mesh_of(tecplot::read_tecplot_text(InputText(path)), options, path), options,
-                    path);
-  };
-  format.inspect = [](const std::string& path) {
-    return inventory_of(mesh_of(tecplot::read_tecplot_text(InputText(path)), {}, path), "tecplot",
-                        path);
-  };
+  read_through(format, [](const std::string& path, const ReadOptions& options) {
+    return mesh_of(tecplot::read_tecplot_text(InputText(path)), options, path);
+  });
   return format;
 }
 

@@ -124,12 +124,8 @@ Format tetgen_format() {
     return !cursor.at_end() &&
            (head[cursor.offset()] == '#' || to_integer(cursor.word()).has_value());
   };
-  format.read = [](const std::string& path, const ReadOptions& options) {
-    return assemble(read_files(path), options, path);
-  };
-  format.inspect = [](const std::string& path) {
-    return inventory_of(read_files(path), "tetgen", path);
-  };
+  read_through(format,
+               [](const std::string& path, const ReadOptions&) { return read_files(path); });
   return format;
 }
 

@@ -15,12 +15,9 @@ Format ucd_format() {
   format.recognizes = [](std::string_view) { return false; };
   format.plausible = ucd::looks_like_ucd;
   format.gzip = true;
-  format.read = [](const std::string& path, const ReadOptions& options) {
-    return assemble(ucd::read_ucd(InputText(path)), options, path);
-  };
-  format.inspect = [](const std::string& path) {
-    return inventory_of(ucd::read_ucd(InputText(path)), "ucd", path);
-  };
+  read_through(format, [](const std::string& path, const ReadOptions&) {
+    return ucd::read_ucd(InputText(path));
+  });
   return format;
 }
 

@@ -38,18 +38,17 @@ constexpr std::array<std::uint8_t, 8> kBrick{4, 5, 6, 7, 0, 1, 2, 3};
 /// In the order of the numbers that binary files have for them.
 const std::array<UcdType, 8>& types() {
   static const std::array<UcdType, 8> table{
-      {{"pt", 1, no_volume(), no_volume()},
-       {"line", 2, no_volume(), no_volume()},
-       {"tri", 3, no_volume(), no_volume()},
-       {"quad", 4, no_volume(), no_volume()},
-       {"tet", 4, permuted_conversion(CellKind::tetrahedron4, kTetrahedron),
-        permuted_conversion(CellKind::tetrahedron4, {})},
-       {"pyr", 5, permuted_conversion(CellKind::pyramid5, kPyramid),
-        permuted_conversion(CellKind::pyramid5, kPyramidMirrored)},
-       {"prism", 6, permuted_conversion(CellKind::prism6, kPrism),
-        permuted_conversion(CellKind::prism6, kPrismMirrored)},
-       {"hex", 8, permuted_conversion(CellKind::brick8, kBrick),
-        permuted_conversion(CellKind::brick8, {})}}};
+      {{"pt", 1, kNoVolume, kNoVolume},
+       {"line", 2, kNoVolume, kNoVolume},
+       {"tri", 3, kNoVolume, kNoVolume},
+       {"quad", 4, kNoVolume, kNoVolume},
+       {"tet", 4, converted_to(CellKind::tetrahedron4, kTetrahedron),
+        converted_to(CellKind::tetrahedron4, {})},
+       {"pyr", 5, converted_to(CellKind::pyramid5, kPyramid),
+        converted_to(CellKind::pyramid5, kPyramidMirrored)},
+       {"prism", 6, converted_to(CellKind::prism6, kPrism),
+        converted_to(CellKind::prism6, kPrismMirrored)},
+       {"hex", 8, converted_to(CellKind::brick8, kBrick), converted_to(CellKind::brick8, {})}}};
   return table;
 }
 

@@ -25,7 +25,7 @@ constexpr std::array<std::size_t, 4> kSolidNodes{4, 5, 6, 8};
 void begin_mesh(ForeignMesh& mesh) {
   mesh.first_node = 1;
   mesh.types = {{"tet", 4, solid_conversion(CellKind::tetrahedron4)},
-                {"pyramid", 5, permuted_conversion(CellKind::pyramid5, kPyramid)},
+                {"pyramid", 5, converted_to(CellKind::pyramid5, kPyramid)},
                 {"prism", 6, solid_conversion(CellKind::prism6)},
                 {"hex", 8, solid_conversion(CellKind::brick8)}};
 }
@@ -161,12 +161,7 @@ Format ugrid_format() {
   format.recognizes = [](std::string_view) { return false; };
   format.plausible = [](std::string_view) { return true; };
   format.gzip = true;
-  format.read = [](const std::string& path, const ReadOptions& options) {
-    return assemble(read_file(path), options, path);
-  };
-  format.inspect = [](const std::string& path) {
-    return inventory_of(read_file(path), "ugrid", path);
-  };
+  read_through(format, [](const std::string& path, const ReadOptions&) { return read_file(path); });
   return format;
 }
 

@@ -24,12 +24,9 @@ Format unv_format() {
     return false;
   };
   format.gzip = true;
-  format.read = [](const std::string& path, const ReadOptions& options) {
-    return assemble(unv::read_unv(std::make_shared<InputText>(path)), options, path);
-  };
-  format.inspect = [](const std::string& path) {
-    return inventory_of(unv::read_unv(std::make_shared<InputText>(path)), "unv", path);
-  };
+  read_through(format, [](const std::string& path, const ReadOptions&) {
+    return unv::read_unv(std::make_shared<InputText>(path));
+  });
   return format;
 }
 

@@ -29,39 +29,38 @@ std::size_t surface_nodes(std::int64_t descriptor) {
 std::optional<UnvElement> unv_element(std::int64_t descriptor) {
   switch (descriptor) {
     case 11:
-      return UnvElement{{"rod", 2, no_volume()}, true};
+      return UnvElement{{"rod", 2, kNoVolume}, true};
     case 21:
     case 22:
-      return UnvElement{{"beam", 2, no_volume()}, true};
+      return UnvElement{{"beam", 2, kNoVolume}, true};
     case 23:
     case 24:
-      return UnvElement{{"parabolic beam", 3, no_volume()}, true};
+      return UnvElement{{"parabolic beam", 3, kNoVolume}, true};
     case 111:
       return UnvElement{{"tet4", 4, solid_conversion(CellKind::tetrahedron4)}};
     case 112:
       return UnvElement{{"wedge6", 6, solid_conversion(CellKind::prism6)}};
     case 113:
-      return UnvElement{{"wedge15", 15, permuted_conversion(CellKind::prism15, kPrism15)}};
+      return UnvElement{{"wedge15", 15, converted_to(CellKind::prism15, kPrism15)}};
     case 115:
       return UnvElement{{"hex8", 8, solid_conversion(CellKind::brick8)}};
     case 116:
-      return UnvElement{{"hex20", 20, permuted_conversion(CellKind::brick20, kBrick20)}};
+      return UnvElement{{"hex20", 20, converted_to(CellKind::brick20, kBrick20)}};
     case 118:
-      return UnvElement{
-          {"tet10", 10, permuted_conversion(CellKind::tetrahedron10, kTetrahedron10)}};
+      return UnvElement{{"tet10", 10, converted_to(CellKind::tetrahedron10, kTetrahedron10)}};
     case 114:
       return UnvElement{{"cubic wedge", 24, {}}};
     case 117:
       return UnvElement{{"cubic hex", 32, {}}};
     case 161:
-      return UnvElement{{"lumped mass", 1, no_volume()}};
+      return UnvElement{{"lumped mass", 1, kNoVolume}};
     default:
       break;
   }
   const std::int64_t family = descriptor / 10;
   if (family < 4 || family > 10 || surface_nodes(descriptor) == 0) return std::nullopt;
   const std::size_t nodes = surface_nodes(descriptor);
-  return UnvElement{{fmt::format("surface{}", nodes), nodes, no_volume()}};
+  return UnvElement{{fmt::format("surface{}", nodes), nodes, kNoVolume}};
 }
 
 }  // namespace hiac::formats::unv

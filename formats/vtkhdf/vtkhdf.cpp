@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "formats/assemble.hpp"
-#include "formats/foreign_types.hpp"
+#include "formats/foreign_mesh.hpp"
 #include "formats/hdf5/hdf5_file.hpp"
 #include "formats/hdf5/hdf5_model.hpp"
 #include "formats/isolated.hpp"
@@ -156,9 +156,9 @@ class Reader {
       const auto count = static_cast<std::size_t>(offsets[i + 1] - offsets[i]);
       const auto type = static_cast<int>(types[i]);
       const bool ghost = !ghosts.empty() && ghosts[i] != 0;
-      mesh_.cell_types.push_back(ghost ? type_index(mesh_, "ghost", count, kNoVolume)
-                                       : type_index(mesh_, vtk::cell_type_name(type), count,
-                                                    vtk::conversion_of(type, count)));
+      mesh_.cell_types.push_back(ghost ? mesh_.type_place("ghost", count, kNoVolume)
+                                       : mesh_.type_place(vtk::cell_type_name(type), count,
+                                                          vtk::conversion_of(type, count)));
     }
     if (!types.empty()) nodes.resize(static_cast<std::size_t>(offsets.back() - offsets.front()));
     mesh_.cell_nodes = std::move(nodes);

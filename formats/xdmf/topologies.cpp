@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <vtkCellType.h>
 
-#include "formats/foreign_types.hpp"
+#include "formats/foreign_mesh.hpp"
 #include "formats/vtk/cell_types.hpp"
 #include "hiac/base/error.hpp"
 
@@ -59,7 +59,7 @@ void add_cells(const Topology& topology, std::size_t nodes,
                const std::vector<std::int64_t>& numbers, std::int64_t first_point,
                ForeignMesh& mesh) {
   const std::uint16_t type =
-      type_index(mesh, topology.name, nodes, vtk::conversion_of(topology.vtk_type, nodes));
+      mesh.type_place(topology.name, nodes, vtk::conversion_of(topology.vtk_type, nodes));
   mesh.cell_types.insert(mesh.cell_types.end(), numbers.size() / nodes, type);
   for (const std::int64_t number : numbers) mesh.cell_nodes.push_back(first_point + number);
 }
@@ -84,7 +84,7 @@ void add_mixed_cells(const std::vector<std::int64_t>& numbers, std::int64_t firs
     if (number == kPolyhedron) {
       for (std::int64_t faces = next("the number of faces"); faces > 0; --faces)
         skip(next("a number of nodes"));
-      mesh.cell_types.push_back(type_index(mesh, "POLYHEDRON", 0, kUnsupported));
+      mesh.cell_types.push_back(mesh.type_place("POLYHEDRON", 0, kUnsupported));
       continue;
     }
     const auto found =

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "formats/assemble.hpp"
-#include "formats/foreign_types.hpp"
+#include "formats/foreign_mesh.hpp"
 #include "formats/isolated.hpp"
 #include "formats/steps.hpp"
 #include "formats/structured.hpp"
@@ -391,12 +391,7 @@ Format xdmf_format() {
   format.recognizes = [](std::string_view head) {
     return head.find("<Xdmf") != std::string_view::npos;
   };
-  format.read = [](const std::string& path, const ReadOptions& options) {
-    return assemble(foreign_mesh(path, options), options, path);
-  };
-  format.inspect = [](const std::string& path) {
-    return inventory_of(foreign_mesh(path, {}), "xdmf", path);
-  };
+  read_through(format, foreign_mesh);
   return format;
 }
 

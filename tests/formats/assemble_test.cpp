@@ -37,7 +37,7 @@ ForeignMesh two_tetrahedra() {
   add(62, -0.5, 0, 0);
   add(63, -0.5, 0, 0.5);
   mesh.types.push_back({"tet10", 10, solid_conversion(CellKind::tetrahedron10)});
-  mesh.types.push_back({"tri3", 3, no_volume()});
+  mesh.types.push_back({"tri3", 3, kNoVolume});
   mesh.cell_types = {0, 1, 0};
   mesh.cell_nodes = {10, 20, 30, 40, 51, 52, 53, 54,           55, 56, 10, 20,
                      30, 30, 60, 10, 40, 61, 62, kLeftOutNode, 56, 63, 54};
