@@ -1,9 +1,11 @@
 #include "tests/order/order_meshes.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <stdexcept>
 #include <utility>
 
 #include "tests/support/instrumented.hpp"
@@ -46,7 +48,7 @@ NamedView along(std::string name, const Position& direction) {
   return {std::move(name), {false, {}, direction}};
 }
 
-std::vector<NamedView> many_views() {
+std::vector<NamedView> all_views() {
   std::vector<NamedView> views{from_eye("outside", {-1.3, -2.1, 1.7}),
                                from_eye("far", {900, -2100, 1700}),
                                from_eye("inside", {0.41, 0.57, 0.63}),
@@ -68,7 +70,17 @@ std::vector<NamedView> many_views() {
     views.push_back(along("random direction " + std::to_string(i), p));
     views.push_back(from_eye("random eye " + std::to_string(i), {2 * p[0], 2 * p[1], 2 * p[2]}));
   }
-  return tried(std::move(views));
+  return views;
+}
+
+std::vector<NamedView> many_views() { return tried(all_views()); }
+
+View view_named(std::string_view name) {
+  const std::vector<NamedView> views = all_views();
+  const auto found = std::find_if(views.begin(), views.end(),
+                                  [&](const NamedView& named) { return named.name == name; });
+  if (found == views.end()) throw std::out_of_range(std::string(name));
+  return found->view;
 }
 
 Position turned(const Position& p) {

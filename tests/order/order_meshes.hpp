@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hiac/geometry/view.hpp"
@@ -21,7 +22,13 @@ NamedView along(std::string name, const Position& direction);
 
 /// Views of something in the unit cube: from outside, from inside, from its corners, edges and
 /// middle planes; along random directions and along the axes.
+std::vector<NamedView> all_views();
+
+/// Those of them that are tried.
 std::vector<NamedView> many_views();
+
+/// The one of them that has this name; std::out_of_range where none has.
+View view_named(std::string_view name);
 
 /// Turned by a rotation that no coordinate survives, so that planes hold to rounding alone.
 Position turned(const Position& p);

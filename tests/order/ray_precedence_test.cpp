@@ -147,7 +147,7 @@ TEST(RayPrecedence, VeryLargeAndVerySmall) {
 
 TEST(RayPrecedence, AFlatCellHasNoInside) {
   const ZooMesh mesh = flat_between();
-  const View view = many_views()[0].view;
+  const View view = view_named("outside");
   EXPECT_FALSE(hull_cell(mesh, 0, view, 0));
   EXPECT_TRUE(hull_cell(mesh, 1, view, 0));
   EXPECT_FALSE(hull_cell(mesh, 1, view, 1));
@@ -160,7 +160,7 @@ TEST(RayPrecedence, ACellThatIsNotConvexIsNone) {
          std::initializer_list<std::pair<double, double>>{{0, 0}, {4, 0}, {1, 1}, {0, 4}})
       corners.push_back({x, y, z});
   const ZooMesh mesh = make_mesh(corners, {{CellKind::brick8, {0, 1, 2, 3, 4, 5, 6, 7}}});
-  EXPECT_FALSE(hull_cell(mesh, 0, many_views()[0].view, 0));
+  EXPECT_FALSE(hull_cell(mesh, 0, view_named("outside"), 0));
 }
 
 }  // namespace

@@ -40,8 +40,8 @@ void expect_right_from_everywhere(const ZooMesh& mesh) {
 }
 
 TEST(VisibilityOrder, EmptyMeshAndOneCell) {
-  EXPECT_EQ(order_of(make_mesh({}, {}), many_views()[0].view).order.cells.size(), 0U);
-  const auto one = order_of(structured(1, Cut::bricks), many_views()[0].view);
+  EXPECT_EQ(order_of(make_mesh({}, {}), view_named("outside")).order.cells.size(), 0U);
+  const auto one = order_of(structured(1, Cut::bricks), view_named("outside"));
   EXPECT_EQ(one.order.cells.size(), 1U);
   EXPECT_EQ(one.order.groups.size(), 0U);
   EXPECT_TRUE(one.statistics.convex);
@@ -188,7 +188,7 @@ TEST(VisibilityOrder, TwoSeparateCubes) {
       return Position{p[0] + 1.5, p[1] + 0.3, p[2] - 0.2};
     });
     const ZooMesh mesh = side_by_side(structured(2, cut), far);
-    EXPECT_FALSE(order_of(mesh, many_views()[0].view).statistics.convex);
+    EXPECT_FALSE(order_of(mesh, view_named("outside")).statistics.convex);
     expect_right_from_everywhere(mesh);
   }
 }
@@ -238,7 +238,7 @@ TEST(VisibilityOrder, Cracks) {
       SCOPED_TRACE(static_cast<int>(cut));
       SCOPED_TRACE(front);
       const ZooMesh mesh = torn(structured(4, cut), front);
-      EXPECT_FALSE(order_of(mesh, many_views()[0].view).statistics.convex);
+      EXPECT_FALSE(order_of(mesh, view_named("outside")).statistics.convex);
       expect_right_from_everywhere(mesh);
     }
 }

@@ -157,7 +157,7 @@ TEST(CellObstruction, SolidsOfAllShapesThatLieApart) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     const std::vector<Solid> solids = random_solids(seed % 2 == 0 ? 10 : 40, seed);
     const ZooMesh mesh = mesh_of(solids);
-    for (const auto& [name, view] : many_views()) {
+    for (const auto& [name, view] : all_views()) {
       SCOPED_TRACE(name);
       try {
         const VisibilityOrder order = stein_order(mesh, view, kPlanarity);
@@ -208,7 +208,7 @@ TEST(CellObstruction, WarpedQuadrilaterals) {
       return Position{p[0] + offset(random), p[1] + offset(random), p[2] + offset(random)};
     });
     int orders = 0;
-    for (const auto& [name, view] : many_views()) {
+    for (const auto& [name, view] : all_views()) {
       SCOPED_TRACE(name);
       try {
         const VisibilityOrder order = stein_order(mesh, view, kPlanarity);

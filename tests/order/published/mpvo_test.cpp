@@ -20,8 +20,8 @@ VisibilityOrder order_of(const ZooMesh& mesh, const View& view) {
 }
 
 TEST(Mpvo, EmptyMeshAndOneCell) {
-  EXPECT_EQ(order_of(make_mesh({}, {}), many_views()[0].view).cells.size(), 0U);
-  const VisibilityOrder one = order_of(structured(1, Cut::bricks), many_views()[0].view);
+  EXPECT_EQ(order_of(make_mesh({}, {}), view_named("outside")).cells.size(), 0U);
+  const VisibilityOrder one = order_of(structured(1, Cut::bricks), view_named("outside"));
   EXPECT_EQ(one.cells.size(), 1U);
   EXPECT_EQ(one.algorithm, "mpvo");
 }

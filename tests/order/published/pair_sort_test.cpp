@@ -57,7 +57,7 @@ void expect_right_from_everywhere(const ZooMesh& mesh) {
 }
 
 TEST(PairSort, EmptyMeshAndOneCell) {
-  const View view = many_views()[0].view;
+  const View view = view_named("outside");
   EXPECT_EQ(stein_order(make_mesh({}, {}), view, kPlanarity).cells.size(), 0U);
   const VisibilityOrder one = multitiled_order(structured(1, Cut::bricks), view, kPlanarity);
   EXPECT_EQ(one.cells.size(), 1U);
