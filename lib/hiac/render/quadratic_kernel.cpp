@@ -13,6 +13,7 @@
 
 #include "hiac/render/quadratic_shading-inl.hpp"
 #include "hiac/render/scan_conversion-inl.hpp"
+#include "hiac/render/segment_sink-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
@@ -70,7 +71,8 @@ class QuadraticRenderer {
         buffer_(buffer),
         group_(group),
         counts_(counts),
-        perspective_(frame.projector.perspective()) {}
+        perspective_(frame.projector.perspective()),
+        sink_(frame, buffer, group, counts) {}
 
   HWY_INLINE void render(CellId cell) {
     if (!load(cell) || !scan_faces(corners_, tile_, runs_)) return;
@@ -104,8 +106,8 @@ class QuadraticRenderer {
     else
       color_.load(frame_.color, optics.color, cell, first_entry, nodes, corner);
     // where nothing absorbs, chromaticity has nothing to colour
-    if (is_zero(optics.no_extinction, extinction_.intervals) &&
-        (!kEmission || is_zero(optics.no_color, color_.intervals)))
+    if (all_zero(optics.no_extinction, extinction_.intervals) &&
+        (!kEmission || all_zero(optics.no_color, color_.intervals)))
       return false;
     for (std::size_t k = 0; k < 4; ++k) {
       const ProjectedNode& node = frame_.nodes[nodes[corner[k]]];
@@ -118,12 +120,6 @@ class QuadraticRenderer {
         std::minmax({corners_.depth[0], corners_.depth[1], corners_.depth[2], corners_.depth[3]});
     nearest_ = nearest;
     farthest_ = farthest;
-    return true;
-  }
-
-  static HWY_INLINE bool is_zero(const std::vector<std::uint8_t>& zero, IntervalRange range) {
-    for (std::size_t k = range.low; k <= range.high; ++k)
-      if (zero[k] == 0) return false;
     return true;
   }
 
@@ -226,41 +222,7 @@ class QuadraticRenderer {
     s.allowed = hn::Mul(hn::Set(d, share), depth);
     if (group_ == nullptr) s.allowed = hn::Div(s.allowed, behind);
     const Radiance<V> radiance = walk.run(d, s, active);
-    if (group_ != nullptr)
-      collect(d, at, front, back, radiance, active);
-    else
-      composite(d, at, front, back, radiance, active, behind);
-  }
-
-  HWY_INLINE void composite(D d, std::size_t at, V front, V back, const Radiance<V>& radiance,
-                            M active, V behind) {
-    const V last = hn::LoadU(d, buffer_.last.data() + at);
-    const V latest = hn::Sub(last, hn::Set(d, frame_.witness_tolerance));
-    counts_.violations += hn::CountTrue(d, hn::And(active, hn::Lt(front, latest)));
-    hn::StoreU(hn::IfThenElse(active, hn::Max(last, back), last), d, buffer_.last.data() + at);
-    Radiance<V> sum{hn::LoadU(d, buffer_.red.data() + at), hn::LoadU(d, buffer_.green.data() + at),
-                    hn::LoadU(d, buffer_.blue.data() + at), behind};
-    add_behind(radiance, active, sum);
-    hn::StoreU(sum.red, d, buffer_.red.data() + at);
-    hn::StoreU(sum.green, d, buffer_.green.data() + at);
-    hn::StoreU(sum.blue, d, buffer_.blue.data() + at);
-    hn::StoreU(sum.transparency, d, buffer_.transparency.data() + at);
-  }
-
-  void collect(D d, std::size_t at, V front, V back, const Radiance<V>& radiance, M active) {
-    const V all[7] = {front,
-                      back,
-                      radiance.red,
-                      radiance.green,
-                      radiance.blue,
-                      radiance.transparency,
-                      hn::IfThenElseZero(active, hn::Set(d, 1.0))};
-    HWY_ALIGN double lane[7][8];
-    for (std::size_t q = 0; q < 7; ++q) hn::Store(all[q], d, lane[q]);
-    for (std::size_t k = 0; k < hn::Lanes(d); ++k)
-      if (lane[6][k] != 0)
-        group_->append(static_cast<std::uint32_t>(at + k), lane[0][k], lane[1][k], lane[2][k],
-                       lane[3][k], lane[4][k], lane[5][k]);
+    sink_.add(d, {at, front, back, radiance, active, behind});
   }
 
   const Frame& frame_;
@@ -269,6 +231,7 @@ class QuadraticRenderer {
   SegmentList* group_;
   TileCounts& counts_;
   bool perspective_;
+  SegmentSink sink_;
   // of the cell at hand
   QuadraticField extinction_, color_;
   ProjectedTetrahedron corners_;

@@ -9,6 +9,7 @@
 #  endif
 
 #  include <cstdint>
+#  include <vector>
 
 #  include <hwy/highway.h>
 
@@ -30,6 +31,13 @@ struct Radiance {
 struct IntervalRange {
   std::size_t low, high;
 };
+
+// Whether a function vanishes on all of them. `zero`: on which of all.
+HWY_INLINE bool all_zero(const std::vector<std::uint8_t>& zero, IntervalRange range) {
+  for (std::size_t k = range.low; k <= range.high; ++k)
+    if (zero[k] == 0) return false;
+  return true;
+}
 
 // Reads one column of a transfer table at every lane's interval; where the whole cell lies in one
 // interval, without a gather.

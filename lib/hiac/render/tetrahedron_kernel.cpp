@@ -16,6 +16,7 @@
 
 #include "hiac/render/isosurface_shading-inl.hpp"
 #include "hiac/render/scan_conversion-inl.hpp"
+#include "hiac/render/segment_sink-inl.hpp"
 #include "hiac/render/shading-inl.hpp"
 #include "hiac/render/tetrahedron_cuts-inl.hpp"
 #include "hiac/render/tetrahedron_describe-inl.hpp"
@@ -50,12 +51,6 @@ HWY_INLINE IntervalRange load_field(const FrameField& field, CellId cell, std::u
   return range;
 }
 
-HWY_INLINE bool all_zero(const std::vector<std::uint8_t>& zero, IntervalRange range) {
-  for (std::size_t k = range.low; k <= range.high; ++k)
-    if (zero[k] == 0) return false;
-  return true;
-}
-
 // Renders one kind of scene; the template arguments are what the inner loop must not ask about.
 template <bool kSeparateFields, class Rule>
 class TetrahedronRenderer {
@@ -65,11 +60,11 @@ class TetrahedronRenderer {
       : frame_(frame),
         tile_(tile),
         buffer_(buffer),
-        group_(group),
         counts_(counts),
         perspective_(frame.projector.perspective()),
         clipped_(frame.projector.near() > (perspective_ ? 0.0 : -hwy::HighestValue<double>()) ||
                  frame.projector.far() < hwy::HighestValue<double>()),
+        sink_(frame, buffer, group, counts),
         describer_(frame, buffer, group) {}
 
   HWY_INLINE void render(CellId cell) {
@@ -160,16 +155,22 @@ class TetrahedronRenderer {
 
     const bool cut = HWY_UNLIKELY(!cuts_.empty()) &&
                      cut_box_.meets(row, x, std::min(last, x + static_cast<int>(lanes())));
-    const Radiance<V> radiance =
-        HWY_LIKELY(!cut)
-            ? integrate(d, scalars, length, e, active)
-            : integrate_between_surfaces(d, scalars, row, pixel, at, whole, length, e, active);
-    if (HWY_UNLIKELY(frame_.with_details))
-      describer_.describe(d, {row, x, at, cut, empty_}, length, e, radiance, active);
-    if (group_ != nullptr)
-      collect(d, at, e, radiance, active);
-    else
-      composite(d, at, e, radiance, active, behind);
+    // What goes to functions that are not inlined is copied: of variables whose addresses are known
+    // elsewhere, the compiler keeps none in registers.
+    Radiance<V> radiance;
+    if (HWY_LIKELY(!cut)) {
+      radiance = integrate(d, scalars, length, e, active);
+    } else {
+      const EntryAndExit<V> ends = e;
+      radiance =
+          integrate_between_surfaces(d, scalars, row, pixel, at, whole, length, ends, active);
+    }
+    if (HWY_UNLIKELY(frame_.with_details)) {
+      const EntryAndExit<V> ends = e;
+      const Radiance<V> light = radiance;
+      describer_.describe(d, {row, x, at, cut, empty_}, length, ends, light, active);
+    }
+    sink_.add(d, {at, e.front, e.back, radiance, active, behind});
   }
 
   HWY_INLINE void set_cuts(CellId cell) {
@@ -370,48 +371,12 @@ class TetrahedronRenderer {
     e = clipped;
   }
 
-  HWY_INLINE void composite(D d, std::size_t at, const EntryAndExit<V>& e,
-                            const Radiance<V>& radiance, M active, V behind) {
-    const V last = hn::LoadU(d, buffer_.last.data() + at);
-    const V tolerance = hn::Set(d, frame_.witness_tolerance);
-    const M violated = hn::And(active, hn::Lt(e.front, hn::Sub(last, tolerance)));
-    counts_.violations += hn::CountTrue(d, violated);
-    hn::StoreU(hn::IfThenElse(active, hn::Max(last, e.back), last), d, buffer_.last.data() + at);
-    // lanes that are not active have segments of no length: their light is finite
-    const V visible = hn::IfThenElseZero(active, behind);
-    const auto add = [&](std::vector<double>& plane, V light) {
-      double* pixels = plane.data() + at;
-      hn::StoreU(hn::MulAdd(visible, light, hn::LoadU(d, pixels)), d, pixels);
-    };
-    add(buffer_.red, radiance.red);
-    add(buffer_.green, radiance.green);
-    add(buffer_.blue, radiance.blue);
-    hn::StoreU(hn::IfThenElse(active, hn::Mul(behind, radiance.transparency), behind), d,
-               buffer_.transparency.data() + at);
-  }
-
-  void collect(D d, std::size_t at, const EntryAndExit<V>& e, const Radiance<V>& radiance,
-               M active) {
-    HWY_ALIGN double front[8], back[8], red[8], green[8], blue[8], zeta[8], use[8];
-    hn::Store(e.front, d, front);
-    hn::Store(e.back, d, back);
-    hn::Store(radiance.red, d, red);
-    hn::Store(radiance.green, d, green);
-    hn::Store(radiance.blue, d, blue);
-    hn::Store(radiance.transparency, d, zeta);
-    hn::Store(hn::IfThenElseZero(active, hn::Set(d, 1.0)), d, use);
-    for (std::size_t k = 0; k < hn::Lanes(d); ++k)
-      if (use[k] != 0)
-        group_->append(static_cast<std::uint32_t>(at + k), front[k], back[k], red[k], green[k],
-                       blue[k], zeta[k]);
-  }
-
   const Frame& frame_;
   const TileRect& tile_;
   TileBuffer& buffer_;
-  SegmentList* group_;
   TileCounts& counts_;
   bool perspective_, clipped_;
+  SegmentSink sink_;
   ProjectedTetrahedron corners_;
   FacePlanes planes_;
   FaceRuns runs_;
