@@ -21,11 +21,11 @@ using test::Cut;
 double cost(const ZooMesh& linear, CellOrder order, test::Position (*map)(const test::Position&)) {
   ZooMesh mesh = test::of_order(test::moved(linear, map), order);
   test::add_node_field(mesh, "f", test::smooth_field);
-  Scene scene = test::cube_scene(Projection::perspective, 96, 84);
+  Scene scene = test::cube_scene(Projection::perspective, 384, 336);
   scene.render.tolerance = 1e-9;
   const VisibilityOrder sorted = test::sorted(mesh, scene);
   double least = std::numeric_limits<double>::infinity();
-  for (int run = 0; run < 2; ++run) {
+  for (int run = 0; run < 3; ++run) {
     const std::clock_t start = std::clock();
     const auto segments = render(mesh, sorted, scene, false).statistics.segments;
     const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;

@@ -54,6 +54,9 @@ class CellMap {
   /// A reference point well inside the cell, for a first guess.
   [[nodiscard]] const Point& middle() const { return middle_; }
 
+  /// Rows of the inverse of the Jacobian in the cell's middle: where the map is affine, of it all.
+  [[nodiscard]] const std::array<Point, 3>& inverse_in_middle() const { return inverse_; }
+
   /// How much reference coordinates change per unit of length in the cell's middle, at most:
   /// what an error of a point does to its reference coordinates.
   [[nodiscard]] double steepness() const { return steepness_; }

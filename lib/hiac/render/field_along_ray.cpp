@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "hiac/mesh/shape_functions.hpp"
+#include "hiac/render/chebyshev_points.hpp"
 
 namespace hiac {
 namespace {
@@ -15,57 +15,26 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 // Numbers of intervals between Chebyshev points; each has the points of the one before.
 constexpr std::array<std::size_t, 3> kAdaptiveDegrees{4, 8, 16};
 constexpr std::size_t kMostDegree = kAdaptiveDegrees.back();
-static_assert(kMostDegree <= kMaxFieldDegree);
+static_assert(kMostDegree <= kMaxFieldDegree && kMostDegree <= kMostChebyshevDegree);
 
 // A stretch that comes within e of a pyramid's apex needs about log2(1 / e) halvings.
 constexpr int kMostBisections = 40;
 constexpr std::size_t kMostPieces = 96;
 
-// The Chebyshev points x_j = cos(pi j / n) and the transform from values there to coefficients.
-class ChebyshevPoints {
- public:
-  explicit ChebyshevPoints(std::size_t n) : n_(n) {
-    // cos(pi i / n) for i < 2 n, exact where it matters: at the ends and in the middle
-    std::array<double, 2 * kMostDegree> cosine{};
-    for (std::size_t i = 0; i < 2 * n; ++i)
-      cosine[i] =
-          2 * i % n == 0 && i % n != 0
-              ? 0
-              : std::cos(std::numbers::pi * static_cast<double>(i) / static_cast<double>(n));
-    const auto halved = [n](std::size_t i) { return i == 0 || i == n ? 0.5 : 1.0; };
-    for (std::size_t j = 0; j <= n; ++j) {
-      place_[j] = 0.5 - 0.5 * cosine[j];
-      for (std::size_t k = 0; k <= n; ++k)
-        transform_[k][j] =
-            2 * halved(k) * halved(j) * cosine[(n - j) * k % (2 * n)] / static_cast<double>(n);
-    }
-  }
-
-  // The j-th point from the front, in [0, 1].
-  [[nodiscard]] double place(std::size_t j) const { return place_[j]; }
-
-  // values[j * stride]: at the j-th point from the front.
-  void coefficients(const double* values, std::size_t stride, double* c) const {
-    for (std::size_t k = 0; k <= n_; ++k) {
-      c[k] = 0;
-      for (std::size_t j = 0; j <= n_; ++j) c[k] += transform_[k][j] * values[j * stride];
-    }
-  }
-
- private:
-  std::size_t n_;
-  std::array<double, kMostDegree + 1> place_{};
-  std::array<std::array<double, kMostDegree + 1>, kMostDegree + 1> transform_{};
-};
-
-const ChebyshevPoints& chebyshev_points(std::size_t n) {
-  static const std::array<ChebyshevPoints, 7> kPoints{
-      ChebyshevPoints(1), ChebyshevPoints(2), ChebyshevPoints(3), ChebyshevPoints(4),
-      ChebyshevPoints(5), ChebyshevPoints(8), ChebyshevPoints(16)};
-  return kPoints[n <= 5 ? n - 1 : n / 8 + 4];
+double largest(const std::array<double, 3>& v) {
+  return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
 }
 
-// Of the kind's shape functions along a line; 0 where they are not polynomials.
+// The polynomial with these Chebyshev coefficients, without those at the end that are negligible.
+BernsteinPolynomial without_tail(const double* c, std::size_t degree, double negligible) {
+  double dropped = 0;
+  while (degree > 0 && dropped + std::abs(c[degree]) <= negligible)
+    dropped += std::abs(c[degree--]);
+  return bernstein_from_chebyshev({c, degree + 1});
+}
+
+}  // namespace
+
 std::size_t degree_along_lines(CellKind kind) {
   const auto order = static_cast<std::size_t>(order_of(kind));
   switch (shape_of(kind)) {
@@ -81,20 +50,6 @@ std::size_t degree_along_lines(CellKind kind) {
   }
   return 0;
 }
-
-double largest(const std::array<double, 3>& v) {
-  return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
-}
-
-// The polynomial with these Chebyshev coefficients, without those at the end that are negligible.
-BernsteinPolynomial without_tail(const double* c, std::size_t degree, double negligible) {
-  double dropped = 0;
-  while (degree > 0 && dropped + std::abs(c[degree]) <= negligible)
-    dropped += std::abs(c[degree--]);
-  return bernstein_from_chebyshev({c, degree + 1});
-}
-
-}  // namespace
 
 // Fields and reference points at the Chebyshev points of kMostDegree on one part of a stretch.
 struct FieldAlongRay::Samples {

@@ -30,6 +30,10 @@ struct RayStretch {
   }
 };
 
+/// The degree of a kind's shape functions along lines through the reference cell; 0 where they are
+/// not polynomials (pyramids, wedges).
+std::size_t degree_along_lines(CellKind kind);
+
 /// The isoparametric interpolants of up to two fields along a ray through a cell, as polynomials.
 class FieldAlongRay {
  public:

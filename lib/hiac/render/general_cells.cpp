@@ -9,6 +9,7 @@
 #include "hiac/optics/piece_rule.hpp"
 #include "hiac/optics/polynomial_piece.hpp"
 #include "hiac/optics/polynomial_roots.hpp"
+#include "hiac/render/cell_integrals.hpp"
 #include "hiac/render/cell_scan.hpp"
 #include "hiac/render/cuts_along_ray.hpp"
 #include "hiac/render/error_bound.hpp"
@@ -118,7 +119,10 @@ class GeneralCellRenderer {
     const FieldAlongRay field(kind_, map, std::span(fields).first(optics_.same_field ? 1 : 2));
     is_uniform_ = uniform_optics();
     if (frame_.with_error) set_errors();
-    for (const CellCrossing& crossing : crossings_) render(crossing, map, field);
+    if (optics_.rule == PieceRule::exact && !frame_.with_details && !is_cut_ && !is_uniform_)
+      render_together(map, field, std::span(fields).first(optics_.same_field ? 1 : 2));
+    else
+      for (const CellCrossing& crossing : crossings_) render(crossing, map, field);
   }
 
  private:
@@ -172,17 +176,88 @@ class GeneralCellRenderer {
     return flat(optics_.extinction, extinction_) && flat(optics_.color, color_);
   }
 
-  void render(const CellCrossing& crossing, const CellMap& map, const FieldAlongRay& field) {
-    const std::size_t at = static_cast<std::size_t>(crossing.y - tile_.y0) * kTileStride +
-                           static_cast<std::size_t>(crossing.x - tile_.x0);
-    if (buffer_.transparency[at] <= frame_.least_transparency) return;
+  [[nodiscard]] std::size_t index_of(const CellCrossing& crossing) const {
+    return static_cast<std::size_t>(crossing.y - tile_.y0) * kTileStride +
+           static_cast<std::size_t>(crossing.x - tile_.x0);
+  }
+
+  [[nodiscard]] RayStretch stretch_of(const CellCrossing& crossing) const {
     const double x = crossing.x + 0.5, y = crossing.y + 0.5;
-    const RayStretch stretch{frame_.projector.relative_origin(x, y),
-                             frame_.projector.direction(x, y),
-                             std::max(crossing.front, frame_.projector.near()),
-                             std::min(crossing.back, frame_.projector.far()),
-                             std::isnan(crossing.front_reference[0]) ? crossing.back_reference
-                                                                     : crossing.front_reference};
+    return {frame_.projector.relative_origin(x, y), frame_.projector.direction(x, y),
+            std::max(crossing.front, frame_.projector.near()),
+            std::min(crossing.back, frame_.projector.far()),
+            std::isnan(crossing.front_reference[0]) ? crossing.back_reference
+                                                    : crossing.front_reference};
+  }
+
+  // Of a segment, as a part of the tolerance in proportion to its length.
+  [[nodiscard]] double allowed_error(double front, double back, double visible) const {
+    return kIntegrationShare * frame_.tolerance * ((back - front) / frame_.depth) / visible;
+  }
+
+  // What takes no more than light: segments of the cell many at a time.
+  void render_together(const CellMap& map, const FieldAlongRay& field,
+                       std::span<const CellField> fields) {
+    segments_.clear();
+    kept_.clear();
+    for (const CellCrossing& crossing : crossings_) add_segment(crossing, map);
+    if (kept_.empty()) return;
+    counts_.segments += kept_.size();
+    const CellPolynomials polynomials(kind_, nodes_, map, fields);
+    integrate_cell_segments(frame_, polynomials,
+                            {color_.intervals.low, color_.intervals.high, extinction_.intervals.low,
+                             extinction_.intervals.high},
+                            segments_);
+    for (std::size_t k = 0; k < kept_.size(); ++k) {
+      const CellCrossing& crossing = crossings_[kept_[k]];
+      const std::size_t at = index_of(crossing);
+      if (segments_.done[k] != 0) {
+        add_light(
+            at, segments_.front[k], segments_.back[k],
+            {{segments_.red[k], segments_.green[k], segments_.blue[k]}, segments_.transparency[k]});
+        continue;
+      }
+      const double visible = group_ != nullptr ? 1 : buffer_.transparency[at];
+      add_light(at, segments_.front[k], segments_.back[k],
+                radiance_of(stretch_of(crossing), buffer_.ray_scale[at], field,
+                            std::max(visible, kLeastVisible)));
+    }
+  }
+
+  void add_segment(const CellCrossing& crossing, const CellMap& map) {
+    const std::size_t at = index_of(crossing);
+    const double front = std::max(crossing.front, frame_.projector.near());
+    const double back = std::min(crossing.back, frame_.projector.far());
+    if (buffer_.transparency[at] <= frame_.least_transparency || !(front < back)) return;
+    kept_.push_back(static_cast<std::size_t>(&crossing - crossings_.data()));
+    const auto& reference = std::isnan(crossing.front_reference[0]) ? crossing.back_reference
+                                                                    : crossing.front_reference;
+    const auto known =
+        collapsed(shape_of(kind_), std::isnan(reference[0]) ? map.middle() : reference);
+    segments_.x.push_back(crossing.x + 0.5);
+    segments_.y.push_back(crossing.y + 0.5);
+    segments_.front.push_back(front);
+    segments_.back.push_back(back);
+    segments_.known_u.push_back(known[0]);
+    segments_.known_v.push_back(known[1]);
+    segments_.known_w.push_back(known[2]);
+    segments_.length.push_back((back - front) * buffer_.ray_scale[at]);
+    segments_.allowed.push_back(
+        allowed_error(front, back, group_ != nullptr ? 1 : buffer_.transparency[at]));
+  }
+
+  void add_light(std::size_t at, double front, double back, const PlainRadiance& radiance) {
+    if (group_ != nullptr)
+      group_->append(static_cast<std::uint32_t>(at), front, back, radiance.rgb[0], radiance.rgb[1],
+                     radiance.rgb[2], radiance.transparency);
+    else
+      composite(at, front, back, radiance);
+  }
+
+  void render(const CellCrossing& crossing, const CellMap& map, const FieldAlongRay& field) {
+    const std::size_t at = index_of(crossing);
+    if (buffer_.transparency[at] <= frame_.least_transparency) return;
+    const RayStretch stretch = stretch_of(crossing);
     // where surfaces cross a cell without depth, they are seen all the same
     if (is_cut_ ? stretch.front > stretch.back : !(stretch.front < stretch.back)) return;
     ++counts_.segments;
@@ -194,11 +269,7 @@ class GeneralCellRenderer {
         is_cut_ ? between_surfaces(crossing, map, stretch, scale, field, visible)
                 : radiance_of(stretch, scale, field, visible);
     if (frame_.with_details) describe(at, crossing, field, stretch, scale, radiance);
-    if (group_ != nullptr)
-      group_->append(static_cast<std::uint32_t>(at), stretch.front, stretch.back, radiance.rgb[0],
-                     radiance.rgb[1], radiance.rgb[2], radiance.transparency);
-    else
-      composite(at, stretch, radiance);
+    add_light(at, stretch.front, stretch.back, radiance);
   }
 
   // `scale`: world length per unit of the ray parameter; `visible`: the transparency in front.
@@ -243,11 +314,9 @@ class GeneralCellRenderer {
     return {{weight * color[0], weight * color[1], weight * color[2]}, weights.transparency};
   }
 
-  // Every segment may use a part of the tolerance in proportion to its length.
   [[nodiscard]] PlainRadiance integrated(const RayStretch& stretch, double length,
                                          const FieldAlongRay& field, double visible) {
-    const double part = (stretch.back - stretch.front) / frame_.depth;
-    const double tolerance = kIntegrationShare * frame_.tolerance * part / visible;
+    const double tolerance = allowed_error(stretch.front, stretch.back, visible);
     field.along(stretch, pieces_);
     if (optics_.unsliced) return unsliced(length);
     PlainRadiance radiance;
@@ -329,7 +398,7 @@ class GeneralCellRenderer {
     if (is_empty_ && !surfaces_.empty()) details_.first = surfaces_.front().t;
     if (frame_.with_error) add_errors(crossing, field, stretch, scale);
     if (group_ != nullptr) return group_->details.push_back(details_);
-    details_.out_of_order = out_of_order(at, stretch);
+    details_.out_of_order = out_of_order(at, stretch.front, stretch.back);
     buffer_.describe(at, details_);
   }
 
@@ -384,15 +453,15 @@ class GeneralCellRenderer {
   }
 
   // A segment shorter than the tolerance may be rounding, and lie anywhere.
-  [[nodiscard]] bool out_of_order(std::size_t at, const RayStretch& stretch) const {
+  [[nodiscard]] bool out_of_order(std::size_t at, double front, double back) const {
     const double tolerance = frame_.witness_tolerance;
-    return stretch.front < buffer_.last[at] - tolerance && stretch.back - stretch.front > tolerance;
+    return front < buffer_.last[at] - tolerance && back - front > tolerance;
   }
 
-  void composite(std::size_t at, const RayStretch& stretch, const PlainRadiance& radiance) {
+  void composite(std::size_t at, double front, double back, const PlainRadiance& radiance) {
     double& last = buffer_.last[at];
-    if (out_of_order(at, stretch)) ++counts_.violations;
-    last = std::max(last, stretch.back);
+    if (out_of_order(at, front, back)) ++counts_.violations;
+    last = std::max(last, back);
     double& transparency = buffer_.transparency[at];
     buffer_.red[at] += transparency * radiance.rgb[0];
     buffer_.green[at] += transparency * radiance.rgb[1];
@@ -415,6 +484,8 @@ class GeneralCellRenderer {
   bool is_cut_ = false;      // by surfaces
   bool is_uniform_ = false;  // colour and extinction have one value
   std::vector<CellCrossing> crossings_;
+  CellSegments segments_;
+  std::vector<std::size_t> kept_;  // crossings that segments_ has
   std::vector<FieldAlongRay::Piece> pieces_;
   std::vector<RootEnclosure> roots_;
   std::vector<IsosurfaceCrossing> surfaces_;

@@ -10,11 +10,11 @@
 
 #  include <vector>
 
-#  include <hwy/contrib/math/math-inl.h>
 #  include <hwy/highway.h>
 
 #  include "hiac/render/quadratic_rules.hpp"
 #  include "hiac/render/shading-inl.hpp"
+#  include "hiac/render/transparency-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
@@ -101,7 +101,6 @@ class QuadraticWalk {
  private:
   static constexpr int kMostHalvings = 40;
   static constexpr double kInvisible = 1e-20;
-  static constexpr double kThin = 0.1;
 
   // Where fields take the values of breakpoints, if anywhere.
   template <class D, class V>
@@ -262,15 +261,6 @@ class QuadraticWalk {
                            largest_lane(d, hn::Abs(times(1.0 / 32, a.a3))));
   }
 
-  // exp(-a). Mostly a is small; what is left out of the series is at most kThin^9 / 9! = 3e-15.
-  template <class D, class V>
-  static HWY_INLINE V transparency(D d, V a, bool thin) {
-    if (HWY_UNLIKELY(!thin)) return hn::Exp(d, hn::Neg(a));
-    V sum = hn::Set(d, 1.0 / 40320);
-    for (const double c : {-1.0 / 5040, 1.0 / 720, -1.0 / 120, 1.0 / 24, -1.0 / 6, 0.5, -1.0, 1.0})
-      sum = hn::MulAdd(sum, a, hn::Set(d, c));
-    return sum;
-  }
   template <class D, class V>
   static HWY_INLINE V transparency_at(D d, const Depth<V>& a, double x, bool thin) {
     const V at = hn::Set(d, x);

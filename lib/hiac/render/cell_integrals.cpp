@@ -1,0 +1,224 @@
+#include "hiac/render/cell_integrals.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "hiac/render/cell_integrals.cpp"
+#include <hwy/foreach_target.h>
+// must come after foreach_target.h
+#include <hwy/highway.h>
+
+#include "hiac/render/cell_rays-inl.hpp"
+#include "hiac/render/polynomial_walk-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace hiac::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// One vector of segments after another.
+template <bool kEmission>
+class SegmentIntegrator {
+ public:
+  SegmentIntegrator(const Frame& frame, const CellPolynomials& cell, const CellIntervals& intervals)
+      : frame_(frame),
+        cell_(cell),
+        walk_(frame.optics,
+              walk_field(cell.fields[cell.field_count - 1],
+                         {intervals.color_low, intervals.color_high}),
+              walk_field(cell.fields[0], {intervals.extinction_low, intervals.extinction_high})) {}
+
+  // Those from `first` on.
+  HWY_INLINE void integrate(std::size_t first, CellSegments& s) {
+    const D d;
+    const auto at = [&](const std::vector<double>& of) { return hn::LoadU(d, of.data() + first); };
+    V origin[3], direction[3];
+    set_rays(d, first, s, origin, direction);
+    CellRays<D> rays(d, cell_, origin, direction, at(s.front), at(s.back),
+                     {{at(s.known_u), at(s.known_v), at(s.known_w)}});
+    rays_ = &rays;
+    length_ = at(s.length);
+    allowed_ = at(s.allowed);
+    active_ = hn::Gt(length_, hn::Zero(d));
+    const M wanted = active_;
+    for (std::size_t f = 0; f < cell_.field_count; ++f)
+      negligible_[f] = hn::Max(rays.rounding(cell_.fields[f]), hn::Set(d, cell_.fields[f].allowed));
+    sum_ = {hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Set(d, 1.0)};
+    if (cell_.exact_degree > 0) {
+      rays.sample(0, 1, cell_.exact_degree, false, active_);
+      for (std::size_t f = 0; f < cell_.field_count; ++f) transform(f, cell_.exact_degree);
+      add(0, 1, cell_.exact_degree);
+    } else {
+      interpolate(0, 1, 0);
+    }
+    hn::StoreU(sum_.red, d, s.red.data() + first);
+    hn::StoreU(sum_.green, d, s.green.data() + first);
+    hn::StoreU(sum_.blue, d, s.blue.data() + first);
+    hn::StoreU(sum_.transparency, d, s.transparency.data() + first);
+    HWY_ALIGN double done[8];
+    hn::Store(hn::IfThenElseZero(hn::And(wanted, active_), hn::Set(d, 1.0)), d, done);
+    for (std::size_t k = 0; k < hn::Lanes(d); ++k) s.done[first + k] = done[k] != 0 ? 1 : 0;
+  }
+
+ private:
+  using D = hn::CappedTag<double, 8>;
+  using V = hn::Vec<D>;
+  using M = hn::Mask<D>;
+  static constexpr int kMostHalvings = 8;
+
+  static WalkField walk_field(const CellPolynomials::Field& field, IntervalRange intervals) {
+    return {intervals, field.base,
+            std::max(std::abs(field.least - field.base), std::abs(field.most - field.base))};
+  }
+
+  // Relative to the cell's origin.
+  HWY_INLINE void set_rays(D d, std::size_t first, const CellSegments& s, V (&origin)[3],
+                           V (&direction)[3]) const {
+    HWY_ALIGN double lane[6][8];
+    for (std::size_t k = 0; k < hn::Lanes(d); ++k) {
+      const double x = s.x[first + k], y = s.y[first + k];
+      const auto from = frame_.projector.relative_origin(x, y);
+      const auto along = frame_.projector.direction(x, y);
+      for (std::size_t a = 0; a < 3; ++a) {
+        lane[a][k] = from[a] - cell_.origin[a];
+        lane[3 + a][k] = along[a];
+      }
+    }
+    for (std::size_t a = 0; a < 3; ++a) {
+      origin[a] = hn::Load(d, lane[a]);
+      direction[a] = hn::Load(d, lane[3 + a]);
+    }
+  }
+
+  // Chebyshev coefficients of field f from its values at the points that are sampled.
+  HWY_NOINLINE void transform(std::size_t f, std::size_t degree) {
+    const D d;
+    const ChebyshevPoints& points = chebyshev_points(degree);
+    V value[kMostChebyshevDegree + 1];
+    rays_->values(cell_.fields[f], degree, value);
+    for (std::size_t j = 0; j <= degree; ++j) value[j] = hn::IfThenElseZero(active_, value[j]);
+    for (std::size_t k = 0; k <= degree; ++k) {
+      V sum = hn::Zero(d);
+      for (std::size_t j = 0; j <= degree; ++j)
+        sum = hn::MulAdd(hn::Set(d, points.transform(k, j)), value[j], sum);
+      coefficients_[f][k] = sum;
+    }
+  }
+
+  // In Bernstein form, without what is negligible in all lanes.
+  HWY_NOINLINE void to_bernstein(std::size_t f, std::size_t degree, LanePolynomial<V>& p) const {
+    const D d;
+    V dropped = hn::Zero(d);
+    while (degree > 0) {
+      dropped = hn::Add(dropped, hn::Abs(coefficients_[f][degree]));
+      if (!hn::AllTrue(d, hn::Le(dropped, negligible_[f]))) break;
+      --degree;
+    }
+    p.degree = degree;
+    const auto& matrix = bernstein_bases(degree).from_chebyshev;
+    for (std::size_t i = 0; i <= degree; ++i) {
+      p.c[i] = hn::Mul(hn::Set(d, matrix[i][0]), coefficients_[f][0]);
+      for (std::size_t k = 1; k <= degree; ++k)
+        p.c[i] = hn::MulAdd(hn::Set(d, matrix[i][k]), coefficients_[f][k], p.c[i]);
+    }
+  }
+
+  HWY_NOINLINE void add(double begin, double end, std::size_t degree) {
+    const D d;
+    LanePolynomial<V> extinction, color;
+    to_bernstein(0, degree, extinction);
+    if (cell_.field_count > 1) to_bernstein(1, degree, color);
+    const V part = hn::Set(d, end - begin);
+    const M undone = walk_.add(d, extinction, color, hn::Mul(length_, part),
+                               hn::Mul(allowed_, part), active_, sum_);
+    active_ = hn::AndNot(undone, active_);
+  }
+
+  // Fields that are not polynomials, on a part of the segments.
+  HWY_NOINLINE void interpolate(double begin, double end, int halvings) {
+    const D d;
+    M resolved = active_;
+    std::size_t degree = 4;
+    for (; degree <= kMostChebyshevDegree; degree *= 2) {
+      rays_->sample(begin, end, degree, degree > 4, active_);
+      resolved = active_;
+      for (std::size_t f = 0; f < cell_.field_count; ++f) {
+        transform(f, degree);
+        const V last =
+            hn::Add(hn::Abs(coefficients_[f][degree]), hn::Abs(coefficients_[f][degree - 1]));
+        resolved = hn::And(resolved, hn::Le(last, negligible_[f]));
+      }
+      if (hn::AllFalse(d, active_)) return;
+      if (hn::AllTrue(d, hn::Or(hn::Not(active_), resolved))) return add(begin, end, degree);
+    }
+    if (halvings == kMostHalvings) {
+      active_ = resolved;
+      if (!hn::AllFalse(d, active_)) add(begin, end, kMostChebyshevDegree);
+      return;
+    }
+    const double middle = 0.5 * (begin + end);
+    interpolate(begin, middle, halvings + 1);
+    interpolate(middle, end, halvings + 1);
+  }
+
+  const Frame& frame_;
+  const CellPolynomials& cell_;
+  PolynomialWalk<kEmission> walk_;
+  // of the segments at hand
+  CellRays<D>* rays_ = nullptr;
+  V length_, allowed_, negligible_[2];
+  V coefficients_[2][kMostChebyshevDegree + 1];
+  M active_;
+  Radiance<V> sum_;
+};
+
+template <bool kEmission>
+HWY_NOINLINE void integrate_all(const Frame& frame, const CellPolynomials& cell,
+                                const CellIntervals& intervals, CellSegments& segments) {
+  SegmentIntegrator<kEmission> integrator(frame, cell, intervals);
+  const std::size_t lanes = hn::Lanes(hn::CappedTag<double, 8>());
+  for (std::size_t first = 0; first + CellSegments::kPadding < segments.size(); first += lanes)
+    integrator.integrate(first, segments);
+}
+
+void integrate_segments_here(const Frame& frame, const CellPolynomials& cell,
+                             const CellIntervals& intervals, CellSegments& segments) {
+  const auto integrate = frame.optics.emission ? integrate_all<true> : integrate_all<false>;
+  integrate(frame, cell, intervals, segments);
+}
+
+}  // namespace hiac::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hiac {
+
+HWY_EXPORT(integrate_segments_here);
+
+void CellSegments::clear() {
+  for (std::vector<double>* plane : {&x, &y, &front, &back, &known_u, &known_v, &known_w, &length,
+                                     &allowed, &red, &green, &blue, &transparency})
+    plane->clear();
+  done.clear();
+}
+
+void integrate_cell_segments(const Frame& frame, const CellPolynomials& cell,
+                             const CellIntervals& intervals, CellSegments& segments) {
+  const std::size_t count = segments.size(), padded = count + CellSegments::kPadding;
+  if (count == 0) return;
+  // what a vector has beyond the end is the last segment again, without length
+  for (std::vector<double>* plane :
+       {&segments.x, &segments.y, &segments.front, &segments.back, &segments.known_u,
+        &segments.known_v, &segments.known_w, &segments.allowed})
+    plane->resize(padded, plane->back());
+  segments.length.resize(padded, 0);
+  for (std::vector<double>* plane :
+       {&segments.red, &segments.green, &segments.blue, &segments.transparency})
+    plane->resize(padded);
+  segments.done.resize(padded);
+  HWY_DYNAMIC_DISPATCH(integrate_segments_here)(frame, cell, intervals, segments);
+}
+
+}  // namespace hiac
+#endif

@@ -1,0 +1,80 @@
+#include "hiac/render/cell_polynomials.hpp"
+
+#include <algorithm>
+
+#include "hiac/render/field_along_ray.hpp"
+
+namespace hiac {
+namespace {
+
+// From Bernstein coefficients to those of powers, along one coordinate: binomial(p, k) times the
+// k-th difference.
+void to_powers(CubePolynomial& f, std::size_t stride) {
+  constexpr std::array<std::array<double, 4>, 4> kBinomial{{{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}}};
+  const std::size_t p = f.degree, n = p + 1;
+  for (std::size_t first = 0; first < n * n * n; ++first) {
+    if (first / stride % n != 0) continue;
+    double* c = f.c.data() + first;
+    for (std::size_t r = 1; r <= p; ++r)
+      for (std::size_t i = p; i >= r; --i) c[i * stride] -= c[(i - 1) * stride];
+    for (std::size_t k = 0; k <= p; ++k) c[k * stride] *= kBinomial[p][k];
+  }
+}
+
+CubePolynomial cube_polynomial(CellKind kind, std::span<const double> values) {
+  const InterpolantCoefficients b = interpolant_coefficients(kind, values);
+  CubePolynomial f;
+  f.degree = static_cast<std::size_t>(order_of(kind));
+  std::copy_n(b.c.begin(), b.count, f.c.begin());
+  for (const std::size_t stride : {std::size_t{1}, f.degree + 1, (f.degree + 1) * (f.degree + 1)})
+    to_powers(f, stride);
+  return f;
+}
+
+CellPolynomials::Field field_polynomial(CellKind kind, const CellField& field) {
+  std::array<double, kMaxNodesPerCell> values;
+  for (std::size_t k = 0; k < node_count(kind); ++k) values[k] = field.values[k] - field.values[0];
+  return {cube_polynomial(kind, values), field.values[0], field.least, field.most, field.allowed};
+}
+
+}  // namespace
+
+std::array<double, 3> collapsed(CellShape shape, const std::array<double, 3>& xi) {
+  const auto& [x, y, z] = xi;
+  const auto over = [](double a, double b) { return b == 0 ? 0.5 : a / b; };
+  switch (shape) {
+    case CellShape::tetrahedron:
+      return {over(x, 1 - y - z), over(y, 1 - z), z};
+    case CellShape::pyramid:
+      return {over(x, 1 - z), over(y, 1 - z), z};
+    case CellShape::prism:
+      return {over(x, 1 - y), y, z};
+    case CellShape::wedge:
+      return {over(x, 2 - y - z), y, z};
+    case CellShape::brick:
+      break;
+  }
+  return xi;
+}
+
+CellPolynomials::CellPolynomials(CellKind kind, std::span<const CellMap::Point> nodes,
+                                 const CellMap& map, std::span<const CellField> cell_fields)
+    : shape(shape_of(kind)),
+      exact_degree(map.affine() ? degree_along_lines(kind) : 0),
+      origin(nodes[0]),
+      affine(map.affine()),
+      inverse(map.inverse_in_middle()),
+      middle(collapsed(shape, map.middle())),
+      steepness(map.steepness()),
+      field_count(cell_fields.size()) {
+  for (std::size_t f = 0; f < field_count; ++f) fields[f] = field_polynomial(kind, cell_fields[f]);
+  if (affine) return;
+  const CellKind map_kind = map.straight() ? kind_of(shape, CellOrder::linear) : kind;
+  for (std::size_t a = 0; a < 3; ++a) {
+    std::array<double, kMaxNodesPerCell> coordinate;
+    for (std::size_t k = 0; k < node_count(map_kind); ++k) coordinate[k] = nodes[k][a] - origin[a];
+    position[a] = cube_polynomial(map_kind, coordinate);
+  }
+}
+
+}  // namespace hiac
