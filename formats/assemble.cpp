@@ -11,6 +11,7 @@
 #include "formats/cell_collector.hpp"
 #include "formats/gate.hpp"
 #include "formats/node_resolver.hpp"
+#include "formats/reduce_cells.hpp"
 #include "formats/steps.hpp"
 #include "hiac/base/error.hpp"
 
@@ -71,8 +72,13 @@ std::vector<std::uint64_t> cell_starts(const ForeignMesh& foreign) {
 
 class Assembler {
  public:
-  Assembler(ForeignMesh&& foreign, const ReadOptions& options, const std::string& subject)
-      : foreign_(std::move(foreign)), options_(options), subject_(subject) {}
+  /// `reason`: why cells are left that cannot be converted.
+  Assembler(ForeignMesh&& foreign, const ReadOptions& options, const std::string& subject,
+            std::string reason)
+      : foreign_(std::move(foreign)),
+        options_(options),
+        subject_(subject),
+        reason_(std::move(reason)) {}
 
   Reading run() {
     step_ = requested_step(options_, foreign_.times, subject_);
@@ -83,7 +89,6 @@ class Assembler {
     note_time();
     add_fields();
     pass_gate(reading_, used_, subject_);
-    finish_reading(reading_, subject_);
     return std::move(reading_);
   }
 
@@ -94,6 +99,7 @@ class Assembler {
     CellCollector collector(options_, subject_,
                             [this](int type) { return foreign_.types[index(type)].name; });
     collector.reserve(foreign_.cell_count(), foreign_.cell_nodes.size());
+    collector.explain(reason_);
     const bool any_corner = std::any_of(fields_.begin(), fields_.end(), [](const auto* field) {
       return field->location == FieldLocation::corner;
     });
@@ -212,6 +218,7 @@ class Assembler {
   ForeignMesh foreign_;
   const ReadOptions& options_;
   const std::string& subject_;
+  std::string reason_;
   std::size_t points_ = foreign_.point_count();
   std::size_t entries_ = foreign_.cell_nodes.size();
   std::optional<std::size_t> step_;
@@ -231,7 +238,10 @@ std::vector<CellCount> count_cells(const ForeignMesh& foreign, const std::string
     const ForeignType& type = foreign.types[foreign.cell_types[cell]];
     const NodeResolver::Cell resolved = resolver.resolve(cell, begin);
     begin += type.nodes;
-    ++counts[{type.name, fate_of(*resolved.conversion, resolved.nodes, true_kinds)}];
+    const bool by_faces =
+        std::binary_search(foreign.polyhedra.cells.begin(), foreign.polyhedra.cells.end(), cell);
+    ++counts[{type.name, by_faces ? "what its faces make it"
+                                  : fate_of(*resolved.conversion, resolved.nodes, true_kinds)}];
   }
   std::vector<CellCount> result;
   for (const auto& [key, count] : counts) result.push_back({key.first, count, key.second});
@@ -245,8 +255,17 @@ std::string_view location_name(FieldLocation location) {
 
 }  // namespace
 
+Reading assemble_piece(ForeignMesh&& foreign, const ReadOptions& options,
+                       const std::string& subject) {
+  const auto step = requested_step(options, foreign.times, subject);
+  std::string reason = reduce_cells(foreign, options, chosen_fields(foreign, step), subject);
+  return Assembler(std::move(foreign), options, subject, std::move(reason)).run();
+}
+
 Reading assemble(ForeignMesh&& foreign, const ReadOptions& options, const std::string& subject) {
-  return Assembler(std::move(foreign), options, subject).run();
+  Reading reading = assemble_piece(std::move(foreign), options, subject);
+  finish_reading(reading, subject);
+  return reading;
 }
 
 Inventory inventory_of(const ForeignMesh& foreign, std::string_view format,

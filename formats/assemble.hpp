@@ -18,6 +18,10 @@ namespace hiac::formats {
 /// and UsageError where the options ask for what there is not.
 Reading assemble(ForeignMesh&& foreign, const ReadOptions& options, const std::string& subject);
 
+/// The same of a piece of a mesh, which may be without cells.
+Reading assemble_piece(ForeignMesh&& foreign, const ReadOptions& options,
+                       const std::string& subject);
+
 /// The inventory of what a file holds. Fields are summed up at their last step.
 Inventory inventory_of(const ForeignMesh& foreign, std::string_view format,
                        const std::string& subject);

@@ -105,11 +105,12 @@ void CellCollector::start_kept() {
 ConvertedCells CellCollector::finish(std::size_t total, std::vector<std::string>& notes) {
   const bool any_unsupported = !unsupported_.empty() || !problems_.empty();
   if (any_unsupported && !options_.skip_unsupported)
-    throw InputError(subject_,
-                     fmt::format("holds volume cells that cannot be converted: {}{} "
-                                 "(--skip-unsupported leaves them out{})",
-                                 listed_unsupported(), first_problem_,
-                                 any_reducible_ ? ", --corners-only takes their corners" : ""));
+    throw InputError(
+        subject_,
+        fmt::format("holds volume cells that cannot be converted: {}{}{} "
+                    "(--skip-unsupported leaves them out{})",
+                    listed_unsupported(), first_problem_, reason_.empty() ? "" : "; " + reason_,
+                    any_reducible_ ? ", --corners-only takes their corners" : ""));
   write_notes(notes);
   if (result_.all_kept && result_.kinds.size() != total) start_kept();
   return std::move(result_);
@@ -146,6 +147,8 @@ void CellCollector::write_notes(std::vector<std::string>& notes) const {
 std::string fate_of(const CellConversion& conversion, std::span<const NodeId> nodes,
                     TrueKinds& true_kinds) {
   if (conversion.fate == CellFate::no_volume) return "dropped (no volume)";
+  if (conversion.fate == CellFate::unsupported && conversion.corners)
+    return "reduced where that loses nothing";
   if (conversion.fate != CellFate::converted) return "unsupported";
   std::array<NodeId, 32> storage{};
   const auto ordered = std::span(storage).first(node_count(conversion.kind));

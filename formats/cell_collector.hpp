@@ -41,6 +41,9 @@ class CellCollector {
   /// From now on ConvertedCells::places is kept.
   void keep_places() { keep_places_ = true; }
 
+  /// Says why cells are unsupported, for the message that refuses them.
+  void explain(const std::string& reason) { reason_ = reason; }
+
   /// Takes the file's cell number `index` (rising). `nodes` are numbers of points that there are.
   /// Throws InputError when the conversion says that the number of nodes is wrong.
   void add(std::size_t index, int type, std::span<const NodeId> nodes,
@@ -78,6 +81,7 @@ class CellCollector {
   std::map<std::string, std::size_t> problems_;  ///< unsupported for what their nodes are
   std::map<std::string, std::size_t> true_cells_;
   std::string first_problem_;
+  std::string reason_;
   bool any_reducible_ = false;
 };
 

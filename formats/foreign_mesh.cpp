@@ -34,4 +34,15 @@ std::uint16_t ForeignMesh::type_place(std::string_view name, std::size_t nodes,
   return static_cast<std::uint16_t>(types.size() - 1);
 }
 
+void ForeignMesh::add_polyhedron(std::string_view type_name,
+                                 const std::vector<std::vector<std::int64_t>>& faces) {
+  polyhedra.cells.push_back(cell_types.size());
+  cell_types.push_back(type_place(type_name, 0, kUnsupported));
+  for (const std::vector<std::int64_t>& face : faces) {
+    polyhedra.faces.push_back(static_cast<std::int64_t>(face.size()));
+    polyhedra.faces.insert(polyhedra.faces.end(), face.begin(), face.end());
+  }
+  polyhedra.ends.push_back(polyhedra.faces.size());
+}
+
 }  // namespace hiac::formats

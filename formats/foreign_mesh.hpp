@@ -32,6 +32,14 @@ struct ForeignBlock {
   std::vector<IndexRange> cells;  ///< places in ForeignMesh::cell_types
 };
 
+/// Cells that are told by their faces.
+struct ForeignPolyhedra {
+  /// Places in ForeignMesh::cell_types, rising; the type of such a cell has no nodes.
+  std::vector<std::size_t> cells;
+  std::vector<std::size_t> ends;    ///< for every one of them where its list in `faces` ends
+  std::vector<std::int64_t> faces;  ///< face after face: how many nodes it has, and their numbers
+};
+
 /// One field at one step. Its values are read when they are asked for.
 struct ForeignField {
   std::string name;
@@ -60,6 +68,7 @@ struct ForeignMesh {
   std::vector<ForeignType> types;
   std::vector<std::uint16_t> cell_types;  ///< for every cell its place in `types`
   std::vector<std::int64_t> cell_nodes;   ///< node numbers, cell after cell
+  ForeignPolyhedra polyhedra;
   /// The number of every cell, for messages; empty: cells are numbered from 1 on.
   std::vector<std::int64_t> cell_numbers;
 
@@ -73,6 +82,10 @@ struct ForeignMesh {
   /// InputError when there are 65536 already.
   std::uint16_t type_place(std::string_view name, std::size_t nodes,
                            const CellConversion& conversion);
+
+  /// Adds a polyhedron whose faces are these, each a list of node numbers.
+  void add_polyhedron(std::string_view type_name,
+                      const std::vector<std::vector<std::int64_t>>& faces);
 
   [[nodiscard]] std::size_t point_count() const { return xyz.size() / 3; }
   [[nodiscard]] std::size_t cell_count() const { return cell_types.size(); }

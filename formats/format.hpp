@@ -23,6 +23,9 @@ struct ReadOptions {
   /// Read volume cells of orders or node counts that the zoo has no kind for (27-node bricks, say)
   /// as the linear kind that their corners make.
   bool corners_of_unsupported = false;
+  /// Turn such cells into cubic or quadratic ones, and polyhedra into tetrahedra and pyramids; a
+  /// note states the largest error that this makes.
+  bool approximate = false;
 };
 
 /// A mesh, and what a user should know about how it came from its file: cells left out, nodes

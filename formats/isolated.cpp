@@ -101,6 +101,9 @@ void pack_mesh(PackWriter& out, ForeignMesh& mesh) {
   for (const ForeignType& type : mesh.types) pack_type(out, type);
   out.consume(mesh.cell_types);
   out.consume(mesh.cell_nodes);
+  out.consume(mesh.polyhedra.cells);
+  out.consume(mesh.polyhedra.ends);
+  out.consume(mesh.polyhedra.faces);
   out.consume(mesh.cell_numbers);
   out.number(mesh.blocks.size());
   for (const ForeignBlock& block : mesh.blocks) {
@@ -218,6 +221,9 @@ ForeignMesh unpack_mesh(PackReader& in) {
   for (ForeignType& type : mesh.types) type = unpack_type(in);
   mesh.cell_types = in.array<std::uint16_t>();
   mesh.cell_nodes = in.array<std::int64_t>();
+  mesh.polyhedra.cells = in.array<std::size_t>();
+  mesh.polyhedra.ends = in.array<std::size_t>();
+  mesh.polyhedra.faces = in.array<std::int64_t>();
   mesh.cell_numbers = in.array<std::int64_t>();
   mesh.blocks.resize(in.count());
   for (ForeignBlock& block : mesh.blocks) {

@@ -85,6 +85,11 @@ std::span<const Format> all_formats() {
     all.push_back(vts_format());
     all.push_back(vti_format());
     all.push_back(vtr_format());
+    all.push_back(pvts_format());
+    all.push_back(pvti_format());
+    all.push_back(pvtr_format());
+    all.push_back(pvd_format());
+    all.push_back(vtm_format());
     all.push_back(gmsh_format());
     all.push_back(abaqus_format());
     all.push_back(frd_format());

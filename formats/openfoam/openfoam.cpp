@@ -115,7 +115,7 @@ class Reader {
     }
     const auto found = cell_of_faces(outward);
     if (!found) {
-      mesh_.cell_types.push_back(mesh_.type_place("polyhedron", 0, kUnsupported));
+      mesh_.add_polyhedron("polyhedron", outward);
       return;
     }
     mesh_.cell_types.push_back(mesh_.type_place(std::string(topology_of(found->kind).name),

@@ -9,6 +9,7 @@
 #include "formats/assemble.hpp"
 #include "formats/solid_orders.hpp"
 #include "formats/steps.hpp"
+#include "formats/tecplot/tecplot_binary.hpp"
 #include "formats/tecplot/tecplot_zones.hpp"
 #include "formats/text_cursor.hpp"
 #include "hiac/base/error.hpp"
@@ -159,6 +160,7 @@ Format tecplot_format() {
   format.fields = "node, cell";
   format.time_steps = "many";
   format.recognizes = [](std::string_view head) {
+    if (tecplot::is_tecplot_binary(head)) return true;
     TextCursor cursor(head, "");
     while (!cursor.at_end()) {
       const std::string_view line = trimmed(cursor.line());
@@ -171,7 +173,10 @@ Format tecplot_format() {
   };
   format.gzip = true;
   read_through(format, [](const std::string& path, const ReadOptions& options) {
-    return mesh_of(tecplot::read_tecplot_text(InputText(path)), options, path);
+    const InputText text(path);
+    return mesh_of(tecplot::is_tecplot_binary(text.text()) ? tecplot::read_tecplot_binary(text)
+                                                           : tecplot::read_tecplot_text(text),
+                   options, path);
   });
   return format;
 }

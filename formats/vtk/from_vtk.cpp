@@ -8,9 +8,11 @@
 #include <vtkPoints.h>
 #include <vtkUnstructuredGrid.h>
 
+#include "formats/assemble.hpp"
 #include "formats/gate.hpp"
 #include "formats/vtk/cells_from_vtk.hpp"
 #include "formats/vtk/fields_from_vtk.hpp"
+#include "formats/vtk/foreign_from_vtk.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::vtk {
@@ -40,6 +42,11 @@ void release_cells(vtkDataSet& dataset) {
 Reading mesh_from_vtk(const vtkSmartPointer<vtkDataSet>& dataset, const ReadOptions& options,
                       const std::string& subject) {
   check_step(options, times_of(*dataset->GetFieldData()), subject);
+  if (has_cells_beyond_the_zoo(*dataset, subject)) {
+    ReadOptions others = options;
+    others.time.reset();
+    return assemble_piece(foreign_from_vtk(*dataset, subject), others, subject);
+  }
   Reading reading;
   ConvertedCells cells = convert_cells(*dataset, options, subject, reading.notes);
   const auto point_count = static_cast<std::size_t>(dataset->GetNumberOfPoints());

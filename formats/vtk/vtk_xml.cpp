@@ -179,7 +179,6 @@ Reading read_structured(const std::string& path, const std::string& type,
   XmlFile file(path, type, *reader);
   const vtkSmartPointer<vtkDataSet> dataset = file.read_whole();
   Reading reading = mesh_from_vtk(dataset, options, path);
-  finish_reading(reading, path);
   file.add_warnings(reading.notes);
   return reading;
 }
@@ -193,7 +192,13 @@ Inventory inspect_structured(const std::string& path, const std::string& type) {
   return inventory;
 }
 
-}  // namespace
+template <typename Reader>
+XmlReader structured_reader(const std::string& type) {
+  return {[type](const std::string& path, const ReadOptions& options) {
+            return read_structured<Reader>(path, type, options);
+          },
+          [type](const std::string& path) { return inspect_structured<Reader>(path, type); }};
+}
 
 Reading read_vtu(const std::string& path, const ReadOptions& options) {
   vtkNew<vtkXMLUnstructuredGridReader> reader;
@@ -218,12 +223,23 @@ Inventory inspect_vtu(const std::string& path) {
   return inventory;
 }
 
+}  // namespace
+
+XmlReader xml_reader(std::string_view type) {
+  if (type == "UnstructuredGrid") return {read_vtu, inspect_vtu};
+  if (type == "StructuredGrid")
+    return structured_reader<vtkXMLStructuredGridReader>("StructuredGrid");
+  if (type == "ImageData") return structured_reader<vtkXMLImageDataReader>("ImageData");
+  if (type == "RectilinearGrid")
+    return structured_reader<vtkXMLRectilinearGridReader>("RectilinearGrid");
+  return {};
+}
+
 }  // namespace vtk
 
 namespace {
 
 /// What the three structured XML formats have in common.
-template <typename Reader>
 Format structured_format(std::string_view name, std::string_view extension,
                          const std::string& type) {
   Format format;
@@ -233,11 +249,14 @@ Format structured_format(std::string_view name, std::string_view extension,
   format.fields = "node, cell";
   format.time_steps = "one";
   format.recognizes = [type](std::string_view head) { return vtk::xml_file_type(head) == type; };
-  format.read = [type](const std::string& path, const ReadOptions& options) {
-    return vtk::read_structured<Reader>(path, type, options);
+  const vtk::XmlReader reader = vtk::xml_reader(type);
+  format.read = [reader](const std::string& path, const ReadOptions& options) {
+    Reading reading = reader.read(path, options);
+    finish_reading(reading, path);
+    return reading;
   };
-  format.inspect = [type, name](const std::string& path) {
-    Inventory inventory = vtk::inspect_structured<Reader>(path, type);
+  format.inspect = [reader, name](const std::string& path) {
+    Inventory inventory = reader.inspect(path);
     inventory.format = name;
     return inventory;
   };
@@ -256,22 +275,19 @@ Format vtu_format() {
   format.recognizes = [](std::string_view head) {
     return vtk::xml_file_type(head) == "UnstructuredGrid";
   };
-  format.read = [](const std::string& path, const ReadOptions& options) {
-    Reading reading = vtk::read_vtu(path, options);
+  const vtk::XmlReader reader = vtk::xml_reader("UnstructuredGrid");
+  format.read = [reader](const std::string& path, const ReadOptions& options) {
+    Reading reading = reader.read(path, options);
     finish_reading(reading, path);
     return reading;
   };
-  format.inspect = vtk::inspect_vtu;
+  format.inspect = reader.inspect;
   format.write = vtk::write_vtu;
   return format;
 }
 
-Format vts_format() {
-  return structured_format<vtkXMLStructuredGridReader>("vts", ".vts", "StructuredGrid");
-}
-Format vti_format() { return structured_format<vtkXMLImageDataReader>("vti", ".vti", "ImageData"); }
-Format vtr_format() {
-  return structured_format<vtkXMLRectilinearGridReader>("vtr", ".vtr", "RectilinearGrid");
-}
+Format vts_format() { return structured_format("vts", ".vts", "StructuredGrid"); }
+Format vti_format() { return structured_format("vti", ".vti", "ImageData"); }
+Format vtr_format() { return structured_format("vtr", ".vtr", "RectilinearGrid"); }
 
 }  // namespace hiac::formats

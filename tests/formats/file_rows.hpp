@@ -38,7 +38,7 @@ inline std::string row_name(const testing::TestParamInfo<FileRow>& row) {
   std::string name = row.param.path;
   for (char& c : name)
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
-  return name;
+  return row.param.corners ? name + "_corners" : name;
 }
 
 /// The table gives five digits.

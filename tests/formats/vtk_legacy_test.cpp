@@ -250,7 +250,9 @@ TEST(VtkLegacy, PolyhedraWithDamagedFaceListsAreRefused) {
     return folder.write("poly.vtk",
                         one_cell_file(kTetPoints, 4, list, static_cast<std::size_t>(length), 42));
   };
-  EXPECT_THAT(refusal(file("4 3 0 1 2 3 0 1 3 3 1 2 3 3 2 0 3")), HasSubstr("1 Polyhedron"));
+  EXPECT_EQ(read_any(file("4 3 0 1 2 3 0 1 3 3 1 2 3 3 2 0 3")).mesh.kinds[0],
+            CellKind::tetrahedron4);
+  EXPECT_THAT(refusal(file("4 3 0 1 2 3 0 1 3 3 1 2 3 3 2 0 1")), HasSubstr("1 Polyhedron"));
   EXPECT_THAT(refusal(file("5 3 0 1 2 3 0 1 3 3 1 2 3 3 2 0 3")), HasSubstr("too short"));
   EXPECT_THAT(refusal(file("3 3 0 1 2 3 0 1 3 3 1 2 3 3 2 0 3")), HasSubstr("too long"));
   EXPECT_THAT(refusal(file("4 99 0 1 2 3 0 1 3 3 1 2 3 3 2 0 3")), HasSubstr("list of"));

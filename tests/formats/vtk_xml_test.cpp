@@ -77,6 +77,93 @@ TEST(VtkXml, ParallelFilesAreReadThroughTheirPieces) {
               HasSubstr("not well-formed"));
 }
 
+std::string vtr_piece(int x0, const std::string& extent) {
+  return fmt::format(
+      "<VTKFile type=\"RectilinearGrid\" version=\"1.0\"><RectilinearGrid WholeExtent=\"{0}\">"
+      "<Piece Extent=\"{0}\"><PointData>{1}</PointData><Coordinates>{2}{3}{3}</Coordinates></Piece>"
+      "</RectilinearGrid></VTKFile>",
+      extent, array("f", fmt::format("{0} {1} {0} {1} {0} {1} {0} {1}", x0, x0 + 1)),
+      array("a", fmt::format("{} {}", x0, x0 + 1)), array("b", "0 1"));
+}
+
+TEST(VtkXml, ParallelStructuredFilesAreReadThroughTheirPieces) {
+  const ScratchFolder folder;
+  EXPECT_EQ(refusal(folder.write("p0.vtr", vtr_piece(0, "0 1 0 1 0 1"))), "");
+  EXPECT_EQ(refusal(folder.write("p1.vtr", vtr_piece(1, "1 2 0 1 0 1"))), "");
+  const std::string path = folder.write(
+      "run.pvtr",
+      "<VTKFile type=\"PRectilinearGrid\" version=\"1.0\"><PRectilinearGrid WholeExtent=\"0 2 0 1 "
+      "0 1\"><Piece Extent=\"0 1 0 1 0 1\" Source=\"p0.vtr\"/><Piece Extent=\"1 2 0 1 0 1\" "
+      "Source=\"p1.vtr\"/></PRectilinearGrid></VTKFile>");
+  const ZooMesh mesh = read_any(path).mesh;
+  EXPECT_EQ(mesh.node_count(), 12U);
+  EXPECT_EQ(mesh.cell_count(), 2U);
+  for (NodeId node = 0; node < 12; ++node)
+    EXPECT_EQ(mesh.fields[0].values[node], mesh.position(node)[0]);
+  EXPECT_EQ(format_to_read(path).inspect(path).format, "pvtr");
+}
+
+TEST(VtkXml, ACollectionHasStepsOfParts) {
+  const ScratchFolder folder;
+  for (const int part : {0, 1})
+    for (const int step : {0, 1})
+      EXPECT_EQ(refusal(folder.write(
+                    fmt::format("s{}p{}.vtu", step, part),
+                    vtu(brick_piece(part, "", array("c", fmt::format("{}", 10 * step + part)))))),
+                "");
+  std::string sets;
+  for (const int part : {0, 1})
+    for (const int step : {1, 0})
+      sets +=
+          fmt::format("<DataSet timestep=\"{}\" part=\"{}\" name=\"part{}\" file=\"s{}p{}.vtu\"/>",
+                      0.5 * step, part, part, step, part);
+  const std::string path = folder.write(
+      "run.pvd", "<VTKFile type=\"Collection\"><Collection>" + sets + "</Collection></VTKFile>");
+  const Reading last = read_any(path);
+  EXPECT_EQ(last.mesh.node_count(), 12U);
+  EXPECT_THAT(last.mesh.fields.at(0).values.view(), testing::ElementsAre(10, 11));
+  EXPECT_THAT(last.notes, Contains(HasSubstr("the last of 2 steps, time 0.5")));
+  ReadOptions options;
+  options.time = 0;
+  EXPECT_THAT(read_any(path, options).mesh.fields.at(0).values.view(), testing::ElementsAre(0, 1));
+  options.block = "part1";
+  EXPECT_THAT(read_any(path, options).mesh.fields.at(0).values.view(), testing::ElementsAre(1));
+  options.time = 3;
+  EXPECT_THROW(read_any(path, options), UsageError);
+  EXPECT_THAT(format_to_read(path).inspect(path).times, testing::ElementsAre(0, 0.5));
+  const std::string itself = folder.write(
+      "self.pvd",
+      "<VTKFile type=\"Collection\"><Collection><DataSet file=\"self.pvd\"/></Collection>"
+      "</VTKFile>");
+  EXPECT_THAT(refusal(itself), HasSubstr("itself a list of files"));
+}
+
+TEST(VtkXml, BlocksOfFilesAreReadUnderTheirNames) {
+  const ScratchFolder folder;
+  EXPECT_EQ(refusal(folder.write("a.vtu", vtu(brick_piece(0, "", array("c", "5"))))), "");
+  EXPECT_EQ(refusal(folder.write("b.vtu", vtu(brick_piece(1, "", array("d", "6"))))), "");
+  EXPECT_NE(refusal(folder.write("s.vtp", "<VTKFile type=\"PolyData\"><PolyData/></VTKFile>")), "");
+  const std::string path = folder.write(
+      "m.vtm",
+      "<VTKFile type=\"vtkMultiBlockDataSet\" version=\"1.0\"><vtkMultiBlockDataSet>"
+      "<Block index=\"0\" name=\"solids\"><DataSet index=\"0\" name=\"left\" file=\"a.vtu\"/>"
+      "<DataSet index=\"1\" name=\"right\" file=\"b.vtu\"/></Block>"
+      "<DataSet index=\"1\" name=\"skin\" file=\"s.vtp\"/></vtkMultiBlockDataSet></VTKFile>");
+  const Reading reading = read_any(path);
+  EXPECT_EQ(reading.mesh.node_count(), 12U);
+  ASSERT_EQ(reading.mesh.fields.size(), 2U);
+  EXPECT_EQ(reading.mesh.fields[0].values[0], 5);
+  EXPECT_TRUE(std::isnan(reading.mesh.fields[0].values[1]));
+  EXPECT_THAT(reading.notes, Contains(HasSubstr("1 files of surfaces")));
+  ReadOptions options;
+  options.block = "right";
+  EXPECT_EQ(read_any(path, options).mesh.cell_count(), 1U);
+  options.block = "solids";
+  EXPECT_EQ(read_any(path, options).mesh.cell_count(), 2U);
+  EXPECT_THAT(format_to_read(path).inspect(path).blocks,
+              testing::ElementsAre("solids", "left", "right", "skin"));
+}
+
 TEST(VtkXml, GhostCellsAreLeftOut) {
   const ScratchFolder folder;
   const std::string ghost = array("vtkGhostType", "1", "UInt8");

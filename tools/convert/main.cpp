@@ -41,6 +41,7 @@ struct Options {
   std::optional<std::string> block;
   bool corners_only = false;
   bool skip_unsupported = false;
+  bool approximate = false;
   bool adjacency = true;
 
   [[nodiscard]] bool from_stdin() const { return input.empty() || input == "-"; }
@@ -79,6 +80,10 @@ void add_options(CLI::App& app, Options& options) {
                "Keep the conventional nodes of higher-order cells alone");
   app.add_flag("--skip-unsupported", options.skip_unsupported,
                "Leave volume cells out that cannot be converted");
+  app.add_flag("--approximate", options.approximate,
+               "Re-interpolate cells of order 4 and more (and cells whose centre nodes matter) to "
+               "the nearest kind, divide polyhedra into tetrahedra and pyramids, and state the "
+               "largest error that this makes");
   app.add_flag("--adjacency,!--no-adjacency", options.adjacency,
                "Store which cells share faces, so that later stages start faster (default: yes)");
 }
@@ -90,6 +95,7 @@ formats::ReadOptions read_options(const Options& options) {
   result.block = options.block;
   result.skip_unsupported = options.skip_unsupported;
   result.corners_of_unsupported = options.corners_only;
+  result.approximate = options.approximate;
   return result;
 }
 

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "hiac/mesh/cell_kind.hpp"
+
+namespace hiac::formats {
+
+/// Evenly spaced points of a reference cell (shape_functions.hpp): all that a cell of that order
+/// can have nodes at. Of order 2 the centres of all faces and of the cell are among them.
+struct Lattice {
+  CellShape shape;
+  std::size_t order;
+  std::vector<std::array<double, 3>> points;
+};
+
+/// The lattice of a shape other than the wedge, of an order from 2 on.
+Lattice lattice_of(CellShape shape, std::size_t order);
+
+/// A value at a point as a sum of values at others: places and weights.
+using Weights = std::vector<std::pair<std::size_t, double>>;
+
+/// The kind that cells of that order come closest to: the quadratic one of order 2, else the cubic.
+CellKind nearest_kind(const Lattice& lattice);
+
+/// For every node of the nearest kind its value as the cell's interpolant has it, from the values
+/// at the cell's nodes; `nodes[p]` is the node at the lattice's point p, if there is one. On an
+/// edge that is the Lagrange polynomial of the edge's nodes, on a triangle that of the triangle's
+/// (the cubic without its centre where those are not all there). Nothing where a corner or a node
+/// of an edge is missing.
+std::optional<std::vector<Weights>> weights_of_nearest(
+    const Lattice& lattice, std::span<const std::optional<std::size_t>> nodes);
+
+}  // namespace hiac::formats
