@@ -119,7 +119,7 @@ class GeneralCellRenderer {
     const FieldAlongRay field(kind_, map, std::span(fields).first(optics_.same_field ? 1 : 2));
     is_uniform_ = uniform_optics();
     if (frame_.with_error) set_errors();
-    if (optics_.rule == PieceRule::exact && !frame_.with_details && !is_cut_ && !is_uniform_)
+    if (optics_.rule == PieceRule::exact && !is_cut_ && !is_uniform_)
       render_together(map, field, std::span(fields).first(optics_.same_field ? 1 : 2));
     else
       for (const CellCrossing& crossing : crossings_) render(crossing, map, field);
@@ -195,32 +195,22 @@ class GeneralCellRenderer {
     return kIntegrationShare * frame_.tolerance * ((back - front) / frame_.depth) / visible;
   }
 
-  // What takes no more than light: segments of the cell many at a time.
+  // Segments of the cell many at a time.
   void render_together(const CellMap& map, const FieldAlongRay& field,
                        std::span<const CellField> fields) {
     segments_.clear();
     kept_.clear();
     for (const CellCrossing& crossing : crossings_) add_segment(crossing, map);
     if (kept_.empty()) return;
-    counts_.segments += kept_.size();
     const CellPolynomials polynomials(kind_, nodes_, map, fields);
     integrate_cell_segments(frame_, polynomials,
                             {color_.intervals.low, color_.intervals.high, extinction_.intervals.low,
                              extinction_.intervals.high},
                             segments_);
     for (std::size_t k = 0; k < kept_.size(); ++k) {
-      const CellCrossing& crossing = crossings_[kept_[k]];
-      const std::size_t at = index_of(crossing);
-      if (segments_.done[k] != 0) {
-        add_light(
-            at, segments_.front[k], segments_.back[k],
-            {{segments_.red[k], segments_.green[k], segments_.blue[k]}, segments_.transparency[k]});
-        continue;
-      }
-      const double visible = group_ != nullptr ? 1 : buffer_.transparency[at];
-      add_light(at, segments_.front[k], segments_.back[k],
-                radiance_of(stretch_of(crossing), buffer_.ray_scale[at], field,
-                            std::max(visible, kLeastVisible)));
+      const PlainRadiance radiance{{segments_.red[k], segments_.green[k], segments_.blue[k]},
+                                   segments_.transparency[k]};
+      render(crossings_[kept_[k]], map, field, segments_.done[k] != 0 ? &radiance : nullptr);
     }
   }
 
@@ -246,15 +236,9 @@ class GeneralCellRenderer {
         allowed_error(front, back, group_ != nullptr ? 1 : buffer_.transparency[at]));
   }
 
-  void add_light(std::size_t at, double front, double back, const PlainRadiance& radiance) {
-    if (group_ != nullptr)
-      group_->append(static_cast<std::uint32_t>(at), front, back, radiance.rgb[0], radiance.rgb[1],
-                     radiance.rgb[2], radiance.transparency);
-    else
-      composite(at, front, back, radiance);
-  }
-
-  void render(const CellCrossing& crossing, const CellMap& map, const FieldAlongRay& field) {
+  // `together`: what integrate_cell_segments found, if anything.
+  void render(const CellCrossing& crossing, const CellMap& map, const FieldAlongRay& field,
+              const PlainRadiance* together = nullptr) {
     const std::size_t at = index_of(crossing);
     if (buffer_.transparency[at] <= frame_.least_transparency) return;
     const RayStretch stretch = stretch_of(crossing);
@@ -265,11 +249,30 @@ class GeneralCellRenderer {
     const double scale = buffer_.ray_scale[at];
     details_ = {.front = stretch.front, .back = stretch.back, .first = stretch.front};
     weight_ = weighted_depth_ = 0;
-    const PlainRadiance radiance =
-        is_cut_ ? between_surfaces(crossing, map, stretch, scale, field, visible)
-                : radiance_of(stretch, scale, field, visible);
+    PlainRadiance radiance;
+    if (is_cut_)
+      radiance = between_surfaces(crossing, map, stretch, scale, field, visible);
+    else if (together == nullptr || frame_.with_error)
+      radiance = radiance_of(stretch, scale, field, visible);
+    if (together != nullptr) radiance = checked(*together, radiance);
     if (frame_.with_details) describe(at, crossing, field, stretch, scale, radiance);
-    add_light(at, stretch.front, stretch.back, radiance);
+    if (group_ != nullptr)
+      group_->append(static_cast<std::uint32_t>(at), stretch.front, stretch.back, radiance.rgb[0],
+                     radiance.rgb[1], radiance.rgb[2], radiance.transparency);
+    else
+      composite(at, stretch.front, stretch.back, radiance);
+  }
+
+  // What was found together with other segments, of which no bound is known, with the bounds of
+  // what was found of this segment alone: how far they are apart counts besides.
+  [[nodiscard]] PlainRadiance checked(const PlainRadiance& together, const PlainRadiance& alone) {
+    if (!frame_.with_error) return together;
+    double apart = 0;
+    for (std::size_t c = 0; c < 3; ++c)
+      apart = std::max(apart, std::abs(together.rgb[c] - alone.rgb[c]));
+    details_.radiance_error += apart;
+    details_.transparency_error += std::abs(together.transparency - alone.transparency);
+    return together;
   }
 
   // `scale`: world length per unit of the ray parameter; `visible`: the transparency in front.
