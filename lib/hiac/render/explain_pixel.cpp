@@ -80,9 +80,9 @@ class RayFollower {
 
   // A cell whose place in the order is known. The engine composites its segments itself.
   void follow(CellId cell) {
-    SegmentList found;
-    collect(cell, found);
-    if (found.size() == 0) return;
+    SegmentList found, others;
+    collect(cell, found, others);
+    if (found.size() == 0) return draw(cell, nullptr);
     if (found.size() > 1) {
       TileBuffer so_far = buffer_;
       for (std::size_t i = 0; i + 1 < found.size(); ++i) composite(cell, found, i, so_far);
@@ -94,10 +94,10 @@ class RayFollower {
 
   // Cells that the engine puts in order along the ray.
   void follow_group(std::span<const CellId> cells) {
-    SegmentList found;
+    SegmentList found, others;
     std::vector<CellId> owners;
     for (const CellId cell : cells) {
-      collect(cell, found);
+      collect(cell, found, others);
       owners.resize(found.size(), cell);
     }
     std::vector<std::uint32_t> sorted(found.size());
@@ -107,6 +107,7 @@ class RayFollower {
       composite(owners[i], found, i, buffer_);
       rows_.back().in_group = true;
     }
+    composite_sorted(others, frame_.witness_tolerance, buffer_, counts_);
   }
 
   [[nodiscard]] std::vector<PixelSegment> take_rows() { return std::move(rows_); }
@@ -122,12 +123,12 @@ class RayFollower {
     renderer(frame_, {&cell, 1}, tile_, buffer_, group, counts_);
   }
 
-  // Appends a cell's segments in the pixel.
-  void collect(CellId cell, SegmentList& found) {
+  // Appends a cell's segments in the pixel, and those in the tile's other pixels.
+  void collect(CellId cell, SegmentList& found, SegmentList& others) {
     SegmentList all;
     draw(cell, &all);
     for (std::size_t i = 0; i < all.size(); ++i)
-      if (all.pixel[i] == at_) append(all, i, found);
+      append(all, i, all.pixel[i] == at_ ? found : others);
   }
 
   // One segment of a list, noted behind what a buffer holds.
