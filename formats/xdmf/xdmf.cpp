@@ -10,6 +10,7 @@
 #include "formats/assemble.hpp"
 #include "formats/foreign_mesh.hpp"
 #include "formats/isolated.hpp"
+#include "formats/sorted_tetrahedra.hpp"
 #include "formats/steps.hpp"
 #include "formats/structured.hpp"
 #include "formats/xdmf/data_items.hpp"
@@ -73,6 +74,7 @@ class Reader {
     for (const pugi::xml_node grid : domain.children("Grid")) collect(grid, 0);
     for (Leaf& leaf : leaves_) add_leaf(leaf);
     for (const FieldParts& parts : fields_) add_field(parts);
+    turn_sorted_tetrahedra(mesh_);
     return std::move(mesh_);
   }
 

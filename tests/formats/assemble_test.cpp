@@ -2,9 +2,12 @@
 // steps and blocks.
 #include "formats/assemble.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "formats/solid_orders.hpp"
+#include "formats/sorted_tetrahedra.hpp"
 #include "tests/formats/files.hpp"
 
 namespace hiac::formats {
@@ -147,6 +150,76 @@ TEST(Assemble, StepsAndBlocksAreChosen) {
   options = {};
   options.block = "left";
   EXPECT_EQ(assemble(ForeignMesh(foreign), options, "m").mesh.cell_count(), 1U);
+}
+
+/// A row of `cubes` unit cubes in six tetrahedra each, all with their nodes in ascending order:
+/// paths from the first corner to the last along the axes, in all orders; half of them left-handed.
+ForeignMesh sorted_tetrahedra(std::int64_t cubes) {
+  ForeignMesh mesh;
+  for (std::int64_t i = 0; i <= cubes; ++i)
+    for (const int corner : {0, 1, 2, 3})
+      for (const double v : {static_cast<double>(i), corner / 2 * 1.0, corner % 2 * 1.0})
+        mesh.xyz.push_back(v);
+  mesh.types.push_back({"tet4", 4, solid_conversion(CellKind::tetrahedron4)});
+  std::array<std::int64_t, 3> steps{1, 2, 4};
+  for (std::int64_t i = 0; i < cubes; ++i) {
+    std::ranges::sort(steps);
+    do {
+      mesh.cell_types.push_back(0);
+      const std::int64_t first = 4 * i;
+      for (const std::int64_t step :
+           {std::int64_t{0}, steps[0], steps[0] + steps[1], std::int64_t{7}})
+        mesh.cell_nodes.push_back(first + step);
+    } while (std::ranges::next_permutation(steps).found);
+  }
+  return mesh;
+}
+
+std::size_t left_handed(const ForeignMesh& mesh) {
+  std::size_t count = 0;
+  for (std::size_t c = 0; c < mesh.cell_nodes.size(); c += 4) {
+    const auto at = [&](std::size_t k, std::size_t axis) {
+      return mesh.xyz[3 * static_cast<std::size_t>(mesh.cell_nodes[c + k]) + axis] -
+             mesh.xyz[3 * static_cast<std::size_t>(mesh.cell_nodes[c]) + axis];
+    };
+    const double determinant = at(1, 0) * (at(2, 1) * at(3, 2) - at(2, 2) * at(3, 1)) -
+                               at(1, 1) * (at(2, 0) * at(3, 2) - at(2, 2) * at(3, 0)) +
+                               at(1, 2) * (at(2, 0) * at(3, 1) - at(2, 1) * at(3, 0));
+    count += determinant < 0 ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(SortedTetrahedra, AreTurnedWhereAllAreSorted) {
+  ForeignMesh mesh = sorted_tetrahedra(4);
+  ASSERT_EQ(left_handed(mesh), 12U);
+  turn_sorted_tetrahedra(mesh);
+  EXPECT_EQ(left_handed(mesh), 0U);
+  EXPECT_THAT(mesh.notes, ElementsAre(HasSubstr("12 of 24 tetrahedra right-handed")));
+  const ForeignMesh before = sorted_tetrahedra(4);
+  for (std::size_t c = 0; c < mesh.cell_nodes.size(); c += 4)
+    EXPECT_TRUE(
+        std::is_permutation(&mesh.cell_nodes[c], &mesh.cell_nodes[c] + 4, &before.cell_nodes[c]));
+}
+
+TEST(SortedTetrahedra, StayWhereOneIsNotSortedOrTheyAreFew) {
+  ForeignMesh mesh = sorted_tetrahedra(4);
+  std::swap(mesh.cell_nodes[6], mesh.cell_nodes[7]);
+  const auto nodes = mesh.cell_nodes;
+  turn_sorted_tetrahedra(mesh);
+  EXPECT_EQ(mesh.cell_nodes, nodes);
+  ForeignMesh few = sorted_tetrahedra(3);
+  turn_sorted_tetrahedra(few);
+  EXPECT_EQ(left_handed(few), 9U);
+  EXPECT_TRUE(few.notes.empty());
+}
+
+TEST(SortedTetrahedra, OfPointsThatAreNotThereStay) {
+  ForeignMesh mesh = sorted_tetrahedra(4);
+  mesh.cell_nodes[7] = 1000;
+  const auto nodes = mesh.cell_nodes;
+  turn_sorted_tetrahedra(mesh);
+  EXPECT_EQ(mesh.cell_nodes, nodes);
 }
 
 }  // namespace
