@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -104,6 +105,39 @@ TEST_P(CheckData, HasTheRightVerdict) {
   EXPECT_EQ(invalid, verdict.invalid);
   for (const std::string& other : verdict.others)
     EXPECT_TRUE(std::ranges::count(others, other)) << other;
+}
+
+using CheckPipe = ToolFolder;
+
+// From a foreign file to the picture: two tetrahedra, the second as `nodes` says.
+TEST_F(CheckPipe, StopsWithoutAPictureWhereTheMeshIsInvalid) {
+  std::ofstream(file("view.toml")) << R"([image]
+width = 8
+height = 6
+[camera]
+eye = [3.0, 2.0, 1.5]
+look_at = [0.5, 0.5, 0.5]
+up = [0.0, 0.0, 1.0]
+fov = 35.0
+[volume.extinction]
+field = "f"
+points = [[0.0, 0.1], [4.0, 3.0]]
+)";
+  const auto pipe = [&](const std::string& nodes) {
+    std::ofstream(file("m.vtk")) << "# vtk DataFile Version 3.0\nm\nASCII\nDATASET "
+                                    "UNSTRUCTURED_GRID\nPOINTS 5 double\n0 0 0 1 0 0 0 1 0 0 0 1 "
+                                    "1 1 1\nCELLS 2 10\n4 0 1 2 3\n4 " +
+                                        nodes +
+                                        "\nCELL_TYPES 2\n10\n10\nPOINT_DATA 5\nSCALARS f double "
+                                        "1\nLOOKUP_TABLE default\n0 1 2 3 4\n";
+    return run("$CONVERT -q m.vtk | '" HIAC_CHECK
+               "' | $SORT --view view.toml | $RENDER --view view.toml -o p.npy");
+  };
+  EXPECT_EQ(pipe("1 3 2 4"), 3);
+  EXPECT_THAT(complaint(), testing::HasSubstr("the mesh is invalid (1 inverted cells)"));
+  EXPECT_FALSE(std::filesystem::exists(file("p.npy")));
+  EXPECT_EQ(pipe("1 2 3 4"), 0) << complaint();
+  EXPECT_TRUE(std::filesystem::exists(file("p.npy")));
 }
 
 using CheckAllData = ToolFolder;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -123,23 +124,20 @@ Vector position(const ZooMesh& mesh, NodeId node) {
   return {p[0], p[1], p[2]};
 }
 
-// How the cells of the findings are painted.
-std::map<CellId, Paint> painted_cells(const std::vector<Finding>& findings) {
-  std::map<CellId, Paint> paints;
+// The cells that make the mesh invalid; where none does, those that warnings are about. (Most real
+// bricks have faces that are not planar: they would hide the cells that matter.)
+std::set<CellId> offending_cells(const std::vector<Finding>& findings, Severity severity) {
+  std::set<CellId> cells;
   for (const Finding& finding : findings) {
-    const auto& [key, title, severity, offence, measure] = description_of(finding.defect);
-    if (severity == Severity::note || offence == Offence::node) continue;
-    const Paint paint = severity == Severity::invalid ? Paint::invalid : Paint::warning;
-    const auto put = [&](std::uint64_t cell) {
-      Paint& now = paints[static_cast<CellId>(cell)];
-      now = std::max(now, paint);
-    };
+    const DefectDescription& description = description_of(finding.defect);
+    if (description.severity != severity || description.offence == Offence::node) continue;
     for (const Offender& offender : finding.offenders) {
-      put(offender.id);
-      if (offence == Offence::cell_pair) put(offender.other);
+      cells.insert(static_cast<CellId>(offender.id));
+      if (description.offence == Offence::cell_pair)
+        cells.insert(static_cast<CellId>(offender.other));
     }
   }
-  return paints;
+  return cells;
 }
 
 void add_cell(const ZooMesh& mesh, CellId cell, Paint paint, bool framed, Drawing& drawing) {
@@ -200,15 +198,32 @@ void add_boundary(const ZooMesh& mesh, const FaceAdjacency& adjacency, Drawing& 
       drawing.add_thread(position(mesh, ends.first), position(mesh, ends.second), Paint::edge);
 }
 
-Scene scene_around(const Ball& ball) {
-  constexpr Vector kTowardsEye{0.55, -0.75, 0.45};
-  constexpr double kFov = 30, kSineOfHalf = 0.25881904510252074;
+// How far the eye has to be from the centre for all nodes to be in the picture, with a margin.
+double distance_for(const ZooMesh& drawn, const Vector& centre, const Vector& towards_eye,
+                    const Vector& up, double tangent_of_half, double aspect) {
+  const Vector right = unit(cross(up, towards_eye)), upright = cross(towards_eye, right);
+  const double rise = 0.95 * tangent_of_half;
+  double distance = 0;
+  for (NodeId node = 0; node < drawn.node_count(); ++node) {
+    const Vector p = minus(position(drawn, node), centre);
+    const double aside = std::max(std::abs(dot(p, right)) / aspect, std::abs(dot(p, upright)));
+    distance = std::max(distance, dot(p, towards_eye) + aside / rise);
+  }
+  return distance;
+}
+
+Scene scene_around(const Ball& ball, const ZooMesh& drawn) {
+  const Vector towards_eye = unit(Vector{0.55, -0.75, 0.45});
+  constexpr double kFov = 30, kTangentOfHalf = 0.2679491924311227;
   Scene scene;
   scene.image = {1024, 768};
   scene.camera.look_at = ball.centre;
-  scene.camera.eye = moved(ball.centre, 1.02 * ball.radius / kSineOfHalf, unit(kTowardsEye));
   scene.camera.up = {0, 0, 1};
   scene.camera.fov = kFov;
+  scene.camera.eye = moved(
+      ball.centre,
+      distance_for(drawn, ball.centre, towards_eye, scene.camera.up, kTangentOfHalf, 1024.0 / 768),
+      towards_eye);
   const double skin = 0.12 / (kSkin * ball.radius), solid = 4 / (kThread * ball.radius);
   scene.volume.color = ColorTransfer{"paint",
                                      {{0, {0.05, 0.12, 0.25}},
@@ -227,12 +242,14 @@ void write_defect_picture(Tool& tool, const ZooMesh& mesh, const FaceAdjacency& 
                           const std::vector<Finding>& findings, const std::string& path) {
   const Ball ball = ball_around(mesh);
   Drawing drawing(ball.radius);
-  const auto paints = painted_cells(findings);
-  for (const auto& [cell, paint] : paints)
-    add_cell(mesh, cell, paint, paints.size() <= kMostFramed, drawing);
+  const bool invalid = any_invalid(findings);
+  const auto cells = offending_cells(findings, invalid ? Severity::invalid : Severity::warning);
+  for (const CellId cell : cells)
+    add_cell(mesh, cell, invalid ? Paint::invalid : Paint::warning, cells.size() <= kMostFramed,
+             drawing);
   add_boundary(mesh, adjacency, drawing);
   const ZooMesh drawn = std::move(drawing).mesh();
-  const Scene scene = scene_around(ball);
+  const Scene scene = scene_around(ball, drawn);
   const OrderResult order = exact_order(drawn, build_face_adjacency(drawn), view_of(scene.camera),
                                         scene.render.planarity);
   const RenderResult result = render(drawn, order.order, scene, true, &tool.progress());
