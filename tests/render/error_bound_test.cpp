@@ -43,7 +43,7 @@ TEST(ErrorBound, HoldsFarFromTheOrigin) { compared(SceneCells::tetrahedra, 46, 4
 
 // Fields are constant to the bit where all values are the same.
 TEST(FieldError, IsNoneWhereTheFieldIsConstant) {
-  const RayDisplacement moved{1e-12, 1};
+  const RayDisplacement moved{.aside = 1e-12};
   EXPECT_EQ(field_error({3, 3}, 0, moved, kTetrahedronRounding), 0);
   EXPECT_EQ(field_error({3, 4}, 1e300, moved, kTetrahedronRounding), 1);
   EXPECT_GT(field_error({3, 4}, 0, moved, kTetrahedronRounding), 4e-16);

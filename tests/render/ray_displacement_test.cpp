@@ -53,7 +53,7 @@ TEST(EndDoubts, HoldWhatDisplacementsDo) {
       moved[c] = origin[c] + kAside * aside[c];
     }
     const Part here = part_in_corner(origin, direction), there = part_in_corner(moved, direction);
-    const EndDoubts::Doubts d = doubts.at(origin, direction, kAside);
+    const EndDoubts::Doubts d = doubts.at(origin, direction, {.at_ends = kAside});
     ASSERT_LE(std::abs(here.from - there.from), d.front);
     ASSERT_LE(std::abs(here.to - there.to), d.back);
     closest = std::max(closest, std::abs(here.to - there.to) / d.back);

@@ -176,8 +176,10 @@ CellMap::CellMap(CellKind kind, std::span<const Point> nodes, double straightnes
   for (std::size_t k = 0; k < count_; ++k) {
     const Point image =
         reference[k][0] * jacobian.x + reference[k][1] * jacobian.y + reference[k][2] * jacobian.z;
-    affine_ = affine_ && largest(nodes_[k] - image) <= kAffineDeviation * size_;
+    off_affine_ = std::max(off_affine_, largest(nodes_[k] - image));
   }
+  affine_ = affine_ && off_affine_ <= kAffineDeviation * size_;
+  if (!affine_) off_affine_ = 0;
   if (straight()) {
     set_terms();
     straightened_ = 4 * edge_deviation(kind, nodes) * size_;

@@ -37,6 +37,10 @@ class CellMap {
   /// off by more than 1e-14 of the cell's size.
   [[nodiscard]] bool affine() const { return affine_; }
 
+  /// How far corners are off the affine map where that is taken: the largest coordinate
+  /// difference.
+  [[nodiscard]] double off_affine() const { return off_affine_; }
+
   /// How far edges taken as straight may take the map from that of all nodes, in world units: four
   /// times what a node is off, as the shape functions of edges add up to at most that.
   [[nodiscard]] double straightened() const { return straightened_; }
@@ -83,7 +87,7 @@ class CellMap {
   Point origin_{};  // corner 0
   Point middle_{};
   double size_ = 0;  // largest coordinate difference from corner 0
-  double steepness_ = 0, straightened_ = 0;
+  double steepness_ = 0, straightened_ = 0, off_affine_ = 0;
   bool affine_ = false;
   std::array<Point, 3> inverse_{};  // rows of the inverse of the Jacobian, in the middle
 };

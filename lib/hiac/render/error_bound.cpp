@@ -70,6 +70,12 @@ double doubtful_length(double length, double error, double change) {
   return 2 * error < change ? length * 2 * error / change : length;
 }
 
+// What a linear field is wrong by along a segment whose ends are off by `along`.
+double moved_by(const SegmentFacts& s, double change) {
+  if (s.along == 0) return 0;
+  return 4 * s.along < s.length ? 2 * change * s.along / s.length : change;
+}
+
 // Not less than e^x - 1.
 double exponential_growth(double x) { return x < 0.5 ? x + x * x : kInfinity; }
 
@@ -117,17 +123,19 @@ double field_error(ValueRange range, double gradient, const RayDisplacement& mov
 }
 
 ErrorBound segment_bound(const CellOptics& cell, bool emission, const SegmentFacts& s) {
+  const double extinction_off = s.extinction_error + moved_by(s, s.extinction_change);
+  const double color_off = s.color_error + moved_by(s, s.color_change);
   const double tau_error =
-      cell.tau_slope * s.extinction_error + cell.tau_rounding + 8 * kUnit * cell.tau_most;
+      cell.tau_slope * extinction_off + cell.tau_rounding + 8 * kUnit * cell.tau_most;
   double depth = s.length * tau_error;
   if (cell.tau_jump > 0)
-    depth += cell.tau_jump * doubtful_length(s.length, s.extinction_error, s.extinction_change);
+    depth += cell.tau_jump * doubtful_length(s.length, extinction_off, s.extinction_change);
   const double relative = cell.pieces * kPieceError;
   const double color_error =
-      cell.color_slope * s.color_error + cell.color_rounding + 8 * kUnit * cell.color_most;
+      cell.color_slope * color_off + cell.color_rounding + 8 * kUnit * cell.color_most;
   double jumped = 0;
   if (cell.color_jump > 0)
-    jumped = cell.color_jump * doubtful_length(s.length, s.color_error, s.color_change);
+    jumped = cell.color_jump * doubtful_length(s.length, color_off, s.color_change);
   const double zeta = s.transparency;
   ErrorBound bound;
   bound.transparency =
@@ -135,10 +143,11 @@ ErrorBound segment_bound(const CellOptics& cell, bool emission, const SegmentFac
   if (emission) {
     bound.radiance = s.length * (color_error + cell.color_most * (depth + relative)) + jumped;
   } else {
-    // with d the error of the depth: int |tau' - tau| e^-A <= d, int tau |e^-A' - e^-A| <= e^d - 1
+    // with d the error of the depth: int |tau' - tau| e^-A <= d, and int tau |e^-A' - e^-A| is at
+    // most e^d - 1 times int tau e^-A, the opacity
     const double weight = std::min(1.0, s.opacity + depth);
     bound.radiance = weight * (color_error + cell.color_most * relative) + cell.tau_most * jumped +
-                     cell.color_most * (depth + exponential_growth(depth));
+                     cell.color_most * (depth + weight * exponential_growth(depth));
     bound.radiance = std::min(bound.radiance, 1.001 * cell.color_most);
   }
   return bound;
@@ -168,7 +177,8 @@ ErrorBound whole_bound(const CellOptics& cell, bool emission, double largest_lig
 
 double cut_doubt(const CutFacts& cut) {
   return doubtful_length(cut.length, std::max(cut.front_error, cut.back_error),
-                         std::abs(cut.front - cut.back));
+                         std::abs(cut.front - cut.back)) +
+         2 * cut.along;
 }
 
 ErrorBound shade_bound(const FrameIsosurface& surface, std::span<const FrameLight> lights,
@@ -208,10 +218,13 @@ double pixel_error(const Frame& frame, const PixelDetails& pixel, double transpa
                    double background) {
   // where the ray was ended early there may be more
   const bool ended = transparency <= frame.least_transparency;
-  const double left = transparency + pixel.transparency_error;
-  const double behind = ended ? left * frame.largest_light : 0;
-  const double lost = pixel.transparency_error + pixel.open_edge + (ended ? transparency : 0);
-  return std::max(pixel.radiance_error + pixel.open_edge + behind + lost * background, lost) +
+  const double left = ended ? transparency : 0;
+  // what is behind shows instead of the background, and as much of either as the other does not
+  const double behind = left * std::max(frame.largest_light, background) +
+                        (ended ? pixel.transparency_error * frame.largest_light : 0);
+  const double lost = pixel.transparency_error + pixel.open_edge;
+  return std::max(pixel.radiance_error + pixel.open_edge + behind + lost * background,
+                  lost + left) +
          4 * 0x1p-53 * (1 + background);
 }
 

@@ -14,19 +14,24 @@ namespace hiac {
 /// exact arithmetic would make of the same mesh, order and specification.
 ///
 /// The model, with u = 2^-53 the unit roundoff; docs/accuracy.md says what of it is proven and
-/// what assumed. Its constants are at least twice what counting operations gives, which is more
-/// than enough for the products of two rounding errors that the count leaves out; effects that
-/// are not small, such as a doubtful optical depth, are taken at their full size.
+/// what assumed. Its constants are at least a third more than counting operations gives, most of
+/// them twice as much, which is more than enough for the products of two rounding errors that the
+/// count leaves out; effects that are not small, such as a doubtful optical depth, are taken at
+/// their full size.
 ///
-/// - Projection (ray_displacement.hpp): a ray meets a cell as if displaced sideways by at most
-///   32 u times the distance of the cell from the eye (look_at, in parallel views) times the spread
-///   of the cell's depths (perspective interpolates 1/t), plus 16 u times the projected
-///   coordinates, and 2^-38 pixels where a corner was moved to a pixel's centre by as much
-///   (projection.cpp); in other cells than tetrahedra by what faces are off their planes, too. On
-///   shared faces both cells are displaced alike, so that a ray is followed without gap or overlap,
-///   displaced a little differently in every cell.
+/// - Projection (ray_displacement.hpp): a ray meets a cell as if displaced sideways. Linear
+///   tetrahedra are met over the screen: by at most 2 u of their projected coordinates, which are
+///   rounded once from extended precision, 20 u of their projected edges, and 2^-38 pixels where a
+///   corner was moved to a pixel's centre by as much (projection.cpp); along the ray besides, where
+///   they are entered and left, by 8 u of the depth times the spread of the cell's depths
+///   (perspective interpolates 1/t), which counts as far as fields change along the ray. Other
+///   cells are met in the world: by 24 u times the distance of the cell from the eye (look_at, in
+///   parallel views) and what faces are off their planes and maps off the cells'; where they are
+///   entered and left, by both.
+///   On shared faces both cells are displaced alike, so that a ray is followed without gap or
+///   overlap, displaced a little differently in every cell.
 /// - Fields (field_error): a field is wrong by its steepest gradient (gradient_bound.hpp) times
-///   that, and by 24 u (64 u where it is interpolated along the ray) of its largest value in the
+///   that, and by 16 u (64 u where it is interpolated along the ray) of its largest value in the
 ///   cell times the spread; by the cell's whole range at most; not at all where it is constant.
 /// - Optics (segment_bound): what that does to extinction and colour, by their steepest slopes on
 ///   the cell's values, and 8 u of all that their evaluation adds up; where they jump, on the
@@ -76,7 +81,7 @@ double gradient_condition(const std::array<std::array<double, 3>, 3>& columns,
                           const std::array<double, 3>& gradient);
 
 /// Error of a field in a cell: see the model. `rounding`: of the largest value, in units of u.
-inline constexpr double kTetrahedronRounding = 24, kAlongRayRounding = 64;
+inline constexpr double kTetrahedronRounding = 16, kAlongRayRounding = 64;
 double field_error(ValueRange range, double gradient, const RayDisplacement& moved,
                    double rounding);
 
@@ -84,6 +89,7 @@ double field_error(ValueRange range, double gradient, const RayDisplacement& mov
 /// they are linear (0 where not).
 struct SegmentFacts {
   double length = 0;
+  double along = 0;  ///< RayDisplacement: with it, fields are linear
   double color_error = 0, extinction_error = 0;
   double color_change = 0, extinction_change = 0;
   double opacity = 0, transparency = 1;  ///< not smaller than what they are
@@ -97,6 +103,7 @@ double edge_bound(const CellOptics& cell, bool emission, double length);
 /// its two ends and their error, and the doubts about faces where offsets vanish exactly.
 struct CutFacts {
   double length = 0;
+  double along = 0;  ///< RayDisplacement
   double front = 0, back = 0;
   double front_error = 0, back_error = 0;
   bool crossed = false;

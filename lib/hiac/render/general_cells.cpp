@@ -250,10 +250,12 @@ class GeneralCellRenderer {
     details_ = {.front = stretch.front, .back = stretch.back, .first = stretch.front};
     weight_ = weighted_depth_ = 0;
     PlainRadiance radiance;
-    if (is_cut_)
+    if (is_cut_) {
       radiance = between_surfaces(crossing, map, stretch, scale, field, visible);
-    else if (together == nullptr || frame_.with_error)
+    } else if (together == nullptr || frame_.with_error) {
       radiance = radiance_of(stretch, scale, field, visible);
+      add_quadrature(1, radiance);
+    }
     if (together != nullptr) radiance = checked(*together, radiance);
     if (frame_.with_details) describe(at, crossing, field, stretch, scale, radiance);
     if (group_ != nullptr)
@@ -278,6 +280,7 @@ class GeneralCellRenderer {
   // `scale`: world length per unit of the ray parameter; `visible`: the transparency in front.
   [[nodiscard]] PlainRadiance radiance_of(const RayStretch& stretch, double scale,
                                           const FieldAlongRay& field, double visible) {
+    quadrature_ = {};
     const double length = (stretch.back - stretch.front) * scale;
     return is_uniform_ ? uniform_radiance(length) : integrated(stretch, length, field, visible);
   }
@@ -294,6 +297,7 @@ class GeneralCellRenderer {
       const PlainRadiance r =
           radiance_of({stretch.origin, stretch.direction, front, back, stretch.known}, scale, field,
                       std::max(visible * sum.transparency, kLeastVisible));
+      add_quadrature(before, r);
       sum.add_behind(r);
       add_depth(0.5 * (front + back), before - sum.transparency);
     };
@@ -336,10 +340,18 @@ class GeneralCellRenderer {
           integrate_segment(segment, optics_.color_function, optics_.extinction_function, glow_,
                             std::max(share * tolerance, std::numeric_limits<double>::min()));
       radiance.add_behind({r.rgb, r.transparency});
-      details_.radiance_error += r.error + details_.transparency_error * std::ranges::max(r.rgb);
-      details_.transparency_error += r.transparency_error;
+      quadrature_.radiance += r.error + quadrature_.transparency * std::ranges::max(r.rgb);
+      quadrature_.transparency += r.transparency_error;
     }
     return radiance;
+  }
+
+  // Notes the bound of the last quadrature, of a part that is seen through `visible` of the
+  // segment.
+  void add_quadrature(double visible, const PlainRadiance& part) {
+    details_.radiance_error +=
+        visible * quadrature_.radiance + details_.transparency_error * std::ranges::max(part.rgb);
+    details_.transparency_error += visible * quadrature_.transparency;
   }
 
   // From the ends of what lies in pieces_.
@@ -434,20 +446,21 @@ class GeneralCellRenderer {
         sum.transparency += surface.shade_error.transparency;
       }
       if (cuts_.doubtful()) sum = whole;
-      sum.radiance += sum.transparency * whole.radiance;
+      sum.radiance += (sum.transparency + details_.transparency_error) * whole.radiance;
     }
     details_.radiance_error += sum.radiance;
     details_.transparency_error = std::min(1.0, details_.transparency_error + sum.transparency);
-    const auto [front, back] =
-        end_doubts_.at(stretch.origin, stretch.direction, displacement_.aside);
+    const auto [front, back] = end_doubts_.at(stretch.origin, stretch.direction, displacement_);
     const double most = frame_.depth * longest_unit_;
-    const auto doubt = [&](double planar, double curved_slope) {
-      // a curved face may be four times as steep on the way
-      return std::min(std::isnan(curved_slope) ? planar : 4 * displacement_.aside * curved_slope,
-                      most);
+    const auto edge = [&](double planar, double curved_slope, bool clipped) {
+      // where the view clips the cell is known; a curved face may be four times as steep on the way
+      const double doubt = clipped                    ? displacement_.along
+                           : std::isnan(curved_slope) ? planar
+                                                      : 4 * displacement_.at_ends * curved_slope;
+      return edge_bound(optics_here_, emission, std::min(doubt, most));
     };
-    details_.front_edge = edge_bound(optics_here_, emission, doubt(front, crossing.front_slope));
-    details_.back_edge = edge_bound(optics_here_, emission, doubt(back, crossing.back_slope));
+    details_.front_edge = edge(front, crossing.front_slope, stretch.front > crossing.front);
+    details_.back_edge = edge(back, crossing.back_slope, stretch.back < crossing.back);
     if (frame_.color_field().location == FieldLocation::node &&
         frame_.extinction.location == FieldLocation::node)
       return;
@@ -500,6 +513,7 @@ class GeneralCellRenderer {
   RayDisplacement displacement_;
   double color_error_ = 0, extinction_error_ = 0;
   SegmentDetails details_;  // of the segment at hand
+  ErrorBound quadrature_;   // of its part that was integrated last
   double weight_ = 0, weighted_depth_ = 0;
 };
 

@@ -20,9 +20,30 @@ constexpr double kFarthestPixel = 131072;
 // when their corners are projected, and rays in them lie on one side all along.
 constexpr double kCenterRounding = 0x1p-38;
 
-double at_center(double coordinate) {
+double at_center(long double extended) {
+  const auto coordinate = static_cast<double>(extended);
   const double center = std::floor(coordinate) + 0.5;
   return std::abs(coordinate - center) <= kCenterRounding ? center : coordinate;
+}
+
+using Extended = std::array<long double, 3>;
+
+Extended difference(std::span<const double, 3> a, const Vector& b) {
+  return {static_cast<long double>(a[0]) - b[0], static_cast<long double>(a[1]) - b[1],
+          static_cast<long double>(a[2]) - b[2]};
+}
+long double dot(const Extended& a, const Extended& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+Extended cross(const Extended& a, const Extended& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+Extended unit(const Extended& v) {
+  const long double size = std::hypot(v[0], v[1], v[2]);
+  return {v[0] / size, v[1] / size, v[2] / size};
+}
+Vector rounded(const Extended& v) {
+  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
 }
 
 }  // namespace
@@ -30,21 +51,27 @@ double at_center(double coordinate) {
 Projector::Projector(const Camera& camera, ImageSize size)
     : perspective_(camera.projection == Projection::perspective),
       anchor_(perspective_ ? camera.eye : camera.look_at),
-      forward_(unit(view_direction(camera))),
+      extended_forward_(unit(difference(camera.look_at, camera.eye))),
       center_x_(size.width / 2.0),
       center_y_(size.height / 2.0),
       near_(perspective_ ? 0 : -std::numeric_limits<double>::infinity()),
       far_(std::numeric_limits<double>::infinity()) {
-  right_ = unit(cross(forward_, camera.up));
-  up_ = cross(right_, forward_);
-  const double half = size.height / 2.0;
-  scale_ = perspective_ ? half / std::tan(camera.fov * (std::numbers::pi / 360))
-                        : size.height / camera.height;
-  const Vector to_eye = view_direction(camera);
-  offset_ = perspective_ ? 0 : std::hypot(to_eye[0], to_eye[1], to_eye[2]);
+  extended_right_ = unit(cross(extended_forward_, {camera.up[0], camera.up[1], camera.up[2]}));
+  extended_up_ = cross(extended_right_, extended_forward_);
+  const long double half = size.height / 2.0L;
+  extended_scale_ = perspective_
+                        ? half / std::tan(camera.fov * (std::numbers::pi_v<long double> / 360))
+                        : size.height / static_cast<long double>(camera.height);
+  right_ = rounded(extended_right_);
+  up_ = rounded(extended_up_);
+  forward_ = rounded(extended_forward_);
+  scale_ = static_cast<double>(extended_scale_);
+  const Extended to_eye = difference(camera.look_at, camera.eye);
+  const long double away = perspective_ ? 0 : std::hypot(to_eye[0], to_eye[1], to_eye[2]);
+  offset_ = static_cast<double>(away);
   if (camera.clip) {
-    near_ = (*camera.clip)[0] - offset_;
-    far_ = (*camera.clip)[1] - offset_;
+    near_ = static_cast<double>((*camera.clip)[0] - away);
+    far_ = static_cast<double>((*camera.clip)[1] - away);
   }
 }
 
@@ -57,15 +84,19 @@ Vector Projector::camera_coordinates(std::span<const double, 3> point) const {
 }
 
 bool Projector::project(std::span<const double, 3> point, ProjectedNode& node) const {
-  const Vector c = camera_coordinates(point);
+  const Extended p = difference(point, anchor_);
+  const long double c0 = dot(p, extended_right_), c1 = dot(p, extended_up_),
+                    c2 = dot(p, extended_forward_);
   if (!perspective_) {
-    node = {at_center(center_x_ + scale_ * c[0]), at_center(center_y_ - scale_ * c[1]), c[2]};
+    node = {at_center(center_x_ + extended_scale_ * c0),
+            at_center(center_y_ - extended_scale_ * c1), static_cast<double>(c2)};
     return true;
   }
-  const double reciprocal = 1 / c[2];
-  const double dx = scale_ * (c[0] * reciprocal), dy = scale_ * (c[1] * reciprocal);
-  node = {at_center(center_x_ + dx), at_center(center_y_ - dy), -reciprocal};
-  return c[2] > 0 && std::abs(dx) < kFarthestPixel && std::abs(dy) < kFarthestPixel;
+  const long double reciprocal = 1 / c2;
+  const long double dx = extended_scale_ * (c0 * reciprocal);
+  const long double dy = extended_scale_ * (c1 * reciprocal);
+  node = {at_center(center_x_ + dx), at_center(center_y_ - dy), static_cast<double>(-reciprocal)};
+  return c2 > 0 && std::abs(dx) < kFarthestPixel && std::abs(dy) < kFarthestPixel;
 }
 
 double Projector::parameter(std::span<const double, 3> point) const {

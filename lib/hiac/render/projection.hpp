@@ -43,7 +43,9 @@ class Projector {
   [[nodiscard]] double near() const { return near_; }
   [[nodiscard]] double far() const { return far_; }
 
-  /// False when the point cannot be projected: it lies beside or behind the eye.
+  /// In extended precision, rounded once: what is found from projected nodes is then known to what
+  /// their coordinates can tell, however far away the eye. False when the point cannot be
+  /// projected: it lies beside or behind the eye.
   bool project(std::span<const double, 3> point, ProjectedNode& node) const;
   /// The ray parameter of the plane parallel to the screen through a point.
   [[nodiscard]] double parameter(std::span<const double, 3> point) const;
@@ -69,9 +71,13 @@ class Projector {
   [[nodiscard]] double ray_scale(double x, double y) const;
 
  private:
+  using Extended = std::array<long double, 3>;
+
   bool perspective_;
   std::array<double, 3> anchor_;  // the eye, or look_at
   std::array<double, 3> right_, up_, forward_;
+  Extended extended_right_, extended_up_, extended_forward_;  // the same
+  long double extended_scale_;
   double scale_;  // pixels per unit of x / z, or per world unit
   double center_x_, center_y_;
   double near_, far_;

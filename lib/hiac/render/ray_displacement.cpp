@@ -15,9 +15,9 @@ constexpr double kUnit = 0x1p-53;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kSnapPixels = 0x1p-38;  // projection.cpp, kCenterRounding
 
-// Of a cell's size: what inverse_map.cpp takes for affine (1e-14 at every corner) or lets remain
-// of Newton's residual (16 epsilon), each three times.
-constexpr double kMapRounding = 3e-14;
+// Of a cell's size: what Newton's iteration leaves (inverse_map.cpp: a residual of 16 epsilon) and
+// the map's own rounding.
+constexpr double kMapRounding = 64 * kUnit;
 
 Vector middle_of(const ShapeFace& face, std::span<const Vector> corners) {
   Vector middle{};
@@ -35,63 +35,103 @@ Vector normal_of(const ShapeFace& face, std::span<const Vector> corners) {
   return face.corner_count == 3 ? cross(edge(0, 1), edge(0, 2)) : cross(edge(0, 2), edge(1, 3));
 }
 
-// How far a cell is from the polyhedron of its planes and from the image of its map.
-double shape_error(CellKind kind, std::span<const Vector> nodes) {
-  const auto corners = nodes.first(corner_count(kind));
-  double size = 0, bent = 0;
-  for (std::size_t k = 1; k < corners.size(); ++k)
-    size = std::max(size, length(minus(corners[k], corners[0])));
+// How far faces are off their planes.
+double bent(CellKind kind, std::span<const Vector> corners) {
+  double most = 0;
   for (const ShapeFace& face : topology_of(kind).faces) {
     if (face.corner_count < 4) continue;
     const Vector normal = normal_of(face, corners), middle = middle_of(face, corners);
     const double area = length(normal);
     if (!(area > 0)) continue;
     for (const std::uint8_t k : face.corners)
-      bent = std::max(bent, std::abs(dot(normal, minus(corners[k], middle))) / area);
+      most = std::max(most, std::abs(dot(normal, minus(corners[k], middle))) / area);
   }
+  return most;
+}
+
+// How far a cell's map is from the one that the fields are sampled by.
+double map_error(CellKind kind, std::span<const Vector> nodes, double straightness) {
+  const auto corners = nodes.first(corner_count(kind));
+  double size = 0;
+  for (std::size_t k = 1; k < corners.size(); ++k)
+    size = std::max(size, length(minus(corners[k], corners[0])));
   // four times what a node is off (CellMap::straightened) along every axis
-  return 2 * bent + (kMapRounding + 7 * edge_deviation(kind, nodes)) * size;
+  return (kMapRounding + 7 * edge_deviation(kind, nodes)) * size +
+         2 * CellMap(kind, nodes, straightness).off_affine();
+}
+
+// Of what is projected, in units of rounding: coordinates are rounded once, from extended
+// precision; places on faces are found relative to a corner by Gaussian elimination or between
+// edges, 15 roundings of the longest edge at most; depths and what they divide by add up five of
+// the largest.
+constexpr double kCoordinateRounding = 2, kPlaceRounding = 20, kDepthRounding = 8;
+constexpr double kExtendedUnit = 0x1p-64;
+// Of distances from the eye, where rays are followed in the world.
+constexpr double kWorldRounding = 24;
+
+// Of the faces of a cell, found where its projected corners are. Corners beside the eye have no
+// projection: such cells are met in the world.
+RayDisplacement displacement_on_screen(const Frame& frame, CellId cell) {
+  const Projector& projector = frame.projector;
+  const auto ids = frame.mesh.cell_nodes(cell).first(corner_count(frame.mesh.kinds[cell]));
+  double reach = 0, widest = 0, moved = 0, nearest = kInfinity, farthest = 0;
+  double left = kInfinity, right = -kInfinity, top = kInfinity, bottom = -kInfinity;
+  const auto at_center = [](double x) { return x - std::floor(x) == 0.5; };
+  bool beside = false;
+  for (const NodeId id : ids) {
+    const ProjectedNode& p = frame.nodes[id];
+    reach = std::max(reach, length(projector.relative(frame.mesh.position(id))));
+    beside = beside || std::isnan(p.depth);
+    nearest = std::min(nearest, -1 / p.depth);
+    farthest = std::max(farthest, -1 / p.depth);
+    widest = std::max({widest, std::abs(p.x), std::abs(p.y)});
+    left = std::min(left, p.x);
+    right = std::max(right, p.x);
+    top = std::min(top, p.y);
+    bottom = std::max(bottom, p.y);
+    if (!std::isnan(p.depth) && (at_center(p.x) || at_center(p.y))) moved = kSnapPixels;
+  }
+  double pixels = moved;
+  if (!beside)
+    pixels += kUnit * (kCoordinateRounding * widest +
+                       kPlaceRounding * std::max(right - left, bottom - top));
+  RayDisplacement result;
+  if (projector.perspective() && !beside) result.spread = farthest / nearest;
+  result.aside = 32 * kExtendedUnit * reach +
+                 pixels * (projector.perspective() ? reach : 1) / projector.pixels_per_unit();
+  result.at_ends = result.aside;
+  result.along = kDepthRounding * kUnit * result.spread * reach;
+  return result;
 }
 
 }  // namespace
 
-RayDisplacement ray_displacement(const Frame& frame, CellId cell) {
-  const Projector& projector = frame.projector;
+RayDisplacement displacement_in_world(const Frame& frame, CellId cell) {
   const CellKind kind = frame.mesh.kinds[cell];
-  const auto ids = frame.mesh.cell_nodes(cell);
-  const auto nodes = relative_positions(frame.mesh, cell, projector);
-  const auto [left, top] = projector.slopes(0, 0);
-  const double center = std::max(std::abs(left), std::abs(top)) * projector.pixels_per_unit();
-  double reach = 0, widest = 0, moved = 0, nearest = kInfinity, farthest = 0;
-  const auto at_center = [](double x) { return x - std::floor(x) == 0.5; };
-  for (std::size_t k = 0; k < corner_count(kind); ++k) {
-    reach = std::max(reach, length(nodes[k]));
-    const ProjectedNode& p = frame.nodes[ids[k]];
-    if (std::isnan(p.depth)) {
-      moved = kSnapPixels;
-      nearest = 0;
-      continue;
-    }
-    const double t = projector.parameter(frame.mesh.position(ids[k]));
-    nearest = std::min(nearest, t);
-    farthest = std::max(farthest, t);
-    widest = std::max({widest, std::abs(p.x), std::abs(p.y)});
-    if (at_center(p.x) || at_center(p.y)) moved = kSnapPixels;
-  }
+  const auto nodes = relative_positions(frame.mesh, cell, frame.projector);
+  const std::span all = std::span(nodes).first(node_count(kind));
+  const auto corners = all.first(corner_count(kind));
+  double reach = 0;
+  for (const Vector& p : corners) reach = std::max(reach, length(p));
+  const RayDisplacement screen = displacement_on_screen(frame, cell);
   RayDisplacement result;
-  // cells with corners beside the eye are met in the world, without quotients of depths
-  if (projector.perspective() && nearest > 0) result.spread = std::max(1.0, farthest / nearest);
-  const double pixels = moved + 16 * kUnit * (widest + center);
-  result.aside = result.spread * 32 * kUnit * reach +
-                 pixels * (projector.perspective() ? reach : 1) / projector.pixels_per_unit();
+  result.aside = kWorldRounding * kUnit * reach;
   if (kind != CellKind::tetrahedron4)
-    result.aside += shape_error(kind, std::span(nodes).first(ids.size()));
+    result.aside += 2 * bent(kind, corners) + map_error(kind, all, frame.straightness);
+  result.at_ends = result.aside + screen.aside;
+  result.along = screen.along;
   return result;
+}
+
+RayDisplacement ray_displacement(const Frame& frame, CellId cell) {
+  return frame.kernel_cells[cell] == CellKernel::linear ? displacement_on_screen(frame, cell)
+                                                        : displacement_in_world(frame, cell);
 }
 
 EndDoubts::EndDoubts(CellKind kind, std::span<const Vector> nodes) {
   const auto corners = nodes.first(corner_count(kind));
   Vector inside{};
+  for (const Vector& p : corners) reach_ = std::max(reach_, length(p));
   for (const Vector& p : corners)
     for (std::size_t c = 0; c < 3; ++c) inside[c] += p[c] / static_cast<double>(corners.size());
   for (const ShapeFace& face : topology_of(kind).faces) {
@@ -108,10 +148,11 @@ EndDoubts::EndDoubts(CellKind kind, std::span<const Vector> nodes) {
   }
 }
 
-EndDoubts::Doubts EndDoubts::at(const Vector& origin, const Vector& direction, double aside) const {
+EndDoubts::Doubts EndDoubts::at(const Vector& origin, const Vector& direction,
+                                const RayDisplacement& moved) const {
   const double scale = length(direction);
-  // rounding of the distances below is a part of `aside` itself
-  const double doubt = 2 * aside;
+  // and the rounding of the distances below
+  const double doubt = 2 * moved.at_ends + 8 * kUnit * reach_;
   double enter = -kInfinity, leave = kInfinity;
   double enter_least = -kInfinity, enter_most = -kInfinity;
   double leave_least = kInfinity, leave_most = kInfinity;
@@ -136,8 +177,8 @@ EndDoubts::Doubts EndDoubts::at(const Vector& origin, const Vector& direction, d
     }
   }
   const auto or_all = [](double x) { return std::isnan(x) ? kInfinity : x; };
-  return {or_all(std::max(enter_most - enter, enter - enter_least)),
-          or_all(std::max(leave_most - leave, leave - leave_least))};
+  return {or_all(std::max(enter_most - enter, enter - enter_least)) + moved.along,
+          or_all(std::max(leave_most - leave, leave - leave_least)) + moved.along};
 }
 
 }  // namespace hiac

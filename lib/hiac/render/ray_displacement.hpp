@@ -10,15 +10,21 @@
 namespace hiac {
 
 /// What rounding does to where a ray meets a cell (the model is in error_bound.hpp).
+/// Lengths in world units.
 struct RayDisplacement {
-  double aside = 0;   ///< how far from its ray a cell may be met, world units
-  double spread = 1;  ///< of depths in the cell: the farthest by the nearest
+  double aside = 0;    ///< how far from the ray the fields in the cell may be met
+  double at_ends = 0;  ///< the same of where it is entered and left
+  double along = 0;    ///< how far these may be along the ray besides
+  double spread = 1;   ///< what the rounding of field values grows by
 };
 
-/// Of one cell with straight edges: of its corners' projection, and of what its map is off the
-/// cell's: edges that count as straight, faces as planar and cells as affine, though they are not
-/// to the bit.
+/// Of one cell with straight edges, as it is drawn: tetrahedra over the screen, where their
+/// projected corners are; others in the world, with what their map is off the cell's: edges that
+/// count as straight, faces as planar and cells as affine, though they are not to the bit.
 RayDisplacement ray_displacement(const Frame& frame, CellId cell);
+
+/// The same for what is found in the world in tetrahedra, too (face_value.hpp).
+RayDisplacement displacement_in_world(const Frame& frame, CellId cell);
 
 /// How much a displacement of the ray moves the ends of its part inside a convex cell: through
 /// faces seen nearly edge-on, much.
@@ -33,7 +39,8 @@ class EndDoubts {
   };
   /// `origin`, `direction` (of any length): of the ray, in the frame of the corners.
   [[nodiscard]] Doubts at(const std::array<double, 3>& origin,
-                          const std::array<double, 3>& direction, double aside) const;
+                          const std::array<double, 3>& direction,
+                          const RayDisplacement& moved) const;
 
  private:
   struct Plane {
@@ -41,6 +48,7 @@ class EndDoubts {
     std::array<double, 3> point;
   };
   std::array<Plane, 6> planes_{};
+  double reach_ = 0;  // of the corners, from the frame's origin
   std::size_t count_ = 0;
 };
 

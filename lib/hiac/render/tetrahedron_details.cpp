@@ -11,6 +11,8 @@ namespace hiac {
 namespace {
 
 constexpr double kAngleUnit = 16 * 0x1p-53;
+// Of the largest offset, and twice what makes tetrahedron_cuts-inl.hpp ask the face.
+constexpr double kFoundInWorld = 0x1p-35;
 
 }  // namespace
 
@@ -25,10 +27,10 @@ std::array<double, 4> TetrahedronDetails::values_of(const FrameField& field, dou
   return values;
 }
 
-double TetrahedronDetails::error_of(const std::array<double, 4>& values, ValueRange range) const {
+double TetrahedronDetails::error_of(const std::array<double, 4>& values, ValueRange range,
+                                    const RayDisplacement& moved) const {
   const Vector differences{values[1] - values[0], values[2] - values[0], values[3] - values[0]};
-  return field_error(range, gradient_length(edges_, differences), displacement_,
-                     kTetrahedronRounding);
+  return field_error(range, gradient_length(edges_, differences), moved, kTetrahedronRounding);
 }
 
 void TetrahedronDetails::enter(CellId cell) {
@@ -46,34 +48,37 @@ void TetrahedronDetails::enter(CellId cell) {
   const auto color_values = values_of(frame_.color_field(), 0, color);
   const auto extinction_values = values_of(frame_.extinction, 0, extinction);
   optics_ = cell_optics(frame_.optics, color, extinction);
-  color_error_ = error_of(color_values, color);
-  extinction_error_ = error_of(extinction_values, extinction);
+  color_error_ = error_of(color_values, color, displacement_);
+  extinction_error_ = error_of(extinction_values, extinction, displacement_);
   continuous_ = frame_.color_field().location == FieldLocation::node &&
                 frame_.extinction.location == FieldLocation::node;
   cuts_.clear();
+  if (frame_.isosurfaces.in(cell).empty()) return;
+  const RayDisplacement world = displacement_in_world(frame_, cell);
   for (const IsosurfaceCut& in : frame_.isosurfaces.in(cell)) {
     const FrameIsosurface& surface = frame_.isosurfaces.surfaces[in.surface];
     ValueRange range;
     const auto v = values_of(frame_.isosurfaces.fields[surface.field], surface.value, range);
     const Vector differences{v[1] - v[0], v[2] - v[0], v[3] - v[0]};
-    cuts_.push_back({&surface,
-                     frame_.projector.camera_vector(gradient_direction(edges_, differences)),
-                     kAngleUnit * gradient_condition(edges_, differences), error_of(v, range)});
+    cuts_.push_back(
+        {&surface, frame_.projector.camera_vector(gradient_direction(edges_, differences)),
+         kAngleUnit * gradient_condition(edges_, differences), std::max(-range.least, range.most),
+         error_of(v, range, displacement_), error_of(v, range, world)});
   }
 }
 
-void TetrahedronDetails::add_edges(const TetrahedronSegment& segment,
-                                   SegmentDetails& details) const {
+EndDoubts::Doubts TetrahedronDetails::end_doubts(const TetrahedronSegment& segment) const {
   const double x = segment.x + 0.5, y = segment.y + 0.5;
-  const auto [front, back] = end_doubts_.at(frame_.projector.relative_origin(x, y),
-                                            frame_.projector.direction(x, y), displacement_.aside);
-  const bool emission = frame_.optics.emission;
-  const double most = frame_.depth * frame_.projector.ray_scale(x, y);
-  details.front_edge = edge_bound(optics_, emission, std::min(most, front));
-  details.back_edge = edge_bound(optics_, emission, std::min(most, back));
+  EndDoubts::Doubts doubts = end_doubts_.at(frame_.projector.relative_origin(x, y),
+                                            frame_.projector.direction(x, y), displacement_);
+  // where the view clips is known
+  if (segment.front == frame_.projector.near()) doubts.front = displacement_.along;
+  if (segment.back == frame_.projector.far()) doubts.back = displacement_.along;
+  return doubts;
 }
 
-ErrorBound TetrahedronDetails::cuts_bound(const TetrahedronSegment& segment) const {
+ErrorBound TetrahedronDetails::cuts_bound(const TetrahedronSegment& segment,
+                                          const EndDoubts::Doubts& ends) const {
   const bool emission = frame_.optics.emission;
   const double largest = frame_.isosurfaces.largest_light;
   Vector ray{0, 0, 1};
@@ -85,13 +90,22 @@ ErrorBound TetrahedronDetails::cuts_bound(const TetrahedronSegment& segment) con
   ErrorBound sum;
   const auto facts_of = [&](std::size_t k) {
     const CutOffsets& cut = segment.cuts[k];
+    const double steepness =
+        segment.length > 0 ? std::abs(cut.front - cut.back) / segment.length : 0;
     // a face that has the value exactly is not in doubt
-    const auto doubt = [&](double offset) { return offset == 0 ? 0 : cuts_[k].offset; };
+    const auto doubt = [&](double offset, double end) {
+      if (offset == 0) return 0.0;
+      // of a ray along a face it does not matter where the cell ends
+      if (!std::isfinite(end)) end = 0;
+      const bool in_world = std::abs(offset) <= kFoundInWorld * cuts_[k].largest;
+      return (in_world ? cuts_[k].world_offset : cuts_[k].offset) + steepness * end;
+    };
     return CutFacts{.length = segment.length,
+                    .along = displacement_.along,
                     .front = cut.front,
                     .back = cut.back,
-                    .front_error = doubt(cut.front),
-                    .back_error = doubt(cut.back),
+                    .front_error = doubt(cut.front, ends.front),
+                    .back_error = doubt(cut.back, ends.back),
                     .crossed = cut.crossed};
   };
   const auto place = [](const CutFacts& cut) {
@@ -135,6 +149,7 @@ SegmentDetails TetrahedronDetails::describe(const TetrahedronSegment& segment) c
   ErrorBound sum =
       segment_bound(optics_, emission,
                     {.length = segment.length,
+                     .along = displacement_.along,
                      .color_error = color_error_,
                      .extinction_error = extinction_error_,
                      .color_change = std::abs(segment.color[1] - segment.color[0]),
@@ -142,8 +157,12 @@ SegmentDetails TetrahedronDetails::describe(const TetrahedronSegment& segment) c
                      .opacity = 1 - segment.transparency,
                      // of the volume alone where surfaces are crossed
                      .transparency = segment.cuts.empty() ? segment.transparency : 1});
+  const EndDoubts::Doubts ends = end_doubts(segment);
+  const double most = frame_.depth * frame_.projector.ray_scale(segment.x + 0.5, segment.y + 0.5);
+  details.front_edge = edge_bound(optics_, emission, std::min(most, ends.front));
+  details.back_edge = edge_bound(optics_, emission, std::min(most, ends.back));
   if (!segment.cuts.empty()) {
-    const ErrorBound cuts = cuts_bound(segment);
+    const ErrorBound cuts = cuts_bound(segment, ends);
     // of the volume, that of a part is seen through the rest
     const double whole =
         optics_.color_most * (emission ? segment.length : 1) + frame_.isosurfaces.largest_light;
@@ -152,7 +171,6 @@ SegmentDetails TetrahedronDetails::describe(const TetrahedronSegment& segment) c
   }
   details.radiance_error = sum.radiance;
   details.transparency_error = std::min(1.0, sum.transparency);
-  add_edges(segment, details);
   if (!continuous_) {
     details.radiance_error += details.front_edge + details.back_edge;
     details.transparency_error += details.front_edge + details.back_edge;

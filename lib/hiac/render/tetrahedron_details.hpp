@@ -42,16 +42,20 @@ class TetrahedronDetails {
   using Vector = std::array<double, 3>;
   struct CutErrors {
     const FrameIsosurface* surface;
-    Vector normal;  // camera frame
-    double angle;   // that it is wrong by
-    double offset;  // that offsets are wrong by
+    Vector normal;   // camera frame
+    double angle;    // that it is wrong by
+    double largest;  // offset of a corner
+    // that offsets are wrong by: found over the screen, or in the world
+    double offset, world_offset;
   };
 
   // Corners' values of a field less `from`, and the range of the values themselves.
   std::array<double, 4> values_of(const FrameField& field, double from, ValueRange& range) const;
-  [[nodiscard]] double error_of(const std::array<double, 4>& values, ValueRange range) const;
-  void add_edges(const TetrahedronSegment& segment, SegmentDetails& details) const;
-  [[nodiscard]] ErrorBound cuts_bound(const TetrahedronSegment& segment) const;
+  [[nodiscard]] double error_of(const std::array<double, 4>& values, ValueRange range,
+                                const RayDisplacement& moved) const;
+  [[nodiscard]] EndDoubts::Doubts end_doubts(const TetrahedronSegment& segment) const;
+  [[nodiscard]] ErrorBound cuts_bound(const TetrahedronSegment& segment,
+                                      const EndDoubts::Doubts& ends) const;
 
   const Frame& frame_;
   // of the cell at hand
