@@ -1,6 +1,7 @@
 #include "formats/library_formats.hpp"
 
 #include "formats/ensight/ensight.hpp"
+#include "formats/lsdyna/d3plot.hpp"
 #include "formats/mfem/mfem.hpp"
 #include "formats/openfoam/openfoam.hpp"
 #include "formats/plot3d/plot3d.hpp"
@@ -13,6 +14,9 @@
 #  include "formats/med/med.hpp"
 #  include "formats/vtkhdf/vtkhdf.hpp"
 #  include "formats/xdmf/xdmf.hpp"
+#endif
+#ifdef HIAC_WITH_SILO
+#  include "formats/silo/silo.hpp"
 #endif
 #ifdef HIAC_WITH_NETCDF
 #  include "formats/exodus/exodus.hpp"
@@ -33,6 +37,10 @@ void add_library_formats(std::vector<Format>& formats) {
 #ifdef HIAC_WITH_CGNS
   formats.push_back(cgns_format());
 #endif
+#ifdef HIAC_WITH_SILO
+  formats.push_back(silo_format());
+#endif
+  formats.push_back(d3plot_format());
   formats.push_back(ensight_format());
   formats.push_back(plot3d_format());
   formats.push_back(mfem_format());

@@ -188,6 +188,8 @@ class Reader {
     }
     std::sort(sections.begin(), sections.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });
+    polygons_.clear();
+    for (const auto& [first, section] : sections) note_polygons(first, section, offset);
     for (const auto& [first, section] : sections) {
       const std::size_t first_cell = mesh_.cell_count();
       add_section(section, offset);
@@ -205,7 +207,7 @@ class Reader {
     if (kind.empty() || !list) file_->fail(section, "has no ElementConnectivity");
     const std::vector<std::int64_t> numbers = file_->integers(*list);
     if (kind[0] == cgns::kPolygons || kind[0] == cgns::kPolyhedra) {
-      add_polyhedra(section, kind[0] == cgns::kPolyhedra, numbers.size());
+      add_lists(section, kind[0] == cgns::kPolyhedra);
     } else if (kind[0] == cgns::kMixed) {
       for (std::size_t at = 0; at < numbers.size();) {
         const auto type = type_of(section, numbers[at++]);
@@ -235,15 +237,67 @@ class Reader {
     for (const std::int64_t number : numbers) mesh_.cell_nodes.push_back(number + offset);
   }
 
-  /// Cells that are lists of faces: not read, but counted for the refusal.
-  void add_polyhedra(const Node& section, bool volume, std::size_t most) {
-    const auto range = file_->child(section, "ElementRange");
-    const std::vector<std::int64_t> numbers = file_->integers(*range);
-    const std::int64_t count =
-        std::clamp<std::int64_t>(numbers[1] - numbers[0] + 1, 0, static_cast<std::int64_t>(most));
-    mesh_.cell_types.insert(mesh_.cell_types.end(), static_cast<std::size_t>(count),
-                            mesh_.type_place(volume ? "NFACE_n (polyhedron)" : "NGON_n", 0,
-                                             volume ? kUnsupported : kNoVolume));
+  using Lists = std::vector<std::vector<std::int64_t>>;
+
+  /// The lists of an NGON_n or NFACE_n section: between offsets (CGNS 4), or each after its length.
+  [[nodiscard]] Lists lists_of(const Node& section) const {
+    const auto connectivity = file_->child(section, "ElementConnectivity");
+    if (!connectivity) file_->fail(section, "has no ElementConnectivity");
+    const std::vector<std::int64_t> numbers = file_->integers(*connectivity);
+    Lists lists;
+    std::size_t at = 0;
+    const auto take = [&](std::int64_t count) {
+      if (count < 0 || static_cast<std::uint64_t>(count) > numbers.size() - at)
+        file_->fail(*connectivity, "ended in the middle of a list");
+      const auto begin = numbers.begin() + static_cast<std::ptrdiff_t>(at);
+      lists.emplace_back(begin, begin + count);
+      at += static_cast<std::size_t>(count);
+    };
+    if (const auto offsets = file_->child(section, "ElementStartOffset")) {
+      const std::vector<std::int64_t> starts = file_->integers(*offsets);
+      for (std::size_t i = 1; i < starts.size(); ++i) {
+        if (starts[i] < starts[i - 1]) file_->fail(*offsets, "does not rise");
+        take(starts[i] - starts[i - 1]);
+      }
+    } else {
+      while (at < numbers.size()) {
+        const std::int64_t count = numbers[at++];
+        take(count);
+      }
+    }
+    return lists;
+  }
+
+  /// Faces of polyhedra, by their element numbers.
+  void note_polygons(std::int64_t first, const Node& section, std::int64_t offset) {
+    const std::vector<std::int64_t> kind = file_->integers(section);
+    if (kind.empty() || kind[0] != cgns::kPolygons) return;
+    std::int64_t number = first;
+    for (std::vector<std::int64_t>& polygon : lists_of(section)) {
+      for (std::int64_t& node : polygon) node += offset;
+      polygons_[number++] = std::move(polygon);
+    }
+  }
+
+  void add_lists(const Node& section, bool polyhedra) {
+    const Lists lists = lists_of(section);
+    if (!polyhedra) {
+      mesh_.cell_types.insert(mesh_.cell_types.end(), lists.size(),
+                              mesh_.type_place("NGON_n", 0, kNoVolume));
+      return;
+    }
+    for (const std::vector<std::int64_t>& list : lists) {
+      Lists faces;
+      for (const std::int64_t signed_number : list) {
+        // the sign says which way a face turns, which is found out anyhow
+        const auto found = polygons_.find(signed_number < 0 ? -signed_number : signed_number);
+        if (found == polygons_.end())
+          file_->fail(section, fmt::format("names the face {}, which is in no NGON_n section",
+                                           signed_number));
+        faces.push_back(found->second);
+      }
+      mesh_.add_polyhedron("NFACE_n (polyhedron)", faces);
+    }
   }
 
   /// The step of every solution that a zone's pointers name.
@@ -324,6 +378,7 @@ class Reader {
   static constexpr std::size_t kAlways = std::numeric_limits<std::size_t>::max();
 
   std::shared_ptr<CgnsFile> file_;
+  std::map<std::int64_t, std::vector<std::int64_t>> polygons_;  ///< of the zone, by their numbers
   ForeignMesh mesh_;
   std::vector<Zone> zones_;
   std::shared_ptr<const std::vector<Zone>> zones_kept_;

@@ -175,22 +175,41 @@ class Geometry {
     }
   }
 
-  /// Polygons and polyhedra are counted, not read.
+  /// As many numbers as these say together.
+  std::vector<std::int64_t> counted(const std::vector<std::int64_t>& counts) {
+    std::size_t total = 0;
+    for (const std::int64_t number : counts) {
+      if (number < 0 || number > std::int64_t{1} << 31) file_.fail("a number of nodes expected");
+      total += static_cast<std::size_t>(number);
+    }
+    return file_.wholes(total);
+  }
+
+  /// Polygons are counted, polyhedra told by their faces.
   void read_polytopes(const std::string& name, Part& part) {
     const std::size_t count = file_.count();
     if (element_ids_) file_.wholes(count);
-    std::vector<std::int64_t> numbers = file_.wholes(count);
-    for (int level = name == "nfaced" ? 2 : 1; level > 0; --level) {
-      std::size_t total = 0;
-      for (const std::int64_t number : numbers) {
-        if (number < 0 || number > std::int64_t{1} << 31) file_.fail("a number of nodes expected");
-        total += static_cast<std::size_t>(number);
-      }
-      numbers = file_.wholes(total);
-    }
+    const std::vector<std::int64_t> sizes = file_.wholes(count);
+    const std::vector<std::int64_t> next = counted(sizes);
     part.sections.push_back({name, mesh_.cell_count(), count, {}});
-    mesh_.cell_types.insert(mesh_.cell_types.end(), count,
-                            mesh_.type_place(name, 0, name == "nfaced" ? kUnsupported : kNoVolume));
+    if (name == "nsided") {
+      mesh_.cell_types.insert(mesh_.cell_types.end(), count, mesh_.type_place(name, 0, kNoVolume));
+      return;
+    }
+    const std::vector<std::int64_t> nodes = counted(next);
+    std::size_t face = 0;
+    std::size_t at = 0;
+    for (const std::int64_t size : sizes) {
+      std::vector<std::vector<std::int64_t>> faces(static_cast<std::size_t>(size));
+      for (std::vector<std::int64_t>& own : faces)
+        for (std::int64_t n = next[face++]; n > 0; --n) {
+          const std::int64_t node = nodes[at++];
+          if (node < 1 || static_cast<std::uint64_t>(node) > part.points)
+            file_.fail(fmt::format("{} names node {} (1 to {} expected)", name, node, part.points));
+          own.push_back(static_cast<std::int64_t>(part.first_point) + node - 1);
+        }
+      mesh_.add_polyhedron(name, faces);
+    }
   }
 
   GoldFile file_;

@@ -82,9 +82,15 @@ void add_mixed_cells(const std::vector<std::int64_t>& numbers, std::int64_t firs
   while (at < numbers.size()) {
     const std::int64_t number = next("a cell type");
     if (number == kPolyhedron) {
-      for (std::int64_t faces = next("the number of faces"); faces > 0; --faces)
-        skip(next("a number of nodes"));
-      mesh.cell_types.push_back(mesh.type_place("POLYHEDRON", 0, kUnsupported));
+      std::vector<std::vector<std::int64_t>> faces;
+      for (std::int64_t left = next("the number of faces"); left > 0; --left) {
+        const std::int64_t nodes = next("a number of nodes");
+        const std::size_t first = at;
+        skip(nodes);
+        faces.emplace_back();
+        for (std::size_t n = first; n < at; ++n) faces.back().push_back(first_point + numbers[n]);
+      }
+      mesh.add_polyhedron("POLYHEDRON", faces);
       continue;
     }
     const auto found =

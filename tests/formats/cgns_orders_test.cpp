@@ -87,5 +87,47 @@ TEST(CgnsOrders, OneCellFilesHavePositiveJacobiansAndTheirField) {
     }
 }
 
+// Two bricks side by side, told by their faces: the shared one is entered from its back.
+TEST(CgnsPolyhedra, FacesMakeTheirCells) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("poly.cgns");
+  int file = 0;
+  int base = 0;
+  int zone = 0;
+  int id = 0;
+  check(cg_set_file_type(CG_FILE_HDF5));
+  check(cg_open(path.c_str(), CG_MODE_WRITE, &file));
+  check(cg_base_write(file, "base", 3, 3, &base));
+  const std::array<cgsize_t, 3> size{12, 2, 0};
+  check(cg_zone_write(file, base, "zone", size.data(), CGNS_ENUMV(Unstructured), &zone));
+  constexpr std::array<const char*, 3> kNames{"CoordinateX", "CoordinateY", "CoordinateZ"};
+  for (int d = 0; d < 3; ++d) {
+    std::vector<double> axis;
+    for (int n = 0; n < 12; ++n) axis.push_back(d == 0 ? n % 3 : d == 1 ? n / 3 % 2 : n / 6);
+    check(cg_coord_write(file, base, zone, CGNS_ENUMV(RealDouble), kNames[d], axis.data(), &id));
+  }
+  // faces 1 to 11 by their nodes; 4 lies between the bricks
+  const std::vector<std::array<cgsize_t, 4>> faces{
+      {1, 4, 5, 2},   {2, 5, 6, 3}, {1, 7, 10, 4}, {2, 5, 11, 8},  {3, 6, 12, 9}, {7, 8, 11, 10},
+      {8, 9, 12, 11}, {1, 2, 8, 7}, {2, 3, 9, 8},  {4, 10, 11, 5}, {5, 11, 12, 6}};
+  std::vector<cgsize_t> polygons;
+  std::vector<cgsize_t> starts{0};
+  for (const auto& face : faces) {
+    polygons.insert(polygons.end(), face.begin(), face.end());
+    starts.push_back(static_cast<cgsize_t>(polygons.size()));
+  }
+  check(cg_poly_section_write(file, base, zone, "faces", CGNS_ENUMV(NGON_n), 1, 11, 0,
+                              polygons.data(), starts.data(), &id));
+  const std::vector<cgsize_t> cells{1, 3, 4, 6, 8, 10, 2, -4, 5, 7, 9, 11};
+  const std::array<cgsize_t, 3> cell_starts{0, 6, 12};
+  check(cg_poly_section_write(file, base, zone, "cells", CGNS_ENUMV(NFACE_n), 12, 13, 0,
+                              cells.data(), cell_starts.data(), &id));
+  check(cg_close(file));
+  const Reading reading = read_any(path);
+  EXPECT_EQ(reading.mesh.cell_count(), 2U);
+  EXPECT_EQ(reading.mesh.kinds[1], CellKind::brick8);
+  EXPECT_THAT(reading.notes, testing::Contains(testing::HasSubstr("2 polyhedra have the faces")));
+}
+
 }  // namespace
 }  // namespace hiac::formats

@@ -258,5 +258,32 @@ TEST(ReduceCells, OpenPolyhedraAreRefused) {
   EXPECT_THAT(refusal_of(mesh, approximate()), HasSubstr("there is no node 99"));
 }
 
+TEST(ReduceCells, EnSightAndXdmfTellPolyhedraByTheirFaces) {
+  const ScratchFolder folder;
+  // a tetrahedron
+  EXPECT_NE(folder.write("t.geo",
+                         "a\nb\nnode id off\nelement id off\npart\n1\nt\ncoordinates\n4\n"
+                         "0\n1\n0\n0\n0\n0\n1\n0\n0\n0\n0\n1\n"
+                         "nfaced\n1\n4\n3\n3\n3\n3\n1 2 3\n1 2 4\n2 3 4\n3 1 4\n"),
+            "");
+  const ZooMesh ensight = read_any(folder.write("t.case",
+                                                "FORMAT\ntype: ensight gold\nGEOMETRY\n"
+                                                "model: t.geo\n"))
+                              .mesh;
+  ASSERT_EQ(ensight.cell_count(), 1U);
+  EXPECT_NEAR(volume_of(ensight), 1.0 / 6, 1e-12);
+  const ZooMesh xdmf =
+      read_any(
+          folder.write("t.xdmf",
+                       "<Xdmf Version=\"3.0\"><Domain><Grid><Topology TopologyType=\"Mixed\" "
+                       "NumberOfElements=\"1\"><DataItem Format=\"XML\" Dimensions=\"18\">16 4 "
+                       "3 0 1 2 3 0 1 3 3 1 2 3 3 2 0 3</DataItem></Topology><Geometry "
+                       "GeometryType=\"XYZ\"><DataItem Format=\"XML\" Dimensions=\"4 3\">0 0 0 "
+                       "1 0 0 0 1 0 0 0 1</DataItem></Geometry></Grid></Domain></Xdmf>"))
+          .mesh;
+  ASSERT_EQ(xdmf.cell_count(), 1U);
+  EXPECT_NEAR(volume_of(xdmf), 1.0 / 6, 1e-12);
+}
+
 }  // namespace
 }  // namespace hiac::formats

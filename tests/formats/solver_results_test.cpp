@@ -1,5 +1,6 @@
 // Binary files of solvers and their viewers, written here byte by byte after the formats' guides.
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include <fmt/format.h>
@@ -159,6 +160,191 @@ TEST(TecplotBinary, DamagedFilesAreRefused) {
     std::string changed = whole;
     changed[at + 3] = '\x7f';
     static_cast<void>(refusal(folder.write("d.plt", changed)));  // refused or read, not more
+  }
+}
+
+// ---- LS-DYNA
+
+/// Numbers as words of 4 or 8 bytes.
+class WordsOut {
+ public:
+  WordsOut(bool wide, bool swapped) : wide_(wide), out_(swapped) {}
+  void integer(std::int64_t value) {
+    if (wide_)
+      out_.put(value);
+    else
+      out_.put(static_cast<std::int32_t>(value));
+  }
+  void real(double value) {
+    if (wide_)
+      out_.put(value);
+    else
+      out_.put(static_cast<float>(value));
+  }
+  void text(const std::string& text) { out_.raw(text); }
+  [[nodiscard]] const std::string& str() const { return out_.str(); }
+
+ private:
+  bool wide_;
+  Bytes out_;
+};
+
+struct Model {
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<int, 8>> solids;
+  std::vector<std::array<int, 2>> more;  ///< of tetrahedra of ten nodes
+};
+
+/// A unit brick, a prism, a pyramid and a tetrahedron upon and beside it.
+Model linear_model() {
+  Model model;
+  model.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},     {0, 0, 1}, {1, 0, 1},
+                  {1, 1, 1}, {0, 1, 1}, {2, 0, 0}, {0.5, 0.5, 2}, {2, 1, 0}, {3, 0.5, 0.5}};
+  // a prism's edge over its quadrilateral 1 2 3 4 is 5 7, each twice
+  model.solids = {{1, 2, 3, 4, 5, 6, 7, 8},
+                  {2, 6, 7, 3, 9, 9, 11, 11},
+                  {5, 6, 7, 8, 10, 10, 10, 10},
+                  {9, 11, 12, 7, 7, 7, 7, 7}};
+  return model;
+}
+
+std::string d3plot_geometry(const Model& model, bool wide, bool swapped) {
+  WordsOut out(wide, swapped);
+  out.text(std::string(10 * (wide ? 8 : 4), ' '));
+  std::array<std::int64_t, 64> control{};
+  const bool ten = !model.more.empty();
+  const auto solids = static_cast<std::int64_t>(model.solids.size());
+  control[11] = 1;
+  control[15] = 4;
+  control[16] = static_cast<std::int64_t>(model.points.size());
+  control[18] = 2;
+  control[19] = 1;
+  control[20] = control[21] = 1;
+  control[23] = ten ? -solids : solids;
+  control[24] = 1;
+  control[27] = 8;
+  control[31] = 1;  // a shell, with values
+  control[33] = 3;
+  control[36] = -10001;
+  control[39] = 5;
+  for (std::size_t w = 10; w < 64; ++w) out.integer(control[w]);
+  for (const auto& point : model.points)
+    for (const double x : point) out.real(x);
+  for (const auto& solid : model.solids) {
+    for (const int node : solid) out.integer(node);
+    out.integer(7);
+  }
+  for (const int word : {1, 2, 3, 4, 9}) out.integer(word);
+  for (int n = 0; n < 5; ++n) out.integer(n);
+  for (const auto& more : model.more)
+    for (const int node : more) out.integer(node);
+  out.real(-999999);
+  out.integer(90001);
+  out.integer(1);
+  out.integer(7);
+  out.text(std::string(72, 'p'));
+  out.real(-999999);
+  return out.str();
+}
+
+/// A state at `time`: temperature x + time, coordinates moved by time along z, velocity 3 x.
+std::string d3plot_state(const Model& model, double time, bool wide, bool swapped) {
+  WordsOut out(wide, swapped);
+  for (const double word : {time, 0.0, 0.0}) out.real(word);
+  for (const auto& p : model.points) out.real(p[0] + time);
+  for (const auto& p : model.points)
+    for (const double x : {p[0], p[1], p[2] + time}) out.real(x);
+  for (const auto& p : model.points)
+    for (const double x : p) out.real(3 * x);
+  for (std::size_t s = 0; s < model.solids.size(); ++s)
+    for (int v = 0; v < 8; ++v) out.real(10.0 * static_cast<double>(s) + v + time);
+  for (int v = 0; v < 3; ++v) out.real(-1);
+  // the last solid is deleted from time 2 on
+  for (std::size_t s = 0; s < model.solids.size(); ++s)
+    out.real(time >= 2 && s + 1 == model.solids.size() ? 0 : 7);
+  out.real(9);
+  return out.str();
+}
+
+std::string end_of_states(bool wide, bool swapped) {
+  WordsOut out(wide, swapped);
+  out.real(-999999);
+  for (int n = 0; n < 20; ++n) out.real(0);
+  return out.str();
+}
+
+TEST(D3plot, FamiliesOfEveryWordAreRead) {
+  const Model model = linear_model();
+  for (const bool wide : {false, true})
+    for (const bool swapped : {false, true}) {
+      const ScratchFolder folder;
+      const std::string path = folder.write(
+          "d3plot", d3plot_geometry(model, wide, swapped) + d3plot_state(model, 0, wide, swapped) +
+                        d3plot_state(model, 1, wide, swapped) + end_of_states(wide, swapped));
+      EXPECT_NE(folder.write("d3plot01", d3plot_state(model, 2.5, wide, swapped) +
+                                             end_of_states(wide, swapped)),
+                "");
+      EXPECT_THAT(format_to_read(path).inspect(path).times, ElementsAre(0, 1, 2.5));
+      const Reading last = read_any(path);
+      EXPECT_EQ(last.mesh.cell_count(), 3U);
+      EXPECT_THAT(last.notes, testing::Contains(HasSubstr("1 solids that are deleted")));
+      ReadOptions options;
+      options.time = 1;
+      const ZooMesh mesh = read_any(path, options).mesh;
+      ASSERT_EQ(mesh.cell_count(), 4U);
+      EXPECT_EQ(mesh.kinds[0], CellKind::brick8);
+      EXPECT_EQ(mesh.kinds[1], CellKind::prism6);
+      EXPECT_EQ(mesh.kinds[2], CellKind::pyramid5);
+      EXPECT_EQ(mesh.kinds[3], CellKind::tetrahedron4);
+      const auto field = [&](const std::string& name) {
+        return *std::find_if(mesh.fields.begin(), mesh.fields.end(),
+                             [&](const Field& f) { return f.name == name; });
+      };
+      for (NodeId node = 0; node < mesh.node_count(); ++node) {
+        const auto x = mesh.position(node);
+        EXPECT_EQ(field("temperature").values[node], x[0] + 1);
+        EXPECT_EQ(field("displacement").values[3 * node + 2], 1);
+        EXPECT_EQ(field("velocity").values[3 * node + 1], 3 * x[1]);
+      }
+      EXPECT_EQ(field("stress").values[6 * 2 + 5], 26);
+      EXPECT_EQ(field("plastic strain").values[1], 17);
+      EXPECT_EQ(field("history 1").values[3], 38);
+      EXPECT_EQ(field("part").values[0], 7);
+    }
+}
+
+TEST(D3plot, TetrahedraOfTenNodesHaveTheirNodesOnTheRightEdges) {
+  Model model;
+  const std::array<std::array<double, 3>, 4> corners{{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}}};
+  constexpr std::array<std::array<std::size_t, 2>, 6> kEdges{
+      {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}}};
+  model.points.assign(corners.begin(), corners.end());
+  for (const auto& [a, b] : kEdges)
+    model.points.push_back({(corners[a][0] + corners[b][0]) / 2,
+                            (corners[a][1] + corners[b][1]) / 2,
+                            (corners[a][2] + corners[b][2]) / 2});
+  model.solids = {{1, 2, 3, 4, 5, 6, 7, 8}};
+  model.more = {{9, 10}};
+  const ScratchFolder folder;
+  const ZooMesh mesh = read_any(folder.write("d3plot", d3plot_geometry(model, false, false) +
+                                                           d3plot_state(model, 1, false, false)))
+                           .mesh;
+  ASSERT_EQ(mesh.kinds[0], CellKind::tetrahedron10);  // the gate has seen to the edges
+  EXPECT_EQ(mesh.fields.at(1).values[1], mesh.position(1)[0] + 1);
+}
+
+TEST(D3plot, DamagedFilesAreRefused) {
+  const Model model = linear_model();
+  const ScratchFolder folder;
+  const std::string whole =
+      d3plot_geometry(model, false, false) + d3plot_state(model, 1, false, false);
+  const std::size_t geometry = d3plot_geometry(model, false, false).size();
+  for (std::size_t length = 256; length + 84 < geometry; length += 52)
+    EXPECT_NE(refusal(folder.write("d3plot", whole.substr(0, length))), "") << length;
+  for (std::size_t word = 15; word < 64; ++word) {
+    std::string changed = whole;
+    changed[4 * word + 3] = '\x7f';
+    static_cast<void>(refusal(folder.write("d3plot", changed)));  // refused or read, not more
   }
 }
 

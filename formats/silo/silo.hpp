@@ -1,0 +1,11 @@
+#pragma once
+
+#include "formats/format.hpp"
+
+namespace hiac::formats {
+
+/// Silo files (HDF5): unstructured meshes of zoo zones and of polyhedra, curvilinear and
+/// rectilinear ones, multi-block meshes over several files, variables on nodes and zones.
+Format silo_format();
+
+}  // namespace hiac::formats
