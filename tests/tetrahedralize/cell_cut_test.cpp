@@ -45,8 +45,33 @@ TEST(CellCut, FillsEveryShapeHoweverItsNodesAreNumbered) {
     for (int trial = 0; trial < 200; ++trial) {
       std::shuffle(nodes.begin(), nodes.end(), random);
       double volume = 0;
-      for (const auto& [a, b, c, d] : cut_cell(kind, nodes).all()) {
+      const CellCut cut = cut_cell(kind, nodes);
+      for (const auto& [a, b, c, d] : cut.all()) {
         const double part = turn(x[a], x[b], x[c], x[d]);
+        EXPECT_GT(part, 0) << kind_name(kind);
+        volume += part;
+      }
+      EXPECT_NEAR(volume, reference_volume(kind), 1e-15) << kind_name(kind);
+    }
+  }
+}
+
+TEST(CellCut, AroundTheCenterFillsEveryShapeToo) {
+  std::mt19937_64 random(8);
+  for (const CellKind kind : kLinear) {
+    std::vector<NodeId> nodes(corner_count(kind));
+    std::iota(nodes.begin(), nodes.end(), 100);
+    std::vector<Position> x(reference_nodes(kind).begin(), reference_nodes(kind).end());
+    Position center{};
+    for (const Position& corner : x)
+      for (std::size_t c = 0; c < 3; ++c) center[c] += corner[c] / static_cast<double>(x.size());
+    const auto at = [&](std::uint8_t k) { return k == kCellCenter ? center : x[k]; };
+    for (int trial = 0; trial < 50; ++trial) {
+      std::shuffle(nodes.begin(), nodes.end(), random);
+      double volume = 0;
+      const CellCut cut = cut_cell_at_center(kind, nodes);
+      for (const auto& [a, b, c, d] : cut.all()) {
+        const double part = turn(at(a), at(b), at(c), at(d));
         EXPECT_GT(part, 0) << kind_name(kind);
         volume += part;
       }
@@ -85,6 +110,7 @@ TEST(CellCut, CutsQuadrilateralsThroughTheirLeastNode) {
       const CellCut cut = cut_cell(kind, nodes);
       for (const ShapeFace& face : topology_of(kind).faces) {
         const auto triangles = triangles_on(face, cut, nodes);
+        ASSERT_EQ(triangles_on(face, cut_cell_at_center(kind, nodes), nodes), triangles);
         ASSERT_EQ(triangles.size(), face.corner_count - 2U) << kind_name(kind);
         NodeId least = nodes[face.corners[0]];
         for (std::size_t k = 1; k < face.corner_count; ++k)

@@ -89,6 +89,45 @@ TEST(SubdivideCells, TetrahedraFillTheCellsFaceToFace) {
     }
 }
 
+// The mesh with its inner nodes pushed about.
+ZooMesh pushed_inside(std::size_t n, double amplitude, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> push(-amplitude, amplitude);
+  std::vector<Position> positions = test::positions_of(shuffled(Cut::bricks, n, seed));
+  for (Position& p : positions)
+    if (std::ranges::all_of(p, [](double x) { return x > 1e-9 && x < 1 - 1e-9; }))
+      for (double& x : p) x += push(random);
+  return test::make_mesh(positions, test::cells_of(shuffled(Cut::bricks, n, seed)));
+}
+
+// Bricks whose Jacobian is positive at all corners, some of which no cut through a corner fills.
+TEST(SubdivideCells, CellsWithFacesThatAreNotPlanarAreCutAroundTheirCenters) {
+  std::uint64_t centers = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    const SubdividedMesh parts = subdivide_cells(pushed_inside(4, 0.08, seed), {});
+    expect_fills_the_cube(parts.mesh);
+    EXPECT_EQ(parts.dropped_tetrahedra, 0U);
+    centers += parts.new_nodes;
+  }
+  EXPECT_GT(centers, 2U);
+}
+
+// A brick with two corners at one place, as structured grids have them at an axis.
+TEST(SubdivideCells, FlatTetrahedraOfCollapsedBricksAreLeftOut) {
+  std::vector<Position> positions = test::positions_of(test::structured(1, Cut::bricks));
+  const std::vector<test::Cell> cells = test::cells_of(test::structured(1, Cut::bricks));
+  positions[cells[0].nodes[1]] = positions[cells[0].nodes[0]];
+  positions[cells[0].nodes[5]] = positions[cells[0].nodes[4]];
+  const SubdividedMesh parts = subdivide_cells(test::make_mesh(positions, cells), {});
+  EXPECT_GT(parts.dropped_tetrahedra, 0U);
+  double volume = 0;
+  for (CellId cell = 0; cell < parts.mesh.cell_count(); ++cell) {
+    EXPECT_GT(volume_of(parts.mesh, cell), 0);
+    volume += volume_of(parts.mesh, cell);
+  }
+  EXPECT_NEAR(volume, 0.5, 1e-15);
+}
+
 double quadratic(const Position& p) {
   return 0.3 + p[0] - 2 * p[1] * p[2] + 1.5 * p[0] * p[0] + p[1] * p[0] - 0.7 * p[2] * p[2];
 }

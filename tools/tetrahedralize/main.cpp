@@ -189,6 +189,8 @@ ZooFile mesh_of_cells(Tool& tool, const Options& options) {
   tool.note(fmt::format("{} cells became {} tetrahedra; {} nodes are new, {} no longer needed",
                         file.mesh.cell_count(), parts.mesh.cell_count(), parts.new_nodes,
                         parts.dropped_nodes));
+  if (parts.dropped_tetrahedra > 0)
+    tool.note(fmt::format("{} flat tetrahedra were left out", parts.dropped_tetrahedra));
   tell_of_orientations(tool, parts.mesh);
   return {std::move(parts.mesh), {}};
 }

@@ -21,6 +21,20 @@ std::array<std::uint8_t, 4> least_first(const ShapeFace& face, std::span<const N
   return corners;
 }
 
+// The triangles of all faces but those at corner `apart`, joined to `apex`.
+CellCut joined_to(std::uint8_t apex, std::uint8_t apart, CellKind kind,
+                  std::span<const NodeId> nodes) {
+  CellCut cut;
+  for (const ShapeFace& face : topology_of(kind).faces) {
+    const std::array<std::uint8_t, 4> c = least_first(face, nodes);
+    if (c[0] == apart) continue;
+    // seen from the apex, inside, the triangles turn clockwise
+    cut.tetrahedra[cut.count++] = {c[0], c[2], c[1], apex};
+    if (face.corner_count == 4) cut.tetrahedra[cut.count++] = {c[0], c[3], c[2], apex};
+  }
+  return cut;
+}
+
 }  // namespace
 
 CellCut cut_cell(CellKind kind, std::span<const NodeId> nodes) {
@@ -29,15 +43,12 @@ CellCut cut_cell(CellKind kind, std::span<const NodeId> nodes) {
     cut.tetrahedra[cut.count++] = {0, 1, 2, 3};
     return cut;
   }
-  const std::uint8_t apex = least_corner(kind, nodes);
-  for (const ShapeFace& face : topology_of(kind).faces) {
-    const std::array<std::uint8_t, 4> c = least_first(face, nodes);
-    if (c[0] == apex) continue;  // the apex is the least wherever it is
-    // seen from the apex, inside, the triangles turn clockwise
-    cut.tetrahedra[cut.count++] = {c[0], c[2], c[1], apex};
-    if (face.corner_count == 4) cut.tetrahedra[cut.count++] = {c[0], c[3], c[2], apex};
-  }
-  return cut;
+  const std::uint8_t apex = least_corner(kind, nodes);  // which comes first wherever it is
+  return joined_to(apex, apex, kind, nodes);
+}
+
+CellCut cut_cell_at_center(CellKind kind, std::span<const NodeId> nodes) {
+  return joined_to(kCellCenter, kCellCenter, kind, nodes);
 }
 
 }  // namespace hiac

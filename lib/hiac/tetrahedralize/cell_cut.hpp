@@ -9,18 +9,23 @@
 
 namespace hiac {
 
-/// A tetrahedron whose corners are corners of a cell: their numbers in the cell, in the order of a
-/// tetrahedron's nodes.
+/// Stands for a node in the middle of a cell, where its map has the mean of its reference corners.
+inline constexpr std::uint8_t kCellCenter = 0xFF;
+
+/// A tetrahedron whose corners are corners of a cell, or its centre: their numbers in the cell, in
+/// the order of a tetrahedron's nodes.
 using CornerTetrahedron = std::array<std::uint8_t, 4>;
 
-/// The tetrahedra that a cell is cut into: six at most.
+/// The tetrahedra that a cell is cut into: twelve at most.
 struct CellCut {
-  std::array<CornerTetrahedron, 6> tetrahedra{};
+  std::array<CornerTetrahedron, 12> tetrahedra{};
   std::size_t count = 0;
 
-  [[nodiscard]] std::span<const CornerTetrahedron> all() const {
+  /// A view: the cut has to outlive it.
+  [[nodiscard]] std::span<const CornerTetrahedron> all() const& {
     return std::span(tetrahedra).first(count);
   }
+  std::span<const CornerTetrahedron> all() const&& = delete;
 };
 
 /// Cuts a cell of any kind into tetrahedra that turn as the cell does: a brick into six, a wedge
@@ -32,5 +37,9 @@ struct CellCut {
 /// of the least id are then all cut through that corner, and the triangles of the other faces are
 /// joined to it. In a convex cell with planar faces these tetrahedra fill the cell.
 CellCut cut_cell(CellKind kind, std::span<const NodeId> nodes);
+
+/// Cuts the faces as cut_cell does, and joins all their triangles to the cell's centre: cells whose
+/// faces are not planar, where cut_cell's tetrahedra may be turned inside out, are mostly filled.
+CellCut cut_cell_at_center(CellKind kind, std::span<const NodeId> nodes);
 
 }  // namespace hiac

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "hiac/base/error.hpp"
+#include "hiac/geometry/predicates.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 #include "hiac/tetrahedralize/cell_cut.hpp"
 #include "hiac/tetrahedralize/tetrahedron_lattice.hpp"
@@ -44,7 +45,7 @@ struct PointHash {
 };
 
 // The number in a cell of its own node at a lattice point of a tetrahedron of its corners, if it
-// has one there.
+// has one there; kCellCenter of the centre.
 std::optional<std::size_t> own_node(CellKind kind, const CornerTetrahedron& corner,
                                     const LatticePoint& point, unsigned n) {
   const auto order = static_cast<unsigned>(order_of(kind));
@@ -76,6 +77,55 @@ std::optional<std::size_t> own_node(CellKind kind, const CornerTetrahedron& corn
   return std::nullopt;
 }
 
+// The centre of a cell in its reference cell.
+std::array<double, 3> reference_center(CellKind kind) {
+  std::array<double, 3> center{};
+  const auto reference = reference_nodes(kind);
+  const std::size_t count = corner_count(kind);
+  for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t a = 0; a < 3; ++a) center[a] += reference[k][a] / static_cast<double>(count);
+  return center;
+}
+
+// Where a cell's map has a place of its reference cell.
+std::array<double, 3> position_at(const ZooMesh& mesh, CellId cell,
+                                  const std::array<double, 3>& xi) {
+  std::array<double, kMaxNodesPerCell> shape;
+  shape_functions<double>(mesh.kinds[cell], xi, shape);
+  std::array<double, 3> position{};
+  const auto nodes = mesh.cell_nodes(cell);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (std::size_t a = 0; a < 3; ++a) position[a] += shape[i] * mesh.position(nodes[i])[a];
+  return position;
+}
+
+// How the tetrahedra of a cell's cut turn, by their corners.
+class CutTurns {
+ public:
+  CutTurns(const ZooMesh& mesh, CellId cell, const CellCut& cut) {
+    const auto nodes = mesh.cell_nodes(cell);
+    const std::array<double, 3> center =
+        position_at(mesh, cell, reference_center(mesh.kinds[cell]));
+    const auto at = [&](std::uint8_t corner) {
+      return corner == kCellCenter ? Point3(center) : mesh.position(nodes[corner]);
+    };
+    for (const auto& [a, b, c, d] : cut.all()) {
+      const int sign = orientation(at(a), at(b), at(c), at(d));
+      signs_.push_back(sign);
+      ++(sign > 0 ? right_ : sign < 0 ? left_ : flat_);
+    }
+  }
+  [[nodiscard]] bool flat(std::size_t tetrahedron) const { return signs_[tetrahedron] == 0; }
+  // How many are turned inside out, and how many are flat: the less of them, the better.
+  [[nodiscard]] std::pair<std::size_t, std::size_t> bad() const {
+    return {std::min(right_, left_), flat_};
+  }
+
+ private:
+  std::vector<int> signs_;
+  std::size_t right_ = 0, left_ = 0, flat_ = 0;
+};
+
 class Subdivider {
  public:
   Subdivider(const ZooMesh& mesh, const Subdivision& how) : mesh_(mesh), how_(how) {
@@ -87,13 +137,37 @@ class Subdivider {
   }
 
   SubdividedMesh subdivide() {
-    for (CellId cell = 0; cell < mesh_.cell_count(); ++cell)
-      for (const CornerTetrahedron& t : cut_cell(mesh_.kinds[cell], mesh_.cell_nodes(cell)).all())
-        append(cell, t);
+    for (CellId cell = 0; cell < mesh_.cell_count(); ++cell) {
+      if (shape_of(mesh_.kinds[cell]) == CellShape::tetrahedron)
+        append(cell, {0, 1, 2, 3});
+      else
+        cut(cell);
+    }
     return finish();
   }
 
  private:
+  void cut(CellId cell) {
+    const CellKind kind = mesh_.kinds[cell];
+    CellCut cut = cut_cell(kind, mesh_.cell_nodes(cell));
+    CutTurns turns(mesh_, cell, cut);
+    if (turns.bad() != std::pair<std::size_t, std::size_t>{}) {
+      const CellCut around = cut_cell_at_center(kind, mesh_.cell_nodes(cell));
+      const CutTurns around_turns(mesh_, cell, around);
+      if (around_turns.bad() < turns.bad()) {
+        cut = around;
+        turns = around_turns;
+      }
+    }
+    for (std::size_t k = 0; k < cut.count; ++k) {
+      // where edges are curved, a tetrahedron has volume though its corners lie in a plane
+      if (turns.flat(k) && order_of(kind) == CellOrder::linear)
+        ++dropped_tetrahedra_;
+      else
+        append(cell, cut.tetrahedra[k]);
+    }
+  }
+
   void append(CellId cell, const CornerTetrahedron& t) {
     if (how_.linearize) {
       const unsigned n = 1U << how_.levels;
@@ -123,28 +197,45 @@ class Subdivider {
                                unsigned n) const {
     Place place{cell, {}};
     const auto reference = reference_nodes(mesh_.kinds[cell]);
-    for (std::size_t k = 0; k < 4; ++k)
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::array<double, 3> corner =
+          t[k] == kCellCenter ? reference_center(mesh_.kinds[cell]) : reference[t[k]];
       for (std::size_t a = 0; a < 3; ++a)
-        place.xi[a] += point[k] * reference[t[k]][a] / static_cast<double>(n);
+        place.xi[a] += point[k] * corner[a] / static_cast<double>(n);
+    }
     return place;
   }
 
-  NodeId node_at(CellId cell, const CornerTetrahedron& t, const LatticePoint& point, unsigned n) {
-    const auto own = mesh_.cell_nodes(cell);
-    if (const auto number = own_node(mesh_.kinds[cell], t, point, n)) return own[*number];
-    std::array<std::pair<NodeId, std::uint16_t>, 4> between;
-    for (std::size_t k = 0; k < 4; ++k)
-      between[k] =
-          point[k] == 0 ? std::pair{kNone, std::uint16_t{0}} : std::pair{own[t[k]], point[k]};
-    std::ranges::sort(between);
-    PointKey key{};
-    for (std::size_t k = 0; k < 4; ++k) std::tie(key.nodes[k], key.weights[k]) = between[k];
+  // A node that the mesh did not have, unless another tetrahedron has brought it.
+  NodeId new_node(const PointKey& key, const Place& place) {
     const std::size_t next = mesh_.node_count() + places_.size();
     if (next >= kNone)
       throw InputError("mesh", "its cells need too many nodes (at most 2^32 - 1 expected)");
     const auto [known, is_new] = new_nodes_.try_emplace(key, static_cast<NodeId>(next));
-    if (is_new) places_.push_back(place_of(cell, t, point, n));
+    if (is_new) places_.push_back(place);
     return known->second;
+  }
+
+  // The centre of a cell: all four of its key's weights are 0.
+  NodeId center_of(CellId cell) {
+    return new_node({{cell, kNone, kNone, kNone}, {}}, {cell, reference_center(mesh_.kinds[cell])});
+  }
+
+  NodeId node_at(CellId cell, const CornerTetrahedron& t, const LatticePoint& point, unsigned n) {
+    const auto own = mesh_.cell_nodes(cell);
+    if (const auto number = own_node(mesh_.kinds[cell], t, point, n))
+      return *number == kCellCenter ? center_of(cell) : own[*number];
+    std::array<std::pair<NodeId, std::uint16_t>, 4> between;
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (point[k] == 0)
+        between[k] = {kNone, std::uint16_t{0}};
+      else
+        between[k] = {t[k] == kCellCenter ? center_of(cell) : own[t[k]], point[k]};
+    }
+    std::ranges::sort(between);
+    PointKey key{};
+    for (std::size_t k = 0; k < 4; ++k) std::tie(key.nodes[k], key.weights[k]) = between[k];
+    return new_node(key, place_of(cell, t, point, n));
   }
 
   // Interpolates `width` values a node; values_of(i) begins those of the cell's node i.
@@ -220,6 +311,7 @@ class Subdivider {
     drop_unused();
     SubdividedMesh result;
     result.new_nodes = places_.size();
+    result.dropped_tetrahedra = dropped_tetrahedra_;
     result.dropped_nodes = mesh_.node_count() + places_.size() - used_.size();
     ZooMesh& mesh = result.mesh;
     mesh.xyz = at_nodes(mesh_.xyz.view(), 3);
@@ -251,6 +343,7 @@ class Subdivider {
   std::vector<Place> entries_;  // of nodes_, where a field lives on corners
   std::unordered_map<PointKey, NodeId, PointHash> new_nodes_;
   std::vector<Place> places_;  // of the new nodes
+  std::uint64_t dropped_tetrahedra_ = 0;
   std::vector<NodeId> used_;
 };
 

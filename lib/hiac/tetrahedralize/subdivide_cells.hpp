@@ -20,10 +20,16 @@ struct SubdividedMesh {
   ZooMesh mesh;
   std::uint64_t new_nodes = 0;      ///< that the given mesh did not have
   std::uint64_t dropped_nodes = 0;  ///< that no tetrahedron needs
+  /// Flat ones, of linear cells with corners at one place or in one plane.
+  std::uint64_t dropped_tetrahedra = 0;
 };
 
 /// A conforming mesh of tetrahedra that fills the cells of another (cut_cell); tetrahedra stay what
 /// they are, unless they are linearized. Cells come in the order of the cells that they are of.
+/// Where tetrahedra of a cell would be flat or turned inside out, as faces that are not planar can
+/// bring about, the cell is cut around a node in its centre if that leaves less of them
+/// (cut_cell_at_center); flat ones of linear cells are left out. Cells thinner than their faces are
+/// warped may keep some that are turned inside out.
 ///
 /// New nodes, in the middles of faces and cells, lie where the cell's isoparametric map has the
 /// middles (or thirds, or parts of a half, ...) of its reference cell; both cells at a face compute
