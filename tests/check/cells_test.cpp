@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "hiac/check/corner_edges.hpp"
 #include "hiac/check/face_nodes.hpp"
 #include "hiac/geometry/predicates.hpp"
+#include "hiac/mesh/corner_fan.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 #include "tests/check/findings.hpp"
 #include "tests/order/hard_meshes.hpp"
@@ -47,16 +47,18 @@ TEST(Cells, ReferenceCellsAreValid) {
 }
 
 TEST(Cells, CornersOfThreeEdgesArePositive) {
-  constexpr std::array<std::size_t, kShapeCount> kFans{4, 4, 6, 6, 8};
+  constexpr std::array<std::size_t, kShapeCount> kOfThreeEdges{4, 4, 6, 6, 8};
   for (std::size_t s = 0; s < kShapeCount; ++s) {
     const ZooMesh mesh = reference_cell(kLinear[s]);
-    EXPECT_EQ(kCornerEdges[s].count, kFans[s]);
-    for (std::size_t i = 0; i < kCornerEdges[s].count; ++i) {
-      const CornerEdges& fan = kCornerEdges[s].corners[i];
-      EXPECT_GT(orientation(mesh.position(fan.corner), mesh.position(fan.a), mesh.position(fan.b),
-                            mesh.position(fan.c)),
-                0);
+    std::size_t count = 0;
+    for (NodeId corner = 0; corner < corner_count(kLinear[s]); ++corner) {
+      const CornerFan& fan = corner_fan(static_cast<CellShape>(s), corner);
+      if (fan.count != 3) continue;
+      ++count;
+      const auto at = [&](std::size_t k) { return mesh.position(fan.neighbors[k]); };
+      EXPECT_GT(orientation(mesh.position(corner), at(0), at(2), at(1)), 0);
     }
+    EXPECT_EQ(count, kOfThreeEdges[s]);
   }
 }
 

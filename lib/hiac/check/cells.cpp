@@ -7,11 +7,11 @@
 #include <limits>
 
 #include "hiac/base/collect.hpp"
-#include "hiac/check/corner_edges.hpp"
 #include "hiac/check/face_nodes.hpp"
 #include "hiac/geometry/jacobian_sign.hpp"
 #include "hiac/geometry/predicates.hpp"
 #include "hiac/geometry/vector.hpp"
+#include "hiac/mesh/corner_fan.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 #include "hiac/order/behind_relation.hpp"
 
@@ -44,13 +44,15 @@ bool lie_in_one_plane(const Nodes& n, std::size_t count) {
   return true;
 }
 
-// What the signs at the corners tell of a linear cell.
+// What the signs at the corners where three edges meet tell of a linear cell: times a constant they
+// are those of its map's Jacobian (at a pyramid's or a wedge's in the limit along the edges).
 Turn turn_at_corners(const Nodes& n, CellShape shape) {
   bool positive = false, negative = false;
-  const ShapeCornerEdges& all = kCornerEdges[static_cast<std::size_t>(shape)];
-  for (std::size_t i = 0; i < all.count; ++i) {
-    const CornerEdges& fan = all.corners[i];
-    const int sign = orientation(n.at(fan.corner), n.at(fan.a), n.at(fan.b), n.at(fan.c));
+  for (std::size_t corner = 0; corner < topology_of(shape).corner_count; ++corner) {
+    const CornerFan& fan = corner_fan(shape, corner);
+    if (fan.count != 3) continue;  // a pyramid's apex, a wedge's node 6
+    const auto& [a, b, c, none] = fan.neighbors;
+    const int sign = orientation(n.at(corner), n.at(a), n.at(c), n.at(b));
     positive = positive || sign > 0;
     negative = negative || sign < 0;
   }
