@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "formats/large_reserve.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats {
@@ -29,8 +30,8 @@ CellCollector::CellCollector(const ReadOptions& options, std::string subject, Ty
 
 void CellCollector::reserve(std::size_t cells, std::size_t entries) {
   result_.kinds.reserve(cells);
-  result_.elems.reserve(cells + 1);
-  result_.nodes.reserve(entries);
+  reserve_large(result_.elems, cells + 1);
+  reserve_large(result_.nodes, entries);
 }
 
 void CellCollector::add(std::size_t index, int type, std::span<const NodeId> nodes,

@@ -12,6 +12,7 @@
 #include "formats/abaqus/inp_elements.hpp"
 #include "formats/comma_fields.hpp"
 #include "formats/input_text.hpp"
+#include "formats/large_reserve.hpp"
 #include "formats/text_cursor.hpp"
 #include "hiac/base/error.hpp"
 
@@ -176,6 +177,12 @@ class DeckReader {
     part_ = model_.parts.size() - 1;
   }
 
+  /// How many lines there may be of the length of the next one, if the rest of the file is such.
+  static std::size_t lines_left(const TextCursor& cursor) {
+    constexpr std::size_t kShortest = 16;
+    return cursor.left() / std::max(cursor.peek_line().size() + 1, kShortest) + 1;
+  }
+
   /// The next data line; none where the next keyword begins or the file ends.
   static std::optional<std::string_view> data_line(TextCursor& cursor) {
     while (!cursor.at_end()) {
@@ -235,6 +242,9 @@ class DeckReader {
     const std::string* system = keyword.value("SYSTEM");
     const char kind = system == nullptr || system->empty() ? 'R' : upper(*system).front();
     Part& into = part();
+    const std::size_t lines = lines_left(cursor);
+    reserve_large(into.node_numbers, into.node_numbers.size() + lines);
+    reserve_large(into.xyz, into.xyz.size() + 3 * lines);
     while (const auto line = data_line(cursor)) {
       CommaFields fields(*line);
       into.node_numbers.push_back(integer_in(fields, cursor, *line, "a node number"));
@@ -271,6 +281,10 @@ class DeckReader {
     const InpElement element = inp_element(upper(required(keyword, "TYPE", cursor)));
     const std::uint16_t type = place_of_type(element);
     Part& into = part();
+    const std::size_t lines = lines_left(cursor);
+    reserve_large(into.cell_numbers, into.cell_numbers.size() + lines);
+    reserve_large(into.cell_types, into.cell_types.size() + lines);
+    reserve_large(into.cell_nodes, into.cell_nodes.size() + lines * element.type.nodes);
     ElementSet numbers;
     while (const auto line = data_line(cursor)) {
       CommaFields fields(*line);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <limits>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -11,6 +10,7 @@
 
 #include "formats/exodus/classic_layout.hpp"
 #include "formats/mapped_file.hpp"
+#include "formats/product.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::exodus {
@@ -18,14 +18,6 @@ namespace {
 
 /// The strongest compression of the filters that netCDF-4 brings (deflate's is 1032).
 constexpr std::uint64_t kMostCompression = 1100;
-
-std::size_t product(const std::vector<std::size_t>& factors) {
-  std::size_t result = 1;
-  for (const std::size_t factor : factors)
-    if (__builtin_mul_overflow(result, factor, &result))
-      return std::numeric_limits<std::size_t>::max();
-  return result;
-}
 
 std::size_t bytes_of(nc_type type) {
   switch (type) {

@@ -6,6 +6,7 @@
 
 #include "formats/gmsh/gmsh_sections.hpp"
 #include "formats/gmsh/gmsh_types.hpp"
+#include "formats/large_reserve.hpp"
 
 namespace hiac::formats::gmsh {
 namespace {
@@ -49,8 +50,18 @@ void read_point(MshStream& stream, ForeignMesh& mesh) {
 }
 
 void reserve_points(ForeignMesh& mesh, std::size_t count) {
-  mesh.node_numbers.reserve(mesh.node_numbers.size() + count);
-  mesh.xyz.reserve(mesh.xyz.size() + 3 * count);
+  reserve_large(mesh.node_numbers, mesh.node_numbers.size() + count);
+  reserve_large(mesh.xyz, mesh.xyz.size() + 3 * count);
+}
+
+/// Of nodes there are no more than the rest of the file can hold, and hardly more than those of as
+/// many bricks.
+void reserve_cells(MshStream& stream, ForeignMesh& mesh, std::size_t count) {
+  constexpr std::size_t kLeastBytes = 2;
+  constexpr std::size_t kNodes = 8;
+  reserve_large(mesh.cell_types, count);
+  reserve_large(mesh.cell_numbers, count);
+  reserve_large(mesh.cell_nodes, std::min(stream.cursor().left() / kLeastBytes, kNodes * count));
 }
 
 /// Versions 1 and 2: a list of number and coordinates.
@@ -158,8 +169,7 @@ void read_elements_2(MshStream& stream, MshContents& contents) {
   Types types(mesh.types);
   const std::size_t total =
       stream.cursor().count("the number of elements", stream.cursor().left() / 4 + 1);
-  mesh.cell_types.reserve(total);
-  mesh.cell_numbers.reserve(total);
+  reserve_cells(stream, mesh, total);
   if (!stream.binary()) {
     for (std::size_t i = 0; i < total; ++i) read_element_text(stream, contents, types);
     return;
@@ -195,8 +205,7 @@ void read_elements_4(MshStream& stream, MshContents& contents) {
     stream.wide("the smallest element number");
     stream.wide("the largest element number");
   }
-  mesh.cell_types.reserve(total);
-  mesh.cell_numbers.reserve(total);
+  reserve_cells(stream, mesh, total);
   for (std::size_t block = 0; block < blocks; ++block) {
     const BlockHead head = read_block_head(stream, v41);
     const std::uint16_t type = types.place_of(head.third, stream);

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <limits>
 
 #include <fmt/format.h>
 #include <hdf5.h>
 
+#include "formats/product.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::hdf5 {
@@ -61,15 +61,6 @@ std::vector<std::uint64_t> shape_of(hid_t space) {
   std::vector<hsize_t> shape(rank > 0 ? static_cast<std::size_t>(rank) : 0);
   if (rank > 0) H5Sget_simple_extent_dims(space, shape.data(), nullptr);
   return {shape.begin(), shape.end()};
-}
-
-/// The product, or the largest number where it is larger.
-std::uint64_t product(const std::vector<std::uint64_t>& factors) {
-  std::uint64_t result = 1;
-  for (const std::uint64_t factor : factors)
-    if (__builtin_mul_overflow(result, factor, &result))
-      return std::numeric_limits<std::uint64_t>::max();
-  return result;
 }
 
 /// A text up to its first zero or its trailing blanks.

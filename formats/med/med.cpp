@@ -231,16 +231,42 @@ class Reader {
     }
   }
 
-  /// Polygons are no volume, polyhedra are refused by name, and so is all else.
+  /// Polygons are no volume; what else is unknown is counted for the refusal.
   void add_unknown(const std::string& name, const std::string& group) {
-    const std::string index = group + (name.starts_with("POE") ? "/INN" : "/IND");
-    const std::string faces = group + "/IFN";
-    const std::string& counted = file_->has(faces) ? faces : index;
+    if (name.starts_with("POE")) return add_polyhedra(name, group);
+    const std::string index = group + "/IND";
     const std::uint64_t count =
-        file_->has(counted) ? file_->integers(counted).size() : std::uint64_t{1};
+        file_->has(index) ? file_->integers(index).size() : std::uint64_t{1};
     const bool polygons = name.starts_with("POG");
     mesh_.cell_types.insert(mesh_.cell_types.end(), count > 1 ? count - 1 : 1,
                             mesh_.type_place(name, 0, polygons ? kNoVolume : kUnsupported));
+  }
+
+  /// IFN says where every polyhedron's faces begin in INN, which says where every face's nodes
+  /// begin in NOD, all counted from 1.
+  void add_polyhedra(const std::string& name, const std::string& group) {
+    const std::vector<std::int64_t> faces_at = file_->integers(group + "/IFN");
+    const std::vector<std::int64_t> nodes_at = file_->integers(group + "/INN");
+    const std::vector<std::int64_t> nodes = file_->integers(group + "/NOD");
+    const Cells cells{mesh_.cell_count(), faces_at.size() - (faces_at.empty() ? 0 : 1), 0,
+                      mesh_.cell_nodes.size()};
+    const auto check = [&](std::int64_t begin, std::int64_t end, std::size_t limit) {
+      if (begin < 1 || end < begin || static_cast<std::uint64_t>(end) > limit)
+        file_->fail(group,
+                    fmt::format("does not fit itself (entries {} to {} of {})", begin, end, limit));
+    };
+    for (std::size_t cell = 0; cell < cells.count; ++cell) {
+      check(faces_at[cell], faces_at[cell + 1], nodes_at.size());
+      std::vector<std::vector<std::int64_t>> faces;
+      for (auto face = static_cast<std::size_t>(faces_at[cell]);
+           face < static_cast<std::size_t>(faces_at[cell + 1]); ++face) {
+        check(nodes_at[face - 1], nodes_at[face], nodes.size() + 1);
+        faces.emplace_back(nodes.begin() + static_cast<std::ptrdiff_t>(nodes_at[face - 1] - 1),
+                           nodes.begin() + static_cast<std::ptrdiff_t>(nodes_at[face] - 1));
+      }
+      mesh_.add_polyhedron(name, faces);
+    }
+    cells_.emplace(name, cells);
   }
 
   /// The groups of cells, which are unions of families.

@@ -1,14 +1,10 @@
 #include "formats/vtk/to_vtk.hpp"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
-#include <optional>
 
 #include <fmt/format.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkCellType.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
@@ -23,55 +19,14 @@
 #include <vtkXMLUnstructuredGridWriter.h>
 
 #include "formats/vtk/message_capture.hpp"
+#include "formats/vtk/written_cells.hpp"
 #include "hiac/base/error.hpp"
 #include "hiac/base/output_file.hpp"
 
 namespace hiac::formats::vtk {
 namespace {
 
-/// The VTK cell that a kind is written as. Node i of that cell is the kind's node nodes[i];
-/// empty: the same nodes in the same order.
-struct WrittenCell {
-  int type;
-  std::span<const std::uint8_t> nodes;
-};
-
-/// The wedge as the brick that it is, edge 6-7 in one node; quadratic, its middle too.
-constexpr std::array<std::uint8_t, 8> kWedge7{0, 1, 2, 3, 4, 5, 6, 6};
-constexpr std::array<std::uint8_t, 20> kWedge18{0, 1,  2,  3,  4, 5,  6,  6,  7,  8,
-                                                9, 10, 11, 12, 6, 13, 14, 15, 16, 17};
-
-std::optional<WrittenCell> written_cell(CellKind kind) {
-  if (kind == CellKind::wedge7) return WrittenCell{VTK_HEXAHEDRON, kWedge7};
-  if (kind == CellKind::wedge18) return WrittenCell{VTK_QUADRATIC_HEXAHEDRON, kWedge18};
-  if (kind == CellKind::tetrahedron20) return WrittenCell{VTK_LAGRANGE_TETRAHEDRON, {}};
-  if (const auto type = vtk_cell_type(kind)) return WrittenCell{*type, {}};
-  return std::nullopt;
-}
-
-using KindTable = std::array<std::optional<WrittenCell>, kKindCount>;
-
-KindTable kinds_written(const ZooMesh& mesh, const std::string& path,
-                        std::vector<std::string>& notes) {
-  std::array<std::size_t, kKindCount> counts{};
-  for (const CellKind kind : mesh.kinds) ++counts[static_cast<std::size_t>(kind)];
-  KindTable table;
-  for (std::size_t k = 0; k < kKindCount; ++k) {
-    const auto kind = static_cast<CellKind>(k);
-    table[k] = written_cell(kind);
-    if (counts[k] > 0 && !table[k])
-      throw InputError(
-          path, fmt::format("VTU has no cell for a {} ({} found)", kind_name(kind), counts[k]));
-    if (counts[k] > 0 && !table[k]->nodes.empty())
-      notes.push_back(
-          fmt::format("{} {} cells written as bricks with a repeated node, VTU having "
-                      "no such cell",
-                      counts[k], kind_name(kind)));
-  }
-  return table;
-}
-
-void set_cells(const ZooMesh& mesh, const KindTable& table, vtkUnstructuredGrid& grid) {
+void set_cells(const ZooMesh& mesh, const WrittenCells& table, vtkUnstructuredGrid& grid) {
   const auto cells = static_cast<vtkIdType>(mesh.cell_count());
   vtkNew<vtkUnsignedCharArray> types;
   vtkNew<vtkTypeInt64Array> offsets;
@@ -152,7 +107,7 @@ void add_metadata(const ZooMesh& mesh, vtkUnstructuredGrid& grid) {
 
 std::vector<std::string> write_vtu(const std::string& path, const ZooMesh& mesh) {
   std::vector<std::string> notes;
-  const KindTable table = kinds_written(mesh, path, notes);
+  const WrittenCells table = written_cells(mesh, "VTU", path, notes);
   vtkNew<vtkUnstructuredGrid> grid;
   vtkNew<vtkPoints> points;
   points->SetData(array_of(mesh.xyz.view(), 3));

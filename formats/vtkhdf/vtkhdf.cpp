@@ -16,6 +16,7 @@
 #include "formats/steps.hpp"
 #include "formats/structured.hpp"
 #include "formats/vtk/cell_types.hpp"
+#include "formats/vtkhdf/vtkhdf_writer.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats {
@@ -313,6 +314,7 @@ Format vtkhdf_format() {
   format.contains = [](const std::string& path) { return hdf5::model_of(path) == "vtkhdf"; };
   format.read = read_mesh;
   format.inspect = inspect;
+  format.write = write_vtkhdf;
   return format;
 }
 

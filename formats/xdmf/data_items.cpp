@@ -6,26 +6,18 @@
 #include <charconv>
 #include <cstring>
 #include <filesystem>
-#include <limits>
 #include <type_traits>
 
 #include <fmt/format.h>
 
 #include "formats/mapped_file.hpp"
+#include "formats/product.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::xdmf {
 namespace {
 
 constexpr int kMostNesting = 8;
-
-std::uint64_t product(const std::vector<std::uint64_t>& factors) {
-  std::uint64_t result = 1;
-  for (const std::uint64_t factor : factors)
-    if (__builtin_mul_overflow(result, factor, &result))
-      return std::numeric_limits<std::uint64_t>::max();
-  return result;
-}
 
 bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r') || c == ','; }
 

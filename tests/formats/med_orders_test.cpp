@@ -126,5 +126,28 @@ TEST(MedOrders, FieldsOnCellsAndStepsAreRead) {
   EXPECT_EQ(format_to_read(path).inspect(path).times, std::vector<double>{0.5});
 }
 
+TEST(MedOrders, PolyhedraAreToldByTheirFaces) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("poly.med");
+  const med_idt file = MEDfileOpen(path.c_str(), MED_ACC_CREAT);
+  ASSERT_GE(file, 0);
+  check(MEDmeshCr(file, "mesh", 3, 3, MED_UNSTRUCTURED_MESH, "two", "s", MED_SORT_DTIT,
+                  MED_CARTESIAN, kAxes, kUnits));
+  // two tetrahedra over one face
+  const std::array<double, 15> points{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, -1};
+  check(MEDmeshNodeCoordinateWr(file, "mesh", MED_NO_DT, MED_NO_IT, 0, MED_FULL_INTERLACE, 5,
+                                points.data()));
+  const std::array<med_int, 3> faces_at{1, 5, 9};
+  const std::array<med_int, 9> nodes_at{1, 4, 7, 10, 13, 16, 19, 22, 25};
+  const std::array<med_int, 24> nodes{1, 2, 3, 1, 4, 2, 2, 4, 3, 3, 4, 1,
+                                      1, 3, 2, 1, 2, 5, 2, 3, 5, 3, 1, 5};
+  check(MEDmeshPolyhedronWr(file, "mesh", MED_NO_DT, MED_NO_IT, 0, MED_CELL, MED_NODAL, 3,
+                            faces_at.data(), 9, nodes_at.data(), nodes.data()));
+  check(MEDfileClose(file));
+  const Reading reading = read_any(path);
+  EXPECT_EQ(reading.mesh.cell_count(), 2U);
+  EXPECT_EQ(reading.mesh.kinds[1], CellKind::tetrahedron4);
+}
+
 }  // namespace
 }  // namespace hiac::formats

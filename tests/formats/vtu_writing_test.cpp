@@ -109,5 +109,50 @@ TEST(VtuWriting, RealFilesComeBack) {
   }
 }
 
+// VTKHDF is optional: a build without HDF5 cannot write it.
+const Format* vtkhdf() {
+  for (const Format& format : all_formats())
+    if (format.name == "vtkhdf") return &format;
+  return nullptr;
+}
+
+TEST(VtkHdfWriting, EverythingComesBackBitForBit) {
+  if (vtkhdf() == nullptr) GTEST_SKIP() << "this build has no HDF5";
+  const ScratchFolder folder;
+  for (const bool timed : {false, true}) {
+    ZooMesh mesh =
+        mesh_of({CellKind::tetrahedron4, CellKind::pyramid5, CellKind::prism6, CellKind::brick8,
+                 CellKind::tetrahedron10, CellKind::pyramid13, CellKind::prism15, CellKind::brick20,
+                 CellKind::tetrahedron20, CellKind::wedge7, CellKind::wedge18});
+    mesh.fields[0].unit = "";
+    mesh.metadata = {{"source", "all.vtkhdf"}};
+    if (timed) mesh.metadata.emplace_back("time", "0.1");
+    const std::string path = folder.file("all.vtkhdf");
+    const auto notes = format_to_write(path).write(path, mesh);
+    EXPECT_THAT(notes, Contains(HasSubstr("1 wedge7 cells written as bricks")));
+    const ZooMesh back = read_any(path).mesh;
+    EXPECT_EQ(content_hash(back), content_hash(mesh));
+    EXPECT_EQ(back.metadata, mesh.metadata);
+  }
+}
+
+TEST(VtkHdfWriting, WhatCannotBeHeldIsToldOrRefused) {
+  if (vtkhdf() == nullptr) GTEST_SKIP() << "this build has no HDF5";
+  const ScratchFolder folder;
+  const std::string path = folder.file("a.vtkhdf");
+  ZooMesh mesh = mesh_of({CellKind::tetrahedron4});
+  mesh.fields.push_back({"stress", "", FieldLocation::corner, 1, std::vector<double>(4, 1)});
+  mesh.fields.push_back({"a/b", "", FieldLocation::node, 1, std::vector<double>(4, 1)});
+  const auto notes = vtkhdf()->write(path, mesh);
+  EXPECT_THAT(notes, Contains(HasSubstr("'stress' lives on cell corners")));
+  EXPECT_THAT(notes, Contains(HasSubstr("'a/b' is called 'a_b'")));
+  EXPECT_THAT(notes, Contains(HasSubstr("the unit of field 'velocity' (m/s)")));
+  EXPECT_THAT(notes, Contains(HasSubstr("metadata 'remark'")));
+  EXPECT_EQ(read_any(path).mesh.fields.size(), 3U);
+  EXPECT_THROW(vtkhdf()->write(folder.file("b.vtkhdf"), mesh_of({CellKind::brick32})), InputError);
+  EXPECT_FALSE(std::filesystem::exists(folder.file("b.vtkhdf")));
+  EXPECT_THROW(vtkhdf()->write(folder.file("no/a.vtkhdf"), mesh), InputError);
+}
+
 }  // namespace
 }  // namespace hiac::formats

@@ -12,6 +12,7 @@
 #include "hiac/base/error.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 #include "tests/formats/one_cell_files.hpp"
+#include "tests/formats/solver_files.hpp"
 
 namespace {
 
@@ -117,6 +118,12 @@ std::vector<std::string> seeds() {
   for (const formats::OneCellFile& file : formats::one_cell_files())
     if (file.format == format().name) texts.push_back(file.text);
   if (format().write) texts.push_back(written_seed());
+  if (format().name == "tecplot") texts.push_back(formats::tecplot_bricks({}));
+  if (format().name == "d3plot") {
+    const formats::Model model = formats::linear_model();
+    texts.push_back(formats::d3plot_geometry(model, false, false) +
+                    formats::d3plot_state(model, 1, false, false));
+  }
   if (format().name == "tetgen")
     texts.push_back(std::string("4 3 1 1\n1 0 0 0 5 1\n2 1 0 0 6 1\n3 0 1 0 7 1\n4 0 0 1 8 0\n") +
                     kParting + "1 4 1\n1 1 2 3 4 9\n");

@@ -52,9 +52,10 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("INPUT", options.input,
                  "The file to convert; - or nothing is stdin: a zoo stream, or with --format any "
                  "format that is one file");
-  app.add_option("-o,--output", options.output,
-                 "Where to write, in the format that the extension names (.zoo, .vtu, .msh); - or "
-                 "nothing is stdout: a zoo stream")
+  app.add_option(
+         "-o,--output", options.output,
+         "Where to write, in the format that the extension names (.zoo, .vtu, .vtkhdf, .msh); - or "
+         "nothing is stdout: a zoo stream")
       ->type_name("FILE");
   app.add_option("--format", options.format, "Read INPUT as this format, whatever it looks like")
       ->type_name("NAME");
