@@ -115,11 +115,13 @@ double gradient_condition(const std::array<Vector, 3>& columns, const Vector& gr
 }
 
 double field_error(ValueRange range, double gradient, const RayDisplacement& moved,
-                   double rounding) {
+                   const FieldRounding& rounding) {
   const double difference = range.most - range.least;
   if (difference == 0) return 0;
   const double largest = std::max(std::abs(range.least), std::abs(range.most));
-  return std::min(difference, gradient * moved.aside + rounding * kUnit * moved.spread * largest);
+  return std::min(difference,
+                  gradient * moved.aside + kUnit * (rounding.of_values * largest +
+                                                    rounding.of_range * moved.spread * difference));
 }
 
 ErrorBound segment_bound(const CellOptics& cell, bool emission, const SegmentFacts& s) {

@@ -31,8 +31,9 @@ namespace hiac {
 ///   On shared faces both cells are displaced alike, so that a ray is followed without gap or
 ///   overlap, displaced a little differently in every cell.
 /// - Fields (field_error): a field is wrong by its steepest gradient (gradient_bound.hpp) times
-///   that, and by 16 u (64 u where it is interpolated along the ray) of its largest value in the
-///   cell times the spread; by the cell's whole range at most; not at all where it is constant.
+///   that, and by 3 u of its largest value in the cell and 16 u of its range there times the spread
+///   (64 u of its largest value where it is interpolated along the ray); by the cell's whole range
+///   at most; not at all where it is constant.
 /// - Optics (segment_bound): what that does to extinction and colour, by their steepest slopes on
 ///   the cell's values, and 8 u of all that their evaluation adds up; where they jump, on the
 ///   stretch of the ray on which the field is in doubt about the jump; 2e-14 for each piece's
@@ -81,9 +82,12 @@ double gradient_condition(const std::array<std::array<double, 3>, 3>& columns,
                           const std::array<double, 3>& gradient);
 
 /// Error of a field in a cell: see the model. `rounding`: of the largest value, in units of u.
-inline constexpr double kTetrahedronRounding = 16, kAlongRayRounding = 64;
+struct FieldRounding {
+  double of_values, of_range;  ///< in units of u
+};
+inline constexpr FieldRounding kTetrahedronRounding{3, 16}, kAlongRayRounding{64, 0};
 double field_error(ValueRange range, double gradient, const RayDisplacement& moved,
-                   double rounding);
+                   const FieldRounding& rounding);
 
 /// One segment: its length, what the fields are wrong by, and how much they change along it where
 /// they are linear (0 where not).

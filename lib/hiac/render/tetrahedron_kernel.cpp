@@ -121,13 +121,20 @@ class TetrahedronRenderer {
       corners_.x[k] = node.x;
       corners_.y[k] = node.y;
       corners_.depth[k] = node.depth;
-      if (perspective_) {
-        // fields are not affine on the screen, but fields times 1/t are
-        corners_.extinction[k] *= node.depth;
-        if constexpr (kSeparateFields) corners_.color[k] *= node.depth;
-      }
+    }
+    if (perspective_) {
+      base_extinction_ = scale_by_depth(corners_.extinction);
+      if constexpr (kSeparateFields) base_color_ = scale_by_depth(corners_.color);
     }
     return true;
+  }
+
+  // Fields are not affine on the screen, but fields times 1/t are. Of what they are more than at
+  // the first corner, which is returned: fields far from zero keep their digits.
+  HWY_INLINE double scale_by_depth(double* values) const {
+    const double base = values[0];
+    for (std::size_t k = 0; k < 4; ++k) values[k] = (values[k] - base) * corners_.depth[k];
+    return base;
   }
 
   HWY_INLINE void render_pixels(const CellScalars& scalars, int row, int x, int last,
@@ -319,11 +326,13 @@ class TetrahedronRenderer {
     if (perspective_) {
       const V minus_one = hn::Set(d, -1.0);
       const V front = hn::Div(minus_one, e.front), back = hn::Div(minus_one, e.back);
-      e.front_extinction = hn::Neg(hn::Mul(e.front_extinction, front));
-      e.back_extinction = hn::Neg(hn::Mul(e.back_extinction, back));
+      const V base = hn::Set(d, base_extinction_);
+      e.front_extinction = hn::NegMulAdd(e.front_extinction, front, base);
+      e.back_extinction = hn::NegMulAdd(e.back_extinction, back, base);
       if constexpr (kSeparateFields) {
-        e.front_color = hn::Neg(hn::Mul(e.front_color, front));
-        e.back_color = hn::Neg(hn::Mul(e.back_color, back));
+        const V base_color = hn::Set(d, base_color_);
+        e.front_color = hn::NegMulAdd(e.front_color, front, base_color);
+        e.back_color = hn::NegMulAdd(e.back_color, back, base_color);
       }
       e.front = front;
       e.back = back;
@@ -383,7 +392,8 @@ class TetrahedronRenderer {
   FaceSides sides_;
   FaceRow face_row_;  // of the row at hand
   // of the cell at hand
-  bool empty_ = false;  // the volume neither absorbs nor shines
+  bool empty_ = false;                           // the volume neither absorbs nor shines
+  double base_color_ = 0, base_extinction_ = 0;  // scale_by_depth
   std::vector<TetrahedronCut> cuts_;
   ScreenBox cut_box_;               // of all of them
   std::vector<double> cut_places_;  // of one vector of pixels
