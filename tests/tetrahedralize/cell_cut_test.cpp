@@ -69,7 +69,7 @@ TEST(CellCut, AroundTheCenterFillsEveryShapeToo) {
     for (int trial = 0; trial < 50; ++trial) {
       std::shuffle(nodes.begin(), nodes.end(), random);
       double volume = 0;
-      const CellCut cut = cut_cell_at_center(kind, nodes);
+      const CellCut cut = *cut_cell_at(kCellCenter, kind, nodes, {});
       for (const auto& [a, b, c, d] : cut.all()) {
         const double part = turn(at(a), at(b), at(c), at(d));
         EXPECT_GT(part, 0) << kind_name(kind);
@@ -110,7 +110,7 @@ TEST(CellCut, CutsQuadrilateralsThroughTheirLeastNode) {
       const CellCut cut = cut_cell(kind, nodes);
       for (const ShapeFace& face : topology_of(kind).faces) {
         const auto triangles = triangles_on(face, cut, nodes);
-        ASSERT_EQ(triangles_on(face, cut_cell_at_center(kind, nodes), nodes), triangles);
+        ASSERT_EQ(triangles_on(face, *cut_cell_at(kCellCenter, kind, nodes, {}), nodes), triangles);
         ASSERT_EQ(triangles.size(), face.corner_count - 2U) << kind_name(kind);
         NodeId least = nodes[face.corners[0]];
         for (std::size_t k = 1; k < face.corner_count; ++k)
@@ -118,6 +118,42 @@ TEST(CellCut, CutsQuadrilateralsThroughTheirLeastNode) {
         for (const auto& triangle : triangles) EXPECT_TRUE(triangle.contains(least));
       }
     }
+  }
+}
+
+// Whatever diagonals are asked for, every apex that there is gives tetrahedra that fill the shape
+// and have those diagonals.
+TEST(CellCut, FillsShapesWithAnyDiagonals) {
+  std::mt19937_64 random(9);
+  for (const CellKind kind : kLinear) {
+    if (kind == CellKind::tetrahedron4) continue;
+    std::vector<NodeId> nodes(corner_count(kind));
+    std::iota(nodes.begin(), nodes.end(), 0);
+    const auto x = reference_nodes(kind);
+    std::size_t cuts = 0;
+    for (unsigned long long bits = 0; bits < 64; ++bits) {
+      std::shuffle(nodes.begin(), nodes.end(), random);
+      const CellCut around = *cut_cell_at(kCellCenter, kind, nodes, bits);
+      for (std::uint8_t apex = 0; apex < nodes.size(); ++apex) {
+        const auto cut = cut_cell_at(apex, kind, nodes, bits);
+        if (!cut) continue;
+        ++cuts;
+        double volume = 0;
+        for (const auto& [a, b, c, d] : cut->all()) volume += turn(x[a], x[b], x[c], x[d]);
+        EXPECT_NEAR(volume, reference_volume(kind), 1e-15) << kind_name(kind);
+        const auto faces = topology_of(kind).faces;
+        for (std::size_t f = 0; f < faces.size(); ++f) {
+          const auto triangles = triangles_on(faces[f], *cut, nodes);
+          EXPECT_EQ(triangles, triangles_on(faces[f], around, nodes));
+          if (faces[f].corner_count == 3) continue;
+          NodeId least = nodes[faces[f].corners[0]];
+          for (std::size_t k = 1; k < 4; ++k) least = std::min(least, nodes[faces[f].corners[k]]);
+          for (const auto& triangle : triangles)
+            EXPECT_TRUE(triangle.contains(least) || std::bitset<6>(bits)[f]);
+        }
+      }
+    }
+    EXPECT_GT(cuts, 20U) << kind_name(kind);
   }
 }
 

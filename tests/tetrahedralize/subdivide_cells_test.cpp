@@ -9,8 +9,10 @@
 
 #include <gtest/gtest.h>
 
+#include "hiac/geometry/predicates.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
 #include "hiac/mesh/shape_functions.hpp"
+#include "hiac/tetrahedralize/cell_cut.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/tetrahedralize/elevated_mesh.hpp"
 
@@ -100,16 +102,67 @@ ZooMesh pushed_inside(std::size_t n, double amplitude, std::uint64_t seed) {
   return test::make_mesh(positions, test::cells_of(shuffled(Cut::bricks, n, seed)));
 }
 
-// Bricks whose Jacobian is positive at all corners, some of which no cut through a corner fills.
-TEST(SubdivideCells, CellsWithFacesThatAreNotPlanarAreCutAroundTheirCenters) {
-  std::uint64_t centers = 0;
+// How many tetrahedra of bricks that are cut from their corners of the least node are turned inside
+// out.
+std::size_t turned_from_least_corners(const ZooMesh& mesh) {
+  std::size_t turned = 0;
+  for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {
+    const auto nodes = mesh.cell_nodes(cell);
+    const CellCut cut = cut_cell(mesh.kinds[cell], nodes);
+    for (const auto& [a, b, c, d] : cut.all())
+      turned += orientation(mesh.position(nodes[a]), mesh.position(nodes[b]),
+                            mesh.position(nodes[c]), mesh.position(nodes[d])) < 0
+                    ? 1
+                    : 0;
+  }
+  return turned;
+}
+
+TEST(SubdivideCells, CellsWithFacesThatAreNotPlanarAreFilled) {
+  std::size_t turned = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
-    const SubdividedMesh parts = subdivide_cells(pushed_inside(4, 0.08, seed), {});
+    const ZooMesh mesh = pushed_inside(4, 0.08, seed);
+    turned += turned_from_least_corners(mesh);
+    const SubdividedMesh parts = subdivide_cells(mesh, {});
     expect_fills_the_cube(parts.mesh);
     EXPECT_EQ(parts.dropped_tetrahedra, 0U);
-    centers += parts.new_nodes;
   }
-  EXPECT_GT(centers, 2U);
+  EXPECT_GT(turned, 2U);
+}
+
+// A stack of layers much thinner than they are warped, numbered at random: opposite faces have to
+// be cut alike.
+TEST(SubdivideCells, ThinWarpedLayersAreCutWithoutTurningTetrahedraInsideOut) {
+  std::mt19937_64 random(5);
+  for (int trial = 0; trial < 20; ++trial) {
+    constexpr std::size_t kLayers = 12, kSide = 2;
+    std::vector<NodeId> number((kLayers + 1) * (kSide + 1) * (kSide + 1));
+    std::iota(number.begin(), number.end(), 0);
+    std::ranges::shuffle(number, random);
+    const auto node = [&](std::size_t i, std::size_t j, std::size_t k) {
+      return number[(k * (kSide + 1) + j) * (kSide + 1) + i];
+    };
+    std::vector<Position> positions(number.size());
+    std::vector<test::Cell> cells;
+    for (std::size_t k = 0; k <= kLayers; ++k)
+      for (std::size_t j = 0; j <= kSide; ++j)
+        for (std::size_t i = 0; i <= kSide; ++i) {
+          const auto x = static_cast<double>(i), y = static_cast<double>(j);
+          positions[node(i, j, k)] = {x, y, 0.2 * x * y + 1e-3 * static_cast<double>(k)};
+          if (i == kSide || j == kSide || k == kLayers) continue;
+          cells.push_back({CellKind::brick8,
+                           {node(i, j, k), node(i + 1, j, k), node(i + 1, j + 1, k),
+                            node(i, j + 1, k), node(i, j, k + 1), node(i + 1, j, k + 1),
+                            node(i + 1, j + 1, k + 1), node(i, j + 1, k + 1)}});
+        }
+    const SubdividedMesh parts = subdivide_cells(test::make_mesh(positions, cells), {});
+    for (CellId cell = 0; cell < parts.mesh.cell_count(); ++cell)
+      ASSERT_GT(volume_of(parts.mesh, cell), 0) << trial;
+    // faces without neighbour are the triangles of the boundary's quadrilaterals
+    const FaceAdjacency adjacency = build_face_adjacency(parts.mesh);
+    EXPECT_EQ(std::ranges::count(adjacency.neighbors, kNoCell),
+              2 * (2 * kSide * kSide + 4 * kSide * kLayers));
+  }
 }
 
 // A brick with two corners at one place, as structured grids have them at an axis.

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "hiac/mesh/zoo_mesh.hpp"
@@ -38,8 +40,13 @@ struct CellCut {
 /// joined to it. In a convex cell with planar faces these tetrahedra fill the cell.
 CellCut cut_cell(CellKind kind, std::span<const NodeId> nodes);
 
-/// Cuts the faces as cut_cell does, and joins all their triangles to the cell's centre: cells whose
-/// faces are not planar, where cut_cell's tetrahedra may be turned inside out, are mostly filled.
-CellCut cut_cell_at_center(CellKind kind, std::span<const NodeId> nodes);
+/// The quadrilateral faces of a cell, by number, that are cut by the diagonal which does not go
+/// through their corner of the least node id.
+using OtherDiagonals = std::bitset<6>;
+
+/// Joins the triangles of a cell's faces to a corner, except those of the faces at that corner;
+/// nothing where one of these is not cut through it. To kCellCenter all triangles are joined.
+std::optional<CellCut> cut_cell_at(std::uint8_t apex, CellKind kind, std::span<const NodeId> nodes,
+                                   OtherDiagonals other);
 
 }  // namespace hiac

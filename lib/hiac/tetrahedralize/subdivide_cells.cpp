@@ -11,9 +11,10 @@
 #include <vector>
 
 #include "hiac/base/error.hpp"
-#include "hiac/geometry/predicates.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 #include "hiac/tetrahedralize/cell_cut.hpp"
+#include "hiac/tetrahedralize/chosen_cut.hpp"
+#include "hiac/tetrahedralize/face_diagonals.hpp"
 #include "hiac/tetrahedralize/tetrahedron_lattice.hpp"
 
 namespace hiac {
@@ -77,55 +78,6 @@ std::optional<std::size_t> own_node(CellKind kind, const CornerTetrahedron& corn
   return std::nullopt;
 }
 
-// The centre of a cell in its reference cell.
-std::array<double, 3> reference_center(CellKind kind) {
-  std::array<double, 3> center{};
-  const auto reference = reference_nodes(kind);
-  const std::size_t count = corner_count(kind);
-  for (std::size_t k = 0; k < count; ++k)
-    for (std::size_t a = 0; a < 3; ++a) center[a] += reference[k][a] / static_cast<double>(count);
-  return center;
-}
-
-// Where a cell's map has a place of its reference cell.
-std::array<double, 3> position_at(const ZooMesh& mesh, CellId cell,
-                                  const std::array<double, 3>& xi) {
-  std::array<double, kMaxNodesPerCell> shape;
-  shape_functions<double>(mesh.kinds[cell], xi, shape);
-  std::array<double, 3> position{};
-  const auto nodes = mesh.cell_nodes(cell);
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    for (std::size_t a = 0; a < 3; ++a) position[a] += shape[i] * mesh.position(nodes[i])[a];
-  return position;
-}
-
-// How the tetrahedra of a cell's cut turn, by their corners.
-class CutTurns {
- public:
-  CutTurns(const ZooMesh& mesh, CellId cell, const CellCut& cut) {
-    const auto nodes = mesh.cell_nodes(cell);
-    const std::array<double, 3> center =
-        position_at(mesh, cell, reference_center(mesh.kinds[cell]));
-    const auto at = [&](std::uint8_t corner) {
-      return corner == kCellCenter ? Point3(center) : mesh.position(nodes[corner]);
-    };
-    for (const auto& [a, b, c, d] : cut.all()) {
-      const int sign = orientation(at(a), at(b), at(c), at(d));
-      signs_.push_back(sign);
-      ++(sign > 0 ? right_ : sign < 0 ? left_ : flat_);
-    }
-  }
-  [[nodiscard]] bool flat(std::size_t tetrahedron) const { return signs_[tetrahedron] == 0; }
-  // How many are turned inside out, and how many are flat: the less of them, the better.
-  [[nodiscard]] std::pair<std::size_t, std::size_t> bad() const {
-    return {std::min(right_, left_), flat_};
-  }
-
- private:
-  std::vector<int> signs_;
-  std::size_t right_ = 0, left_ = 0, flat_ = 0;
-};
-
 class Subdivider {
  public:
   Subdivider(const ZooMesh& mesh, const Subdivision& how) : mesh_(mesh), how_(how) {
@@ -137,34 +89,25 @@ class Subdivider {
   }
 
   SubdividedMesh subdivide() {
+    const std::vector<OtherDiagonals> other = choose_diagonals(mesh_);
     for (CellId cell = 0; cell < mesh_.cell_count(); ++cell) {
       if (shape_of(mesh_.kinds[cell]) == CellShape::tetrahedron)
         append(cell, {0, 1, 2, 3});
       else
-        cut(cell);
+        cut(cell, other.empty() ? OtherDiagonals{} : other[cell]);
     }
     return finish();
   }
 
  private:
-  void cut(CellId cell) {
-    const CellKind kind = mesh_.kinds[cell];
-    CellCut cut = cut_cell(kind, mesh_.cell_nodes(cell));
-    CutTurns turns(mesh_, cell, cut);
-    if (turns.bad() != std::pair<std::size_t, std::size_t>{}) {
-      const CellCut around = cut_cell_at_center(kind, mesh_.cell_nodes(cell));
-      const CutTurns around_turns(mesh_, cell, around);
-      if (around_turns.bad() < turns.bad()) {
-        cut = around;
-        turns = around_turns;
-      }
-    }
-    for (std::size_t k = 0; k < cut.count; ++k) {
+  void cut(CellId cell, OtherDiagonals other) {
+    const ChosenCut chosen = choose_cut(mesh_, cell, other);
+    for (std::size_t k = 0; k < chosen.cut.count; ++k) {
       // where edges are curved, a tetrahedron has volume though its corners lie in a plane
-      if (turns.flat(k) && order_of(kind) == CellOrder::linear)
+      if (chosen.signs[k] == 0 && order_of(mesh_.kinds[cell]) == CellOrder::linear)
         ++dropped_tetrahedra_;
       else
-        append(cell, cut.tetrahedra[k]);
+        append(cell, chosen.cut.tetrahedra[k]);
     }
   }
 

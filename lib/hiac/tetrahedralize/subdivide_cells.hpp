@@ -27,9 +27,9 @@ struct SubdividedMesh {
 /// A conforming mesh of tetrahedra that fills the cells of another (cut_cell); tetrahedra stay what
 /// they are, unless they are linearized. Cells come in the order of the cells that they are of.
 /// Where tetrahedra of a cell would be flat or turned inside out, as faces that are not planar can
-/// bring about, the cell is cut around a node in its centre if that leaves less of them
-/// (cut_cell_at_center); flat ones of linear cells are left out. Cells thinner than their faces are
-/// warped may keep some that are turned inside out.
+/// bring about, the cell is cut otherwise, around a node in its centre if need be (choose_cut), and
+/// faces are cut by their other diagonal (choose_diagonals); flat ones of linear cells are left
+/// out.
 ///
 /// New nodes, in the middles of faces and cells, lie where the cell's isoparametric map has the
 /// middles (or thirds, or parts of a half, ...) of its reference cell; both cells at a face compute

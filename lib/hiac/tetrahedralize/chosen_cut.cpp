@@ -1,0 +1,146 @@
+#include "hiac/tetrahedralize/chosen_cut.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "hiac/geometry/predicates.hpp"
+#include "hiac/mesh/shape_functions.hpp"
+
+namespace hiac {
+namespace {
+
+using Triangle = std::array<std::uint8_t, 3>;
+
+constexpr std::pair<std::size_t, std::size_t> kNoneBad{0, 0};
+
+// Where a cell's map has its centre.
+std::array<double, 3> center_of(const ZooMesh& mesh, CellId cell) {
+  std::array<double, kMaxNodesPerCell> shape;
+  shape_functions<double>(mesh.kinds[cell], reference_center(mesh.kinds[cell]), shape);
+  std::array<double, 3> position{};
+  const auto nodes = mesh.cell_nodes(cell);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    for (std::size_t a = 0; a < 3; ++a) position[a] += shape[i] * mesh.position(nodes[i])[a];
+  return position;
+}
+
+// Fills a cell with tetrahedra of its corners that all turn one way: from a triangle of its surface
+// to any corner, and on with the surface of what is left, until nothing is. Where such tetrahedra's
+// outer triangles are those of the cell, they fill it without overlap.
+class Filling {
+ public:
+  Filling(const ZooMesh& mesh, CellId cell, int hand)
+      : mesh_(mesh),
+        nodes_(mesh.cell_nodes(cell)),
+        corners_(corner_count(mesh.kinds[cell])),
+        hand_(hand) {}
+
+  std::optional<CellCut> fill(std::vector<Triangle> surface) {
+    if (!go_on(surface)) return std::nullopt;
+    return cut_;
+  }
+
+ private:
+  // no more can be needed between eight corners
+  static constexpr std::size_t kMost = 8;
+
+  bool go_on(const std::vector<Triangle>& surface) {
+    if (surface.empty()) return true;
+    if (cut_.count == kMost) return false;
+    const auto [a, b, c] = surface.back();
+    for (std::uint8_t d = 0; d < corners_; ++d) {
+      if (d == a || d == b || d == c || !turns_right(a, c, b, d)) continue;
+      std::vector<Triangle> left(surface.begin(), surface.end() - 1);
+      if (!exchange(left, {a, b, d}) || !exchange(left, {b, c, d}) || !exchange(left, {c, a, d}))
+        continue;
+      cut_.tetrahedra[cut_.count++] = {a, c, b, d};
+      if (go_on(left)) return true;
+      --cut_.count;
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool turns_right(std::uint8_t a, std::uint8_t b, std::uint8_t c,
+                                 std::uint8_t d) const {
+    return orientation(mesh_.position(nodes_[a]), mesh_.position(nodes_[b]),
+                       mesh_.position(nodes_[c]), mesh_.position(nodes_[d])) == hand_;
+  }
+
+  // Adds a triangle to a surface, or takes its other side away; false where it is there already.
+  static bool exchange(std::vector<Triangle>& surface, const Triangle& triangle) {
+    for (std::size_t i = 0; i < surface.size(); ++i) {
+      if (!std::ranges::is_permutation(surface[i], triangle)) continue;
+      Triangle other = surface[i];
+      std::ranges::rotate(other, std::ranges::find(other, triangle[0]));
+      if (other[1] == triangle[1]) return false;
+      surface.erase(surface.begin() + static_cast<std::ptrdiff_t>(i));
+      return true;
+    }
+    surface.push_back(triangle);
+    return true;
+  }
+
+  const ZooMesh& mesh_;
+  std::span<const NodeId> nodes_;
+  std::size_t corners_;
+  int hand_;
+  CellCut cut_;
+};
+
+ChosenCut with_signs(const ZooMesh& mesh, CellId cell, const CellCut& cut) {
+  ChosenCut result{cut, {}};
+  const auto nodes = mesh.cell_nodes(cell);
+  const bool centered = cut.count > 0 && cut.tetrahedra[0][3] == kCellCenter;
+  const std::array<double, 3> center = centered ? center_of(mesh, cell) : std::array<double, 3>{};
+  const auto at = [&](std::uint8_t corner) {
+    return corner == kCellCenter ? Point3(center) : mesh.position(nodes[corner]);
+  };
+  for (std::size_t k = 0; k < cut.count; ++k) {
+    const auto& [a, b, c, d] = cut.tetrahedra[k];
+    result.signs[k] = orientation(at(a), at(b), at(c), at(d));
+  }
+  return result;
+}
+
+}  // namespace
+
+std::array<double, 3> reference_center(CellKind kind) {
+  std::array<double, 3> center{};
+  const auto reference = reference_nodes(kind);
+  const std::size_t count = corner_count(kind);
+  for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t a = 0; a < 3; ++a) center[a] += reference[k][a] / static_cast<double>(count);
+  return center;
+}
+
+std::pair<std::size_t, std::size_t> ChosenCut::bad() const {
+  const auto all = std::span(signs).first(cut.count);
+  const auto right = static_cast<std::size_t>(std::ranges::count(all, 1));
+  const auto left = static_cast<std::size_t>(std::ranges::count(all, -1));
+  return {std::min(right, left), cut.count - right - left};
+}
+
+ChosenCut choose_cut(const ZooMesh& mesh, CellId cell, OtherDiagonals other) {
+  const CellKind kind = mesh.kinds[cell];
+  const auto nodes = mesh.cell_nodes(cell);
+  const auto corners = nodes.first(corner_count(kind));
+  const auto least = static_cast<std::uint8_t>(std::ranges::min_element(corners) - corners.begin());
+  ChosenCut best;
+  if (const auto cut = cut_cell_at(least, kind, nodes, other)) {
+    best = with_signs(mesh, cell, *cut);
+    if (best.bad() == kNoneBad) return best;
+  }
+  const CellCut around = *cut_cell_at(kCellCenter, kind, nodes, other);
+  std::vector<Triangle> surface;  // as it is seen from outside a right-handed cell
+  for (const auto& [a, b, c, center] : around.all()) surface.push_back({a, c, b});
+  for (const int hand : {1, -1})
+    if (const auto cut = Filling(mesh, cell, hand).fill(surface))
+      return with_signs(mesh, cell, *cut);
+  const ChosenCut centered = with_signs(mesh, cell, around);
+  return best.cut.count == 0 || centered.bad() < best.bad() ? centered : best;
+}
+
+}  // namespace hiac
