@@ -58,7 +58,8 @@ std::vector<CellCount> count_cells(vtkDataSet& dataset, const std::string& subje
     if (conversion.fate == CellFate::unsupported && !cell.points.empty())
       name = fmt::format("{} of {} nodes", name, cell.points.size());
     nodes.assign(cell.points.begin(), cell.points.end());
-    std::string fate = fate_of(conversion, nodes, true_kinds);
+    std::string fate = cell.type == VTK_POLYHEDRON ? "what its faces make it"
+                                                   : fate_of(conversion, nodes, true_kinds);
     if (cells.is_ghost(i) || cells.has_hidden_point(cell.points)) fate = "dropped (ghost)";
     ++counts[{std::move(name), std::move(fate)}];
   }
