@@ -1,10 +1,12 @@
 // What a ray segment costs in cells of every kind: nanoseconds of processor time, in affine cells
-// and in cells that are not, and how many times as much as in linear tetrahedra.
+// and in cells that are not, and how many times as much as in linear tetrahedra. kind_table SHAPE
+// has one shape's rows alone.
 
 #include <algorithm>
 #include <array>
 #include <ctime>
 #include <limits>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -39,7 +41,7 @@ struct Mesh {
   ZooMesh mesh;
 };
 
-void print_table() {
+void print_table(const std::string& shape) {
   const ThreadLimit limit(1);
   const std::array<Mesh, 5> meshes{{{"tetrahedron", test::structured(3, Cut::tetrahedra)},
                                     {"pyramid", test::structured(3, Cut::pyramids)},
@@ -47,19 +49,21 @@ void print_table() {
                                     {"wedge", test::two_wedges()},
                                     {"brick", test::structured(3, Cut::bricks)}}};
   const double unit = cost(meshes[0].mesh, CellOrder::linear, test::sheared);
-  for (const auto& [name, mesh] : meshes)
+  for (const auto& [name, mesh] : meshes) {
+    if (!shape.empty() && shape != name) continue;
     for (const CellOrder order : {CellOrder::linear, CellOrder::quadratic, CellOrder::cubic}) {
       const double affine = cost(mesh, order, test::sheared);
       const double tapered = cost(mesh, order, test::tapered);
       fmt::print("| {} | {} | {:.0f} ns | {:.1f} | {:.0f} ns | {:.1f} |\n", name,
                  static_cast<int>(order), affine, affine / unit, tapered, tapered / unit);
     }
+  }
 }
 
 }  // namespace
 }  // namespace hiac
 
-int main() {
+int main(int count, char** arguments) {
   fmt::print("| cell | order | affine | times | tapered | times |\n|---|---|---|---|---|---|\n");
-  hiac::print_table();
+  hiac::print_table(count > 1 ? arguments[1] : "");
 }

@@ -27,7 +27,10 @@ class SegmentIntegrator {
         walk_(frame.optics,
               walk_field(cell.fields[cell.field_count - 1],
                          {intervals.color_low, intervals.color_high}),
-              walk_field(cell.fields[0], {intervals.extinction_low, intervals.extinction_high})) {}
+              walk_field(cell.fields[0], {intervals.extinction_low, intervals.extinction_high})) {
+    for (std::size_t a = 0; a < 3; ++a)
+      starts_.front.c[a] = starts_.back.c[a] = hn::Set(D(), cell.middle[a]);
+  }
 
   // Those from `first` on.
   HWY_INLINE void integrate(std::size_t first, CellSegments& s) {
@@ -35,8 +38,8 @@ class SegmentIntegrator {
     const auto at = [&](const std::vector<double>& of) { return hn::LoadU(d, of.data() + first); };
     V origin[3], direction[3];
     set_rays(d, first, s, origin, direction);
-    CellRays<D> rays(d, cell_, origin, direction, at(s.front), at(s.back),
-                     {{at(s.known_u), at(s.known_v), at(s.known_w)}});
+    CellRays<D> rays(d, cell_, origin, direction, at(s.front), at(s.back), starts_);
+    if (!s.known_u.empty()) rays.start_at({{at(s.known_u), at(s.known_v), at(s.known_w)}});
     rays_ = &rays;
     length_ = at(s.length);
     allowed_ = at(s.allowed);
@@ -75,19 +78,18 @@ class SegmentIntegrator {
   // Relative to the cell's origin.
   HWY_INLINE void set_rays(D d, std::size_t first, const CellSegments& s, V (&origin)[3],
                            V (&direction)[3]) const {
-    HWY_ALIGN double lane[6][8];
-    for (std::size_t k = 0; k < hn::Lanes(d); ++k) {
-      const double x = s.x[first + k], y = s.y[first + k];
-      const auto from = frame_.projector.relative_origin(x, y);
-      const auto along = frame_.projector.direction(x, y);
-      for (std::size_t a = 0; a < 3; ++a) {
-        lane[a][k] = from[a] - cell_.origin[a];
-        lane[3 + a][k] = along[a];
-      }
-    }
+    const Projector::Axes axes = frame_.projector.axes();
+    const V scale = hn::Set(d, 1 / frame_.projector.pixels_per_unit());
+    const V x = hn::LoadU(d, s.x.data() + first), y = hn::LoadU(d, s.y.data() + first);
+    const V right = hn::Mul(hn::Sub(x, hn::Set(d, axes.center_x)), scale);
+    const V up = hn::Mul(hn::Sub(hn::Set(d, axes.center_y), y), scale);
     for (std::size_t a = 0; a < 3; ++a) {
-      origin[a] = hn::Load(d, lane[a]);
-      direction[a] = hn::Load(d, lane[3 + a]);
+      const V aside =
+          hn::MulAdd(right, hn::Set(d, axes.right[a]), hn::Mul(up, hn::Set(d, axes.up[a])));
+      const V forward = hn::Set(d, axes.forward[a]), from = hn::Set(d, -cell_.origin[a]);
+      const bool perspective = frame_.projector.perspective();
+      origin[a] = perspective ? from : hn::Add(from, aside);
+      direction[a] = perspective ? hn::Add(forward, aside) : forward;
     }
   }
 
@@ -98,10 +100,22 @@ class SegmentIntegrator {
     V value[kMostChebyshevDegree + 1];
     rays_->values(cell_.fields[f], degree, value);
     for (std::size_t j = 0; j <= degree; ++j) value[j] = hn::IfThenElseZero(active_, value[j]);
+    // cosines are even and odd in turn
+    const std::size_t half = degree / 2;
+    for (std::size_t j = 0; j < degree - half; ++j) {
+      const V front = value[j], back = value[degree - j];
+      value[j] = hn::Add(front, back);
+      value[degree - j] = hn::Sub(front, back);
+    }
     for (std::size_t k = 0; k <= degree; ++k) {
-      V sum = hn::Zero(d);
-      for (std::size_t j = 0; j <= degree; ++j)
-        sum = hn::MulAdd(hn::Set(d, points.transform(k, j)), value[j], sum);
+      V sum = hn::Mul(hn::Set(d, points.transform(k, half)),
+                      degree % 2 == 0 ? value[half] : hn::Zero(d));
+      if (k % 2 == 0)
+        for (std::size_t j = 0; j < degree - half; ++j)
+          sum = hn::MulAdd(hn::Set(d, points.transform(k, j)), value[j], sum);
+      else
+        for (std::size_t j = 0; j < degree - half; ++j)
+          sum = hn::MulAdd(hn::Set(d, points.transform(k, j)), value[degree - j], sum);
       coefficients_[f][k] = sum;
     }
   }
@@ -117,10 +131,16 @@ class SegmentIntegrator {
     }
     p.degree = degree;
     const auto& matrix = bernstein_bases(degree).from_chebyshev;
-    for (std::size_t i = 0; i <= degree; ++i) {
-      p.c[i] = hn::Mul(hn::Set(d, matrix[i][0]), coefficients_[f][0]);
-      for (std::size_t k = 1; k <= degree; ++k)
-        p.c[i] = hn::MulAdd(hn::Set(d, matrix[i][k]), coefficients_[f][k], p.c[i]);
+    for (std::size_t i = 0; i <= degree - i; ++i) {
+      V even = hn::Mul(hn::Set(d, matrix[i][0]), coefficients_[f][0]), odd = hn::Zero(d);
+      for (std::size_t k = 2; k <= degree; k += 2)
+        even = hn::MulAdd(hn::Set(d, matrix[i][k]), coefficients_[f][k], even);
+      for (std::size_t k = 1; k <= degree; k += 2)
+        odd = hn::MulAdd(hn::Set(d, matrix[i][k]), coefficients_[f][k], odd);
+      p.c[i] = hn::Add(even, odd);
+      p.c[degree - i] = hn::Sub(even, odd);
+      if (i == degree - i) p.c[i] = even;
+      if (degree - i == 0) break;
     }
   }
 
@@ -167,6 +187,7 @@ class SegmentIntegrator {
   PolynomialWalk<kEmission> walk_;
   // of the segments at hand
   CellRays<D>* rays_ = nullptr;
+  RayStarts<V> starts_;  // of the segments before
   V length_, allowed_, negligible_[2];
   V coefficients_[2][kMostChebyshevDegree + 1];
   M active_;
@@ -211,7 +232,7 @@ void integrate_cell_segments(const Frame& frame, const CellPolynomials& cell,
   for (std::vector<double>* plane :
        {&segments.x, &segments.y, &segments.front, &segments.back, &segments.known_u,
         &segments.known_v, &segments.known_w, &segments.allowed})
-    plane->resize(padded, plane->back());
+    if (!plane->empty()) plane->resize(padded, plane->back());
   segments.length.resize(padded, 0);
   for (std::vector<double>* plane :
        {&segments.red, &segments.green, &segments.blue, &segments.transparency})

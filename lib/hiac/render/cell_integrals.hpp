@@ -17,11 +17,12 @@ struct CellIntervals {
 struct CellSegments {
   static constexpr std::size_t kPadding = 7;  ///< most places of a vector behind the last one
 
-  std::vector<double> x, y;                       ///< of pixels' centres
-  std::vector<double> front, back;                ///< ray parameters
-  std::vector<double> known_u, known_v, known_w;  ///< collapsed coordinates near the front
-  std::vector<double> length;                     ///< world units
-  std::vector<double> allowed;                    ///< absolute error of colours and transparency
+  std::vector<double> x, y;         ///< of pixels' centres
+  std::vector<double> front, back;  ///< ray parameters
+  std::vector<double> known_u, known_v,
+      known_w;                  ///< collapsed coordinates near the front; or empty
+  std::vector<double> length;   ///< world units
+  std::vector<double> allowed;  ///< absolute error of colours and transparency
   std::vector<double> red, green, blue, transparency;  ///< results
   std::vector<std::uint8_t> done;                      ///< whether there are results
 

@@ -76,6 +76,12 @@ HWY_INLINE void value_and_gradient(D d, const CubePolynomial& f, const LanePoint
   }
 }
 
+// Collapsed coordinates from which those where rays enter and leave the cell may be found.
+template <class V>
+struct RayStarts {
+  LanePoint<V> front, back;
+};
+
 // The rays of one vector of segments through one cell.
 template <class D>
 class CellRays {
@@ -83,10 +89,10 @@ class CellRays {
   using V = hn::Vec<D>;
   using M = hn::Mask<D>;
 
-  // Relative to the cell's origin. `known`: collapsed coordinates near the front.
+  // Relative to the cell's origin. `starts` come to be those for the next segments.
   CellRays(D d, const CellPolynomials& cell, const V (&origin)[3], const V (&direction)[3], V front,
-           V back, const LanePoint<V>& known)
-      : d_(d), cell_(cell), front_(front), back_(back), known_(known) {
+           V back, RayStarts<V>& starts)
+      : d_(d), cell_(cell), front_(front), back_(back), starts_(starts) {
     for (std::size_t a = 0; a < 3; ++a) {
       origin_[a] = origin[a];
       direction_[a] = direction[a];
@@ -104,14 +110,17 @@ class CellRays {
     }
   }
 
-  // Collapsed coordinates at the Chebyshev points of [begin, end], those of `degree` that are not
-  // of half of it, if `refine`. Lanes for which they are not found are taken off `active`.
+  // Where the rays are known to be near the front, or near the back.
+  void start_at(const LanePoint<V>& known) { starts_ = {known, known}; }
+
+  // Collapsed coordinates at the Chebyshev points of [begin, end]; `refine`: those of `degree` that
+  // are not of half of it. Lanes for which they are not found are taken off `active`.
   HWY_NOINLINE void sample(double begin, double end, std::size_t degree, bool refine, M& active) {
+    if (!cell_.affine && !refine) return sample_five(begin, end, active);
     const ChebyshevPoints& points = chebyshev_points(degree);
-    const std::size_t stride = kMostChebyshevDegree / degree;
-    const bool exact = cell_.exact_degree > 0;
+    const std::size_t stride = cell_.exact_degree > 0 ? 1 : kMostChebyshevDegree / degree;
     for (std::size_t j = refine ? 1 : 0; j <= degree; j += refine ? 2 : 1) {
-      LanePoint<V>& here = at_[exact ? j : j * stride];
+      LanePoint<V>& here = at_[j * stride];
       const double u = begin + (end - begin) * points.place(j);
       if (cell_.affine) {
         LanePoint<V> xi;
@@ -120,13 +129,8 @@ class CellRays {
         here = collapsed_in(xi);
         continue;
       }
-      if (refine)
-        here = predicted(degree, j);
-      else
-        here = j > 0 ? at_[(j - 1) * stride] : known_;
-      const V part = hn::Set(d_, u);
-      active = hn::And(active,
-                       find(place(hn::MulAdd(part, hn::Sub(back_, front_), front_)), here, active));
+      here = predicted(degree, j);
+      find_at(u, here, active);
     }
   }
 
@@ -157,6 +161,38 @@ class CellRays {
  private:
   static constexpr double kMargin = 1e-3;  // outside the cell roots belong to other branches
   static constexpr int kMostSteps = 10;
+  // the next step would be as short as this one squared
+  static constexpr double kLastStep = 0x1p26;  // its inverse
+
+  // The points of degree 4: the ends, then those between them from where parabolas have them.
+  void sample_five(double begin, double end, M& active) {
+    const ChebyshevPoints& points = chebyshev_points(4);
+    constexpr std::size_t kStride = kMostChebyshevDegree / 4;
+    LanePoint<V>&front = at_[0], &middle = at_[2 * kStride], &back = at_[4 * kStride];
+    const auto u = [&](std::size_t j) { return begin + (end - begin) * points.place(j); };
+    front = starts_.front;
+    back = starts_.back;
+    find_at(u(0), front, active);
+    find_at(u(4), back, active);
+    starts_ = {front, back};
+    const V half = hn::Set(d_, 0.5);
+    for (std::size_t a = 0; a < 3; ++a) middle.c[a] = hn::Mul(half, hn::Add(front.c[a], back.c[a]));
+    find_at(u(2), middle, active);
+    // Lagrange's weights at (1 - sqrt(1/2)) / 2
+    const V near = hn::Set(d_, 0.60355339059327379), far = hn::Set(d_, -0.10355339059327377);
+    for (std::size_t a = 0; a < 3; ++a) {
+      const V shared = hn::Mul(half, middle.c[a]);
+      at_[kStride].c[a] = hn::MulAdd(near, front.c[a], hn::MulAdd(far, back.c[a], shared));
+      at_[3 * kStride].c[a] = hn::MulAdd(near, back.c[a], hn::MulAdd(far, front.c[a], shared));
+    }
+    find_at(u(1), at_[kStride], active);
+    find_at(u(3), at_[3 * kStride], active);
+  }
+
+  HWY_INLINE void find_at(double u, LanePoint<V>& at, M& active) const {
+    const V t = hn::MulAdd(hn::Set(d_, u), hn::Sub(back_, front_), front_);
+    active = hn::And(active, find(place(t), at, active));
+  }
 
   [[nodiscard]] HWY_INLINE LanePoint<V> place(V t) const {
     LanePoint<V> p;
@@ -242,7 +278,7 @@ class CellRays {
         at.c[i] = hn::Add(at.c[i], change);
         largest = hn::Max(largest, hn::Abs(change));
       }
-      found = hn::Le(hn::Mul(largest, hn::Set(d_, 1e9)), nearness(at));
+      found = hn::Le(hn::Mul(largest, hn::Set(d_, kLastStep)), nearness(at));
       if (hn::AllTrue(d_, hn::Or(hn::Not(active), found))) break;
     }
     for (std::size_t a = 0; a < 3; ++a)
@@ -275,7 +311,7 @@ class CellRays {
   D d_;
   const CellPolynomials& cell_;
   V front_, back_;
-  LanePoint<V> known_;
+  RayStarts<V>& starts_;
   V origin_[3], direction_[3];
   LanePoint<V> xi_front_, xi_change_;          // of affine cells
   LanePoint<V> at_[kMostChebyshevDegree + 1];  // what is sampled

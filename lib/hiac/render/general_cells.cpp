@@ -200,6 +200,9 @@ class GeneralCellRenderer {
                        std::span<const CellField> fields) {
     segments_.clear();
     kept_.clear();
+    curved_ = std::ranges::any_of(crossings_, [](const CellCrossing& c) {
+      return !std::isnan(c.front_reference[0]) || !std::isnan(c.back_reference[0]);
+    });
     for (const CellCrossing& crossing : crossings_) add_segment(crossing, map);
     if (kept_.empty()) return;
     const CellPolynomials polynomials(kind_, nodes_, map, fields);
@@ -210,7 +213,10 @@ class GeneralCellRenderer {
     for (std::size_t k = 0; k < kept_.size(); ++k) {
       const PlainRadiance radiance{{segments_.red[k], segments_.green[k], segments_.blue[k]},
                                    segments_.transparency[k]};
-      render(crossings_[kept_[k]], map, field, segments_.done[k] != 0 ? &radiance : nullptr);
+      if (segments_.done[k] != 0 && !frame_.with_details)
+        add_seen(index_of(crossings_[kept_[k]]), segments_.front[k], segments_.back[k], radiance);
+      else
+        render(crossings_[kept_[k]], map, field, segments_.done[k] != 0 ? &radiance : nullptr);
     }
   }
 
@@ -220,20 +226,36 @@ class GeneralCellRenderer {
     const double back = std::min(crossing.back, frame_.projector.far());
     if (buffer_.transparency[at] <= frame_.least_transparency || !(front < back)) return;
     kept_.push_back(static_cast<std::size_t>(&crossing - crossings_.data()));
-    const auto& reference = std::isnan(crossing.front_reference[0]) ? crossing.back_reference
-                                                                    : crossing.front_reference;
-    const auto known =
-        collapsed(shape_of(kind_), std::isnan(reference[0]) ? map.middle() : reference);
     segments_.x.push_back(crossing.x + 0.5);
     segments_.y.push_back(crossing.y + 0.5);
     segments_.front.push_back(front);
     segments_.back.push_back(back);
-    segments_.known_u.push_back(known[0]);
-    segments_.known_v.push_back(known[1]);
-    segments_.known_w.push_back(known[2]);
+    if (curved_) {
+      const auto& reference = std::isnan(crossing.front_reference[0]) ? crossing.back_reference
+                                                                      : crossing.front_reference;
+      const auto known =
+          collapsed(shape_of(kind_), std::isnan(reference[0]) ? map.middle() : reference);
+      segments_.known_u.push_back(known[0]);
+      segments_.known_v.push_back(known[1]);
+      segments_.known_w.push_back(known[2]);
+    }
     segments_.length.push_back((back - front) * buffer_.ray_scale[at]);
     segments_.allowed.push_back(
         allowed_error(front, back, group_ != nullptr ? 1 : buffer_.transparency[at]));
+  }
+
+  void add_seen(std::size_t at, double front, double back, const PlainRadiance& radiance) {
+    if (buffer_.transparency[at] <= frame_.least_transparency) return;
+    ++counts_.segments;
+    add_to_pixel(at, front, back, radiance);
+  }
+
+  void add_to_pixel(std::size_t at, double front, double back, const PlainRadiance& radiance) {
+    if (group_ != nullptr)
+      group_->append(static_cast<std::uint32_t>(at), front, back, radiance.rgb[0], radiance.rgb[1],
+                     radiance.rgb[2], radiance.transparency);
+    else
+      composite(at, front, back, radiance);
   }
 
   // `together`: what integrate_cell_segments found, if anything.
@@ -258,11 +280,7 @@ class GeneralCellRenderer {
     }
     if (together != nullptr) radiance = checked(*together, radiance);
     if (frame_.with_details) describe(at, crossing, field, stretch, scale, radiance);
-    if (group_ != nullptr)
-      group_->append(static_cast<std::uint32_t>(at), stretch.front, stretch.back, radiance.rgb[0],
-                     radiance.rgb[1], radiance.rgb[2], radiance.transparency);
-    else
-      composite(at, stretch.front, stretch.back, radiance);
+    add_to_pixel(at, stretch.front, stretch.back, radiance);
   }
 
   // What was found together with other segments, of which no bound is known, with the bounds of
@@ -502,6 +520,7 @@ class GeneralCellRenderer {
   std::vector<CellCrossing> crossings_;
   CellSegments segments_;
   std::vector<std::size_t> kept_;  // crossings that segments_ has
+  bool curved_ = false;            // some of them through curved faces
   std::vector<FieldAlongRay::Piece> pieces_;
   std::vector<RootEnclosure> roots_;
   std::vector<IsosurfaceCrossing> surfaces_;

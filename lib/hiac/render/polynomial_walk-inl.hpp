@@ -282,7 +282,8 @@ class PolynomialWalk {
     total =
         hn::Max(hn::Mul(total, hn::Set(d, 1 / static_cast<double>(tau.degree + 1))), hn::Zero(d));
     const V weight = hn::IfThenElseZero(active, hn::Div(sum.transparency, allowed));
-    const std::size_t nodes = nodes_for(d, tau, field, channels, length, weight);
+    const V offset = hn::NegMulAdd(slope, anchor, value);
+    const std::size_t nodes = nodes_for(d, tau, slope, offset, field, channels, length, weight);
     if (nodes == 0 && may_refuse) return false;
     const std::size_t used = nodes == 0 ? kMostLaneNodes : nodes;
     const bool thin = hn::AllTrue(d, hn::Lt(hn::IfThenElseZero(active, most), hn::Set(d, kThin)));
@@ -301,15 +302,19 @@ class PolynomialWalk {
 
   // How many nodes integrate p exp(-A) over [0, 1] with an error of at most 1 / weight, p being
   // kappa' or g: the bound of polynomial_piece.hpp on the best of some ellipses, for the lane that
-  // needs most. 0: more than there are.
+  // needs most. 0: more than there are. `tau` is offset + slope times its field.
   template <class D, class V = hn::Vec<D>>
-  static HWY_NOINLINE std::size_t nodes_for(D d, const LanePolynomial<V>& tau,
-                                            const LanePolynomial<V>& field,
-                                            const Channels<V>& channels, V length, V weight) {
+  HWY_NOINLINE std::size_t nodes_for(D d, const LanePolynomial<V>& tau, V slope, V offset,
+                                     const LanePolynomial<V>& field, const Channels<V>& channels,
+                                     V length, V weight) const {
     V t[kMaxFieldDegree + 3], f[kMaxFieldDegree + 1];  // Chebyshev coefficients, then magnitudes
     const std::size_t n = tau.degree, m = field.degree;
-    to_chebyshev(d, tau, t);
     to_chebyshev(d, field, f);
+    if (optics_.same_field)
+      for (std::size_t k = 0; k <= n; ++k)
+        t[k] = k == 0 ? hn::MulAdd(slope, f[0], offset) : hn::Mul(slope, f[k]);
+    else
+      to_chebyshev(d, tau, t);
     t[n + 1] = t[n + 2] = hn::Zero(d);
     V depth[kMaxFieldDegree + 2];
     for (std::size_t k = 1; k <= n + 1; ++k) {
@@ -326,8 +331,8 @@ class PolynomialWalk {
           hn::Mul(weight, hn::Max(hn::Max(hn::Abs(channels.value[0]), hn::Abs(channels.value[1])),
                                   hn::Abs(channels.value[2])));
     const EllipseTable& ellipses = ellipse_table();
-    double fewest = static_cast<double>(kMostLaneNodes) + 1, previous = hwy::HighestValue<double>();
-    for (std::size_t e = 0; e < EllipseTable::kCount; ++e) {
+    const auto counts = hn::Gt(weight, hn::Zero(d));
+    const auto needed_on = [&](std::size_t e) {
       V grown = hn::Set(d, ellipses.log_factor[e]), p = hn::Zero(d);
       for (std::size_t k = 1; k <= n + 1; ++k)
         grown = hn::MulAdd(hn::Set(d, ellipses.value[e][k]), depth[k], grown);
@@ -337,12 +342,23 @@ class PolynomialWalk {
       p = hn::MulAdd(p, steepness, brightest);
       if constexpr (kEmission) p = hn::Mul(p, length);
       const V needed = hn::Mul(hn::Add(grown, log_above(d, p)), hn::Set(d, ellipses.rate[e]));
-      const double here =
-          hn::GetLane(hn::MaxOfLanes(d, hn::IfThenElseZero(hn::Gt(weight, hn::Zero(d)), needed)));
-      fewest = std::min(fewest, here);
-      // convex in log(rho)
-      if (here > previous) break;
-      previous = here;
+      return hn::GetLane(hn::MaxOfLanes(d, hn::IfThenElseZero(counts, needed)));
+    };
+    // the number falls and then rises with the ellipse; the last piece's is a good guess
+    double fewest = needed_on(ellipse_);
+    bool falls = false;
+    while (ellipse_ + 1 < EllipseTable::kCount) {
+      const double larger = needed_on(ellipse_ + 1);
+      if (!(larger < fewest)) break;
+      fewest = larger;
+      ++ellipse_;
+      falls = true;
+    }
+    while (!falls && ellipse_ > 0) {
+      const double smaller = needed_on(ellipse_ - 1);
+      if (!(smaller < fewest)) break;
+      fewest = smaller;
+      --ellipse_;
     }
     if (!(fewest <= static_cast<double>(kMostLaneNodes))) return 0;
     return static_cast<std::size_t>(std::max(1.0, std::ceil(fewest)));
@@ -359,7 +375,18 @@ class PolynomialWalk {
   template <class D, class V = hn::Vec<D>>
   static HWY_INLINE void to_chebyshev(D d, const LanePolynomial<V>& f, V* c) {
     const auto& matrix = bernstein_bases(f.degree).to_chebyshev;
-    for (std::size_t k = 0; k <= f.degree; ++k) c[k] = combined(d, f, matrix[k]);
+    const std::size_t n = f.degree, half = (n + 1) / 2;
+    V even[kMaxFieldDegree / 2 + 1], odd[kMaxFieldDegree / 2 + 1];
+    for (std::size_t i = 0; i < half; ++i) {
+      even[i] = hn::Add(f.c[i], f.c[n - i]);
+      odd[i] = hn::Sub(f.c[i], f.c[n - i]);
+    }
+    for (std::size_t k = 0; k <= n; ++k) {
+      const V* part = k % 2 == 0 ? even : odd;
+      c[k] = n % 2 == 0 ? hn::Mul(hn::Set(d, matrix[k][half]), f.c[half]) : hn::Zero(d);
+      for (std::size_t i = 0; i < half; ++i)
+        c[k] = hn::MulAdd(hn::Set(d, matrix[k][i]), part[i], c[k]);
+    }
   }
 
   template <class D, class V = hn::Vec<D>>
@@ -398,6 +425,7 @@ class PolynomialWalk {
 
   const OpticsTables& optics_;
   WalkField color_, extinction_;
+  mutable std::size_t ellipse_ = EllipseTable::kCount - 1;  // best for the last piece
 };
 
 }  // namespace hiac::HWY_NAMESPACE

@@ -63,6 +63,14 @@ class Projector {
   /// Perspective: the direction's components along right and up, that along forward being 1.
   /// Orthographic: the origin's, from look_at.
   [[nodiscard]] std::array<double, 2> slopes(double x, double y) const;
+  /// What rays are made of, for many at a time: with a = (x - center_x) / pixels_per_unit() and
+  /// b = (center_y - y) / pixels_per_unit(), relative_origin(x, y) is 0 and direction(x, y) is
+  /// forward + a right + b up in perspective; a right + b up and forward in orthographic.
+  struct Axes {
+    std::array<double, 3> right, up, forward;
+    double center_x, center_y;
+  };
+  [[nodiscard]] Axes axes() const { return {right_, up_, forward_, center_x_, center_y_}; }
   /// Distance from the eye plane along the view direction at the ray parameter t.
   [[nodiscard]] double distance(double t) const { return t + offset_; }
   /// Pixels per world unit: of things parallel to the screen, in perspective at t = 1.
