@@ -155,22 +155,31 @@ class SegmentIntegrator {
     active_ = hn::AndNot(undone, active_);
   }
 
-  // Fields that are not polynomials, on a part of the segments.
+  // Fields that are not polynomials, on a part of the segments: of ever higher degree, or on
+  // halves.
   HWY_NOINLINE void interpolate(double begin, double end, int halvings) {
     const D d;
     M resolved = active_;
-    std::size_t degree = 4;
-    for (; degree <= kMostChebyshevDegree; degree *= 2) {
+    V before[2] = {hn::Zero(d), hn::Zero(d)};
+    for (std::size_t degree = 4; degree <= kMostChebyshevDegree; degree *= 2) {
       rays_->sample(begin, end, degree, degree > 4, active_);
       resolved = active_;
+      M hopeless = hn::Lt(hn::Set(d, 1.0), hn::Zero(d));
       for (std::size_t f = 0; f < cell_.field_count; ++f) {
         transform(f, degree);
         const V last =
             hn::Add(hn::Abs(coefficients_[f][degree]), hn::Abs(coefficients_[f][degree - 1]));
         resolved = hn::And(resolved, hn::Le(last, negligible_[f]));
+        // what twice the degree would leave, if coefficients fall off as they did
+        const V rate = hn::Div(last, before[f]);
+        const V left = hn::Mul(last, hn::Mul(rate, rate));
+        hopeless = hn::Or(hopeless, hn::Gt(left, hn::Mul(hn::Set(d, 8.0), negligible_[f])));
+        before[f] = last;
       }
       if (hn::AllFalse(d, active_)) return;
       if (hn::AllTrue(d, hn::Or(hn::Not(active_), resolved))) return add(begin, end, degree);
+      hopeless = hn::And(hopeless, hn::AndNot(resolved, active_));
+      if (degree == 8 && halvings < kMostHalvings && !hn::AllFalse(d, hopeless)) break;
     }
     if (halvings == kMostHalvings) {
       active_ = resolved;

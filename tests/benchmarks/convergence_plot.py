@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+"""Draws the table of convergence (convergence_table.cpp) as an SVG picture.
+
+    build/release/tests/benchmarks/convergence_table | tests/benchmarks/convergence_plot.py > FILE
+
+reads the table, or any text that has its rows, and draws the mean error over the cells per edge,
+both logarithmic, a panel for every shape of cells; lines of exact order 2, 3 and 4 beside them.
+"""
+
+import math
+import sys
+
+WIDTH, HEIGHT, LEFT, TOP, GAP = 190, 250, 52, 34, 14
+COLORS = {1: "#1b6ca8", 2: "#c2571a", 3: "#3d8b37"}
+LEAST, MOST = -7, -1  # powers of ten
+
+
+def read_rows(text):
+    """{shape: {order: [(cells per edge, mean error)]}}, in the order of the table."""
+    shapes = {}
+    for line in text:
+        fields = [field.strip() for field in line.strip().strip("|").split("|")]
+        if len(fields) != 6 or fields[1] not in ("1", "2", "3") or not fields[2].isdigit():
+            continue
+        orders = shapes.setdefault(fields[0], {})
+        orders.setdefault(int(fields[1]), []).append((int(fields[2]), float(fields[4])))
+    return shapes
+
+
+class Panel:
+    def __init__(self, left, finest):
+        self.left = left
+        self.finest = math.log2(finest)
+
+    def x(self, cells):
+        return self.left + 14 + (WIDTH - 28) * math.log2(cells) / self.finest
+
+    def y(self, error):
+        return TOP + HEIGHT * (MOST - math.log10(error)) / (MOST - LEAST)
+
+
+def line(points, color, dash=""):
+    path = " ".join(f"{x:.1f},{y:.1f}" for x, y in points)
+    return f'<polyline points="{path}" fill="none" stroke="{color}" stroke-width="1.6"{dash}/>'
+
+
+def draw_panel(name, orders, panel):
+    out = [f'<rect x="{panel.left}" y="{TOP}" width="{WIDTH}" height="{HEIGHT}" fill="none" '
+           'stroke="#999"/>',
+           f'<text x="{panel.left + WIDTH / 2}" y="{TOP - 10}" text-anchor="middle">{name}</text>']
+    for cells in [n for n, _ in orders[1]]:
+        out.append(f'<text x="{panel.x(cells):.1f}" y="{TOP + HEIGHT + 16}" '
+                   f'text-anchor="middle">{cells}</text>')
+    for order, points in orders.items():
+        color = COLORS[order]
+        out.append(line([(panel.x(n), panel.y(e)) for n, e in points], color))
+        out += [f'<circle cx="{panel.x(n):.1f}" cy="{panel.y(e):.1f}" r="2.8" fill="{color}"/>'
+                for n, e in points]
+        (first, _), (last, error) = points[0], points[-1]
+        exact = [(n, 1.6 * error * (last / n) ** (order + 1)) for n in (first, last)]
+        exact = [(n, e) for n, e in exact if LEAST <= math.log10(e) <= MOST]
+        if len(exact) < 2:
+            middle = last / 4
+            exact = [(n, 1.6 * error * (last / n) ** (order + 1)) for n in (middle, last)]
+        out.append(line([(panel.x(n), panel.y(e)) for n, e in exact], color,
+                        ' stroke-dasharray="3 3" opacity="0.6"'))
+    return out
+
+
+def main():
+    shapes = read_rows(sys.stdin)
+    if not shapes:
+        sys.exit("convergence_plot: no rows of the table of convergence in the input")
+    finest = max(n for orders in shapes.values() for points in orders.values() for n, _ in points)
+    width = LEFT + len(shapes) * (WIDTH + GAP)
+    height = TOP + HEIGHT + 60
+    out = [f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
+           'font-family="sans-serif" font-size="12">',
+           f'<rect width="{width}" height="{height}" fill="white"/>']
+    for power in range(LEAST, MOST + 1):
+        y = TOP + HEIGHT * (MOST - power) / (MOST - LEAST)
+        out.append(f'<text x="{LEFT - 6}" y="{y + 4:.1f}" text-anchor="end">1e{power}</text>')
+        out.append(f'<line x1="{LEFT}" x2="{width - GAP}" y1="{y:.1f}" y2="{y:.1f}" '
+                   'stroke="#eee"/>')
+    for index, (name, orders) in enumerate(shapes.items()):
+        out += draw_panel(name, orders, Panel(LEFT + index * (WIDTH + GAP), finest))
+    labels = [("linear: order 2", 1), ("quadratic: order 3", 2), ("cubic: order 4", 3)]
+    for index, (label, order) in enumerate(labels):
+        x = LEFT + index * 170
+        out.append(f'<rect x="{x}" y="{height - 28}" width="12" height="12" '
+                   f'fill="{COLORS[order]}"/>')
+        out.append(f'<text x="{x + 18}" y="{height - 18}">{label} (dashed)</text>')
+    out.append(f'<text x="{width - GAP}" y="{height - 18}" text-anchor="end">mean error of a '
+               'pixel over cells per edge</text>')
+    out.append("</svg>")
+    print("\n".join(out))
+
+
+if __name__ == "__main__":
+    main()
