@@ -102,13 +102,13 @@ ZooMesh pushed_inside(std::size_t n, double amplitude, std::uint64_t seed) {
   return test::make_mesh(positions, test::cells_of(shuffled(Cut::bricks, n, seed)));
 }
 
-// How many tetrahedra of bricks that are cut from their corners of the least node are turned inside
-// out.
+// How many tetrahedra of bricks that are cut from their corners of the least number are turned
+// inside out.
 std::size_t turned_from_least_corners(const ZooMesh& mesh) {
   std::size_t turned = 0;
   for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {
     const auto nodes = mesh.cell_nodes(cell);
-    const CellCut cut = cut_cell(mesh.kinds[cell], nodes);
+    const CellCut cut = cut_cell(mesh.kinds[cell], nodes.first(8));
     for (const auto& [a, b, c, d] : cut.all())
       turned += orientation(mesh.position(nodes[a]), mesh.position(nodes[b]),
                             mesh.position(nodes[c]), mesh.position(nodes[d])) < 0
@@ -130,10 +130,11 @@ TEST(SubdivideCells, CellsWithFacesThatAreNotPlanarAreFilled) {
   EXPECT_GT(turned, 2U);
 }
 
-// A stack of layers much thinner than they are warped, numbered at random: opposite faces have to
-// be cut alike.
+// A stack of layers much thinner than they are warped, whose corners come in random order by x:
+// opposite faces have to be cut alike.
 TEST(SubdivideCells, ThinWarpedLayersAreCutWithoutTurningTetrahedraInsideOut) {
   std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> push(-1e-6, 1e-6);
   for (int trial = 0; trial < 20; ++trial) {
     constexpr std::size_t kLayers = 12, kSide = 2;
     std::vector<NodeId> number((kLayers + 1) * (kSide + 1) * (kSide + 1));
@@ -148,7 +149,8 @@ TEST(SubdivideCells, ThinWarpedLayersAreCutWithoutTurningTetrahedraInsideOut) {
       for (std::size_t j = 0; j <= kSide; ++j)
         for (std::size_t i = 0; i <= kSide; ++i) {
           const auto x = static_cast<double>(i), y = static_cast<double>(j);
-          positions[node(i, j, k)] = {x, y, 0.2 * x * y + 1e-3 * static_cast<double>(k)};
+          positions[node(i, j, k)] = {x + push(random), y,
+                                      0.2 * x * y + 1e-3 * static_cast<double>(k)};
           if (i == kSide || j == kSide || k == kLayers) continue;
           cells.push_back({CellKind::brick8,
                            {node(i, j, k), node(i + 1, j, k), node(i + 1, j + 1, k),
@@ -162,6 +164,31 @@ TEST(SubdivideCells, ThinWarpedLayersAreCutWithoutTurningTetrahedraInsideOut) {
     const FaceAdjacency adjacency = build_face_adjacency(parts.mesh);
     EXPECT_EQ(std::ranges::count(adjacency.neighbors, kNoCell),
               2 * (2 * kSide * kSide + 4 * kSide * kLayers));
+  }
+}
+
+// Two bricks with a warped face between them of which each has nodes of its own.
+TEST(SubdivideCells, FacesWithNodesOfTheirOwnAtTheSamePlacesAreCutAlike) {
+  std::mt19937_64 random(4);
+  std::vector<NodeId> number(16);
+  std::iota(number.begin(), number.end(), 0);
+  for (int trial = 0; trial < 30; ++trial) {
+    std::ranges::shuffle(number, random);
+    std::vector<Position> positions(16);
+    std::vector<test::Cell> cells{{CellKind::brick8, {}}, {CellKind::brick8, {}}};
+    for (std::size_t b = 0; b < 2; ++b)
+      for (std::size_t n = 0; n < 8; ++n) {
+        const double x = n % 4 == 1 || n % 4 == 2 ? 1 : 0, y = n % 4 >= 2 ? 1 : 0;
+        const std::size_t layer = b + n / 4;
+        const double z = static_cast<double>(layer) + (layer == 1 && n % 4 == 2 ? 0.3 : 0);
+        positions[number[8 * b + n]] = {x, y, z};
+        cells[b].nodes.push_back(number[8 * b + n]);
+      }
+    const SubdividedMesh parts = subdivide_cells(test::make_mesh(positions, cells), {});
+    double volume = 0;
+    for (CellId cell = 0; cell < parts.mesh.cell_count(); ++cell)
+      volume += volume_of(parts.mesh, cell);
+    EXPECT_NEAR(volume, 2, 1e-14);
   }
 }
 

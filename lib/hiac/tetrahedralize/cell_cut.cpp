@@ -5,19 +5,19 @@
 namespace hiac {
 namespace {
 
-std::uint8_t least_corner(CellKind kind, std::span<const NodeId> nodes) {
-  const auto corners = nodes.first(corner_count(kind));
+std::uint8_t least_corner(CellKind kind, std::span<const NodeId> names) {
+  const auto corners = names.first(corner_count(kind));
   return static_cast<std::uint8_t>(std::ranges::min_element(corners) - corners.begin());
 }
 
 // A face's corners, still counter-clockwise from outside; a quadrilateral's diagonal goes from the
 // first to the third.
-std::array<std::uint8_t, 4> diagonal_first(const ShapeFace& face, std::span<const NodeId> nodes,
+std::array<std::uint8_t, 4> diagonal_first(const ShapeFace& face, std::span<const NodeId> names,
                                            bool other) {
   const std::size_t count = face.corner_count;
   std::size_t first = 0;
   for (std::size_t k = 1; k < count; ++k)
-    if (nodes[face.corners[k]] < nodes[face.corners[first]]) first = k;
+    if (names[face.corners[k]] < names[face.corners[first]]) first = k;
   first += other ? 1 : 0;
   std::array<std::uint8_t, 4> corners{};
   for (std::size_t k = 0; k < count; ++k) corners[k] = face.corners[(first + k) % count];
@@ -26,22 +26,22 @@ std::array<std::uint8_t, 4> diagonal_first(const ShapeFace& face, std::span<cons
 
 }  // namespace
 
-CellCut cut_cell(CellKind kind, std::span<const NodeId> nodes) {
+CellCut cut_cell(CellKind kind, std::span<const NodeId> names) {
   if (shape_of(kind) != CellShape::tetrahedron)
-    return *cut_cell_at(least_corner(kind, nodes), kind, nodes, {});
+    return *cut_cell_at(least_corner(kind, names), kind, names, {});
   CellCut cut;
   cut.tetrahedra[cut.count++] = {0, 1, 2, 3};
   return cut;
 }
 
-std::optional<CellCut> cut_cell_at(std::uint8_t apex, CellKind kind, std::span<const NodeId> nodes,
+std::optional<CellCut> cut_cell_at(std::uint8_t apex, CellKind kind, std::span<const NodeId> names,
                                    OtherDiagonals other) {
   CellCut cut;
   const auto faces = topology_of(kind).faces;
   for (std::size_t f = 0; f < faces.size(); ++f) {
     const bool quadrilateral = faces[f].corner_count == 4;
     const std::array<std::uint8_t, 4> c =
-        diagonal_first(faces[f], nodes, quadrilateral && other[f]);
+        diagonal_first(faces[f], names, quadrilateral && other[f]);
     if (quadrilateral && (c[1] == apex || c[3] == apex)) return std::nullopt;
     const auto corners = std::span(c).first(faces[f].corner_count);
     if (std::ranges::find(corners, apex) != corners.end()) continue;

@@ -31,22 +31,23 @@ struct CellCut {
 };
 
 /// Cuts a cell of any kind into tetrahedra that turn as the cell does: a brick into six, a wedge
-/// into four or five, a prism into three, a pyramid into two. `nodes`: the cell's.
+/// into four or five, a prism into three, a pyramid into two. `names`: of the cell's corners, in an
+/// order that all cells at a face agree on.
 ///
-/// Every quadrilateral face is cut by the diagonal from its corner of the least node id, so that
-/// the two cells at a face cut it alike (J. Dompierre, P. Labbé, M.-G. Vallet, R. Camarero, "How to
+/// Every quadrilateral face is cut by the diagonal from its corner of the least name, so that the
+/// two cells at a face cut it alike (J. Dompierre, P. Labbé, M.-G. Vallet, R. Camarero, "How to
 /// subdivide pyramids, prisms and hexahedra into tetrahedra", 1999). The faces at the cell's corner
-/// of the least id are then all cut through that corner, and the triangles of the other faces are
+/// of the least name are then all cut through that corner, and the triangles of the other faces are
 /// joined to it. In a convex cell with planar faces these tetrahedra fill the cell.
-CellCut cut_cell(CellKind kind, std::span<const NodeId> nodes);
+CellCut cut_cell(CellKind kind, std::span<const NodeId> names);
 
 /// The quadrilateral faces of a cell, by number, that are cut by the diagonal which does not go
-/// through their corner of the least node id.
+/// through their corner of the least name.
 using OtherDiagonals = std::bitset<6>;
 
 /// Joins the triangles of a cell's faces to a corner, except those of the faces at that corner;
 /// nothing where one of these is not cut through it. To kCellCenter all triangles are joined.
-std::optional<CellCut> cut_cell_at(std::uint8_t apex, CellKind kind, std::span<const NodeId> nodes,
+std::optional<CellCut> cut_cell_at(std::uint8_t apex, CellKind kind, std::span<const NodeId> names,
                                    OtherDiagonals other);
 
 }  // namespace hiac

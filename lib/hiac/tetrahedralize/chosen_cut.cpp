@@ -27,6 +27,22 @@ std::array<double, 3> center_of(const ZooMesh& mesh, CellId cell) {
   return position;
 }
 
+// The corners' ranks by their places, nodes at one place by their numbers: cells agree on them at
+// faces that they share, and at faces with nodes of their own at the same places.
+std::array<NodeId, 8> names_by_place(const ZooMesh& mesh, CellId cell) {
+  const auto nodes = mesh.cell_nodes(cell).first(corner_count(mesh.kinds[cell]));
+  const auto before = [&](NodeId a, NodeId b) {
+    const auto p = mesh.position(a), q = mesh.position(b);
+    for (std::size_t c = 0; c < 3; ++c)
+      if (p[c] != q[c]) return p[c] < q[c];
+    return a < b;
+  };
+  std::array<NodeId, 8> names{};
+  for (std::size_t k = 0; k < nodes.size(); ++k)
+    for (const NodeId other : nodes) names[k] += before(other, nodes[k]) ? 1U : 0U;
+  return names;
+}
+
 // Fills a cell with tetrahedra of its corners that all turn one way: from a triangle of its surface
 // to any corner, and on with the surface of what is left, until nothing is. Where such tetrahedra's
 // outer triangles are those of the cell, they fill it without overlap.
@@ -125,15 +141,15 @@ std::pair<std::size_t, std::size_t> ChosenCut::bad() const {
 
 ChosenCut choose_cut(const ZooMesh& mesh, CellId cell, OtherDiagonals other) {
   const CellKind kind = mesh.kinds[cell];
-  const auto nodes = mesh.cell_nodes(cell);
-  const auto corners = nodes.first(corner_count(kind));
+  const std::array<NodeId, 8> names = names_by_place(mesh, cell);
+  const auto corners = std::span(names).first(corner_count(kind));
   const auto least = static_cast<std::uint8_t>(std::ranges::min_element(corners) - corners.begin());
   ChosenCut best;
-  if (const auto cut = cut_cell_at(least, kind, nodes, other)) {
+  if (const auto cut = cut_cell_at(least, kind, corners, other)) {
     best = with_signs(mesh, cell, *cut);
     if (best.bad() == kNoneBad) return best;
   }
-  const CellCut around = *cut_cell_at(kCellCenter, kind, nodes, other);
+  const CellCut around = *cut_cell_at(kCellCenter, kind, corners, other);
   std::vector<Triangle> surface;  // as it is seen from outside a right-handed cell
   for (const auto& [a, b, c, center] : around.all()) surface.push_back({a, c, b});
   for (const int hand : {1, -1})

@@ -18,9 +18,9 @@ struct ChosenCut {
   [[nodiscard]] std::pair<std::size_t, std::size_t> bad() const;
 };
 
-/// The cut of a cell whose quadrilateral faces are cut as `other` says: from its corner of the
-/// least node id if no tetrahedron is bad then; else any that has none bad; else the better of that
-/// and the one around the centre.
+/// The cut of a cell whose quadrilateral faces are cut as `other` says, corners being named by
+/// their places (x, then y, then z; then the node's number): from the least one if no tetrahedron
+/// is bad then; else any that has none bad; else the better of that and the one around the centre.
 ChosenCut choose_cut(const ZooMesh& mesh, CellId cell, OtherDiagonals other);
 
 /// The centre of a cell in its reference cell: the mean of the corners.
