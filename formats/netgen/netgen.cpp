@@ -101,7 +101,7 @@ class VolReader {
     } else if (keyword == "dimension") {
       if (cursor_.integer("a dimension") != 3) cursor_.fail("dimension 3 expected");
     } else if (keyword == "curvedelements") {
-      mesh_.notes.push_back("left out 'curvedelements': cells are straight between their nodes");
+      mesh_.notes.emplace_back("left out 'curvedelements': cells are straight between their nodes");
     } else if (keyword.starts_with("surfaceelements")) {
       const std::size_t count = cursor_.count("the number of surface elements", cursor_.left());
       if (count > 0)

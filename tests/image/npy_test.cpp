@@ -41,7 +41,7 @@ TEST_F(Npy, WritesTheBytesThatTheFormatAsksFor) {
   expected += "{'descr': '<f8', 'fortran_order': False, 'shape': (1, 2, 1), }";
   expected.resize(127, ' ');
   expected += '\n';
-  expected += std::string(8, '\0') + std::string("\0\0\0\0\0\0\xf0\x3f", 8);
+  expected.append(8, '\0').append("\0\0\0\0\0\0\xf0\x3f", 8);
   EXPECT_EQ(bytes_of(path("a.npy")), expected);
   EXPECT_EQ(file_count(), 1u);
 }

@@ -36,7 +36,7 @@ Matrix inverse_of_columns(const Point& a, const Point& b, const Point& c) {
   return {scale * bc, scale * cross(c, a), scale * cross(a, b)};
 }
 
-Point apply(const Matrix& rows, const Point& v) {
+Point times(const Matrix& rows, const Point& v) {
   return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
 }
 
@@ -255,7 +255,7 @@ Point CellMap::position(const Point& xi) const {
 
 Point CellMap::reference(const Point& point, const Point& guess) const {
   const Point relative = point - origin_;
-  if (affine_) return apply(inverse_, relative);
+  if (affine_) return times(inverse_, relative);
   Point xi = guess;
   if (newton(relative, xi) && near_reference_cell(shape_of(kind_), xi)) return xi;
   xi = guess;
@@ -279,7 +279,7 @@ bool CellMap::newton(const Point& point, Point& xi) const {
     if (!(size < before)) return false;  // diverges, or is not a number
     if (size <= kLeastResidual * size_) return true;
     before = size;
-    const Point step = apply(inverse_of_columns(jacobian.x, jacobian.y, jacobian.z), residual);
+    const Point step = times(inverse_of_columns(jacobian.x, jacobian.y, jacobian.z), residual);
     if (!std::isfinite(largest(step))) return size <= kResidualRounding * size_;
     xi = xi + step;
     if (largest(step) <= kLastStep * jacobian_scale(shape_of(kind_), xi)) return true;
