@@ -93,7 +93,7 @@ std::set<std::set<NodeId>> triangles_on(const ShapeFace& face, const CellCut& cu
       for (std::size_t k = 0; k < 4; ++k) {
         if (k == apart) continue;
         on_face = on_face && corners.contains(t[k]);
-        triangle.insert(nodes[t[k]]);
+        if (on_face) triangle.insert(nodes[t[k]]);
       }
       if (on_face) triangles.insert(triangle);
     }
