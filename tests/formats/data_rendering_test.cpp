@@ -146,9 +146,10 @@ std::vector<std::string> data_files() {
 TEST(DataRendering, NoSegmentIsOutOfOrder) {
   if (!fs::exists(data_dir())) GTEST_SKIP() << data_dir() << " is not there";
   const bool all = std::getenv("HIAC_ALL_DATA") != nullptr;
-  std::size_t drawn = 0;
+  std::size_t drawn = 0, number = 0;
   for (const std::string& path : data_files()) {
-    if (!all && fs::file_size(path) > kMostBytes) continue;
+    if (!all && (fs::file_size(path) > kMostBytes || number++ % (4 / test::tried(4)) != 0))
+      continue;
     const std::string name = fs::relative(path, data_dir()).string();
     Reading reading;
     try {
@@ -171,7 +172,7 @@ TEST(DataRendering, NoSegmentIsOutOfOrder) {
     if (is_invalid(name)) continue;
     EXPECT_EQ(outcome.violations, 0U) << name;
   }
-  EXPECT_GT(drawn, 20U);
+  EXPECT_GT(drawn, test::tried(20));
 }
 
 }  // namespace
