@@ -12,6 +12,7 @@
 #include "formats/lattice.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
 #include "hiac/mesh/shape_functions.hpp"
+#include "tests/formats/cell_volumes.hpp"
 #include "tests/formats/files.hpp"
 
 namespace hiac::formats {
@@ -194,21 +195,6 @@ ForeignMesh hexagonal_columns() {
   mesh.fields.push_back(field_of("n", FieldLocation::node, 1, std::move(values)));
   mesh.blocks = {{"upper", {{1, 2}}}};
   return mesh;
-}
-
-double volume_of(const ZooMesh& mesh) {
-  // over the faces of each cell, in triangles from the first corner
-  double six = 0;
-  for (CellId cell = 0; cell < mesh.cell_count(); ++cell)
-    for (const ShapeFace& face : topology_of(mesh.kinds[cell]).faces)
-      for (std::size_t i = 1; i + 1 < face.corner_count; ++i) {
-        const auto a = mesh.position(mesh.cell_nodes(cell)[face.corners[0]]);
-        const auto b = mesh.position(mesh.cell_nodes(cell)[face.corners[i]]);
-        const auto c = mesh.position(mesh.cell_nodes(cell)[face.corners[i + 1]]);
-        six += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-               a[2] * (b[0] * c[1] - b[1] * c[0]);
-      }
-  return six / 6;
 }
 
 TEST(ReduceCells, PolyhedraAreDividedConformingly) {

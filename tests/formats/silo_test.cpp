@@ -7,6 +7,7 @@
 #include <silo.h>
 
 #include "hiac/mesh/face_adjacency.hpp"
+#include "tests/formats/cell_volumes.hpp"
 #include "tests/formats/files.hpp"
 
 namespace hiac::formats {
@@ -80,19 +81,6 @@ void put_mesh(DBfile* file, const Zones& zones, double shift) {
   DBPutUcdvar(file, "position", "mesh", 3, names.data(), coordinates.data(), 12, nullptr, 0,
               DB_DOUBLE, DB_NODECENT, nullptr);
   DBFreeOptlist(options);
-}
-
-double volume_of(const ZooMesh& mesh, CellId cell) {
-  double six = 0;
-  for (const ShapeFace& face : topology_of(mesh.kinds[cell]).faces)
-    for (std::size_t i = 1; i + 1 < face.corner_count; ++i) {
-      const auto a = mesh.position(mesh.cell_nodes(cell)[face.corners[0]]);
-      const auto b = mesh.position(mesh.cell_nodes(cell)[face.corners[i]]);
-      const auto c = mesh.position(mesh.cell_nodes(cell)[face.corners[i + 1]]);
-      six += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-             a[2] * (b[0] * c[1] - b[1] * c[0]);
-    }
-  return six / 6;
 }
 
 TEST(Silo, EveryKindOfZoneIsReadInEitherOrientation) {
