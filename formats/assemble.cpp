@@ -6,8 +6,8 @@
 #include <map>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "formats/block_choice.hpp"
 #include "formats/cell_collector.hpp"
 #include "formats/gate.hpp"
 #include "formats/node_resolver.hpp"
@@ -18,9 +18,6 @@
 namespace hiac::formats {
 namespace {
 
-/// Error messages name at most so many blocks.
-constexpr std::size_t kNamedBlocks = 20;
-
 /// For every cell whether it is in the block that is asked for; empty: all are wanted.
 std::vector<bool> wanted_cells(const ForeignMesh& foreign, const ReadOptions& options,
                                const std::string& subject) {
@@ -29,7 +26,7 @@ std::vector<bool> wanted_cells(const ForeignMesh& foreign, const ReadOptions& op
   std::vector<std::string> names;
   bool found = false;
   for (const ForeignBlock& block : foreign.blocks) {
-    if (names.size() < kNamedBlocks) names.push_back(block.name);
+    names.push_back(block.name);
     if (block.name != *options.block) continue;
     found = true;
     for (const IndexRange range : block.cells)
@@ -37,11 +34,7 @@ std::vector<bool> wanted_cells(const ForeignMesh& foreign, const ReadOptions& op
                 wanted.begin() + static_cast<std::ptrdiff_t>(range.end), true);
   }
   if (found) return wanted;
-  throw UsageError(foreign.blocks.empty()
-                       ? fmt::format("--block {}: {} has no named blocks", *options.block, subject)
-                       : fmt::format("--block {}: {} has no such block (one of {}{} expected)",
-                                     *options.block, subject, fmt::join(names, ", "),
-                                     foreign.blocks.size() > kNamedBlocks ? ", ..." : ""));
+  throw no_such_block(*options.block, names, subject);
 }
 
 /// The fields of the requested step, or the last of each.

@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,6 +17,7 @@
 #include "formats/input_text.hpp"
 #include "formats/library_formats.hpp"
 #include "formats/medit/medit.hpp"
+#include "formats/named_file.hpp"
 #include "formats/nastran/nastran.hpp"
 #include "formats/netgen/netgen.hpp"
 #include "formats/su2/su2.hpp"
@@ -34,22 +32,6 @@
 
 namespace hiac::formats {
 namespace {
-
-/// Enough for every format's first words, an XML declaration and comments included.
-constexpr std::size_t kHeadBytes = 4096;
-
-std::string head_of(const std::string& path) {
-  std::error_code status_error;
-  if (std::filesystem::is_directory(path, status_error))
-    throw InputError(path, "is a directory (a file expected)");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(path, fmt::format("cannot be opened ({})", std::strerror(errno)));
-  std::string head(kHeadBytes, '\0');
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  if (file.bad()) throw InputError(path, fmt::format("cannot be read ({})", std::strerror(errno)));
-  head.resize(static_cast<std::size_t>(file.gcount()));
-  return head;
-}
 
 std::string lower_extension(const std::string& path) {
   const std::filesystem::path name(path);
@@ -118,7 +100,7 @@ const Format& format_named(const std::string& name) {
 }
 
 const Format& format_to_read(const std::string& path) {
-  std::string head = head_of(path);
+  std::string head = file_head(path);
   const std::string extension = lower_extension(path);
   // a case of several files may be named by an empty one
   for (const Format& format : all_formats())

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -13,6 +12,7 @@
 #include "formats/comma_fields.hpp"
 #include "formats/input_text.hpp"
 #include "formats/large_reserve.hpp"
+#include "formats/named_file.hpp"
 #include "formats/text_cursor.hpp"
 #include "hiac/base/error.hpp"
 
@@ -131,10 +131,9 @@ class DeckReader {
     const bool takes_input = keyword.name == "INCLUDE" || keyword.name == "NODE" ||
                              keyword.name == "ELEMENT" || keyword.name == "ELSET";
     if (takes_input && input != nullptr) {
-      const auto folder = std::filesystem::path(path).parent_path();
       const bool include = keyword.name == "INCLUDE";
       try {
-        read_file((folder / *input).string(), include ? nullptr : &keyword);
+        read_file(file_beside(path, *input), include ? nullptr : &keyword);
       } catch (const InputError& error) {
         cursor.fail_at(keyword.offset, fmt::format("in the included file: {}", error.what()));
       }

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 
 #include <fmt/format.h>
 
 #include "formats/input_text.hpp"
+#include "formats/named_file.hpp"
 #include "formats/text_cursor.hpp"
 #include "hiac/base/error.hpp"
 
@@ -200,7 +200,7 @@ std::string file_of_step(const std::string& case_path, const std::string& name, 
     const std::size_t stars = file.find_last_of('*') + 1 - first;
     file.replace(first, stars, fmt::format("{:0{}}", set->file_numbers[step], stars));
   }
-  return (std::filesystem::path(case_path).parent_path() / file).string();
+  return file_beside(case_path, file);
 }
 
 }  // namespace hiac::formats::ensight

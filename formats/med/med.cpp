@@ -78,20 +78,26 @@ struct FieldPart {
 
   [[nodiscard]] std::vector<double> on_cells() const {
     std::vector<double> values(cells * components, kNaN);
-    for (const auto& [type, group] : by_type)
-      if (file->has(step + "/MAI." + type))
+    for (const auto& entry : by_type) {
+      const auto& group = entry.second;
+      const std::string name = "MAI." + entry.first;
+      if (file->has(step + "/" + name))
         put(
-            "MAI." + type, group.count, 1, [&](std::size_t i) { return group.first + i; }, values);
+            name, group.count, 1, [&](std::size_t i) { return group.first + i; }, values);
+    }
     return values;
   }
 
   [[nodiscard]] std::vector<double> on_corners() const {
     std::vector<double> values(entries * components, kNaN);
-    for (const auto& [type, group] : by_type)
-      if (file->has(step + "/NOE." + type))
+    for (const auto& entry : by_type) {
+      const auto& group = entry.second;
+      const std::string name = "NOE." + entry.first;
+      if (file->has(step + "/" + name))
         put(
-            "NOE." + type, group.count, group.nodes,
+            name, group.count, group.nodes,
             [&](std::size_t i) { return group.first_entry + i * group.nodes; }, values);
+    }
     return values;
   }
 

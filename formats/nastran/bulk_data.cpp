@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
@@ -11,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "formats/input_text.hpp"
+#include "formats/named_file.hpp"
 #include "formats/nastran/bulk_cards.hpp"
 #include "formats/nastran/coordinate_systems.hpp"
 #include "formats/number_index.hpp"
@@ -198,9 +198,8 @@ class BulkReader {
     if (name.size() >= 2 && (name.front() == '\'' || name.front() == '"') &&
         name.back() == name.front())
       name = name.substr(1, name.size() - 2);
-    const auto file = std::filesystem::path(path).parent_path() / std::string(name);
     try {
-      read_file(file.string());
+      read_file(file_beside(path, std::string(name)));
     } catch (const InputError& error) {
       cursor.fail_at(card.offset, fmt::format("in the included file: {}", error.what()));
     }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "formats/mapped_file.hpp"
+#include "formats/named_file.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::plot3d {
@@ -15,10 +16,10 @@ namespace {
 
 using nlohmann::json;
 
-std::string path_in(const json& entry, const char* key, const std::filesystem::path& folder) {
+std::string path_in(const json& entry, const char* key, const std::string& index) {
   const auto found = entry.find(key);
   if (found == entry.end() || !found->is_string()) return {};
-  return (folder / found->get<std::string>()).string();
+  return file_beside(index, found->get<std::string>());
 }
 
 FileSet read_index(const std::string& path) {
@@ -26,7 +27,6 @@ FileSet read_index(const std::string& path) {
   const json index = json::parse(file.text().begin(), file.text().end(), nullptr, false);
   if (index.is_discarded() || !index.is_object())
     throw InputError(path, "is no whole JSON object (an index of PLOT3D files expected)");
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   FileSet files;
   const auto list = index.find("filenames");
   if (list == index.end() || !list->is_array() || list->empty())
@@ -37,9 +37,9 @@ FileSet read_index(const std::string& path) {
     if (entry.is_object() && time != entry.end() && time->is_number())
       step.time = time->get<double>();
     if (entry.is_object()) {
-      step.grid = path_in(entry, "xyz", folder);
-      step.q = path_in(entry, "q", folder);
-      step.function = path_in(entry, "function", folder);
+      step.grid = path_in(entry, "xyz", path);
+      step.q = path_in(entry, "q", path);
+      step.function = path_in(entry, "function", path);
     }
     if (step.grid.empty())
       throw InputError(path, fmt::format("step {} names no grid (a name under 'xyz' expected)",

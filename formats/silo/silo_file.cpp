@@ -1,9 +1,8 @@
 #include "formats/silo/silo_file.hpp"
 
-#include <filesystem>
-
 #include <fmt/format.h>
 
+#include "formats/named_file.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::silo {
@@ -40,8 +39,7 @@ DBfile* SiloFiles::open(const std::string& path) {
 Place SiloFiles::place_of(const std::string& name) const {
   const std::size_t colon = name.find(':');
   if (colon == std::string::npos) return {path_, name};
-  return {(std::filesystem::path(path_).parent_path() / name.substr(0, colon)).string(),
-          name.substr(colon + 1)};
+  return {file_beside(path_, name.substr(0, colon)), name.substr(colon + 1)};
 }
 
 std::vector<double> numbers(const void* data, int type, std::size_t count,

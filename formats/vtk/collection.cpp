@@ -2,17 +2,16 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <map>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
+#include "formats/block_choice.hpp"
 #include "formats/gate.hpp"
 #include "formats/mapped_file.hpp"
 #include "formats/merge_pieces.hpp"
+#include "formats/named_file.hpp"
 #include "formats/registry.hpp"
 #include "formats/steps.hpp"
 #include "formats/vtk/vtk_formats.hpp"
@@ -24,7 +23,6 @@
 namespace hiac::formats {
 namespace {
 
-constexpr std::size_t kHeadBytes = 4096;
 /// The types of files that are trees of blocks.
 constexpr std::array<std::string_view, 3> kTrees{
     "vtkMultiBlockDataSet", "vtkPartitionedDataSetCollection", "vtkPartitionedDataSet"};
@@ -34,15 +32,6 @@ struct Member {
   std::string path;
   std::vector<std::string> names;  ///< its own and those of the blocks that it is in
 };
-
-std::string head_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(path, "cannot be opened");
-  std::string head(kHeadBytes, '\0');
-  file.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(file.gcount()));
-  return head;
-}
 
 bool is_tree(std::string_view type) {
   return std::find(kTrees.begin(), kTrees.end(), type) != kTrees.end();
@@ -93,11 +82,7 @@ class Members {
   void choose_block() {
     if (!options_.block) return;
     if (std::find(names_.begin(), names_.end(), *options_.block) == names_.end())
-      throw UsageError(
-          names_.empty()
-              ? fmt::format("--block {}: {} has no named blocks", *options_.block, subject_)
-              : fmt::format("--block {}: {} has no such block (one of {} expected)",
-                            *options_.block, subject_, fmt::join(names_, ", ")));
+      throw no_such_block(*options_.block, names_, subject_);
     std::erase_if(members_, [&](const Member& member) {
       return std::find(member.names.begin(), member.names.end(), *options_.block) ==
              member.names.end();
@@ -107,7 +92,7 @@ class Members {
   void sort_out_surfaces() {
     std::size_t surfaces = 0;
     std::erase_if(members_, [&](const Member& member) {
-      const std::string type = vtk::xml_file_type(head_of(member.path));
+      const std::string type = vtk::xml_file_type(file_head(member.path));
       surfaces += holds_no_volume(type) ? 1 : 0;
       return holds_no_volume(type);
     });
@@ -117,8 +102,8 @@ class Members {
 
   /// Files of files: not again one of the kind that this is, or they would name each other.
   [[nodiscard]] const Format& format_of(const Member& member) const {
-    const std::string own = vtk::xml_file_type(head_of(subject_));
-    const std::string type = vtk::xml_file_type(head_of(member.path));
+    const std::string own = vtk::xml_file_type(file_head(subject_));
+    const std::string type = vtk::xml_file_type(file_head(member.path));
     if (type == "Collection" || (is_tree(own) && is_tree(type)))
       throw InputError(subject_, fmt::format("names {}, which is itself a list of files (a dataset "
                                              "expected)",
@@ -128,7 +113,7 @@ class Members {
 
   [[nodiscard]] Reading read_member(const Member& member, const ReadOptions& options) const {
     // a dataset may be empty, or hold surfaces alone
-    const vtk::XmlReader reader = vtk::xml_reader(vtk::xml_file_type(head_of(member.path)));
+    const vtk::XmlReader reader = vtk::xml_reader(vtk::xml_file_type(file_head(member.path)));
     Reading reading = reader.read ? reader.read(member.path, options)
                                   : format_of(member).read(member.path, options);
     std::erase_if(reading.mesh.metadata, [](const auto& entry) { return entry.first == "source"; });
@@ -187,10 +172,6 @@ class Members {
   std::vector<std::string> notes_;
 };
 
-std::string path_beside(const std::string& path, const std::string& named) {
-  return (std::filesystem::path(path).parent_path() / named).string();
-}
-
 // ---- .pvd
 
 struct TimedMember {
@@ -212,7 +193,7 @@ std::vector<TimedMember> collection(const std::string& path) {
     if (error != std::errc() || end != time_text.data() + time_text.size() || !std::isfinite(time))
       text.fail(fmt::format("a DataSet with a wrong timestep (a number expected, '{}' found)",
                             time_text));
-    TimedMember member{time, {path_beside(path, named), {}}};
+    TimedMember member{time, {file_beside(path, named), {}}};
     for (const char* name : {"group", "name"})
       if (const std::string value = element.attribute(name).as_string(); !value.empty())
         member.member.names.push_back(value);
@@ -271,7 +252,7 @@ void add_members(pugi::xml_node parent, const std::vector<std::string>& names,
       own.push_back(name);
     const std::string named = element.attribute("file").as_string();
     if ((kind == "DataSet" || kind == "Piece") && !named.empty())
-      members.push_back({path_beside(path, named), std::move(own)});
+      members.push_back({file_beside(path, named), std::move(own)});
     else if (kind == "Block" || kind == "Piece" || kind == "Partitions")
       add_members(element, own, path, members);
   }
@@ -279,7 +260,7 @@ void add_members(pugi::xml_node parent, const std::vector<std::string>& names,
 
 std::vector<Member> tree(const std::string& path) {
   const MappedFile file(path);
-  const vtk::XmlText text(file.text(), vtk::xml_file_type(head_of(path)), path);
+  const vtk::XmlText text(file.text(), vtk::xml_file_type(file_head(path)), path);
   std::vector<Member> members;
   add_members(text.primary(), {}, path, members);
   if (members.empty()) text.fail("names no files");

@@ -1,10 +1,9 @@
-#include <filesystem>
-
 #include <fmt/format.h>
 
 #include "formats/gate.hpp"
 #include "formats/mapped_file.hpp"
 #include "formats/merge_pieces.hpp"
+#include "formats/named_file.hpp"
 #include "formats/vtk/vtk_formats.hpp"
 #include "formats/vtk/vtk_xml.hpp"
 #include "formats/vtk/xml_layout.hpp"
@@ -17,12 +16,11 @@ namespace {
 std::vector<std::string> piece_paths(const std::string& path, const std::string& type) {
   const MappedFile file(path);
   const vtk::XmlText text(file.text(), type, path);
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   std::vector<std::string> paths;
   for (const pugi::xml_node piece : text.primary().children("Piece")) {
     const std::string source = piece.attribute("Source").as_string();
     if (source.empty()) text.fail("a piece without a Source");
-    paths.push_back((folder / source).string());
+    paths.push_back(file_beside(path, source));
   }
   if (paths.empty()) text.fail("names no pieces");
   return paths;

@@ -5,12 +5,12 @@
 #include <bit>
 #include <charconv>
 #include <cstring>
-#include <filesystem>
 #include <type_traits>
 
 #include <fmt/format.h>
 
 #include "formats/mapped_file.hpp"
+#include "formats/named_file.hpp"
 #include "formats/product.hpp"
 #include "hiac/base/error.hpp"
 
@@ -193,9 +193,7 @@ std::vector<T> DataItems::from_text(const pugi::xml_node& item) const {
   return values;
 }
 
-std::string DataItems::beside(const std::string& name) const {
-  return (std::filesystem::path(path_).parent_path() / name).string();
-}
+std::string DataItems::beside(const std::string& name) const { return file_beside(path_, name); }
 
 template <typename T>
 std::vector<T> DataItems::from_hdf5(const pugi::xml_node& item) {

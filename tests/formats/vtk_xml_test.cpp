@@ -138,6 +138,17 @@ TEST(VtkXml, ACollectionHasStepsOfParts) {
   EXPECT_THAT(refusal(itself), HasSubstr("itself a list of files"));
 }
 
+TEST(VtkXml, NamesOfFilesThatBreakLinesAreRefused) {
+  const ScratchFolder folder;
+  for (const char* text :
+       {"<VTKFile type=\"Collection\"><Collection><DataSet file=\"a&#10;b.vtu\"/></Collection>"
+        "</VTKFile>",
+        "<VTKFile type=\"PUnstructuredGrid\"><PUnstructuredGrid><Piece Source=\"a&#10;b.vtu\"/>"
+        "</PUnstructuredGrid></VTKFile>"})
+    EXPECT_THAT(refusal(folder.write("names.xml", text)),
+                testing::AllOf(HasSubstr("control characters"), testing::Not(HasSubstr("\n"))));
+}
+
 TEST(VtkXml, BlocksOfFilesAreReadUnderTheirNames) {
   const ScratchFolder folder;
   EXPECT_EQ(refusal(folder.write("a.vtu", vtu(brick_piece(0, "", array("c", "5"))))), "");
