@@ -198,10 +198,7 @@ class Assembler {
     if (!last || *last >= foreign_.times.size()) return;
     reading_.mesh.metadata.emplace_back("time", fmt::format("{}", foreign_.times[*last]));
     if (step_ || foreign_.times.size() < 2) return;
-    reading_.notes.push_back(
-        fmt::format("took the last of {} steps, time {} (--step and --time "
-                    "take another)",
-                    foreign_.times.size(), foreign_.times[*last]));
+    reading_.notes.push_back(last_step_note(foreign_.times.size(), foreign_.times[*last]));
     for (const ForeignField* field : fields_)
       if (field->step && *field->step != *last)
         reading_.notes.push_back(fmt::format("field '{}' is of time {}, its last", field->name,

@@ -44,4 +44,9 @@ std::optional<std::size_t> requested_step(const ReadOptions& options, std::span<
   return options.step;
 }
 
+std::string last_step_note(std::size_t steps, double time) {
+  return fmt::format("took the last of {} steps, time {} (--step and --time take another)",
+                     steps, time);
+}
+
 }  // namespace hiac::formats

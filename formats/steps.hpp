@@ -15,4 +15,7 @@ namespace hiac::formats {
 std::optional<std::size_t> requested_step(const ReadOptions& options, std::span<const double> times,
                                           const std::string& subject);
 
+/// What a reader says that took the last of several steps unasked.
+std::string last_step_note(std::size_t steps, double time);
+
 }  // namespace hiac::formats

@@ -226,9 +226,7 @@ Reading read_collection(const std::string& path, const ReadOptions& options) {
   Reading reading = Members(members_at(std::move(all), time), options, path).read();
   std::erase_if(reading.mesh.metadata, [](const auto& entry) { return entry.first == "time"; });
   reading.mesh.metadata.emplace_back("time", fmt::format("{}", time));
-  if (!step && times.size() > 1)
-    reading.notes.push_back(fmt::format(
-        "took the last of {} steps, time {} (--step and --time take another)", times.size(), time));
+  if (!step && times.size() > 1) reading.notes.push_back(last_step_note(times.size(), time));
   return reading;
 }
 

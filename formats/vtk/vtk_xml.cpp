@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 #include <vtkCellData.h>
@@ -17,12 +18,14 @@
 #include "formats/gate.hpp"
 #include "formats/mapped_file.hpp"
 #include "formats/merge_pieces.hpp"
+#include "formats/steps.hpp"
 #include "formats/vtk/from_vtk.hpp"
 #include "formats/vtk/legacy_values.hpp"
 #include "formats/vtk/message_capture.hpp"
 #include "formats/vtk/to_vtk.hpp"
 #include "formats/vtk/vtk_formats.hpp"
 #include "formats/vtk/xml_layout.hpp"
+#include "formats/vtk/xml_steps.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats {
@@ -43,11 +46,15 @@ void for_each_not_finite_array(const XmlPiece& piece, const Use& use) {
 /// A checked XML file and VTK's reader of it.
 class XmlFile {
  public:
-  XmlFile(const std::string& path, const std::string& type, vtkXMLDataReader& reader)
+  XmlFile(const std::string& path, const std::string& type, vtkXMLDataReader& reader,
+          const ReadOptions& options)
       : path_(path),
         file_(path),
-        layout_(check_xml_file(file_.text(), type, path)),
-        reader_(reader) {
+        step_(xml_step(file_.text(), type, options, path)),
+        layout_(check_xml_file(text(), type, path)),
+        reader_(reader),
+        options_(options) {
+    if (step_) copy_ = std::make_unique<MemoryFile>(text(), path_);
     hide_not_finite();
     reader_.SetFileName(copy_ ? copy_->path().c_str() : path_.c_str());
     reader_.UpdateInformation();
@@ -104,11 +111,37 @@ class XmlFile {
     return dataset;
   }
 
+  /// What is left to ask of the dataset where the file told the steps.
+  [[nodiscard]] ReadOptions dataset_options() const {
+    ReadOptions options = options_;
+    if (step_) options.step.reset();
+    if (step_) options.time.reset();
+    return options;
+  }
+
+  /// Adds the step's time and what VTK warned of.
+  void complete(Reading& reading) const {
+    add_warnings(reading.notes);
+    if (!step_) return;
+    auto& metadata = reading.mesh.metadata;
+    std::erase_if(metadata, [](const auto& entry) { return entry.first == "time"; });
+    metadata.emplace_back("time", fmt::format("{}", step_->times[step_->step]));
+    if (!options_.step && !options_.time && step_->times.size() > 1)
+      reading.notes.push_back(last_step_note(step_->times.size(), step_->times.back()));
+  }
+  void complete(Inventory& inventory) const {
+    add_warnings(inventory.notes);
+    if (step_) inventory.times = step_->times;
+  }
+
+ private:
   void add_warnings(std::vector<std::string>& notes) const {
     for (std::string& warning : messages_.warnings()) notes.push_back(std::move(warning));
   }
 
- private:
+  /// The file's, of one step.
+  [[nodiscard]] std::string_view text() const { return step_ ? step_->text : file_.text(); }
+
   static void disable_texts(vtkDataArraySelection& selection, const Arrays& arrays) {
     for (const XmlArray& array : arrays)
       if (array.type.family == NumberType::Family::text) selection.DisableArray(array.name.c_str());
@@ -128,7 +161,7 @@ class XmlFile {
 
   /// Where an array's text begins in the file.
   [[nodiscard]] std::size_t place_of(const XmlArray& array) const {
-    return static_cast<std::size_t>(array.data.data() - file_.text().data());
+    return static_cast<std::size_t>(array.data.data() - text().data());
   }
 
   /// C++ streams do not read "nan" and "inf", and so VTK's reader stops there. It is given a copy
@@ -136,7 +169,7 @@ class XmlFile {
   void hide_not_finite() {
     for (const XmlPiece& piece : layout_.pieces)
       for_each_not_finite_array(piece, [&](const XmlArray& array, bool) {
-        if (!copy_) copy_ = std::make_unique<MemoryFile>(file_.text(), path_);
+        if (!copy_) copy_ = std::make_unique<MemoryFile>(text(), path_);
         for_each_not_finite(array.data, 0, array.data.size(), [&](const NotFiniteWord& word) {
           copy_->put_zero(place_of(array) + word.at, word.length);
         });
@@ -167,8 +200,10 @@ class XmlFile {
   MessageCapture messages_;  // first: checking the layout decompresses with VTK
   std::string path_;
   MappedFile file_;
+  std::optional<XmlStep> step_;
   XmlLayout layout_;
   vtkXMLDataReader& reader_;
+  ReadOptions options_;
   std::unique_ptr<MemoryFile> copy_;
 };
 
@@ -176,19 +211,19 @@ template <typename Reader>
 Reading read_structured(const std::string& path, const std::string& type,
                         const ReadOptions& options) {
   vtkNew<Reader> reader;
-  XmlFile file(path, type, *reader);
+  XmlFile file(path, type, *reader, options);
   const vtkSmartPointer<vtkDataSet> dataset = file.read_whole();
-  Reading reading = mesh_from_vtk(dataset, options, path);
-  file.add_warnings(reading.notes);
+  Reading reading = mesh_from_vtk(dataset, file.dataset_options(), path);
+  file.complete(reading);
   return reading;
 }
 
 template <typename Reader>
 Inventory inspect_structured(const std::string& path, const std::string& type) {
   vtkNew<Reader> reader;
-  XmlFile file(path, type, *reader);
+  XmlFile file(path, type, *reader, {});
   Inventory inventory = inventory_from_vtk(*file.read_whole(), path);
-  file.add_warnings(inventory.notes);
+  file.complete(inventory);
   return inventory;
 }
 
@@ -202,24 +237,24 @@ XmlReader structured_reader(const std::string& type) {
 
 Reading read_vtu(const std::string& path, const ReadOptions& options) {
   vtkNew<vtkXMLUnstructuredGridReader> reader;
-  XmlFile file(path, "UnstructuredGrid", *reader);
+  XmlFile file(path, "UnstructuredGrid", *reader, options);
   std::vector<Reading> pieces;
   const std::size_t count = file.layout().pieces.size();
   for (std::size_t p = 0; p < count; ++p) {
     const std::string subject = count == 1 ? path : fmt::format("{}: piece {}", path, p);
-    pieces.push_back(mesh_from_vtk(file.read_piece(p), options, subject));
+    pieces.push_back(mesh_from_vtk(file.read_piece(p), file.dataset_options(), subject));
   }
   Reading reading = merge_pieces(std::move(pieces), path);
-  file.add_warnings(reading.notes);
+  file.complete(reading);
   return reading;
 }
 
 Inventory inspect_vtu(const std::string& path) {
   vtkNew<vtkXMLUnstructuredGridReader> reader;
-  XmlFile file(path, "UnstructuredGrid", *reader);
+  XmlFile file(path, "UnstructuredGrid", *reader, {});
   Inventory inventory = inventory_from_vtk(*file.read_all_pieces(), path);
   inventory.format = "vtu";
-  file.add_warnings(inventory.notes);
+  file.complete(inventory);
   return inventory;
 }
 
@@ -247,7 +282,7 @@ Format structured_format(std::string_view name, std::string_view extension,
   format.extensions = {extension};
   format.kinds = "brick8";
   format.fields = "node, cell";
-  format.time_steps = "one";
+  format.time_steps = "several";
   format.recognizes = [type](std::string_view head) { return vtk::xml_file_type(head) == type; };
   const vtk::XmlReader reader = vtk::xml_reader(type);
   format.read = [reader](const std::string& path, const ReadOptions& options) {
@@ -271,7 +306,7 @@ Format vtu_format() {
   format.extensions = {".vtu"};
   format.kinds = "tet4-20 pyr5,13 prism6,15 wedge7 brick8,20";
   format.fields = "node, cell";
-  format.time_steps = "one";
+  format.time_steps = "several";
   format.recognizes = [](std::string_view head) {
     return vtk::xml_file_type(head) == "UnstructuredGrid";
   };

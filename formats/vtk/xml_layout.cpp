@@ -80,8 +80,6 @@ class LayoutCheck {
 
   XmlLayout run() {
     const pugi::xml_node primary = text_.primary();
-    if (primary.attribute("TimeValues"))
-      text_.fail("holds several time steps in one file, which is not read");
     check_field_data(primary);
     if (layout_.type == "UnstructuredGrid")
       check_unstructured(primary);

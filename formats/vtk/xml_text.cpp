@@ -112,8 +112,8 @@ XmlArray XmlText::array(pugi::xml_node element) const {
     fail(fmt::format("array '{}': wrong number of components ({})", array.name, array.components));
   if (element.attribute("TimeStep"))
     fail(
-        fmt::format("array '{}' belongs to one of several time steps in one file, which is not "
-                    "read",
+        fmt::format("array '{}' belongs to a time step, of which the file tells none (TimeValues "
+                    "expected)",
                     array.name));
   const std::string_view format = element.attribute("format").as_string();
   if (format == "appended") {

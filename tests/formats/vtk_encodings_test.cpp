@@ -176,6 +176,71 @@ TEST(VtkEncodings, XmlFiles) {
       }
 }
 
+/// Three steps, at each of which a field and the points are other ones: s = step + x, z -> z +
+/// step.
+template <typename Writer>
+void write_steps(vtkPointSet& dataset, const std::string& path, Mode mode, int compressor) {
+  vtkNew<Writer> writer;
+  writer->SetFileName(path.c_str());
+  writer->SetCompressorType(compressor);
+  if (mode == Mode::ascii) writer->SetDataModeToAscii();
+  writer->SetEncodeAppendedData(mode == Mode::appended_base64);
+  writer->SetNumberOfTimeSteps(3);
+  writer->SetInputData(&dataset);
+  writer->Start();
+  for (const int step : {0, 1, 2}) {
+    set_points(dataset);
+    vtkNew<vtkDoubleArray> s;
+    s->SetName("s");
+    for (vtkIdType p = 0; p < dataset.GetNumberOfPoints(); ++p) {
+      std::array<double, 3> x{};
+      dataset.GetPoint(p, x.data());
+      s->InsertNextValue(step + x[0]);
+      dataset.GetPoints()->SetPoint(p, x[0], x[1], x[2] + step);
+    }
+    dataset.GetPointData()->AddArray(s);
+    dataset.Modified();
+    writer->WriteNextTime(0.5 * step);
+  }
+  writer->Stop();
+}
+
+void expect_steps(const std::string& path) {
+  EXPECT_THAT(format_to_read(path).inspect(path).times, testing::ElementsAre(0, 0.5, 1));
+  for (const std::size_t step : {0, 1, 2}) {
+    ReadOptions options;
+    options.step = step;
+    const ZooMesh mesh = read_any(path, options).mesh;
+    ASSERT_EQ(mesh.node_count(), static_cast<std::size_t>(kSide * kSide * kSide));
+    const Field s = scalar_field(mesh, "s");
+    double lowest = 1e9;
+    for (NodeId n = 0; n < mesh.node_count(); ++n) {
+      ASSERT_EQ(s.values[n], static_cast<double>(step) + mesh.position(n)[0]);
+      lowest = std::min(lowest, mesh.position(n)[2]);
+    }
+    EXPECT_EQ(lowest, static_cast<double>(step));
+  }
+}
+
+TEST(VtkEncodings, StepsOfOneXmlFile) {
+  const ScratchFolder folder;
+  for (const Mode mode : {Mode::appended_raw, Mode::appended_base64})
+    for (const int compressor : {vtkXMLWriter::NONE, vtkXMLWriter::ZLIB}) {
+      const std::string path = folder.file("a.vtu");
+      write_steps<vtkXMLUnstructuredGridWriter>(*unstructured(), path, mode, compressor);
+      expect_steps(path);
+      vtkNew<vtkStructuredGrid> grid;
+      grid->SetDimensions(kSide, kSide, kSide);
+      set_points(*grid);
+      write_steps<vtkXMLStructuredGridWriter>(*grid, folder.file("a.vts"), mode, compressor);
+      expect_steps(folder.file("a.vts"));
+    }
+  // inline, VTK itself cannot tell the steps apart
+  write_steps<vtkXMLUnstructuredGridWriter>(*unstructured(), folder.file("i.vtu"), Mode::ascii,
+                                            vtkXMLWriter::NONE);
+  EXPECT_THAT(refusal(folder.file("i.vtu")), testing::HasSubstr("no array belongs to step 1"));
+}
+
 TEST(VtkEncodings, DamagedCompressedBlocksAreRefused) {
   const ScratchFolder folder;
   for (const int compressor : kCompressors) {

@@ -141,12 +141,50 @@ TEST(VtkXml, ACollectionHasStepsOfParts) {
 TEST(VtkXml, NamesOfFilesThatBreakLinesAreRefused) {
   const ScratchFolder folder;
   for (const char* text :
-       {"<VTKFile type=\"Collection\"><Collection><DataSet file=\"a&#10;b.vtu\"/></Collection>"
+       {"<VTKFile type=\"Collection\"><Collection><DataSet file=\"a\nb.vtu\"/></Collection>"
         "</VTKFile>",
-        "<VTKFile type=\"PUnstructuredGrid\"><PUnstructuredGrid><Piece Source=\"a&#10;b.vtu\"/>"
+        "<VTKFile type=\"PUnstructuredGrid\"><PUnstructuredGrid><Piece Source=\"a\nb.vtu\"/>"
         "</PUnstructuredGrid></VTKFile>"})
     EXPECT_THAT(refusal(folder.write("names.xml", text)),
                 testing::AllOf(HasSubstr("control characters"), testing::Not(HasSubstr("\n"))));
+}
+
+TEST(VtkXml, StepsOfOneFileAreReadOneByOne) {
+  const ScratchFolder folder;
+  const auto at = [](const char* step, std::string text) {
+    return text.insert(text.find(" Name="), fmt::format(" TimeStep='{}'", step));
+  };
+  const std::string whole = vtu(brick_piece(0,
+                                            at("0", array("p", "0 1 2 3 4 5 6 7")) +
+                                                at("1 2", array("p", "10 11 12 13 14 15 16 nan")) +
+                                                at("1", array("q", "0 0 0 0 0 0 0 1")),
+                                            array("c", "5")));
+  const auto with_times = [&](const std::string& times) {
+    std::string text = whole;
+    const std::string name = "<UnstructuredGrid";
+    return text.insert(text.find(name) + name.size(),
+                       fmt::format(" a='>' TimeValues = \"{}\" ", times));
+  };
+  const std::string path = folder.write("steps.vtu", with_times("\n0\n  0.5 2 "));
+  const Reading last = read_any(path);
+  ASSERT_EQ(last.mesh.fields.size(), 2U);
+  EXPECT_EQ(last.mesh.fields[0].values[0], 10);
+  EXPECT_TRUE(std::isnan(last.mesh.fields[0].values[7]));
+  EXPECT_THAT(last.mesh.metadata, Contains(std::pair<std::string, std::string>("time", "2")));
+  EXPECT_THAT(last.notes, Contains(HasSubstr("the last of 3 steps, time 2 ")));
+  ReadOptions options;
+  options.step = 0;
+  EXPECT_EQ(read_any(path, options).mesh.fields[0].values[7], 7);
+  options.step.reset();
+  options.time = 0.5;
+  EXPECT_EQ(read_any(path, options).mesh.fields.size(), 3U);
+  options.time = 3;
+  EXPECT_THROW(read_any(path, options), UsageError);
+  EXPECT_THAT(format_to_read(path).inspect(path).times, testing::ElementsAre(0, 0.5, 2));
+  // of two steps the third is none; of four one has no arrays
+  EXPECT_THAT(refusal(folder.write("two.vtu", with_times("0 1"))), HasSubstr("to step 2 (0 to 1"));
+  EXPECT_THAT(refusal(folder.write("four.vtu", with_times("0 1 2 3"))),
+              HasSubstr("no array belongs to step 3"));
 }
 
 TEST(VtkXml, BlocksOfFilesAreReadUnderTheirNames) {
@@ -246,7 +284,10 @@ TEST(VtkXml, MalformedFilesAreRefused) {
       {"version=\"1.0\" >", "version=\"1.0\" byte_order=\"Middle\">", "unknown byte_order"},
       {"version=\"1.0\" >", "version=\"1.0\" header_type=\"UInt16\">", "unknown header_type"},
       {"version=\"1.0\" >", "version=\"1.0\" compressor=\"vtkMagic\">", "unknown compressor"},
-      {"<UnstructuredGrid>", "<UnstructuredGrid TimeValues=\"0 1\">", "several time steps"},
+      {"<UnstructuredGrid>", "<UnstructuredGrid TimeValues=\"0 x\">", "'x' found"},
+      {"<UnstructuredGrid>", "<UnstructuredGrid TimeValues=\" \">", "tells no time"},
+      {"<UnstructuredGrid>", "<UnstructuredGrid TimeValues=\"inf\">", "not finite"},
+      {"Name=\"Points\"", "Name=\"Points\" TimeStep=\"0\"", "TimeValues expected"},
       {"NumberOfPoints=\"8\"", "", "wrong NumberOfPoints"},
       {"NumberOfPoints=\"8\"", "NumberOfPoints=\"9\"", "27 values expected, 24 found"},
       {"NumberOfPoints=\"8\"", "NumberOfPoints=\"99999999999\"", "data end too soon"},

@@ -9,7 +9,7 @@
 # HIAC_DATA_DIR are tried besides.
 set -eu
 
-seconds=$1
+seconds=${1:?SECONDS [READER ...]}
 shift
 cd "$(dirname "$0")/../.."
 readers=${*:-abaqus ansys classic-netcdf d3plot ensight frd gambit gmsh medit mfem nastran netgen \
@@ -30,14 +30,14 @@ for reader in $readers; do
   data=
   for folder in $(ls -d "${HIAC_DATA_DIR:-../shared/data}/$reader" 2> /dev/null); do
     mkdir -p "build/fuzz/data/$reader"
-    find "$folder" -type f -size -16k -exec cp -f {} "build/fuzz/data/$reader" \;
+    find "$folder" -type f -size -5k -exec cp -f {} "build/fuzz/data/$reader" \;
     data=build/fuzz/data/$reader
   done
   log=build/fuzz/$reader.log
   # a file's size is what memory may depend on: none of these needs a third of a gigabyte
   status=ok
   HIAC_FUZZ_FORMAT=$reader build/fuzz/tests/fuzz/fuzz_formats -max_total_time="$seconds" \
-    -max_len=16384 -timeout=20 -rss_limit_mb=3000 -malloc_limit_mb=300 -use_value_profile=1 \
+    -max_len=4096 -timeout=20 -rss_limit_mb=3000 -malloc_limit_mb=300 \
     -print_final_stats=1 -artifact_prefix="$findings/$reader-" "$corpus" $data > "$log" 2>&1 ||
     status=FOUND
   [ "$status" = ok ] || failed=1

@@ -227,8 +227,13 @@ Texts vtu() {
   const std::string polyhedron =
       "<Cells>" + array("connectivity", "0 1 2 4") + array("offsets", "4") + array("types", "42") +
       array("faces", "4 3 0 2 1 3 0 1 4 3 1 2 4 3 0 4 2") + array("faceoffsets", "17") + "</Cells>";
+  const std::string steps =
+      "<PointData><DataArray TimeStep=\"0\" type=\"Float32\" Name=\"p\" format=\"ascii\">"
+      "1 2 3 4 5 6 7 8</DataArray><DataArray TimeStep=\"1\" type=\"Float32\" Name=\"p\" "
+      "format=\"ascii\">2 3 4 5 6 7 8 9</DataArray></PointData>";
   return {vtk_file("UnstructuredGrid", "", piece + brick + kValues + "</Piece>"),
-          vtk_file("UnstructuredGrid", "", piece + polyhedron + "</Piece>")};
+          vtk_file("UnstructuredGrid", "", piece + polyhedron + "</Piece>"),
+          vtk_file("UnstructuredGrid", " TimeValues=\"0 1\"", piece + brick + steps + "</Piece>")};
 }
 
 const std::string kExtent = "\"0 1 0 1 0 1\"";
