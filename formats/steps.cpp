@@ -45,8 +45,8 @@ std::optional<std::size_t> requested_step(const ReadOptions& options, std::span<
 }
 
 std::string last_step_note(std::size_t steps, double time) {
-  return fmt::format("took the last of {} steps, time {} (--step and --time take another)",
-                     steps, time);
+  return fmt::format("took the last of {} steps, time {} (--step and --time take another)", steps,
+                     time);
 }
 
 }  // namespace hiac::formats

@@ -29,10 +29,11 @@ struct XmlLayout {
   std::vector<XmlPiece> pieces;
 };
 
-/// Checks that the file, of one time step (xml_steps.hpp), is whole: well-formed to its last closing tag, every array complete in its
-/// encoding, counts that fit each other, connectivity as long as the offsets say, whole face lists
-/// of polyhedra, pieces that carry the same arrays and together cover a structured extent.
-/// Memory: the file's text without appended data, for a while. Throws InputError(subject, ...).
+/// Checks that the file, of one time step (xml_steps.hpp), is whole: well-formed to its last
+/// closing tag, every array complete in its encoding, counts that fit each other, connectivity as
+/// long as the offsets say, whole face lists of polyhedra, pieces that carry the same arrays and
+/// together cover a structured extent. Memory: the file's text without appended data, for a while.
+/// Throws InputError(subject, ...).
 XmlLayout check_xml_file(std::string_view text, const std::string& type,
                          const std::string& subject);
 
