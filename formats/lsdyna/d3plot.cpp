@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <limits>
 #include <memory>
 
 #include <fmt/format.h>
@@ -86,15 +87,15 @@ class Reader {
 
   ForeignMesh read() {
     mesh_.first_node = 1;
-    if (layout_.solids == 0) throw InputError(subject_, "holds no solids");
+    if (layout_.solids + layout_.thick_shells == 0)
+      throw InputError(subject_, fmt::format("holds no solids (but {} shells, {} beams)",
+                                             layout_.shells, layout_.beams));
     Words& words = family_->words.front();
     for (std::size_t i = 0; i < 3 * layout_.nodes; ++i)
       mesh_.xyz.push_back(words.real(layout_.coordinates + i));
     for (std::size_t s = 0; s < layout_.solids; ++s) add_solid(words, s);
-    std::vector<double> parts;
-    for (std::size_t s = 0; s < layout_.solids; ++s)
-      parts.push_back(static_cast<double>(words.integer(layout_.connectivity + 9 * s + 8)));
-    mesh_.fields.push_back(field_of("part", FieldLocation::cell, 1, std::move(parts)));
+    add_other_elements(words);
+    mesh_.fields.push_back(field_of("part", FieldLocation::cell, 1, std::move(parts_)));
     if (deleted_ > 0)
       mesh_.notes.push_back(fmt::format("left out {} solids that are deleted by then", deleted_));
     for (std::size_t step = 0; step < family_->states.size(); ++step) add_fields(step);
@@ -111,6 +112,7 @@ class Reader {
     const bool tetrahedron = nodes[3] == nodes[4] && nodes[3] == nodes[5] && nodes[3] == nodes[6] &&
                              nodes[3] == nodes[7];
     const bool ten = layout_.ten_nodes && nodes[8] > 0 && nodes[9] > 0 && !tetrahedron;
+    parts_.push_back(static_cast<double>(words.integer(layout_.connectivity + 9 * s + 8)));
     if (is_deleted(s))
       add("deleted solid", nodes, 8, kNoVolume);
     else if (tetrahedron)
@@ -119,6 +121,36 @@ class Reader {
       add("tetrahedron", nodes, 10, converted_to(CellKind::tetrahedron10));
     else
       add("solid", nodes, 8, converted_to(CellKind::brick8));
+  }
+
+  /// Thick shells are bricks; beams and shells no volumes.
+  void add_other_elements(Words& words) {
+    struct Kind {
+      const char* name;
+      std::size_t count;
+      std::size_t nodes;
+      std::size_t words;  ///< of each, the last being its part
+      CellConversion conversion;
+    };
+    const std::array<Kind, 3> kinds{
+        {{"thick shell", layout_.thick_shells, 8, 9, converted_to(CellKind::brick8)},
+         {"beam", layout_.beams, 2, 6, kNoVolume},
+         {"shell", layout_.shells, 4, 5, kNoVolume}}};
+    std::size_t at = layout_.connectivity + 9 * layout_.solids;
+    for (const Kind& kind : kinds)
+      for (std::size_t e = 0; e < kind.count; ++e, at += kind.words) {
+        std::array<std::int64_t, 10> nodes{};
+        for (std::size_t n = 0; n < kind.nodes; ++n) nodes[n] = words.integer(at + n);
+        const bool deleted = kind.nodes == 8 && is_deleted(layout_.solids + e);
+        if (deleted)
+          add("deleted thick shell", nodes, kind.nodes, kNoVolume);
+        else
+          add(kind.name, nodes, kind.nodes, kind.conversion);
+        parts_.push_back(static_cast<double>(words.integer(at + kind.words - 1)));
+      }
+    if (layout_.thick_shells > 0)
+      mesh_.notes.emplace_back(
+          "values of thick shells, which are layer by layer, are not read: NaN there");
   }
 
   void add(std::string_view type, const std::array<std::int64_t, 10>& nodes, std::size_t count,
@@ -139,12 +171,12 @@ class Reader {
 
   void add_fields(std::size_t step) {
     std::size_t at = layout_.node_data;
-    if (layout_.has_temperature) add_field("temperature", step, at, 1, 1, layout_.nodes);
-    at += layout_.nodes * layout_.temperatures;
     if (layout_.has_coordinates) {
       add_displacement(step, at);
       at += 3 * layout_.nodes;
     }
+    if (layout_.has_temperature) add_field("temperature", step, at, 1, 1, layout_.nodes);
+    at += layout_.nodes * layout_.temperatures;
     if (layout_.has_velocity) {
       add_field("velocity", step, at, 3, 3, layout_.nodes);
       at += 3 * layout_.nodes;
@@ -169,13 +201,18 @@ class Reader {
     field.components = static_cast<std::uint32_t>(width);
     field.step = step;
     field.type = family_->words.front().word_bytes() == 4 ? "float" : "double";
-    field.values = [family = family_, state = family_->states[step], at, width, stride, tuples] {
+    // of cells, the solids come first
+    const std::size_t others =
+        field.location == FieldLocation::cell ? mesh_.cell_count() - tuples : 0;
+    field.values = [family = family_, state = family_->states[step], at, width, stride, tuples,
+                    others] {
       Words& words = family->words[state.file];
       std::vector<double> values;
       values.reserve(width * tuples);
       for (std::size_t t = 0; t < tuples; ++t)
         for (std::size_t c = 0; c < width; ++c)
           values.push_back(words.real(state.word + at + t * stride + c));
+      values.resize(values.size() + width * others, std::numeric_limits<double>::quiet_NaN());
       return values;
     };
     mesh_.fields.push_back(std::move(field));
@@ -198,6 +235,7 @@ class Reader {
   const Layout& layout_;
   ForeignMesh mesh_;
   std::optional<std::size_t> step_;
+  std::vector<double> parts_;
   std::size_t deleted_ = 0;
 };
 

@@ -73,9 +73,9 @@ class Control {
     layout_.coordinates = at;
     at += 3 * layout_.nodes;
     layout_.connectivity = at;
-    at += 9 * layout_.solids + 9 * thick_shells_ + 6 * beams_;
+    at += 9 * layout_.solids + 9 * layout_.thick_shells + 6 * layout_.beams;
     shells_at_ = at;
-    at += 5 * shells_ + count(kUserNumbers, 1);
+    at += 5 * layout_.shells + count(kUserNumbers, 1);
     layout_.more_nodes = at;
     if (layout_.ten_nodes) at += 2 * layout_.solids;
     at += 5 * count(kShells8, 0);
@@ -112,12 +112,13 @@ class Control {
                                                              {kAirParticles, "airbag particles"},
                                                              {kFlow, "CFD data"}}})
       if (words_.integer(word) != 0) words_.fail(fmt::format("holds {}, which are not read", what));
-    thick_shells_ = count(kThickShells, 1);
-    beams_ = count(kBeams, 1);
-    shells_ = count(kShells, 1);
+    layout_.thick_shells = count(kThickShells, 1);
+    layout_.beams = count(kBeams, 1);
+    layout_.shells = count(kShells, 1);
   }
 
-  /// Temperatures come first: one or three layers, the flux, the added mass, the rate, residuals.
+  /// Temperatures, between coordinates and velocity: one or three layers, the flux, the added mass,
+  /// the rate, residuals.
   void read_node_data() {
     constexpr std::array<std::size_t, 4> kWords{0, 1, 4, 6};
     const std::int64_t thermal = words_.integer(kThermal);
@@ -148,7 +149,7 @@ class Control {
     if (materials_at_ == 0) return 0;
     const std::size_t materials = count(kMaterials, 1);
     std::size_t rigid = 0;
-    for (std::size_t s = 0; s < shells_; ++s) {
+    for (std::size_t s = 0; s < layout_.shells; ++s) {
       const std::int64_t material = words_.integer(shells_at_ + 5 * s + 4);
       if (material >= 1 && static_cast<std::size_t>(material) <= materials &&
           words_.integer(materials_at_ + static_cast<std::size_t>(material) - 1) == kRigid)
@@ -190,20 +191,17 @@ class Control {
     layout_.solid_data = layout_.thermal_data + layout_.solids * layout_.thermal_values;
     const std::size_t rigid = rigid_shells();
     layout_.deletion_data = layout_.solid_data + layout_.solids * layout_.solid_values +
-                            thick_shells_ * count(kThickShellValues, 0) +
-                            beams_ * count(kBeamValues, 0) +
-                            (shells_ - rigid) * count(kShellValues, 0);
+                            layout_.thick_shells * count(kThickShellValues, 0) +
+                            layout_.beams * count(kBeamValues, 0) +
+                            (layout_.shells - rigid) * count(kShellValues, 0);
     layout_.state_words = layout_.deletion_data;
     if (layout_.deletion == 1) layout_.state_words += layout_.nodes;
     if (layout_.deletion == 2)
-      layout_.state_words += layout_.solids + thick_shells_ + shells_ + beams_;
+      layout_.state_words += layout_.solids + layout_.thick_shells + layout_.shells + layout_.beams;
   }
 
   Words& words_;
   Layout layout_;
-  std::size_t thick_shells_ = 0;
-  std::size_t beams_ = 0;
-  std::size_t shells_ = 0;
   std::size_t shells_at_ = 0;
   std::size_t materials_at_ = 0;
 };

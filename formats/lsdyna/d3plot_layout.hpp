@@ -43,9 +43,12 @@ std::optional<WordKind> word_kind(std::string_view head);
 struct Layout {
   std::size_t nodes = 0;
   std::size_t solids = 0;
-  bool ten_nodes = false;  ///< solids have two nodes more, which tetrahedra use
+  bool ten_nodes = false;        ///< solids have two nodes more, which tetrahedra use
+  std::size_t thick_shells = 0;  ///< bricks with values layer by layer
+  std::size_t beams = 0;
+  std::size_t shells = 0;
   std::size_t globals = 0;
-  std::size_t temperatures = 0;  ///< words a node before the coordinates: temperature, flux, ...
+  std::size_t temperatures = 0;  ///< words a node behind the coordinates: temperature, flux, ...
   bool has_temperature = false;
   bool has_coordinates = false;
   bool has_velocity = false;
@@ -53,12 +56,13 @@ struct Layout {
   std::size_t thermal_values = 0;  ///< of a solid
   std::size_t solid_values = 0;    ///< of a solid: 6 stresses, plastic strain, history
   std::size_t deletion = 0;        ///< 0: none told; 1: of nodes; 2: of elements
-  // places of words in the first file
+  // places of words in the first file; of elements: solids and thick shells (9 words each), beams
+  // (6), shells (5)
   std::size_t coordinates = 0;
   std::size_t connectivity = 0;
   std::size_t more_nodes = 0;
   std::size_t first_state = 0;
-  // places in a state
+  // places in a state; of nodes: coordinates, temperatures, velocity, acceleration
   std::size_t node_data = 0;
   std::size_t thermal_data = 0;
   std::size_t solid_data = 0;

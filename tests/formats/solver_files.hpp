@@ -138,7 +138,9 @@ class WordsOut {
 struct Model {
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<int, 8>> solids;
+  std::vector<std::array<int, 8>> thick_shells;
   std::vector<std::array<int, 2>> more;  ///< of tetrahedra of ten nodes
+  bool shell = true;                     ///< a shell beside the solids, with values of its own
 };
 
 /// A unit brick, a prism, a pyramid and a tetrahedron upon and beside it.
@@ -169,19 +171,41 @@ inline std::string d3plot_geometry(const Model& model, bool wide, bool swapped) 
   control[23] = ten ? -solids : solids;
   control[24] = 1;
   control[27] = 8;
-  control[31] = 1;  // a shell, with values
-  control[33] = 3;
+  control[31] = model.shell ? 1 : 0;
+  control[32] = model.shell ? 1 : 0;
+  control[33] = model.shell ? 3 : 0;
+  control[34] = 1;  // of the values of a solid, those beyond stress and plastic strain
   control[36] = -10001;
-  control[39] = 5;
-  for (std::size_t w = 10; w < 64; ++w) out.integer(control[w]);
+  const std::int64_t shells = model.shell ? 1 : 0;
+  const auto thick_shells = static_cast<std::int64_t>(model.thick_shells.size());
+  const std::int64_t numbered = control[16] + solids + shells + thick_shells;
+  control[39] = 10 + numbered;
+  control[40] = thick_shells;
+  control[41] = model.thick_shells.empty() ? 0 : 1;
+  control[42] = model.thick_shells.empty() ? 0 : 7;
+  for (std::size_t w = 10; w < 64; ++w) {
+    if (w == 14)
+      out.real(971);  // the version, which alone of these is no integer
+    else
+      out.integer(control[w]);
+  }
   for (const auto& point : model.points)
     for (const double x : point) out.real(x);
   for (const auto& solid : model.solids) {
     for (const int node : solid) out.integer(node);
-    out.integer(7);
+    out.integer(1);
   }
-  for (const int word : {1, 2, 3, 4, 9}) out.integer(word);
-  for (int n = 0; n < 5; ++n) out.integer(n);
+  for (const auto& brick : model.thick_shells) {
+    for (const int node : brick) out.integer(node);
+    out.integer(3);
+  }
+  if (model.shell)
+    for (const int word : {1, 2, 3, 4, 2}) out.integer(word);
+  // users' numbers: where the parts begin in memory, how many there are, and they
+  for (const std::int64_t word :
+       {0L, 0L, 0L, 0L, 0L, control[16], solids, 0L, shells, thick_shells})
+    out.integer(word);
+  for (std::int64_t n = 0; n < numbered; ++n) out.integer(100 + n);
   for (const auto& more : model.more)
     for (const int node : more) out.integer(node);
   out.real(-999999);
@@ -197,18 +221,20 @@ inline std::string d3plot_geometry(const Model& model, bool wide, bool swapped) 
 inline std::string d3plot_state(const Model& model, double time, bool wide, bool swapped) {
   WordsOut out(wide, swapped);
   for (const double word : {time, 0.0, 0.0}) out.real(word);
-  for (const auto& p : model.points) out.real(p[0] + time);
   for (const auto& p : model.points)
     for (const double x : {p[0], p[1], p[2] + time}) out.real(x);
+  for (const auto& p : model.points) out.real(p[0] + time);
   for (const auto& p : model.points)
     for (const double x : p) out.real(3 * x);
   for (std::size_t s = 0; s < model.solids.size(); ++s)
     for (int v = 0; v < 8; ++v) out.real(10.0 * static_cast<double>(s) + v + time);
-  for (int v = 0; v < 3; ++v) out.real(-1);
+  for (std::size_t v = 0; v < 7 * model.thick_shells.size(); ++v) out.real(-2);
+  for (int v = 0; v < 3 && model.shell; ++v) out.real(-1);
   // the last solid is deleted from time 2 on
   for (std::size_t s = 0; s < model.solids.size(); ++s)
-    out.real(time >= 2 && s + 1 == model.solids.size() ? 0 : 7);
-  out.real(9);
+    out.real(time >= 2 && s + 1 == model.solids.size() ? 0 : 1);
+  for (std::size_t s = 0; s < model.thick_shells.size(); ++s) out.real(time >= 3 ? 0 : 3);
+  if (model.shell) out.real(2);
   return out.str();
 }
 
