@@ -225,6 +225,65 @@ TEST(CurvedFaces, RandomCellsOfEveryKindAgreeWithBruteForce) {
   }
 }
 
+// Where the nodes are moved at random, places move no farther along the ray than is said.
+TEST(CurvedFaces, DoubtsHoldWhatDisplacementsDo) {
+  constexpr double kDisplaced = 1e-4;
+  constexpr int kSide = 24;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> offset(-1, 1);
+  std::size_t certain = 0, all = 0;
+  double closest = 0;
+  for (const CellKind kind : {CellKind::tetrahedron10, CellKind::tetrahedron20, CellKind::prism24,
+                              CellKind::brick20, CellKind::brick32}) {
+    const ZooMesh mesh = random_cell(kind, 0.2, static_cast<unsigned>(kind));
+    // shape functions sum up to 8 at most without their signs
+    const ZooMesh displaced = test::moved(mesh, [&](Position p) {
+      for (double& x : p) x += kDisplaced / 14 * offset(random);
+      return p;
+    });
+    const Scene scene = cube_scene(Projection::perspective, kSide, kSide);
+    const Projector projector(scene.camera, scene.image);
+    const Frame frame = make_frame(mesh, scene, projector);
+    const Frame other = make_frame(displaced, scene, projector);
+    const CellSurface surface = cell_surface(kind, mesh.cell_nodes(0));
+    const TileRect tile{0, 0, kSide, kSide};
+    CurvedFaces faces(frame, 0, surface), moved(other, 0, surface);
+    for (int y = 0; y < kSide; ++y) {
+      const auto begin_row = [&](CurvedFaces& f, const Frame& of) {
+        std::array<bool, CellSurface::kMostCorners> above{};
+        for (std::size_t k = 0; k < surface.corner_count; ++k)
+          above[k] = of.nodes[surface.nodes[k]].y <= y + 0.5;
+        f.begin_row(y + 0.5, tile, above.data());
+      };
+      begin_row(faces, frame);
+      begin_row(moved, other);
+      const auto no_straight_edge = [](std::size_t) { return false; };
+      for (int x = 0; x < kSide; ++x) {
+        std::vector<std::pair<double, std::size_t>> places;
+        moved.at_pixel(x, no_straight_edge, [&](double t, std::size_t face, double, double) {
+          places.emplace_back(t, face);
+        });
+        faces.at_pixel(x, no_straight_edge, [&](double t, std::size_t face, double u, double v) {
+          double nearest = std::numeric_limits<double>::infinity();
+          for (const auto& [t2, face2] : places)
+            if (face2 == face) nearest = std::min(nearest, std::abs(t2 - t));
+          ++all;
+          // not past an edge, and not where it may not meet the face at all
+          const double doubt = faces.doubt(face, u, v, x, kDisplaced);
+          if (!std::isfinite(nearest) || !std::isfinite(doubt)) return;
+          ++certain;
+          const double by = nearest * projector.ray_scale(x + 0.5, y + 0.5);
+          EXPECT_LE(by, doubt) << kind_name(kind) << ' ' << x << ' ' << y;
+          closest = std::max(closest, by / doubt);
+        });
+      }
+    }
+  }
+  EXPECT_GT(certain, 400U);
+  EXPECT_GT(certain, all * 3 / 4);
+  EXPECT_GT(closest, 0.05);
+}
+
 // The reference coordinates of a place are those of its point.
 TEST(CurvedFaces, ReferenceCoordinatesAreThoseOfThePlace) {
   for (std::size_t k = 0; k < kKindCount; ++k) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/render/error_comparison.hpp"
+#include "tests/support/instrumented.hpp"
 
 namespace hiac {
 namespace {
@@ -35,6 +36,14 @@ TEST(ErrorBound, IsNeverBelowTheErrorOfTetrahedra) {
 
 TEST(ErrorBound, IsNeverBelowTheErrorOfOtherKinds) {
   EXPECT_GT(compared(SceneCells::other_kinds, 1, 30, 9).pixels, 200U);
+}
+
+// Claims are useful, too: not far above what rounding does.
+TEST(ErrorBound, IsNeverBelowTheErrorOfCurvedCells) {
+  ErrorComparison all = compared(SceneCells::curved, 1, test::tried(40), 4);
+  EXPECT_GT(all.pixels, test::tried(100));
+  std::ranges::sort(all.claims);
+  EXPECT_LT(all.claims[all.claims.size() * 9 / 10], 1e-8);
 }
 
 // A view from far off the origin, along faces: rays have to be followed relative to the eye, and

@@ -1,6 +1,7 @@
 // Compares the channel "error" with the true error of as many pixels of random scenes as one likes:
 //     error_sweep tetrahedra 10000000
 //     error_sweep other 300000 [first seed]
+//     error_sweep curved 30000 [first seed]
 // and exits 1 where a claim was too small. A small sample of it is error_bound_test.
 #include <algorithm>
 #include <cstdint>
@@ -47,12 +48,15 @@ void report(ErrorComparison& all, std::uint64_t scenes) {
 
 int main(int argc, char** argv) {
   if (argc < 3) {
-    fmt::print(stderr, "usage: error_sweep tetrahedra|other PIXELS [SEED]\n");
+    fmt::print(stderr, "usage: error_sweep tetrahedra|other|curved PIXELS [SEED]\n");
     return 2;
   }
-  const bool tetrahedra = std::string(argv[1]) == "tetrahedra";
-  const auto cells =
-      tetrahedra ? hiac::test::SceneCells::tetrahedra : hiac::test::SceneCells::other_kinds;
+  using hiac::test::SceneCells;
+  const std::string what = argv[1];
+  const auto cells = what == "tetrahedra" ? SceneCells::tetrahedra
+                     : what == "curved"   ? SceneCells::curved
+                                          : SceneCells::other_kinds;
+  const std::uint32_t side = cells == SceneCells::tetrahedra ? kSide : kSide / 4;
   const auto pixels = static_cast<std::uint64_t>(std::strtod(argv[2], nullptr));
   std::uint64_t seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1, scenes = 0;
   ErrorComparison all;
@@ -61,8 +65,7 @@ int main(int argc, char** argv) {
   while (all.pixels < pixels) {
     hiac::parallel_for(kBatch, 1, [&](hiac::IndexRange range) {
       for (std::size_t k = range.begin; k < range.end; ++k) {
-        const ErrorComparison one =
-            hiac::test::compare_error_channel(cells, seed + k, tetrahedra ? kSide : kSide / 4);
+        const ErrorComparison one = hiac::test::compare_error_channel(cells, seed + k, side);
         const std::lock_guard lock(mutex);
         all.add(one);
       }

@@ -41,6 +41,11 @@ Position bent(const Position& p) {
           p[2] + inner * std::sin(9 * p[0] + 4 * p[1])};
 }
 
+Position rippled(const Position& p, double by) {
+  return {p[0] + by * std::sin(5 * p[1] + 3 * p[2] + 1), p[1] + by * std::sin(4 * p[2] + 6 * p[0]),
+          p[2] + by * std::sin(5 * p[0] + 4 * p[1] + 2)};
+}
+
 ZooMesh two_wedges() {
   const std::vector<Position> positions{{0, 0, 0},    {1, 0, 0},   {0.5, 1, 0}, {0, 1, 0},
                                         {0, 0, 1},    {0.5, 0, 1}, {0, 1, 1},   {-1, 0, 0},

@@ -22,6 +22,11 @@ Position warped(const Position& p, double by);
 /// Moves points inside the unit cube smoothly: nodes of higher order then bend edges and faces.
 Position bent(const Position& p);
 
+/// Moves points smoothly by up to `by` in every coordinate, also those of the unit cube's surface:
+/// bilinear faces become twisted, nodes of higher order bend edges and faces, seen from outside,
+/// too.
+Position rippled(const Position& p, double by);
+
 /// Two 7-node wedges that share a quadrilateral face, as large as the unit cube.
 ZooMesh two_wedges();
 

@@ -9,6 +9,7 @@
 
 #include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/shape_functions.hpp"
+#include "tests/support/instrumented.hpp"
 
 namespace hiac {
 namespace {
@@ -84,6 +85,57 @@ TEST(GradientBound, HoldsInDistortedCells) {
     }
   }
   EXPECT_GT(shown, judged * 6 / 10);
+}
+
+// Of cells of higher order with curved edges.
+TEST(GradientBound, HoldsInCurvedCells) {
+  std::mt19937_64 random(6);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  std::size_t shown = 0, judged = 0;
+  const std::size_t trials = test::tried(400);
+  for (std::size_t trial = 0; trial < trials; ++trial) {
+    const auto kind = static_cast<CellKind>(3 * (trial % 5) + 1 + trial / 5 % 2);
+    const double distortion = 0.06 * std::abs(unit(random)) / static_cast<double>(order_of(kind));
+    std::vector<Vector> nodes;
+    CellField field{};
+    for (const auto& node : reference_nodes(kind)) {
+      Vector& p = nodes.emplace_back(node);
+      for (double& x : p) x += distortion * unit(random);
+      p[0] *= 0.1;
+      p[1] += 0.7 * p[0] + 100;
+      field.values[nodes.size() - 1] = unit(random);
+    }
+    const double bound = GradientBound(kind, nodes)(field);
+    ++judged;
+    if (!std::isfinite(bound)) continue;
+    ++shown;
+    double steepest = 0;
+    for (int k = 0; k < 200; ++k)
+      steepest = std::max(steepest, gradient_at(kind, nodes, field, random_point(kind, random)));
+    ASSERT_LE(steepest, bound) << kind_name(kind) << ' ' << trial;
+    if (distortion < 0.005) {
+      ASSERT_LE(bound, 16 * steepest) << kind_name(kind) << ' ' << trial;
+    }
+  }
+  EXPECT_GT(shown, judged * 9 / 10);
+}
+
+// A linear field has one gradient, however the cell is curved.
+TEST(GradientBound, IsSharpForLinearFields) {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (std::size_t k = 0; k < kKindCount; ++k) {
+    const auto kind = static_cast<CellKind>(k);
+    if (order_of(kind) == CellOrder::linear) continue;
+    std::vector<Vector> nodes;
+    CellField field{};
+    for (const auto& node : reference_nodes(kind)) {
+      Vector& p = nodes.emplace_back(node);
+      for (double& x : p) x += 0.02 * unit(random);
+      field.values[nodes.size() - 1] = 3 * p[0] - 4 * p[1];
+    }
+    EXPECT_NEAR(GradientBound(kind, nodes)(field), 5, 1e-6) << kind_name(kind);
+  }
 }
 
 TEST(GradientBound, IsInfiniteWhereCellsFold) {

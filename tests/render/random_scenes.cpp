@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "hiac/render/renderable.hpp"
 #include "tests/render/general_meshes.hpp"
 
 namespace hiac::test {
@@ -29,7 +30,34 @@ class Dice {
   std::mt19937_64 engine_;
 };
 
+// Of any kind and order, bent as far as keeps the cells the right way out.
+ZooMesh random_curved_mesh(Dice& dice) {
+  ZooMesh mesh = [&] {
+    switch (dice.below(6)) {
+      case 0:
+        return structured(1, Cut::bricks);
+      case 1:
+        return structured(1, Cut::prisms);
+      case 2:
+        return structured(1, Cut::pyramids);
+      case 3:
+        return two_wedges();
+      case 4:
+        return structured(1, Cut::tetrahedra);
+      default:
+        return mixed_columns(1);
+    }
+  }();
+  const auto order = static_cast<CellOrder>(1 + dice.below(3));
+  if (order != CellOrder::linear) mesh = of_order(mesh, order);
+  for (double by = dice.scale(0.001, 0.08);; by *= 0.7) {
+    const ZooMesh bent = moved(mesh, [by](const Position& p) { return rippled(p, by); });
+    if (invalid_cells(bent, Scene{}.render.planarity).empty()) return bent;
+  }
+}
+
 ZooMesh random_mesh(SceneCells cells, Dice& dice, std::uint64_t seed) {
+  if (cells == SceneCells::curved) return random_curved_mesh(dice);
   if (cells == SceneCells::tetrahedra) {
     if (dice.chance(0.8)) return random_delaunay(8 + dice.below(dice.chance(0.2) ? 300 : 60), seed);
     return moved(structured(1 + dice.below(3), Cut::tetrahedra),

@@ -15,8 +15,9 @@ struct RandomScene {
 };
 
 /// Cells of what a random scene is made of: Delaunay and structured tetrahedra, with slivers; or
-/// bricks, prisms, pyramids, wedges and all in one mesh, affine images or tapered.
-enum class SceneCells : std::uint8_t { tetrahedra, other_kinds };
+/// bricks, prisms, pyramids, wedges and all in one mesh, affine images or tapered; or cells of any
+/// kind and order with twisted faces and curved edges.
+enum class SceneCells : std::uint8_t { tetrahedra, other_kinds, curved };
 
 /// Everything that changes what a pixel's error is: both projections, from outside and from within;
 /// models of 1e-3 to 1e3 world units, up to 1e6 times their size away from the origin; flat ones;

@@ -28,9 +28,36 @@ Vec vec(std::span<const double, 3> a) { return {a[0], a[1], a[2]}; }
 
 constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
 // Of a field's values: Chebyshev coefficients below it are left out.
-constexpr Real kNegligible = 1e-18L;
+constexpr Real kNegligible = 1e-18L, kNegligibleInCurved = 1e-16L;
+// Of a cell's size: faces that are as planar as this and edges as straight are taken so.
+constexpr Real kPlanar = 1e-12L;
 // Nothing behind less than this is seen.
 constexpr Real kOpaque = 1e-24L;
+
+// To within little.
+bool in_reference_cell(CellKind kind, const Vec& xi) {
+  constexpr Real kMargin = 1e-6L;
+  const auto& [x, y, z] = xi;
+  Real outside = std::max({-x, -y, -z});
+  switch (shape_of(kind)) {
+    case CellShape::tetrahedron:
+      outside = std::max(outside, x + y + z - 1);
+      break;
+    case CellShape::pyramid:
+      outside = std::max(outside, std::max(x, y) + z - 1);
+      break;
+    case CellShape::prism:
+      outside = std::max({outside, x + y - 1, z - 1});
+      break;
+    case CellShape::wedge:
+      outside = std::max({outside, y - 1, z - 1, x + y + z - 2});
+      break;
+    case CellShape::brick:
+      outside = std::max({outside, x - 1, y - 1, z - 1});
+      break;
+  }
+  return outside <= kMargin;
+}
 
 // A Gauss-Legendre rule on [0, 1].
 template <std::size_t N>
@@ -161,16 +188,41 @@ SceneTruth::SceneTruth(const ZooMesh& mesh, const Scene& scene) : mesh_(mesh), s
   for (CellId id = 0; id < mesh.cell_count(); ++id) add_cell(id);
 }
 
+bool SceneTruth::is_curved(const Cell& cell) {
+  std::array<Real, kMaxNodesPerCell> shape;
+  const auto reference = reference_nodes(cell.kind);
+  const std::size_t corners = corner_count(cell.kind);
+  for (std::size_t k = corners; k < cell.count; ++k) {
+    shape_functions<Real>(kind_of(shape_of(cell.kind), CellOrder::linear), vec(reference[k]),
+                          shape);
+    Vec off = cell.nodes[k];
+    for (std::size_t c = 0; c < corners; ++c) off = off - shape[c] * cell.nodes[c];
+    if (norm(off) > kPlanar * cell.size) return true;
+  }
+  for (const ShapeFace& face : topology_of(cell.kind).faces) {
+    if (face.corner_count == 3) continue;
+    const auto at = [&](std::size_t k) { return cell.nodes[face.corners[k]]; };
+    const Vec normal = cross(at(2) - at(0), at(3) - at(1));
+    if (std::abs(dot(normal, at(1) - at(0))) > kPlanar * cell.size * norm(normal)) return true;
+  }
+  return false;
+}
+
 void SceneTruth::add_cell(CellId id) {
-  Cell cell{mesh_.kinds[id], corner_count(mesh_.kinds[id]), {}, {}, {}, {}, {}};
+  Cell cell;
+  cell.kind = mesh_.kinds[id];
+  cell.count = node_count(cell.kind);
   Vec middle{};
   for (std::size_t k = 0; k < cell.count; ++k) {
     const Vec p = vec(mesh_.position(mesh_.cell_nodes(id)[k])) - eye_;
-    cell.corners[k] = {dot(p, right_), dot(p, up_), dot(p, forward_)};
-    middle = middle + (1 / static_cast<Real>(cell.count)) * cell.corners[k];
+    cell.nodes[k] = {dot(p, right_), dot(p, up_), dot(p, forward_)};
+    middle = middle + (1 / static_cast<Real>(cell.count)) * cell.nodes[k];
+    cell.size = std::max(cell.size, norm(cell.nodes[k] - cell.nodes[0]));
   }
+  if (is_curved(cell))
+    cell.curved.emplace(cell.kind, std::span<const Vec>(cell.nodes).first(cell.count));
   for (const ShapeFace& face : topology_of(cell.kind).faces) {
-    const auto at = [&](std::size_t k) { return cell.corners[face.corners[k]]; };
+    const auto at = [&](std::size_t k) { return cell.nodes[face.corners[k]]; };
     const std::size_t corners = face.corner_count;
     Vec normal =
         corners == 3 ? cross(at(1) - at(0), at(2) - at(0)) : cross(at(2) - at(0), at(3) - at(1));
@@ -183,7 +235,7 @@ void SceneTruth::add_cell(CellId id) {
                                  static_cast<double>(plane.offset)});
   }
   for (const Field& field : fields_) {
-    Corners& values = cell.fields.emplace_back();
+    NodeValues& values = cell.fields.emplace_back();
     bool constant = true;
     for (std::size_t k = 0; k < cell.count; ++k) {
       const std::uint64_t entry = mesh_.elems[id] + k;
@@ -194,11 +246,11 @@ void SceneTruth::add_cell(CellId id) {
     }
     cell.constant.push_back(constant ? 1 : 0);
   }
-  if (shape_of(cell.kind) == CellShape::tetrahedron)
+  if (cell.kind == CellKind::tetrahedron4)
     for (std::size_t k = 0; k < 4; ++k) {
-      const Vec& a = cell.corners[(k + 1) % 4];
-      const Vec n = cross(cell.corners[(k + 2) % 4] - a, cell.corners[(k + 3) % 4] - a);
-      const Real height = dot(n, cell.corners[k] - a);
+      const Vec& a = cell.nodes[(k + 1) % 4];
+      const Vec n = cross(cell.nodes[(k + 2) % 4] - a, cell.nodes[(k + 3) % 4] - a);
+      const Real height = dot(n, cell.nodes[k] - a);
       if (height == 0) return;  // no volume: nothing is seen of it
       cell.gradient[k] = (1 / height) * n;
       cell.value[k] = -dot(cell.gradient[k], a);
@@ -213,7 +265,7 @@ void SceneTruth::add_to_pixels(std::uint32_t cell) {
   Real x0 = kInfinity, y0 = kInfinity, x1 = -kInfinity, y1 = -kInfinity;
   Real nearest = kInfinity, farthest = -kInfinity, widest = 0;
   for (std::size_t k = 0; k < c.count; ++k) {
-    const Vec& p = c.corners[k];
+    const Vec& p = c.nodes[k];
     nearest = std::min(nearest, p[2]);
     farthest = std::max(farthest, p[2]);
     widest = std::max(widest, norm(p));
@@ -227,11 +279,18 @@ void SceneTruth::add_to_pixels(std::uint32_t cell) {
   }
   if (scene_.camera.projection == Projection::perspective) {
     if (farthest <= 0) return;
-    if (nearest <= 1e-3L * widest) {
+    if (nearest <= (c.curved ? 0.3L : 1e-3L) * widest) {
       x0 = y0 = 0;
       x1 = width;
       y1 = height;
     }
+  }
+  if (c.curved) {  // bulges no farther than its nodes are apart
+    const Real x = x1 - x0, y = y1 - y0;
+    x0 -= x;
+    x1 += x;
+    y0 -= y;
+    y1 += y;
   }
   const auto pixel = [](Real at, Real size) {
     return static_cast<std::size_t>(std::clamp<Real>(at, 0, size));
@@ -287,14 +346,14 @@ bool SceneTruth::clip(const Cell& cell, const Ray& ray, Real& from, Real& to) co
   return true;
 }
 
-void SceneTruth::fields_at(const Cell& cell, const Vec& point, Vec& guess,
-                           std::vector<Real>& values) const {
-  std::array<Real, 8> shape;
-  std::array<Vec, 8> gradient;
+// False where it does not come to the point.
+bool SceneTruth::newton(const Cell& cell, const Vec& point, Vec& guess) {
+  NodeValues shape;
+  std::array<Vec, kMaxNodesPerCell> gradient;
   const auto residual_at = [&](const Vec& xi) {
     shape_functions<Real>(cell.kind, xi, shape);
     Vec residual = point;
-    for (std::size_t k = 0; k < cell.count; ++k) residual = residual - shape[k] * cell.corners[k];
+    for (std::size_t k = 0; k < cell.count; ++k) residual = residual - shape[k] * cell.nodes[k];
     return residual;
   };
   Vec residual = residual_at(guess);
@@ -302,7 +361,7 @@ void SceneTruth::fields_at(const Cell& cell, const Vec& point, Vec& guess,
     shape_gradients<Real>(cell.kind, guess, gradient);
     std::array<Vec, 3> column{};
     for (std::size_t k = 0; k < cell.count; ++k)
-      for (std::size_t a = 0; a < 3; ++a) column[a] = column[a] + gradient[k][a] * cell.corners[k];
+      for (std::size_t a = 0; a < 3; ++a) column[a] = column[a] + gradient[k][a] * cell.nodes[k];
     const Vec bc = cross(column[1], column[2]);
     const Real volume = dot(column[0], bc);
     Vec step{dot(residual, bc) / volume, dot(residual, cross(column[2], column[0])) / volume,
@@ -317,26 +376,63 @@ void SceneTruth::fields_at(const Cell& cell, const Vec& point, Vec& guess,
     residual = next;
     if (norm(step) < 1e-11L) break;  // quadratic: the next step would be 1e-22
   }
-  residual_at(guess);
+  return norm(residual) <= 1e-15L * cell.size;
+}
+
+// From the guess; in curved cells, where that leads to no place of the cell, from its nodes.
+void SceneTruth::fields_at(const Cell& cell, const Vec& point, Vec& guess,
+                           std::vector<Real>& values) const {
+  const Vec before = guess;
+  bool found = newton(cell, point, guess) && in_reference_cell(cell.kind, guess);
+  if (!found && cell.curved) {
+    const auto nodes = reference_nodes(cell.kind);
+    for (std::size_t k = 0; k < nodes.size() && !found; ++k) {
+      for (std::size_t a = 0; a < 3; ++a) guess[a] = 0.1L * before[a] + 0.9L * Real(nodes[k][a]);
+      found = newton(cell, point, guess) && in_reference_cell(cell.kind, guess);
+    }
+    if (!found) newton(cell, point, guess = before);
+  }
+  NodeValues shape;
+  shape_functions<Real>(cell.kind, guess, shape);
   for (std::size_t f = 0; f < values.size(); ++f) {
     values[f] = 0;
     for (std::size_t k = 0; k < cell.count; ++k) values[f] += shape[k] * cell.fields[f][k];
   }
 }
 
+void SceneTruth::append_segments(const Cell& cell, const Ray& ray,
+                                 std::vector<Segment>& segments) const {
+  Segment segment{&cell, 0, 0, {}};
+  if (!cell.curved) {
+    for (const auto& node : reference_nodes(cell.kind))
+      segment.guess = segment.guess + (1 / static_cast<Real>(cell.count)) * vec(node);
+    if (clip(cell, ray, segment.from, segment.to)) segments.push_back(segment);
+    return;
+  }
+  const auto crossings = cell.curved->crossings(ray.origin, ray.direction);
+  for (std::size_t k = 0; k + 1 < crossings.size(); k += 2) {
+    segment.from = std::max(ray.from, crossings[k].t);
+    segment.to = std::min(ray.to, crossings[k + 1].t);
+    segment.guess = crossings[k].reference;
+    if (segment.from < segment.to) segments.push_back(segment);
+  }
+  if (crossings.size() % 2 != 0)  // nothing is known of the pixel
+    segments.push_back({&cell, std::numeric_limits<Real>::quiet_NaN(), 0, {}});
+}
+
 void SceneTruth::append_stretches(const Cell& cell, const Ray& ray, Real from, Real to,
                                   int halvings, Vec& guess, std::vector<Stretch>& stretches) const {
   const auto at = [&](Real t) { return ray.origin + t * ray.direction; };
   const std::size_t count = fields_.size();
-  Stretch stretch{&cell, from, to, std::vector<ChebyshevSeries>(count)};
-  if (shape_of(cell.kind) == CellShape::tetrahedron) {
+  Stretch stretch{&cell, from, to, std::vector<ChebyshevSeries>(count), guess};
+  if (cell.kind == CellKind::tetrahedron4) {
     std::array<std::array<Real, 4>, 2> barycentric;
     for (std::size_t k = 0; k < 4; ++k) {
       barycentric[0][k] = dot(cell.gradient[k], at(from)) + cell.value[k];
       barycentric[1][k] = dot(cell.gradient[k], at(to)) + cell.value[k];
     }
     for (std::size_t f = 0; f < count; ++f) {
-      const Corners& v = cell.fields[f];
+      const NodeValues& v = cell.fields[f];
       std::array<Real, 2> ends{v[0], v[0]};
       for (std::size_t k = 1; k < 4; ++k)
         for (std::size_t e = 0; e < 2; ++e) ends[e] += (v[k] - v[0]) * barycentric[e][k];
@@ -357,6 +453,7 @@ void SceneTruth::append_stretches(const Cell& cell, const Ray& ray, Real from, R
       for (std::size_t f = 0; f < count; ++f) samples[f][j] = values[f];
     }
     bool resolved = true;
+    const Real negligible = cell.curved ? kNegligibleInCurved : kNegligible;
     for (std::size_t f = 0; f < count; ++f) {
       Real largest = 0;
       for (std::size_t k = 0; k < cell.count; ++k)
@@ -364,10 +461,10 @@ void SceneTruth::append_stretches(const Cell& cell, const Ray& ray, Real from, R
       stretch.fields[f] = ChebyshevSeries::through(degree, samples[f].data());
       resolved = resolved && std::abs(stretch.fields[f].c[degree]) +
                                      std::abs(stretch.fields[f].c[degree - 1]) <=
-                                 kNegligible * largest;
+                                 negligible * largest;
       while (stretch.fields[f].degree > 0 &&
              std::abs(stretch.fields[f].c[stretch.fields[f].degree]) <=
-                 0.01L * kNegligible * largest)
+                 0.01L * negligible * largest)
         --stretch.fields[f].degree;
       if (cell.constant[f] == 0) continue;
       stretch.fields[f].degree = 0;
@@ -403,7 +500,7 @@ void SceneTruth::add_linear_piece(const Stretch& stretch, Real from, Real to, Re
 void SceneTruth::add_piece(const Stretch& stretch, const Ray& ray, Real from, Real to,
                            Light& light) const {
   const Real half = (stretch.to - stretch.from) / 2 * (to - from) / 2 * ray.unit;
-  if (shape_of(stretch.cell->kind) == CellShape::tetrahedron) {
+  if (stretch.cell->kind == CellKind::tetrahedron4) {
     add_linear_piece(stretch, from, to, 2 * half, light);
     return;
   }
@@ -447,24 +544,22 @@ void SceneTruth::add_piece(const Stretch& stretch, const Ray& ray, Real from, Re
 void SceneTruth::add_surface(const Stretch& stretch, const Ray& ray, std::size_t surface, Real t,
                              Light& light) const {
   const Cell& cell = *stretch.cell;
-  const Corners& values = cell.fields[surface_fields_[surface]];
+  const NodeValues& values = cell.fields[surface_fields_[surface]];
   Vec normal{};
-  if (shape_of(cell.kind) == CellShape::tetrahedron) {
+  if (cell.kind == CellKind::tetrahedron4) {
     for (std::size_t k = 1; k < 4; ++k)
       normal = normal + (values[k] - values[0]) * cell.gradient[k];
   } else {
-    Vec xi{};
-    for (const auto& node : reference_nodes(cell.kind))
-      xi = xi + (1 / static_cast<Real>(cell.count)) * vec(node);
+    Vec xi = stretch.guess;
     std::vector<Real> unused(fields_.size());
     fields_at(cell, ray.origin + t * ray.direction, xi, unused);
-    std::array<Vec, 8> gradient;
+    std::array<Vec, kMaxNodesPerCell> gradient;
     shape_gradients<Real>(cell.kind, xi, gradient);
     std::array<Vec, 3> column{};
     Vec slope{};
     for (std::size_t k = 0; k < cell.count; ++k)
       for (std::size_t a = 0; a < 3; ++a) {
-        column[a] = column[a] + gradient[k][a] * cell.corners[k];
+        column[a] = column[a] + gradient[k][a] * cell.nodes[k];
         slope[a] += gradient[k][a] * values[k];
       }
     normal = slope[0] * cross(column[1], column[2]) + slope[1] * cross(column[2], column[0]) +
@@ -510,25 +605,20 @@ void SceneTruth::add(const Stretch& stretch, const Ray& ray, Light& light) const
 
 std::array<Real, 4> SceneTruth::pixel(std::uint32_t x, std::uint32_t y) const {
   const Ray ray = ray_of(x, y);
-  struct Segment {
-    const Cell* cell;
-    Real from, to;
-  };
   std::vector<Segment> segments;
-  for (const std::uint32_t number : in_pixel_[std::size_t{y} * scene_.image.width + x]) {
-    Segment segment{&cells_[number], 0, 0};
-    if (clip(*segment.cell, ray, segment.from, segment.to)) segments.push_back(segment);
-  }
+  for (const std::uint32_t number : in_pixel_[std::size_t{y} * scene_.image.width + x])
+    append_segments(cells_[number], ray, segments);
+  constexpr Real kUnknown = std::numeric_limits<Real>::quiet_NaN();
+  for (const Segment& s : segments)
+    if (std::isnan(s.from)) return {kUnknown, kUnknown, kUnknown, kUnknown};
   std::ranges::sort(segments, {}, [](const Segment& s) { return s.from + s.to; });
   Light light;
   std::vector<Stretch> stretches;
   for (const Segment& s : segments) {
     if (light.transparency < kOpaque) break;
     stretches.clear();
-    Vec guess{};
-    for (const auto& node : reference_nodes(s.cell->kind))
-      guess = guess + (1 / static_cast<Real>(s.cell->count)) * vec(node);
-    append_stretches(*s.cell, ray, s.from, s.to, 40, guess, stretches);
+    Vec guess = s.guess;
+    append_stretches(*s.cell, ray, s.from, s.to, s.cell->curved ? 10 : 40, guess, stretches);
     for (const Stretch& stretch : stretches) add(stretch, ray, light);
   }
   return {light.rgb[0], light.rgb[1], light.rgb[2], light.transparency};

@@ -15,7 +15,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Zeros this far outside the domain may be inside but for rounding.
 constexpr double kMargin = 1e-3;
 // Below this size nothing more is told apart.
-constexpr int kMostHalvings = 12;
+constexpr int kMostHalvings = 26;
 constexpr int kMostSteps = 12;
 // Zeros closer to each other than this are one.
 constexpr double kSame = 1e-9;

@@ -183,8 +183,8 @@ class RayCrossings {
     for (std::size_t k = 0; k + 1 < count_; k += 2) {
       const Place &front = places_[k], &back = places_[k + 1];
       crossings.push_back({x, y, front.t, back.t, front.face, back.face, reference(curved, front),
-                           reference(curved, back), slope(curved, front, x),
-                           slope(curved, back, x)});
+                           reference(curved, back), doubt(curved, front, x),
+                           doubt(curved, back, x)});
     }
   }
 
@@ -200,10 +200,10 @@ class RayCrossings {
     return curved->reference(place.face, place.u, place.v);
   }
 
-  static HWY_INLINE double slope(const CurvedFaces* curved, const Place& place, int x) {
-    if (curved == nullptr || !curved->with_slopes() || !curved->holds(place.face))
+  static HWY_INLINE double doubt(const CurvedFaces* curved, const Place& place, int x) {
+    if (curved == nullptr || !curved->with_doubts() || !curved->holds(place.face))
       return std::numeric_limits<double>::quiet_NaN();
-    return curved->slope(place.face, place.u, place.v, x);
+    return curved->doubt(place.face, place.u, place.v, x, curved->displaced());
   }
 
   std::array<Place, CellSurface::kMostTriangles + CurvedFaces::kMostZeros> places_;

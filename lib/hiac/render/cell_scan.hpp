@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -18,10 +19,17 @@ struct CellCrossing {
   std::uint8_t front_face, back_face;  ///< CellSurface::Triangle::face
   /// Reference coordinates of the places, where the faces are curved; else not numbers.
   std::array<double, 3> front_reference, back_reference;
-  /// How far along the ray a place moves when the face is moved aside by 1, for small movements:
-  /// where faces are curved and errors are asked for; else not a number.
-  double front_slope, back_slope;
+  /// How far along the ray, in world units, rounding may have moved the places: where faces are
+  /// curved and errors are asked for (CurvedFaces::doubt); else not a number.
+  double front_doubt, back_doubt;
 };
+
+/// Reference coordinates of a place where the ray enters or leaves through a curved face; where
+/// both faces are planar, not numbers.
+inline std::array<double, 3> place_of(const CellCrossing& crossing) {
+  return std::isnan(crossing.front_reference[0]) ? crossing.back_reference
+                                                 : crossing.front_reference;
+}
 
 /// Appends the crossings of a cell with the rays of a tile's pixels, ray by ray front to back;
 /// z-clipping is not applied. All corners must be projectable (ProjectedNode). `curved`: the cell's

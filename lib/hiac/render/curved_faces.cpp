@@ -6,6 +6,7 @@
 
 #include "hiac/geometry/patch_facing.hpp"
 #include "hiac/mesh/shape_functions.hpp"
+#include "hiac/render/ray_displacement.hpp"
 
 namespace hiac {
 namespace {
@@ -15,6 +16,41 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Corners this near to a pixel's centre, in pixels, lie on it: more than rounding of projected
 // coordinates.
 constexpr double kCenterRounding = 0x1p-36;
+
+// Boxes around places on faces are no wider to either side.
+constexpr double kWidestBox = 0x1p-5;
+
+// Bounds of the second derivatives of a patch's coordinate on its domain with a border of
+// kWidestBox, where Bernstein polynomials of a degree sum up to (1 + 2 kWidestBox)^degree at most
+// without their signs.
+class Curvature {
+ public:
+  Curvature(std::size_t degree, const PatchNet<double>& net) {
+    const std::size_t side = degree + 1;
+    const auto at = [&](std::size_t i, std::size_t j) { return net[i + side * j]; };
+    const auto n = static_cast<double>(degree);
+    for (std::size_t j = 0; j < side; ++j)
+      for (std::size_t i = 0; i + 2 < side; ++i) {
+        uu_ = std::max(uu_, std::abs(at(i + 2, j) - 2 * at(i + 1, j) + at(i, j)));
+        vv_ = std::max(vv_, std::abs(at(j, i + 2) - 2 * at(j, i + 1) + at(j, i)));
+      }
+    for (std::size_t j = 0; j < degree; ++j)
+      for (std::size_t i = 0; i < degree; ++i)
+        uv_ = std::max(uv_, std::abs(at(i + 1, j + 1) - at(i + 1, j) - at(i, j + 1) + at(i, j)));
+    const double beyond = std::pow(1 + 2 * kWidestBox, 2 * n);
+    uu_ *= n * (n - 1) * beyond;
+    vv_ *= n * (n - 1) * beyond;
+    uv_ *= n * n * beyond;
+  }
+
+  // How far the coordinate is from a linear one, within this of a place.
+  [[nodiscard]] double within(double u, double v) const {
+    return 0.5 * (uu_ * u * u + vv_ * v * v) + uv_ * u * v;
+  }
+
+ private:
+  double uu_ = 0, uv_ = 0, vv_ = 0;
+};
 
 // A node's homogeneous coordinates on the screen, and its ray parameter. Where a node is projected
 // they are made of that, so that edges and faces lie alike to pixel centres.
@@ -150,7 +186,8 @@ ScreenBounds bounds_of_curved_cell(const Frame& frame, CellId cell) {
 
 CurvedFaces::CurvedFaces(const Frame& frame, CellId cell, const CellSurface& surface)
     : surface_(surface),
-      pixels_per_unit_(frame.with_error ? frame.projector.pixels_per_unit() : 0) {
+      projector_(frame.projector),
+      displaced_(frame.with_error ? displacement_in_world(frame, cell).at_ends : 0) {
   curve_of_.fill(kStraight);
   if (order_of(frame.mesh.kinds[cell]) != CellOrder::linear) add_curves(frame, cell, surface);
   for (std::size_t f = 0; f < face_count(frame.mesh.kinds[cell]); ++f)
@@ -218,6 +255,7 @@ ScreenBounds CurvedFaces::bounds() const {
 }
 
 void CurvedFaces::begin_row(double center, const TileRect& tile, const bool* above) {
+  row_ = center;
   for (std::size_t e = 0; e < surface_.edge_count; ++e) {
     const auto [a, b] = surface_.edges[e];
     crossed_[e] = above[a] != above[b];
@@ -361,18 +399,41 @@ const CurvedFaces::Face& CurvedFaces::face_of(std::size_t number) const {
                        [&](const Face& face) { return face.number == number; });
 }
 
-double CurvedFaces::slope(std::size_t number, double u, double v, int x) const {
+double CurvedFaces::doubt(std::size_t number, double u, double v, int x, double displaced) const {
   const Face& face = face_of(number);
-  const std::size_t n = face.shape.degree;
-  const BernsteinValues bu(n, u), bv(n, v);
-  const PatchValue px = evaluate_patch(n, face.x, bu, bv), pw = evaluate_patch(n, face.w, bu, bv),
-                   b = evaluate_patch(n, face.height, bu, bv),
-                   t = evaluate_patch(n, face.t, bu, bv);
+  const std::size_t n = face.shape.degree, count = face.shape.control_count();
   const double center = x + 0.5;
-  const double a_u = px.by_u - center * pw.by_u, a_v = px.by_v - center * pw.by_v;
-  const double by_a = t.by_u * b.by_v - t.by_v * b.by_u, by_b = a_u * t.by_v - a_v * t.by_u;
-  const double determinant = a_u * b.by_v - a_v * b.by_u;
-  return pixels_per_unit_ * std::hypot(by_a, by_b) / std::abs(determinant);
+  PatchNet<double> aside;
+  for (std::size_t k = 0; k < count; ++k) aside[k] = face.x[k] - center * face.w[k];
+  const BernsteinValues bu(n, u), bv(n, v);
+  const PatchValue a = evaluate_patch(n, aside, bu, bv), b = evaluate_patch(n, face.height, bu, bv),
+                   t = evaluate_patch(n, face.t, bu, bv);
+  const double determinant = a.by_u * b.by_v - a.by_v * b.by_u;
+  const double unit = projector_.ray_scale(center, row_);
+  // of a and b, in their units
+  const double moved = displaced * projector_.pixels_per_unit() * unit;
+  const double off_a = std::abs(a.value) + moved, off_b = std::abs(b.value) + moved;
+  // the rows of J^-1
+  const double u_a = b.by_v / determinant, u_b = -a.by_v / determinant;
+  const double v_a = -b.by_u / determinant, v_b = a.by_u / determinant;
+  const double step_u = std::abs(u_a) * off_a + std::abs(u_b) * off_b;
+  const double step_v = std::abs(v_a) * off_a + std::abs(v_b) * off_b;
+  const double side_u = 2 * step_u, side_v = 2 * step_v;
+  if (!(std::max(side_u, side_v) <= kWidestBox)) return kInfinity;
+  PatchNet<double> p, q;
+  for (std::size_t k = 0; k < count; ++k) {
+    p[k] = u_a * aside[k] + u_b * face.height[k];
+    q[k] = v_a * aside[k] + v_b * face.height[k];
+  }
+  const double bent_u = Curvature(n, p).within(side_u, side_v),
+               bent_v = Curvature(n, q).within(side_u, side_v);
+  // a tenth for the rounding of J^-1
+  if (!(bent_u <= 0.9 * step_u && bent_v <= 0.9 * step_v)) return kInfinity;
+  const double by_a = std::abs(t.by_u * u_a + t.by_v * v_a) * off_a,
+               by_b = std::abs(t.by_u * u_b + t.by_v * v_b) * off_b;
+  const double bent_t = std::abs(t.by_u) * bent_u + std::abs(t.by_v) * bent_v +
+                        Curvature(n, face.t).within(side_u, side_v);
+  return unit * (1.01 * (by_a + by_b) + bent_t + displaced);
 }
 
 std::array<double, 3> CurvedFaces::reference(std::size_t number, double u, double v) const {

@@ -69,11 +69,20 @@ class CurvedFaces {
     }
   }
 
-  /// Whether slopes may be asked for: where the frame wants errors.
-  [[nodiscard]] bool with_slopes() const { return pixels_per_unit_ > 0; }
-  /// How far the ray parameter at a point of a face, where pixel x of the row is, moves when the
-  /// face is moved aside by 1. Infinite where the face is seen edge-on.
-  [[nodiscard]] double slope(std::size_t face, double u, double v, int x) const;
+  /// Whether doubts may be asked for: where the frame wants errors.
+  [[nodiscard]] bool with_doubts() const { return displaced_ > 0; }
+  /// What rounding may have displaced faces by (RayDisplacement), in world units.
+  [[nodiscard]] double displaced() const { return displaced_; }
+  /// How far the point of a face where pixel x of the row is may be, along the ray, in world units,
+  /// from where the ray meets the face, when that has been displaced, continuously and nowhere by
+  /// more than `displaced`; what the point itself is off counts.
+  ///
+  /// That is a proof. With J the Jacobian of the distances (a, b) of the face from the ray in the
+  /// point, J^-1 takes a box around the point, on which second derivatives in Bernstein form bound
+  /// how far the map is from a linear one, into itself: by Brouwer's theorem the displaced face
+  /// meets the ray in the box (the existence test of R. Krawczyk, 1969). Infinite where no box of
+  /// twice the linear map's size will do: the ray touches the face to within rounding.
+  [[nodiscard]] double doubt(std::size_t face, double u, double v, int x, double displaced) const;
 
   /// Reference coordinates of a point of a face.
   [[nodiscard]] std::array<double, 3> reference(std::size_t face, double u, double v) const;
@@ -141,7 +150,8 @@ class CurvedFaces {
   }
 
   const CellSurface& surface_;
-  double pixels_per_unit_;  // 0 where no errors are asked for
+  const Projector& projector_;
+  double displaced_;  // what faces may be moved by, in world units; 0 where no errors are asked for
   std::array<Face, kMostFaces> faces_;
   std::size_t count_ = 0;
   unsigned held_ = 0;
@@ -149,6 +159,7 @@ class CurvedFaces {
   std::size_t curve_count_ = 0;
   std::array<std::uint8_t, CellSurface::kMostEdges> curve_of_;
   // of the row at hand
+  double row_ = 0;  // y of the pixel centres
   std::array<bool, CellSurface::kMostEdges> crossed_, comes_up_;
   std::array<int, 2> columns_;
 };

@@ -83,7 +83,7 @@ bool CutsAlongRay::enter(CellId cell, const RayDisplacement& displacement) {
   const auto nodes = mesh.cell_nodes(cell);
   nodes_ = relative_positions(mesh, cell, frame_.projector);
   std::optional<GradientBound> gradient;
-  if (frame_.with_error) gradient.emplace(kind_, nodes_);
+  if (frame_.with_error) gradient.emplace(kind_, nodes_, frame_.straightness);
   for (const IsosurfaceCut& in : in_cell) {
     Cut& cut = cuts_.emplace_back();
     cut.surface = &frame_.isosurfaces.surfaces[in.surface];

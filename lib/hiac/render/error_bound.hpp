@@ -26,8 +26,9 @@ namespace hiac {
 ///   they are entered and left, by 8 u of the depth times the spread of the cell's depths
 ///   (perspective interpolates 1/t), which counts as far as fields change along the ray. Other
 ///   cells are met in the world: by 24 u times the distance of the cell from the eye (look_at, in
-///   parallel views) and what faces are off their planes and maps off the cells'; where they are
-///   entered and left, by both.
+///   parallel views), curved faces by 64, 192 or 512 u of it by order, and what edges, faces and
+///   maps are off that count as straight, planar and affine; where they are entered and left, by
+///   both.
 ///   On shared faces both cells are displaced alike, so that a ray is followed without gap or
 ///   overlap, displaced a little differently in every cell.
 /// - Fields (field_error): a field is wrong by its steepest gradient (gradient_bound.hpp) times

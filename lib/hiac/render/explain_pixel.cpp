@@ -165,9 +165,29 @@ class RayFollower {
     row.error = error_of(after);
     const CellMap map(row.kind, relative_positions(frame_.mesh, cell, frame_.projector),
                       frame_.straightness);
-    set_fields(row, map, stretch(found.front[i], found.back[i]));
-    find_surfaces(row, map, found.front[i]);
+    const CellCrossing* crossing = crossing_of(cell, found.front[i]);
+    RayStretch part = stretch(found.front[i], found.back[i]);
+    if (crossing != nullptr) part.known = place_of(*crossing);
+    set_fields(row, map, part);
+    if (crossing != nullptr) find_surfaces(row, map, *crossing);
     rows_.push_back(std::move(row));
+  }
+
+  // The crossing of a cell that the engine has begin at a place after z-clipping.
+  [[nodiscard]] const CellCrossing* crossing_of(CellId cell, double front) {
+    crossings_.clear();
+    scan_cell(frame_, cell, tile_, crossings_);
+    std::erase_if(crossings_, [&](const CellCrossing& c) { return c.x != x_ || c.y != y_; });
+    if (crossings_.empty()) return nullptr;
+    return &*std::ranges::min_element(
+        crossings_, {}, [&](const CellCrossing& c) { return std::abs(clipped(c).front - front); });
+  }
+
+  [[nodiscard]] RayStretch clipped(const CellCrossing& c) const {
+    RayStretch part = stretch(std::max(c.front, frame_.projector.near()),
+                              std::min(c.back, frame_.projector.far()));
+    part.known = place_of(c);
+    return part;
   }
 
   void set_fields(PixelSegment& row, const CellMap& map, const RayStretch& part) {
@@ -189,21 +209,10 @@ class RayFollower {
     row.psi = mean_transparency(optics, pieces_, row.length);
   }
 
-  // `front`: where the engine has the segment begin.
-  void find_surfaces(PixelSegment& row, const CellMap& map, double front) {
+  void find_surfaces(PixelSegment& row, const CellMap& map, const CellCrossing& crossing) {
     if (!cuts_.enter(row.cell,
                      frame_.with_error ? ray_displacement(frame_, row.cell) : RayDisplacement{}))
       return;
-    crossings_.clear();
-    scan_cell(frame_, row.cell, tile_, crossings_);
-    std::erase_if(crossings_, [&](const CellCrossing& c) { return c.x != x_ || c.y != y_; });
-    if (crossings_.empty()) return;
-    const auto clipped = [&](const CellCrossing& c) {
-      return stretch(std::max(c.front, frame_.projector.near()),
-                     std::min(c.back, frame_.projector.far()));
-    };
-    const CellCrossing& crossing = *std::ranges::min_element(
-        crossings_, {}, [&](const CellCrossing& c) { return std::abs(clipped(c).front - front); });
     cuts_.find(map, crossing, clipped(crossing), surfaces_);
     for (const IsosurfaceCrossing& met : surfaces_)
       row.surfaces.push_back(

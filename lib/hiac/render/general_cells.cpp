@@ -113,6 +113,7 @@ class GeneralCellRenderer {
     crossings_.clear();
     scan_cell(frame_, cell, tile_, crossings_);
     if (crossings_.empty()) return;
+    curved_ = has_curved_faces(frame_.mesh, cell, frame_.straightness);
     nodes_ = relative_positions(frame_.mesh, cell, frame_.projector);
     const CellMap map(kind_, nodes_, frame_.straightness);
     const std::array<CellField, 2> fields{extinction_.nodes, color_.nodes};
@@ -185,9 +186,7 @@ class GeneralCellRenderer {
     const double x = crossing.x + 0.5, y = crossing.y + 0.5;
     return {frame_.projector.relative_origin(x, y), frame_.projector.direction(x, y),
             std::max(crossing.front, frame_.projector.near()),
-            std::min(crossing.back, frame_.projector.far()),
-            std::isnan(crossing.front_reference[0]) ? crossing.back_reference
-                                                    : crossing.front_reference};
+            std::min(crossing.back, frame_.projector.far()), place_of(crossing)};
   }
 
   // Of a segment, as a part of the tolerance in proportion to its length.
@@ -200,9 +199,6 @@ class GeneralCellRenderer {
                        std::span<const CellField> fields) {
     segments_.clear();
     kept_.clear();
-    curved_ = std::ranges::any_of(crossings_, [](const CellCrossing& c) {
-      return !std::isnan(c.front_reference[0]) || !std::isnan(c.back_reference[0]);
-    });
     for (const CellCrossing& crossing : crossings_) add_segment(crossing, map);
     if (kept_.empty()) return;
     const CellPolynomials polynomials(kind_, nodes_, map, fields);
@@ -231,8 +227,7 @@ class GeneralCellRenderer {
     segments_.front.push_back(front);
     segments_.back.push_back(back);
     if (curved_) {
-      const auto& reference = std::isnan(crossing.front_reference[0]) ? crossing.back_reference
-                                                                      : crossing.front_reference;
+      const auto reference = place_of(crossing);
       const auto known =
           collapsed(shape_of(kind_), std::isnan(reference[0]) ? map.middle() : reference);
       segments_.known_u.push_back(known[0]);
@@ -395,9 +390,10 @@ class GeneralCellRenderer {
     const auto range = [](const CellScalars& s) { return ValueRange{s.nodes.least, s.nodes.most}; };
     optics_here_ = cell_optics(optics_, range(color_), range(extinction_));
     end_doubts_ = EndDoubts(kind_, nodes_);
-    const GradientBound gradient(kind_, nodes_);
+    const GradientBound gradient(kind_, nodes_, frame_.straightness);
     const auto error = [&](const CellScalars& s) {
       const double difference = s.nodes.most - s.nodes.least;
+      if (difference == 0) return 0.0;
       const double allowed = std::isfinite(s.nodes.allowed) ? s.nodes.allowed : difference;
       return field_error(range(s), gradient(s.nodes), displacement_, kAlongRayRounding) +
              std::min(difference, 2 * allowed);
@@ -468,17 +464,22 @@ class GeneralCellRenderer {
     }
     details_.radiance_error += sum.radiance;
     details_.transparency_error = std::min(1.0, details_.transparency_error + sum.transparency);
-    const auto [front, back] = end_doubts_.at(stretch.origin, stretch.direction, displacement_);
+    EndDoubts::Doubts doubts = end_doubts_.at(stretch.origin, stretch.direction, displacement_);
+    if (curved_) {
+      // the planar ones of a cell with curved faces, each by itself
+      doubts.front = end_doubts_.through(crossing.front_face, stretch.direction, displacement_);
+      doubts.back = end_doubts_.through(crossing.back_face, stretch.direction, displacement_);
+    }
     const double most = frame_.depth * longest_unit_;
-    const auto edge = [&](double planar, double curved_slope, bool clipped) {
-      // where the view clips the cell is known; a curved face may be four times as steep on the way
+    const auto edge = [&](double planar, double curved_doubt, bool clipped) {
+      // where the view clips the cell is known
       const double doubt = clipped                    ? displacement_.along
-                           : std::isnan(curved_slope) ? planar
-                                                      : 4 * displacement_.at_ends * curved_slope;
+                           : std::isnan(curved_doubt) ? planar
+                                                      : curved_doubt + displacement_.along;
       return edge_bound(optics_here_, emission, std::min(doubt, most));
     };
-    details_.front_edge = edge(front, crossing.front_slope, stretch.front > crossing.front);
-    details_.back_edge = edge(back, crossing.back_slope, stretch.back < crossing.back);
+    details_.front_edge = edge(doubts.front, crossing.front_doubt, stretch.front > crossing.front);
+    details_.back_edge = edge(doubts.back, crossing.back_doubt, stretch.back < crossing.back);
     if (frame_.color_field().location == FieldLocation::node &&
         frame_.extinction.location == FieldLocation::node)
       return;
@@ -520,7 +521,7 @@ class GeneralCellRenderer {
   std::vector<CellCrossing> crossings_;
   CellSegments segments_;
   std::vector<std::size_t> kept_;  // crossings that segments_ has
-  bool curved_ = false;            // some of them through curved faces
+  bool curved_ = false;            // the cell has curved faces
   std::vector<FieldAlongRay::Piece> pieces_;
   std::vector<RootEnclosure> roots_;
   std::vector<IsosurfaceCrossing> surfaces_;

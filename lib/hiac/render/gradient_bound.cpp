@@ -4,7 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "hiac/geometry/inverse_map.hpp"
 #include "hiac/geometry/vector.hpp"
+#include "hiac/mesh/shape_functions.hpp"
+#include "hiac/render/curved_gradient_bound.hpp"
 
 namespace hiac {
 namespace {
@@ -111,9 +114,28 @@ void include_determinant(const std::array<Column, 3>& columns, Interval& interva
 
 }  // namespace
 
-GradientBound::GradientBound(CellKind kind, std::span<const Vector> nodes)
-    : shape_(shape_of(kind)), order_(order_of(kind)) {
-  const EdgesOfColumns edges = edges_of(shape_);
+GradientBound::GradientBound(CellKind kind, std::span<const Vector> nodes, double straightness)
+    : kind_(kind) {
+  if (order_of(kind) == CellOrder::linear) {
+    set_rows(nodes);
+    return;
+  }
+  std::copy_n(nodes.begin(), node_count(kind), nodes_.begin());
+  if (edge_deviation(kind, nodes) > straightness) return;
+  const std::size_t corners = corner_count(kind);
+  const auto reference = reference_nodes(kind);
+  std::array<double, kMaxNodesPerCell> shape;
+  for (std::size_t k = corners; k < node_count(kind); ++k) {
+    shape_functions<double>(kind_of(shape_of(kind), CellOrder::linear), reference[k], shape);
+    nodes_[k] = {};
+    for (std::size_t n = 0; n < corners; ++n)
+      for (std::size_t c = 0; c < 3; ++c) nodes_[k][c] += shape[n] * nodes[n][c];
+  }
+}
+
+void GradientBound::set_rows(std::span<const Vector> nodes) {
+  const CellShape shape = shape_of(kind_);
+  const EdgesOfColumns edges = edges_of(shape);
   const auto vector = [&](const Edge& e) { return minus(nodes[e.to], nodes[e.from]); };
   std::array<Column, 3> columns;
   for (std::size_t a = 0; a < 3; ++a)
@@ -121,7 +143,7 @@ GradientBound::GradientBound(CellKind kind, std::span<const Vector> nodes)
   Interval interval;
   include_determinant(columns, interval);
   std::array<Column, 3> widest = columns;
-  if (shape_ == CellShape::wedge) {
+  if (shape == CellShape::wedge) {
     for (std::size_t k = 1; k < 3; ++k) {
       columns[0].fill(vector(kWedgeEdges[k]));
       widest[0][k] = columns[0][0];
@@ -129,7 +151,7 @@ GradientBound::GradientBound(CellKind kind, std::span<const Vector> nodes)
     }
   }
   double determinant = std::max({interval.least, -interval.most, 0.0});
-  if (shape_ == CellShape::wedge) determinant *= kLeastWedgeWeight;
+  if (shape == CellShape::wedge) determinant *= kLeastWedgeWeight;
   for (std::size_t a = 0; a < 3; ++a) {
     const Column &b = widest[(a + 1) % 3], &c = widest[(a + 2) % 3];
     double most = 0;
@@ -141,8 +163,10 @@ GradientBound::GradientBound(CellKind kind, std::span<const Vector> nodes)
 }
 
 double GradientBound::operator()(const CellField& field) const {
-  const EdgesOfColumns edges = edges_of(shape_);
-  const auto order = static_cast<double>(order_);
+  if (order_of(kind_) != CellOrder::linear)
+    return curved_gradient_bound(kind_, nodes_, field.values);
+  const CellShape shape = shape_of(kind_);
+  const EdgesOfColumns edges = edges_of(shape);
   double sum = 0;
   for (std::size_t a = 0; a < 3; ++a) {
     double most = 0;
@@ -150,9 +174,8 @@ double GradientBound::operator()(const CellField& field) const {
       most = std::max(most, std::abs(field.values[e.to] - field.values[e.from]));
     };
     for (const Edge& e : edges[a]) take(e);
-    if (shape_ == CellShape::wedge && a == 0)
+    if (shape == CellShape::wedge && a == 0)
       for (const Edge& e : kWedgeEdges) take(e);
-    if (order_ != CellOrder::linear) most = 4 * order * order * (field.most - field.least);
     if (most > 0) sum += most * rows_[a];
   }
   return (1 + 8 * kUnit) * sum;

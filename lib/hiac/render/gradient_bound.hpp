@@ -7,8 +7,8 @@
 
 namespace hiac {
 
-/// How steep the isoparametric interpolants of fields can be in one cell with straight edges: in
-/// linear cells a proof, not an estimate.
+/// How steep the isoparametric interpolants of fields can be in one cell: a proof, not an estimate.
+/// In cells of higher order that of curved_gradient_bound.hpp; in linear ones:
 ///
 /// The gradient is J^-T g, with J the Jacobian of the cell's map and g the field's derivatives in
 /// reference coordinates. In the parameters u, v, w of a cube whose images the cells are (a
@@ -19,23 +19,22 @@ namespace hiac {
 /// of these and of their cross products; and det J is no smaller than the least of its Bernstein
 /// coefficients on the cube. Where these do not all have one sign, nothing is shown, and the bound
 /// is infinite. Rounding is on the safe side.
-///
-/// Fields of higher orders: in collapsed coordinates a Bernstein polynomial's slope is at most its
-/// degree times its range, and where they taper by 1 / w the coefficients at the tip, all equal,
-/// leave as much again; all derivatives are taken as 4 times the square of the order times the
-/// range.
 class GradientBound {
  public:
-  /// `nodes`: positions of the kind's nodes, in their order; its corners count.
-  GradientBound(CellKind kind, std::span<const std::array<double, 3>> nodes);
+  /// `nodes`: positions of the kind's nodes, in their order; edges whose edge_deviation is not
+  /// above `straightness` are taken as straight, as CellMap does.
+  GradientBound(CellKind kind, std::span<const std::array<double, 3>> nodes,
+                double straightness = 0);
 
   /// Nowhere in the cell is the interpolant's gradient longer.
   [[nodiscard]] double operator()(const CellField& field) const;
 
  private:
-  CellShape shape_;
-  CellOrder order_;
-  std::array<double, 3> rows_;  // lengths of the rows of J^-1 are nowhere larger
+  void set_rows(std::span<const std::array<double, 3>> corners);
+
+  CellKind kind_;
+  std::array<double, 3> rows_{};  // linear: lengths of the rows of J^-1 are nowhere larger
+  std::array<std::array<double, 3>, kMaxNodesPerCell> nodes_;  // of higher order
 };
 
 }  // namespace hiac

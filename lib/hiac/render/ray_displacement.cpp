@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "hiac/geometry/face_form.hpp"
 #include "hiac/geometry/inverse_map.hpp"
 #include "hiac/geometry/vector.hpp"
+#include "hiac/mesh/shape_functions.hpp"
 #include "hiac/render/cell_field.hpp"
 
 namespace hiac {
@@ -35,29 +37,53 @@ Vector normal_of(const ShapeFace& face, std::span<const Vector> corners) {
   return face.corner_count == 3 ? cross(edge(0, 1), edge(0, 2)) : cross(edge(0, 2), edge(1, 3));
 }
 
-// How far faces are off their planes.
-double bent(CellKind kind, std::span<const Vector> corners) {
+// How far the faces that count as planar are off their planes.
+double bent(const Frame& frame, CellId cell, std::span<const Vector> corners) {
   double most = 0;
-  for (const ShapeFace& face : topology_of(kind).faces) {
-    if (face.corner_count < 4) continue;
-    const Vector normal = normal_of(face, corners), middle = middle_of(face, corners);
+  const auto faces = topology_of(frame.mesh.kinds[cell]).faces;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (faces[f].corner_count < 4 || face_form(frame.mesh, cell, f, frame.straightness).curved)
+      continue;
+    const Vector normal = normal_of(faces[f], corners), middle = middle_of(faces[f], corners);
     const double area = length(normal);
     if (!(area > 0)) continue;
-    for (const std::uint8_t k : face.corners)
+    for (const std::uint8_t k : faces[f].corners)
       most = std::max(most, std::abs(dot(normal, minus(corners[k], middle))) / area);
   }
   return most;
 }
 
-// How far a cell's map is from the one that the fields are sampled by.
-double map_error(CellKind kind, std::span<const Vector> nodes, double straightness) {
-  const auto corners = nodes.first(corner_count(kind));
+double size_of(std::span<const Vector> points) {
   double size = 0;
-  for (std::size_t k = 1; k < corners.size(); ++k)
-    size = std::max(size, length(minus(corners[k], corners[0])));
+  for (const Vector& p : points) size = std::max(size, length(minus(p, points[0])));
+  return size;
+}
+
+// How far a cell's map is from the one that the fields are sampled by.
+double map_error(const CellMap& map, CellKind kind, std::span<const Vector> nodes) {
+  if (!map.straight()) return kMapRounding * size_of(nodes);
+  const double size = size_of(nodes.first(corner_count(kind)));
   // four times what a node is off (CellMap::straightened) along every axis
-  return (kMapRounding + 7 * edge_deviation(kind, nodes)) * size +
-         2 * CellMap(kind, nodes, straightness).off_affine();
+  return (kMapRounding + 7 * edge_deviation(kind, nodes)) * size + 2 * map.off_affine();
+}
+
+// How far edges and faces of a curved cell that count as straight and planar may be off: four times
+// what their nodes are. Which these are, faces judge one by one; that of all nodes that are off by
+// so little is no less.
+double straightened(CellKind kind, std::span<const Vector> nodes, double straightness) {
+  const auto reference = reference_nodes(kind);
+  const std::size_t corners = corner_count(kind);
+  const double doubtful = 2 * straightness * size_of(nodes);
+  double most = 0;
+  std::array<double, kMaxNodesPerCell> shape;
+  for (std::size_t k = corners; k < node_count(kind); ++k) {
+    shape_functions<double>(kind_of(shape_of(kind), CellOrder::linear), reference[k], shape);
+    Vector off = nodes[k];
+    for (std::size_t n = 0; n < corners; ++n)
+      for (std::size_t c = 0; c < 3; ++c) off[c] -= shape[n] * nodes[n][c];
+    if (length(off) <= doubtful) most = std::max(most, length(off));
+  }
+  return 4 * most;
 }
 
 // Of what is projected, in units of rounding: coordinates are rounded once, from extended
@@ -68,6 +94,10 @@ constexpr double kCoordinateRounding = 2, kPlaceRounding = 20, kDepthRounding = 
 constexpr double kExtendedUnit = 0x1p-64;
 // Of distances from the eye, where rays are followed in the world.
 constexpr double kWorldRounding = 24;
+// The same of curved faces, by order: control points add up to twelve nodes, places on faces
+// sixteen control points, 34 roundings at most; without their signs the weights of nodes in places
+// come to 1.5, 4.8 and 14.4 at most (all of PatchWeights).
+constexpr std::array<double, 3> kCurvedRounding{64, 192, 512};
 
 // Of the faces of a cell, found where its projected corners are. Corners beside the eye have no
 // projection: such cells are met in the world.
@@ -117,9 +147,21 @@ RayDisplacement displacement_in_world(const Frame& frame, CellId cell) {
   RayDisplacement result;
   result.aside = kWorldRounding * kUnit * reach;
   if (kind != CellKind::tetrahedron4)
-    result.aside += 2 * bent(kind, corners) + map_error(kind, all, frame.straightness);
+    result.aside += 2 * bent(frame, cell, corners) +
+                    map_error(CellMap(kind, all, frame.straightness), kind, all);
   result.at_ends = result.aside + screen.aside;
   result.along = screen.along;
+  if (!has_curved_faces(frame.mesh, cell, frame.straightness)) return result;
+  for (const Vector& p : all) reach = std::max(reach, length(p));
+  // coordinates on the screen are from its corner
+  const Projector& projector = frame.projector;
+  const Projector::Axes axes = projector.axes();
+  const double border = std::max(axes.center_x, axes.center_y) / projector.pixels_per_unit();
+  const double rounding = kCurvedRounding[static_cast<std::size_t>(order_of(kind)) - 1] * kUnit *
+                          (reach + (projector.perspective() ? reach : 1) * border);
+  result.aside += rounding;
+  result.at_ends += rounding + straightened(kind, all, frame.straightness);
+  result.along = std::max(result.along, rounding);
   return result;
 }
 
@@ -179,6 +221,13 @@ EndDoubts::Doubts EndDoubts::at(const Vector& origin, const Vector& direction,
   const auto or_all = [](double x) { return std::isnan(x) ? kInfinity : x; };
   return {or_all(std::max(enter_most - enter, enter - enter_least)) + moved.along,
           or_all(std::max(leave_most - leave, leave - leave_least)) + moved.along};
+}
+
+double EndDoubts::through(std::size_t face, const Vector& direction,
+                          const RayDisplacement& moved) const {
+  const double cosine = std::abs(dot(planes_[face].normal, direction)) / length(direction);
+  const double doubt = 2 * moved.at_ends + 8 * kUnit * reach_;
+  return cosine > 8 * kUnit ? doubt / cosine + moved.along : kInfinity;
 }
 
 }  // namespace hiac

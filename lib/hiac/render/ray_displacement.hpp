@@ -18,9 +18,10 @@ struct RayDisplacement {
   double spread = 1;   ///< what the rounding of field values grows by
 };
 
-/// Of one cell with straight edges, as it is drawn: tetrahedra over the screen, where their
-/// projected corners are; others in the world, with what their map is off the cell's: edges that
-/// count as straight, faces as planar and cells as affine, though they are not to the bit.
+/// Of one cell, as it is drawn: tetrahedra over the screen, where their projected corners are;
+/// others in the world, with what their map is off the cell's: edges that count as straight, faces
+/// as planar and cells as affine, though they are not to the bit. Curved faces and maps are met as
+/// they are, but for rounding.
 RayDisplacement ray_displacement(const Frame& frame, CellId cell);
 
 /// The same for what is found in the world in tetrahedra, too (face_value.hpp).
@@ -41,6 +42,10 @@ class EndDoubts {
   [[nodiscard]] Doubts at(const std::array<double, 3>& origin,
                           const std::array<double, 3>& direction,
                           const RayDisplacement& moved) const;
+
+  /// That of a place on one planar face, of a cell that need not be convex: how far along the ray.
+  [[nodiscard]] double through(std::size_t face, const std::array<double, 3>& direction,
+                               const RayDisplacement& moved) const;
 
  private:
   struct Plane {
