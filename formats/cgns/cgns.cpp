@@ -189,6 +189,7 @@ class Reader {
     std::sort(sections.begin(), sections.end(),
               [](const auto& a, const auto& b) { return a.first < b.first; });
     polygons_.clear();
+    uses_.clear();
     for (const auto& [first, section] : sections) note_polygons(first, section, offset);
     for (const auto& [first, section] : sections) {
       const std::size_t first_cell = mesh_.cell_count();
@@ -294,6 +295,9 @@ class Reader {
         if (found == polygons_.end())
           file_->fail(section, fmt::format("names the face {}, which is in no NGON_n section",
                                            signed_number));
+        // or few bytes would make much memory
+        if (++uses_[found->first] > 2)
+          file_->fail(section, fmt::format("names the face {} more than twice", found->first));
         faces.push_back(found->second);
       }
       mesh_.add_polyhedron("NFACE_n (polyhedron)", faces);
@@ -379,6 +383,7 @@ class Reader {
 
   std::shared_ptr<CgnsFile> file_;
   std::map<std::int64_t, std::vector<std::int64_t>> polygons_;  ///< of the zone, by their numbers
+  std::map<std::int64_t, int> uses_;                            ///< of polygons, by cells
   ForeignMesh mesh_;
   std::vector<Zone> zones_;
   std::shared_ptr<const std::vector<Zone>> zones_kept_;

@@ -1,6 +1,7 @@
 #include "formats/exodus/exodus.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <memory>
 
@@ -27,6 +28,8 @@ struct Block {
   std::size_t number;  ///< from 1, as in the names of its variables
   std::size_t cells;
 };
+
+using Lists = std::vector<std::vector<std::int64_t>>;
 
 class Reader {
  public:
@@ -86,19 +89,16 @@ class Reader {
     const std::string name = fmt::format("connect{}", number);
     const std::size_t first = mesh_.cell_count();
     if (file_->has(name))
-      read_cells(name);
+      read_cells(name, number);
     else if (file_->has(fmt::format("facconn{}", number)))
-      add_unsupported("nfaced (polyhedra)", number);
+      add_polyhedra(number);
     blocks_.push_back({number, mesh_.cell_count() - first});
   }
 
-  void read_cells(const std::string& name) {
+  void read_cells(const std::string& name, std::size_t number) {
     const std::vector<std::size_t> shape = file_->shape(name);
     const std::string element = file_->text_attribute(name, "elem_type").value_or("");
-    if (shape.size() != 2) {
-      mesh_.notes.push_back(fmt::format("left out a block of {} cells", element));
-      return;
-    }
+    if (shape.size() != 2) return add_polygons(element, number);
     const CellConversion conversion = exodus::conversion_of(element, shape[1]);
     const std::vector<std::int64_t> nodes = file_->integers(name);
     mesh_.cell_types.insert(mesh_.cell_types.end(), shape[0],
@@ -106,12 +106,64 @@ class Reader {
     mesh_.cell_nodes.insert(mesh_.cell_nodes.end(), nodes.begin(), nodes.end());
   }
 
-  /// Cells whose nodes are not read.
-  void add_unsupported(const std::string& element, std::size_t number) {
+  /// "nsided": how many corners each has stands elsewhere.
+  void add_polygons(const std::string& element, std::size_t number) {
     const std::string counts = fmt::format("ebepecnt{}", number);
     const std::size_t count = file_->has(counts) ? file_->integers(counts).size() : 0;
-    mesh_.cell_types.insert(mesh_.cell_types.end(), count,
-                            mesh_.type_place(element, 0, kUnsupported));
+    mesh_.cell_types.insert(mesh_.cell_types.end(), count, mesh_.type_place(element, 0, kNoVolume));
+  }
+
+  /// A variable of lists one after the other, and a variable of their lengths; without that all are
+  /// as long as the first's second dimension.
+  [[nodiscard]] Lists lists_in(const std::string& name, const std::string& counts) const {
+    const std::vector<std::int64_t> all = file_->integers(name);
+    const std::vector<std::size_t> shape = file_->shape(name);
+    std::vector<std::int64_t> lengths;
+    if (shape.size() == 2)
+      lengths.assign(shape[0], static_cast<std::int64_t>(shape[1]));
+    else
+      lengths = file_->integers(counts);
+    Lists lists;
+    std::size_t at = 0;
+    for (const std::int64_t length : lengths) {
+      if (length < 0 || static_cast<std::uint64_t>(length) > all.size() - at)
+        file_->fail(counts, fmt::format("does not fit '{}' ({} numbers)", name, all.size()));
+      const auto begin = all.begin() + static_cast<std::ptrdiff_t>(at);
+      lists.emplace_back(begin, begin + length);
+      at += static_cast<std::size_t>(length);
+    }
+    return lists;
+  }
+
+  /// The faces of all face blocks, which polyhedra name by their places from 1.
+  void read_faces() {
+    if (!faces_.empty()) return;
+    for (std::size_t b = 1; b <= file_->dimension("num_fa_blk"); ++b) {
+      const std::string name = fmt::format("fbconn{}", b);
+      if (!file_->has(name)) continue;
+      Lists block = lists_in(name, fmt::format("fbepecnt{}", b));
+      faces_.insert(faces_.end(), std::make_move_iterator(block.begin()),
+                    std::make_move_iterator(block.end()));
+    }
+    uses_.assign(faces_.size(), 0);
+  }
+
+  void add_polyhedra(std::size_t number) {
+    read_faces();
+    const std::string name = fmt::format("facconn{}", number);
+    for (const auto& list : lists_in(name, fmt::format("ebepecnt{}", number))) {
+      Lists own;
+      for (const std::int64_t face : list) {
+        if (face < 1 || static_cast<std::uint64_t>(face) > faces_.size())
+          file_->fail(name, fmt::format("names face {} (1 to {} expected)", face, faces_.size()));
+        const auto place = static_cast<std::size_t>(face) - 1;
+        // or few bytes would make much memory
+        if (++uses_[place] > 2)
+          file_->fail(name, fmt::format("names face {} more than twice", face));
+        own.push_back(faces_[place]);
+      }
+      mesh_.add_polyhedron("nfaced (polyhedron)", own);
+    }
   }
 
   [[nodiscard]] std::size_t steps() const { return mesh_.times.size(); }
@@ -179,7 +231,8 @@ class Reader {
 
   void note_left_out() {
     const std::size_t edges = file_->dimension("num_ed_blk");
-    const std::size_t faces = file_->dimension("num_fa_blk");
+    // the faces of polyhedra are read
+    const std::size_t faces = faces_.empty() ? file_->dimension("num_fa_blk") : 0;
     if (edges + faces > 0)
       mesh_.notes.push_back(
           fmt::format("left out {} edge and {} face blocks with their fields", edges, faces));
@@ -191,6 +244,8 @@ class Reader {
   ForeignMesh mesh_;
   std::size_t points_ = 0;
   std::vector<Block> blocks_;
+  Lists faces_;
+  std::vector<std::uint8_t> uses_;  ///< of every face
 };
 
 ForeignMesh open_exodus(const std::string& path) { return Reader(path).read(); }
@@ -205,7 +260,7 @@ Format exodus_format() {
   Format format;
   format.name = "exodus";
   format.extensions = {".e", ".exo", ".ex2", ".exii", ".exo2", ".gen", ".g"};
-  format.kinds = "tet4,10 pyr5,13 prism6,15 brick8,20";
+  format.kinds = "tet4,10 pyr5,13 prism6,15 brick8,20, polyhedra";
   format.fields = "node, cell";
   format.time_steps = "several";
   format.recognizes = [](std::string_view head) { return exodus::is_classic_netcdf(head); };

@@ -264,6 +264,7 @@ class Reader {
       faces.push_back(std::move(face));
     }
     at = 0;
+    std::vector<std::uint8_t> uses(faces.size(), 0);
     for (int z = 0; z < zones.nzones; ++z) {
       if (zones.facecnt[z] < 0 || zones.facecnt[z] > zones.lfacelist - at) throw fail();
       std::vector<std::vector<std::int64_t>> own;
@@ -272,6 +273,8 @@ class Reader {
         const int stored = zones.facelist[at++];
         const int face = (stored < 0 ? ~stored : stored) - zones.origin;
         if (face < 0 || face >= zones.nfaces) throw fail();
+        // or few bytes would make much memory
+        if (++uses[static_cast<std::size_t>(face)] > 2) throw fail();
         own.push_back(faces[static_cast<std::size_t>(face)]);
       }
       if (z >= zones.lo_offset && z <= zones.hi_offset)
@@ -433,7 +436,10 @@ Format silo_format() {
   format.kinds = "tet4 pyr5 prism6 brick8, polyhedra, structured";
   format.fields = "node, cell";
   format.time_steps = "one";
-  format.recognizes = [](std::string_view) { return false; };
+  // the driver PDB; files of the other are HDF5 files
+  format.recognizes = [](std::string_view head) {
+    return head.starts_with("!<<PDB:") || head.starts_with("!<><PDB>");
+  };
   format.contains = [](const std::string& path) { return hdf5::model_of(path) == "silo"; };
   read_through(format, [](const std::string& path, const ReadOptions&) {
     return read_isolated(path, "Silo", [](const std::string& file) { return Reader(file).read(); });

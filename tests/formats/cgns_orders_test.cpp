@@ -1,5 +1,6 @@
 // The node order of every element that is read from CGNS files, by files of one cell written
 // through the CGNS library. The elements as in the Standard Interface Data Structures, section 3.3.
+#include <cgns_io.h>
 #include <cgnslib.h>
 
 #include "tests/formats/files.hpp"
@@ -87,6 +88,31 @@ TEST(CgnsOrders, OneCellFilesHavePositiveJacobiansAndTheirField) {
     }
 }
 
+/// Before CGNS 4 every list came behind its length, and there were no offsets.
+void put_counts_inline(const std::string& path, const std::string& section,
+                       const std::vector<cgsize_t>& lists, const std::vector<cgsize_t>& starts) {
+  std::vector<std::int32_t> numbers;
+  for (std::size_t i = 0; i + 1 < starts.size(); ++i) {
+    numbers.push_back(static_cast<std::int32_t>(starts[i + 1] - starts[i]));
+    for (cgsize_t at = starts[i]; at < starts[i + 1]; ++at)
+      numbers.push_back(static_cast<std::int32_t>(lists[static_cast<std::size_t>(at)]));
+  }
+  int file = 0;
+  double root = 0;
+  double parent = 0;
+  double node = 0;
+  check(cgio_open_file(path.c_str(), 'm', CGIO_FILE_NONE, &file));
+  check(cgio_get_root_id(file, &root));
+  check(cgio_get_node_id(file, root, ("/base/zone/" + section).c_str(), &parent));
+  check(cgio_get_node_id(file, parent, "ElementStartOffset", &node));
+  check(cgio_delete_node(file, parent, node));
+  check(cgio_get_node_id(file, parent, "ElementConnectivity", &node));
+  const auto size = static_cast<cgsize_t>(numbers.size());
+  check(cgio_set_dimensions(file, node, "I4", 1, &size));
+  check(cgio_write_all_data(file, node, numbers.data()));
+  check(cgio_close_file(file));
+}
+
 // Two bricks side by side, told by their faces: the shared one is entered from its back.
 TEST(CgnsPolyhedra, FacesMakeTheirCells) {
   const ScratchFolder folder;
@@ -123,10 +149,16 @@ TEST(CgnsPolyhedra, FacesMakeTheirCells) {
   check(cg_poly_section_write(file, base, zone, "cells", CGNS_ENUMV(NFACE_n), 12, 13, 0,
                               cells.data(), cell_starts.data(), &id));
   check(cg_close(file));
-  const Reading reading = read_any(path);
-  EXPECT_EQ(reading.mesh.cell_count(), 2U);
-  EXPECT_EQ(reading.mesh.kinds[1], CellKind::brick8);
-  EXPECT_THAT(reading.notes, testing::Contains(testing::HasSubstr("2 polyhedra have the faces")));
+  for (const bool inlined : {false, true}) {
+    if (inlined) {
+      put_counts_inline(path, "faces", polygons, {starts.begin(), starts.end()});
+      put_counts_inline(path, "cells", cells, {cell_starts.begin(), cell_starts.end()});
+    }
+    const Reading reading = read_any(path);
+    EXPECT_EQ(reading.mesh.cell_count(), 2U);
+    EXPECT_EQ(reading.mesh.kinds[1], CellKind::brick8);
+    EXPECT_THAT(reading.notes, testing::Contains(testing::HasSubstr("2 polyhedra have the faces")));
+  }
 }
 
 }  // namespace

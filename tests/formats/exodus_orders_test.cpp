@@ -1,7 +1,10 @@
 // The node order of every element that is read from Exodus files, by files of one cell written
 // through netCDF. The elements as in the data model's document (SAND92-2137), section 4.8.
+#include <cmath>
+
 #include <netcdf.h>
 
+#include "tests/formats/cell_volumes.hpp"
 #include "tests/formats/files.hpp"
 #include "tests/formats/one_cell.hpp"
 
@@ -117,6 +120,91 @@ TEST(ExodusOrders, OneCellFilesHavePositiveJacobiansAndTheirField) {
 }
 
 // Every way of cutting a file off is seen, although netCDF makes zeros of what is missing
+/// Writes integers, each list along a dimension of its own.
+class Integers {
+ public:
+  explicit Integers(int file) : file_(file) {}
+  void dimension(const std::string& name, std::size_t length) const {
+    int id = 0;
+    check(nc_def_dim(file_, name.c_str(), length, &id));
+  }
+  void put(const std::string& name, const std::vector<int>& values,
+           const std::string& elements = "") const {
+    int id = 0;
+    int length = 0;
+    check(nc_def_dim(file_, ("length of " + name).c_str(), values.size(), &length));
+    check(nc_def_var(file_, name.c_str(), NC_INT, 1, &length, &id));
+    if (!elements.empty())
+      check(nc_put_att_text(file_, id, "elem_type", elements.size(), elements.c_str()));
+    check(nc_enddef(file_));
+    check(nc_put_var_int(file_, id, values.data()));
+    check(nc_redef(file_));
+  }
+
+ private:
+  int file_;
+};
+
+// Two tetrahedra over one face, as the Exodus II library writes polyhedra (blocks "nsided" of
+// faces, a block "nfaced" of elements), and a polygon.
+TEST(ExodusPolyhedra, FacesMakeTheirCells) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("poly.e");
+  int file = 0;
+  check(nc_create(path.c_str(), NC_CLOBBER, &file));
+  const Integers integers(file);
+  integers.dimension("num_nodes", 5);
+  integers.dimension("num_dim", 3);
+  integers.dimension("num_el_blk", 2);
+  integers.dimension("num_fa_blk", 2);
+  integers.put("coordx", {0, 1, 0, 0, 1});
+  integers.put("coordy", {0, 0, 1, 0, 1});
+  integers.put("coordz", {0, 0, 0, 1, 1});
+  integers.put("fbconn1", {1, 3, 2, 1, 2, 4, 2, 3, 4, 1, 4, 3}, "nsided");
+  integers.put("fbepecnt1", {3, 3, 3, 3});
+  integers.put("fbconn2", {2, 3, 5, 3, 4, 5, 2, 5, 4}, "nsided");
+  integers.put("fbepecnt2", {3, 3, 3});
+  integers.put("facconn1", {1, 2, 3, 4, 3, 5, 6, 7}, "nfaced");
+  integers.put("ebepecnt1", {4, 4});
+  integers.put("connect2", {1, 2, 5, 3}, "nsided");
+  integers.put("ebepecnt2", {4});
+  check(nc_close(file));
+  const Reading reading = read_any(path);
+  ASSERT_EQ(reading.mesh.cell_count(), 2U);
+  EXPECT_EQ(reading.mesh.kinds[0], CellKind::tetrahedron4);
+  EXPECT_NEAR(volume_of(reading.mesh, 0), 1.0 / 6, 1e-12);
+  EXPECT_NEAR(std::abs(volume_of(reading.mesh, 1)), 1.0 / 3, 1e-12);
+  EXPECT_THAT(reading.notes, testing::Contains(testing::HasSubstr("2 polyhedra have the faces")));
+  EXPECT_THAT(reading.notes, testing::Contains(testing::HasSubstr("without volume: 1 nsided")));
+}
+
+TEST(ExodusPolyhedra, ListsThatDoNotFitAreRefused) {
+  const ScratchFolder folder;
+  for (const auto& [faces, counts, message] :
+       std::vector<std::tuple<std::vector<int>, std::vector<int>, std::string>>{
+           {{1, 2, 3, 5}, {4}, "names face 5"},
+           {{1, 1, 1, 4}, {4}, "more than twice"},
+           {{1, 2, 3, 4}, {5}, "does not fit 'facconn1'"}}) {
+    const std::string path = folder.file("poly.e");
+    int file = 0;
+    check(nc_create(path.c_str(), NC_CLOBBER, &file));
+    const Integers integers(file);
+    integers.dimension("num_nodes", 4);
+    integers.dimension("num_dim", 3);
+    integers.dimension("num_el_blk", 1);
+    integers.dimension("num_fa_blk", 1);
+    integers.put("coordx", {0, 1, 0, 0});
+    integers.put("coordy", {0, 0, 1, 0});
+    integers.put("coordz", {0, 0, 0, 1});
+    integers.put("fbconn1", {1, 3, 2, 1, 2, 4, 2, 3, 4, 1, 4, 3}, "nsided");
+    integers.put("fbepecnt1", {3, 3, 3, 3});
+    integers.put("facconn1", faces, "nfaced");
+    integers.put("ebepecnt1", counts);
+    check(nc_close(file));
+    EXPECT_THAT(refusal(path), testing::HasSubstr(message));
+  }
+}
+
 TEST(ExodusOrders, TruncatedFilesAreRefused) {
   const ScratchFolder folder;
   const std::string path = folder.file("cell.e");

@@ -21,9 +21,9 @@ struct Closed {
 };
 using File = std::unique_ptr<DBfile, Closed>;
 
-File create(const std::string& path) {
+File create(const std::string& path, int driver = DB_HDF5) {
   DBShowErrors(DB_NONE, nullptr);
-  return File(DBCreate(path.c_str(), DB_CLOBBER, DB_LOCAL, "", DB_HDF5));
+  return File(DBCreate(path.c_str(), DB_CLOBBER, DB_LOCAL, "", driver));
 }
 
 struct Zones {
@@ -84,10 +84,11 @@ void put_mesh(DBfile* file, const Zones& zones, double shift) {
 }
 
 TEST(Silo, EveryKindOfZoneIsReadInEitherOrientation) {
-  for (const bool turned : {false, true}) {
+  for (const auto& [driver, turned] : std::vector<std::pair<int, bool>>{
+           {DB_HDF5, false}, {DB_HDF5, true}, {DB_PDB, false}, {DB_PDB, true}}) {
     const ScratchFolder folder;
     const std::string path = folder.file("kinds.silo");
-    put_mesh(create(path).get(), all_kinds(turned), 0);
+    put_mesh(create(path, driver).get(), all_kinds(turned), 0);
     ASSERT_EQ(format_to_read(path).name, "silo");
     const ZooMesh mesh = read_any(path).mesh;
     ASSERT_EQ(mesh.cell_count(), 4U);
@@ -170,15 +171,17 @@ TEST(Silo, StructuredMeshesAreBricks) {
 }
 
 TEST(Silo, DamagedFilesAreRefusedOrRead) {
-  const ScratchFolder folder;
-  const std::string path = folder.file("whole.silo");
-  put_mesh(create(path).get(), all_kinds(false), 0);
-  const std::string whole = text_of(path);
-  EXPECT_NE(refusal(folder.write("cut.silo", whole.substr(0, whole.size() / 2))), "");
-  for (std::size_t at = 2048; at < whole.size(); at += whole.size() / 12) {
-    std::string changed = whole;
-    changed[at] = static_cast<char>(changed[at] ^ 0x55);
-    static_cast<void>(refusal(folder.write("changed.silo", changed)));
+  for (const int driver : {DB_HDF5, DB_PDB}) {
+    const ScratchFolder folder;
+    const std::string path = folder.file("whole.silo");
+    put_mesh(create(path, driver).get(), all_kinds(false), 0);
+    const std::string whole = text_of(path);
+    EXPECT_NE(refusal(folder.write("cut.silo", whole.substr(0, whole.size() / 2))), "");
+    for (std::size_t at = 2048; at < whole.size(); at += whole.size() / 12) {
+      std::string changed = whole;
+      changed[at] = static_cast<char>(changed[at] ^ 0x55);
+      static_cast<void>(refusal(folder.write("changed.silo", changed)));
+    }
   }
 }
 
