@@ -11,6 +11,7 @@
 #include "formats/cell_collector.hpp"
 #include "formats/gate.hpp"
 #include "formats/node_resolver.hpp"
+#include "formats/printable.hpp"
 #include "formats/reduce_cells.hpp"
 #include "formats/steps.hpp"
 #include "hiac/base/error.hpp"
@@ -278,14 +279,28 @@ Inventory inventory_of(const ForeignMesh& foreign, std::string_view format,
   return inventory;
 }
 
+namespace {
+
+/// What `work` gives. Names from the file may stand in its errors.
+template <typename Work>
+auto with_errors_of_one_line(const Work& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw InputError(printable(error.what()));
+  }
+}
+
+}  // namespace
+
 void read_through(
     Format& format,
     std::function<ForeignMesh(const std::string& path, const ReadOptions& options)> open) {
   format.read = [open](const std::string& path, const ReadOptions& options) {
-    return assemble(open(path, options), options, path);
+    return with_errors_of_one_line([&] { return assemble(open(path, options), options, path); });
   };
   format.inspect = [open = std::move(open), name = format.name](const std::string& path) {
-    return inventory_of(open(path, {}), name, path);
+    return with_errors_of_one_line([&] { return inventory_of(open(path, {}), name, path); });
   };
 }
 

@@ -3,7 +3,7 @@
 #include <cctype>
 #include <string>
 
-namespace hiac::formats::vtk {
+namespace hiac::formats {
 
 /// Text from a file as it may stand in a message of one line.
 inline std::string printable(std::string text) {
@@ -12,4 +12,4 @@ inline std::string printable(std::string text) {
   return text;
 }
 
-}  // namespace hiac::formats::vtk
+}  // namespace hiac::formats

@@ -15,8 +15,8 @@
 #include <vtkSmartPointer.h>
 #include <vtkZLibDataCompressor.h>
 
+#include "formats/printable.hpp"
 #include "formats/vtk/legacy_words.hpp"
-#include "formats/vtk/printable.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::vtk {

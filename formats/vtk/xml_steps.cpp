@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "formats/printable.hpp"
 #include "formats/steps.hpp"
-#include "formats/vtk/printable.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::vtk {

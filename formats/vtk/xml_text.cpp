@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "formats/vtk/printable.hpp"
+#include "formats/printable.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::vtk {

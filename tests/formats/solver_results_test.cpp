@@ -83,6 +83,21 @@ TEST(TecplotBinary, DamagedFilesAreRefused) {
   }
 }
 
+TEST(TecplotBinary, NamesDoNotBreakMessagesIntoLines) {
+  std::string text = tecplot_bricks({});
+  // an integer a character: "early"
+  const std::size_t name = text.find(std::string("e\0\0\0a\0\0\0r", 9));
+  ASSERT_NE(name, std::string::npos);
+  text[name + 4] = '\n';
+  const ScratchFolder folder;
+  for (std::size_t length = name + 24; length < text.size(); length += 12)
+    EXPECT_THAT(refusal(folder.write("n.plt", text.substr(0, length))),
+                testing::Not(HasSubstr("\n")));
+  const std::string mark("\0\x80\x95\x43\x02", 5);  // of the zone's data, and its first format
+  text[text.find(mark)] = 1;
+  EXPECT_THAT(refusal(folder.write("n.plt", text)), HasSubstr("'e rly': the mark of its data"));
+}
+
 // ---- LS-DYNA
 
 #ifdef HIAC_WITH_VTK_LSDYNA
