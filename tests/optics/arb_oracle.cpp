@@ -2,6 +2,7 @@
 
 #include <array>
 #include <stdexcept>
+#include <type_traits>
 
 #include <arb.h>
 #include <arb_hypgeom.h>
@@ -74,6 +75,15 @@ double rounded(const Ball& x) {
   return arf_get_d(arb_midref(static_cast<arb_srcptr>(x)), ARF_RND_NEAR);
 }
 
+template <class Real>
+Real rounded_to(const Ball& x) {
+  const double high = rounded(x);
+  if constexpr (std::is_same_v<Real, double>) return high;
+  Ball rest;
+  arb_sub(rest, x, Ball(high), kLastPrecision);
+  return static_cast<Real>(high) + rounded(rest);
+}
+
 /// exp(x^2) erfc(x) = U(1/2, 1/2, x^2) / sqrt(pi) for large x, where Arb's erfc of an inexact
 /// argument gives wide balls; the product elsewhere.
 Ball erfcx_ball(const Arithmetic& m, const Ball& x) {
@@ -135,16 +145,28 @@ double raised(const F& f) {
 
 }  // namespace
 
-ExactPiece exact_linear_piece(double b, double a) {
+namespace {
+
+template <class Real>
+BasicExactPiece<Real> exact_piece(double b, double a) {
   for (slong precision = kFirstPrecision; precision <= kLastPrecision; precision *= 2) {
     const std::array<Ball, 7> balls = piece_balls(Arithmetic{precision}, b, a);
     bool all_accurate = true;
     for (const Ball& ball : balls) all_accurate = all_accurate && accurate(ball);
     if (!all_accurate) continue;
-    return {rounded(balls[0]), rounded(balls[1]), rounded(balls[2]), rounded(balls[3]),
-            rounded(balls[4]), rounded(balls[5]), rounded(balls[6])};
+    return {rounded_to<Real>(balls[0]), rounded_to<Real>(balls[1]), rounded_to<Real>(balls[2]),
+            rounded_to<Real>(balls[3]), rounded_to<Real>(balls[4]), rounded_to<Real>(balls[5]),
+            rounded_to<Real>(balls[6])};
   }
   throw std::runtime_error("the oracle ran out of precision");
+}
+
+}  // namespace
+
+ExactPiece exact_linear_piece(double b, double a) { return exact_piece<double>(b, a); }
+
+ExtendedExactPiece extended_exact_piece(double b, double a) {
+  return exact_piece<long double>(b, a);
 }
 
 double exact_erfcx(double x) {

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "arb_oracle.hpp"
+#include "hiac/optics/extended_piece.hpp"
 #include "hiac/optics/linear_piece_simd.hpp"
 #include "hwy/highway.h"
 
@@ -139,6 +140,39 @@ class Random {
  private:
   std::mt19937_64 engine_{20240611};
 };
+
+// What is left out behind opaque parts, and rounding of exp of the depth in front, are of all
+// light.
+TEST(ExtendedPiece, IsExact) {
+  Random random;
+  Pieces pieces;
+  pieces.add(0, 0);
+  for (int i = 0; i < 2000; ++i) {
+    pieces.add(random.uniform(0, 1), random.uniform(0, 1));
+    pieces.add(random.uniform(0, 50), random.uniform(0, 50));
+    pieces.add(random.log_uniform(1e-20, 1e3), random.log_uniform(1e-20, 1e3));
+    pieces.add_both_ways(0, random.log_uniform(1e-20, 1e3));
+  }
+  pieces.add_both_ways(0, kLargest);
+  pieces.add(kLargest, kLargest);
+  constexpr long double kExtendedBound = 2e-18L;
+  for (std::size_t i = 0; i < pieces.b.size(); ++i) {
+    const double b = pieces.b[i], a = pieces.a[i];
+    const test::ExtendedExactPiece exact = test::extended_exact_piece(b, a);
+    const ExtendedPieceWeights w = extended_piece_weights(b, a);
+    const ExtendedPieceWeights e = extended_piece_emission(b, a);
+    const auto expect = [&](const char* what, long double value, long double truth,
+                            long double size) {
+      EXPECT_LE(std::abs(value - truth), kExtendedBound * size)
+          << what << " at b = " << b << ", a = " << a;
+    };
+    expect("zeta", w.transparency, exact.zeta, exact.zeta * (1 + (a + b) / 2));
+    expect("1 - Psi", w.front, exact.front, exact.alpha);
+    expect("Psi - zeta", w.back, exact.back, exact.alpha);
+    expect("Psi - Psi_1", e.front, exact.psi0, exact.psi);
+    expect("Psi_1", e.back, exact.psi1, exact.psi);
+  }
+}
 
 TEST(LinearPiece, IsExactForRendererInput) {
   Random random;

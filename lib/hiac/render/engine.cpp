@@ -11,9 +11,9 @@
 #include "hiac/base/seconds.hpp"
 #include "hiac/render/background.hpp"
 #include "hiac/render/cell_groups.hpp"
-#include "hiac/render/error_bound.hpp"
 #include "hiac/render/frame.hpp"
 #include "hiac/render/general_cells.hpp"
+#include "hiac/render/pixel_refinement.hpp"
 #include "hiac/render/quadratic_kernel.hpp"
 #include "hiac/render/splatting.hpp"
 #include "hiac/render/tetrahedron_kernel.hpp"
@@ -113,8 +113,9 @@ class TileRenderer {
 };
 
 // One channel of a finished pixel. `background`: the largest channel behind it.
-double channel_value(Channel channel, const PixelDetails& pixel, const Frame& frame,
-                     double transparency, double background) {
+double channel_value(Channel channel, const PixelRefinement::Drawn& drawn, const Frame& frame,
+                     double background, PixelRefinement& refinement) {
+  const PixelDetails& pixel = *drawn.details;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   switch (channel) {
     case Channel::depth:
@@ -123,7 +124,7 @@ double channel_value(Channel channel, const PixelDetails& pixel, const Frame& fr
       return pixel.weight > 0 ? frame.projector.distance(pixel.weighted_depth / pixel.weight)
                               : kInfinity;
     case Channel::transparency:
-      return transparency;
+      return drawn.transparency;
     case Channel::cells:
       return pixel.cells;
     case Channel::witness:
@@ -131,7 +132,7 @@ double channel_value(Channel channel, const PixelDetails& pixel, const Frame& fr
     case Channel::error:
       break;
   }
-  return pixel_error(frame, pixel, transparency, background);
+  return refinement.error(drawn, background);
 }
 
 // What a tile leaves behind besides its pixels.
@@ -144,7 +145,7 @@ struct TileSummary {
 // Writes what of a tile lies in the part of the picture that the image shows.
 TileSummary write_tile(const TileBuffer& buffer, const TileRect& tile, const Frame& frame,
                        const Scene& scene, bool with_background, std::span<const Channel> channels,
-                       const PixelRect& part, Image& image) {
+                       const PixelRect& part, PixelRefinement& refinement, Image& image) {
   TileSummary summary;
   const int left = static_cast<int>(part.x), top = static_cast<int>(part.y);
   const int x0 = std::max(tile.x0, left), y0 = std::max(tile.y0, top);
@@ -164,8 +165,13 @@ TileSummary write_tile(const TileBuffer& buffer, const TileRect& tile, const Fra
       pixel[2] = buffer.blue[at] + transparency * behind[2];
       pixel[3] = 1 - transparency;
       for (std::size_t c = 0; c < channels.size(); ++c)
-        pixel[4 + c] = channel_value(channels[c], buffer.details[at], frame, transparency,
-                                     *std::max_element(behind.begin(), behind.end()));
+        pixel[4 + c] = channel_value(channels[c],
+                                     {x,
+                                      y,
+                                      {buffer.red[at], buffer.green[at], buffer.blue[at]},
+                                      transparency,
+                                      &buffer.details[at]},
+                                     frame, std::ranges::max(behind), refinement);
       if (buffer.last[at] == -std::numeric_limits<double>::infinity()) continue;
       const double depth = -std::log(std::max(transparency, std::numeric_limits<double>::min()));
       summary.optical_depth_sum += depth;
@@ -257,8 +263,9 @@ RenderResult PartRenderer::render(const PixelRect& part, bool with_background,
     const std::size_t tile = range.begin;
     TileRenderer renderer(frame, order, bins.tiles[tile], bins.cells_of(tile));
     renderer.render();
+    PixelRefinement refinement(frame, order, bins.tiles[tile], bins.cells_of(tile));
     summaries[tile] = write_tile(renderer.buffer(), bins.tiles[tile], frame, scene, with_background,
-                                 prepared_->channels, part, result.image);
+                                 prepared_->channels, part, refinement, result.image);
     summaries[tile].counts = renderer.counts();
     if (progress != nullptr) progress->advance();
   });

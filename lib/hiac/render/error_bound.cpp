@@ -10,7 +10,6 @@ namespace hiac {
 namespace {
 
 constexpr double kUnit = 0x1p-53;
-constexpr double kPieceError = 2e-14;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // J^-T g without the determinant, and the sum of what was added up.
@@ -37,7 +36,8 @@ struct FunctionBounds {
 };
 
 template <std::size_t N>
-FunctionBounds function_bounds(const TransferTable<N>& table, ValueRange range) {
+FunctionBounds function_bounds(const TransferTable<N>& table, ValueRange range,
+                               const Arithmetic& numbers) {
   FunctionBounds f;
   const auto value = [&](std::size_t c, std::size_t k, double s) {
     return table.value[c][k] + table.slope[c][k] * (s - table.anchor[k]);
@@ -54,7 +54,8 @@ FunctionBounds function_bounds(const TransferTable<N>& table, ValueRange range) 
       const double slope = std::abs(table.slope[c][k]);
       f.most = std::max({f.most, std::abs(value(c, k, low)), std::abs(value(c, k, high))});
       f.slope = std::max(f.slope, slope);
-      f.rounding = std::max(f.rounding, 8 * kUnit * (std::abs(table.value[c][k]) + slope * reach));
+      f.rounding =
+          std::max(f.rounding, numbers.function * (std::abs(table.value[c][k]) + slope * reach));
       if (k > 0 && table.lower[k] >= range.least)
         step = std::max(step, std::abs(value(c, k, low) - value(c, k - 1, table.lower[k])));
     }
@@ -93,9 +94,10 @@ double highlight_error(double s, double c, double error) {
 
 }  // namespace
 
-CellOptics cell_optics(const OpticsTables& optics, ValueRange color, ValueRange extinction) {
-  const FunctionBounds t = function_bounds(optics.extinction, extinction);
-  const FunctionBounds c = function_bounds(optics.color, color);
+CellOptics cell_optics(const OpticsTables& optics, ValueRange color, ValueRange extinction,
+                       const Arithmetic& numbers) {
+  const FunctionBounds t = function_bounds(optics.extinction, extinction, numbers);
+  const FunctionBounds c = function_bounds(optics.color, color, numbers);
   return {t.most,     t.slope,    t.jump,
           t.rounding, c.most,     c.slope,
           c.jump,     c.rounding, t.pieces + (optics.same_field ? 0 : c.pieces)};
@@ -115,26 +117,28 @@ double gradient_condition(const std::array<Vector, 3>& columns, const Vector& gr
 }
 
 double field_error(ValueRange range, double gradient, const RayDisplacement& moved,
-                   const FieldRounding& rounding) {
+                   const FieldRounding& rounding, const Arithmetic& numbers) {
   const double difference = range.most - range.least;
   if (difference == 0) return 0;
   const double largest = std::max(std::abs(range.least), std::abs(range.most));
-  return std::min(difference,
-                  gradient * moved.aside + kUnit * (rounding.of_values * largest +
-                                                    rounding.of_range * moved.spread * difference));
+  return std::min(difference, gradient * moved.aside +
+                                  numbers.unit * (rounding.of_values * largest +
+                                                  rounding.of_range * moved.spread * difference));
 }
 
-ErrorBound segment_bound(const CellOptics& cell, bool emission, const SegmentFacts& s) {
+ErrorBound segment_bound(const CellOptics& cell, bool emission, const SegmentFacts& s,
+                         const Arithmetic& numbers) {
   const double extinction_off = s.extinction_error + moved_by(s, s.extinction_change);
   const double color_off = s.color_error + moved_by(s, s.color_change);
   const double tau_error =
-      cell.tau_slope * extinction_off + cell.tau_rounding + 8 * kUnit * cell.tau_most;
-  double depth = s.length * tau_error;
+      cell.tau_slope * extinction_off + cell.tau_rounding + 8 * numbers.unit * cell.tau_most;
+  double jumped_depth = 0;
   if (cell.tau_jump > 0)
-    depth += cell.tau_jump * doubtful_length(s.length, extinction_off, s.extinction_change);
-  const double relative = cell.pieces * kPieceError;
+    jumped_depth = cell.tau_jump * doubtful_length(s.length, extinction_off, s.extinction_change);
+  const double depth = s.length * tau_error + jumped_depth;
+  const double relative = cell.pieces * numbers.piece;
   const double color_error =
-      cell.color_slope * color_off + cell.color_rounding + 8 * kUnit * cell.color_most;
+      cell.color_slope * color_off + cell.color_rounding + 8 * numbers.unit * cell.color_most;
   double jumped = 0;
   if (cell.color_jump > 0)
     jumped = cell.color_jump * doubtful_length(s.length, color_off, s.color_change);
@@ -142,16 +146,29 @@ ErrorBound segment_bound(const CellOptics& cell, bool emission, const SegmentFac
   ErrorBound bound;
   bound.transparency =
       std::min(1.0, zeta * relative + (zeta > 0 ? zeta * exponential_growth(depth) : 0) + kUnit);
+  const double most = 1 + exponential_growth(depth);  // of e^(A - A')
   if (emission) {
+    // int |g' e^-A' - g e^-A|
     bound.radiance = s.length * (color_error + cell.color_most * (depth + relative)) + jumped;
-  } else {
-    // with d the error of the depth: int |tau' - tau| e^-A <= d, and int tau |e^-A' - e^-A| is at
-    // most e^d - 1 times int tau e^-A, the opacity
+    if (std::isfinite(most))
+      bound.radiance = std::min(
+          bound.radiance,
+          s.seen * (most * color_error + cell.color_most * (most - 1 + relative)) + most * jumped);
+  } else if (std::isfinite(most)) {
+    // With d the error of tau, which holds all along, and j what jumps add to the depth:
+    // int |tau' - tau| e^-A' is at most j and e^(A - A') d int e^-A, and int tau |e^-A' - e^-A| at
+    // most e^(d L + j) - 1 times the opacity, or e^j - 1 times it and
+    // e^j int tau e^-A (e^(d t) - 1), which by parts is at most e^(d L + j) d int e^-A.
     const double weight = std::min(1.0, s.opacity + depth);
+    const double seen = most * s.seen * tau_error;
+    const double behind =
+        std::min(weight * (most - 1), weight * exponential_growth(jumped_depth) + seen);
     bound.radiance = weight * (color_error + cell.color_most * relative) + cell.tau_most * jumped +
-                     cell.color_most * (depth + weight * exponential_growth(depth));
-    bound.radiance = std::min(bound.radiance, 1.001 * cell.color_most);
+                     cell.color_most * (jumped_depth + seen + behind);
+  } else {
+    bound.radiance = kInfinity;
   }
+  if (!emission) bound.radiance = std::min(bound.radiance, 1.001 * cell.color_most);
   return bound;
 }
 
@@ -185,16 +202,18 @@ double cut_doubt(const CutFacts& cut) {
 
 ErrorBound shade_bound(const FrameIsosurface& surface, std::span<const FrameLight> lights,
                        const std::array<double, 3>& normal, const std::array<double, 3>& ray,
-                       double angle) {
+                       double angle, const Arithmetic& numbers) {
   const double facing = std::abs(dot(normal, ray)),
                most_color = *std::ranges::max_element(surface.color);
-  angle = std::min(2.0, angle + 16 * kUnit);
+  angle = std::min(2.0, angle + 16 * numbers.unit);
   const auto transparency = [&](double cosine) {
     return std::exp(surface.log_transparency / std::max(cosine, 1e-300));
   };
   const double here = transparency(facing);
-  const double low = transparency(std::max(0.0, facing - angle));
-  const double high = transparency(facing + angle);
+  // wide enough for the differences below to be seen in doubles
+  const double band = std::max(angle, 0x1p-50 * facing);
+  const double low = transparency(std::max(0.0, facing - band));
+  const double high = transparency(facing + band);
   const double side = dot(normal, ray) > 0 ? -1 : 1;
   double light = surface.ambient * most_color, light_error = 0;
   for (const FrameLight& l : lights) {
@@ -216,10 +235,8 @@ ErrorBound shade_bound(const FrameIsosurface& surface, std::span<const FrameLigh
   return bound;
 }
 
-double pixel_error(const Frame& frame, const PixelDetails& pixel, double transparency,
+double pixel_error(const Frame& frame, const PixelDetails& pixel, double transparency, bool ended,
                    double background) {
-  // where the ray was ended early there may be more
-  const bool ended = transparency <= frame.least_transparency;
   const double left = ended ? transparency : 0;
   // what is behind shows instead of the background, and as much of either as the other does not
   const double behind = left * std::max(frame.largest_light, background) +

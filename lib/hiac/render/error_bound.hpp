@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 
+#include "hiac/render/arithmetic.hpp"
 #include "hiac/render/frame.hpp"
 #include "hiac/render/pixel_details.hpp"
 #include "hiac/render/ray_displacement.hpp"
@@ -71,7 +72,8 @@ struct CellOptics {
 struct ValueRange {
   double least, most;
 };
-CellOptics cell_optics(const OpticsTables& optics, ValueRange color, ValueRange extinction);
+CellOptics cell_optics(const OpticsTables& optics, ValueRange color, ValueRange extinction,
+                       const Arithmetic& numbers = kDoubles);
 
 /// Length of the gradient of a linear field in a tetrahedron, not too small: `edges` from its
 /// corner 0, and the field's differences along them. Infinite without volume.
@@ -88,18 +90,20 @@ struct FieldRounding {
 };
 inline constexpr FieldRounding kTetrahedronRounding{3, 16}, kAlongRayRounding{64, 0};
 double field_error(ValueRange range, double gradient, const RayDisplacement& moved,
-                   const FieldRounding& rounding);
+                   const FieldRounding& rounding, const Arithmetic& numbers = kDoubles);
 
-/// One segment: its length, what the fields are wrong by, and how much they change along it where
-/// they are linear (0 where not).
+/// One segment: its length, how much of it is seen from its front (not less than the integral of
+/// the transparency in front along it), what the fields are wrong by, and how much they change
+/// along it where they are linear (0 where not).
 struct SegmentFacts {
-  double length = 0;
+  double length = 0, seen = 0;
   double along = 0;  ///< RayDisplacement: with it, fields are linear
   double color_error = 0, extinction_error = 0;
   double color_change = 0, extinction_change = 0;
   double opacity = 0, transparency = 1;  ///< not smaller than what they are
 };
-ErrorBound segment_bound(const CellOptics& cell, bool emission, const SegmentFacts& segment);
+ErrorBound segment_bound(const CellOptics& cell, bool emission, const SegmentFacts& segment,
+                         const Arithmetic& numbers = kDoubles);
 
 /// What a doubt about where a segment ends costs: radiance and transparency, each at most this.
 double edge_bound(const CellOptics& cell, bool emission, double length);
@@ -127,11 +131,12 @@ double cut_doubt(const CutFacts& cut);
 /// lights' frame.
 ErrorBound shade_bound(const FrameIsosurface& surface, std::span<const FrameLight> lights,
                        const std::array<double, 3>& normal, const std::array<double, 3>& ray,
-                       double angle);
+                       double angle, const Arithmetic& numbers = kDoubles);
 
 /// The bound of a finished pixel, or of what lies in front of a place on its ray: of any channel.
-/// `transparency`: of all of it; `background`: the largest channel of what is put behind.
-double pixel_error(const Frame& frame, const PixelDetails& pixel, double transparency,
+/// `transparency`: of all of it; `ended`: there may be more behind; `background`: the largest
+/// channel of what is put behind.
+double pixel_error(const Frame& frame, const PixelDetails& pixel, double transparency, bool ended,
                    double background);
 
 }  // namespace hiac

@@ -17,6 +17,7 @@
 #include "hiac/render/error_bound.hpp"
 #include "hiac/render/field_along_ray.hpp"
 #include "hiac/render/general_cells.hpp"
+#include "hiac/render/pixel_refinement.hpp"
 #include "hiac/render/tetrahedron_kernel.hpp"
 #include "hiac/render/tile_bins.hpp"
 
@@ -113,7 +114,11 @@ class RayFollower {
   [[nodiscard]] std::vector<PixelSegment> take_rows() { return std::move(rows_); }
   [[nodiscard]] Color color() const { return color_of(buffer_); }
   [[nodiscard]] double transparency() const { return buffer_.transparency[at_]; }
-  [[nodiscard]] std::optional<double> error() const { return error_of(buffer_); }
+  // Of the finished pixel, as the picture's channel has it.
+  [[nodiscard]] std::optional<double> error(PixelRefinement& refinement) const {
+    if (!frame_.with_error) return std::nullopt;
+    return refinement.error({x_, y_, color(), transparency(), &buffer_.details[at_]}, background_);
+  }
 
  private:
   // In the whole tile, as the engine does: what the tile's pixels share is the same, too.
@@ -145,7 +150,9 @@ class RayFollower {
   }
   [[nodiscard]] std::optional<double> error_of(const TileBuffer& buffer) const {
     if (!frame_.with_error) return std::nullopt;
-    return pixel_error(frame_, buffer.details[at_], buffer.transparency[at_], background_);
+    const double transparency = buffer.transparency[at_];
+    return pixel_error(frame_, buffer.details[at_], transparency,
+                       transparency <= frame_.least_transparency, background_);
   }
 
   [[nodiscard]] RayStretch stretch(double front, double back) const {
@@ -269,7 +276,8 @@ PixelExplanation explain_pixel(const ZooMesh& mesh, const VisibilityOrder& order
 
   result.transparency = ray.transparency();
   result.ended = result.transparency <= frame.least_transparency;
-  result.error = ray.error();
+  PixelRefinement refinement(frame, order, bins.tiles.front(), ranks);
+  result.error = ray.error(refinement);
   const Color color = ray.color();
   for (std::size_t c = 0; c < 3; ++c)
     result.rgba[c] = color[c] + result.transparency * result.background[c];

@@ -445,6 +445,7 @@ class GeneralCellRenderer {
     }
     ErrorBound sum = segment_bound(optics_here_, emission,
                                    {.length = length,
+                                    .seen = length,
                                     .color_error = color_error_,
                                     .extinction_error = extinction_error_,
                                     .color_change = color_change,

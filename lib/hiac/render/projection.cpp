@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "hiac/base/parallel.hpp"
+#include "hiac/geometry/extended_vector.hpp"
 #include "hiac/geometry/vector.hpp"
 
 namespace hiac {
@@ -26,21 +27,11 @@ double at_center(long double extended) {
   return std::abs(coordinate - center) <= kCenterRounding ? center : coordinate;
 }
 
-using Extended = std::array<long double, 3>;
+using Extended = ExtendedVector;
 
 Extended difference(std::span<const double, 3> a, const Vector& b) {
   return {static_cast<long double>(a[0]) - b[0], static_cast<long double>(a[1]) - b[1],
           static_cast<long double>(a[2]) - b[2]};
-}
-long double dot(const Extended& a, const Extended& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Extended cross(const Extended& a, const Extended& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Extended unit(const Extended& v) {
-  const long double size = std::hypot(v[0], v[1], v[2]);
-  return {v[0] / size, v[1] / size, v[2] / size};
 }
 Vector rounded(const Extended& v) {
   return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
@@ -55,7 +46,9 @@ Projector::Projector(const Camera& camera, ImageSize size)
       center_x_(size.width / 2.0),
       center_y_(size.height / 2.0),
       near_(perspective_ ? 0 : -std::numeric_limits<double>::infinity()),
-      far_(std::numeric_limits<double>::infinity()) {
+      far_(std::numeric_limits<double>::infinity()),
+      extended_near_(near_),
+      extended_far_(far_) {
   extended_right_ = unit(cross(extended_forward_, {camera.up[0], camera.up[1], camera.up[2]}));
   extended_up_ = cross(extended_right_, extended_forward_);
   const long double half = size.height / 2.0L;
@@ -70,8 +63,10 @@ Projector::Projector(const Camera& camera, ImageSize size)
   const long double away = perspective_ ? 0 : std::hypot(to_eye[0], to_eye[1], to_eye[2]);
   offset_ = static_cast<double>(away);
   if (camera.clip) {
-    near_ = static_cast<double>((*camera.clip)[0] - away);
-    far_ = static_cast<double>((*camera.clip)[1] - away);
+    extended_near_ = (*camera.clip)[0] - away;
+    extended_far_ = (*camera.clip)[1] - away;
+    near_ = static_cast<double>(extended_near_);
+    far_ = static_cast<double>(extended_far_);
   }
 }
 
@@ -83,20 +78,32 @@ Vector Projector::camera_coordinates(std::span<const double, 3> point) const {
   return camera_vector(minus(point, anchor_));
 }
 
-bool Projector::project(std::span<const double, 3> point, ProjectedNode& node) const {
-  const Extended p = difference(point, anchor_);
-  const long double c0 = dot(p, extended_right_), c1 = dot(p, extended_up_),
-                    c2 = dot(p, extended_forward_);
-  if (!perspective_) {
-    node = {at_center(center_x_ + extended_scale_ * c0),
-            at_center(center_y_ - extended_scale_ * c1), static_cast<double>(c2)};
-    return true;
-  }
+std::array<long double, 3> Projector::project_extended(std::span<const double, 3> point) const {
+  const auto [c0, c1, c2] = extended_camera_coordinates(point);
+  if (!perspective_)
+    return {center_x_ + extended_scale_ * c0, center_y_ - extended_scale_ * c1, c2};
   const long double reciprocal = 1 / c2;
-  const long double dx = extended_scale_ * (c0 * reciprocal);
-  const long double dy = extended_scale_ * (c1 * reciprocal);
-  node = {at_center(center_x_ + dx), at_center(center_y_ - dy), static_cast<double>(-reciprocal)};
-  return c2 > 0 && std::abs(dx) < kFarthestPixel && std::abs(dy) < kFarthestPixel;
+  return {center_x_ + extended_scale_ * (c0 * reciprocal),
+          center_y_ - extended_scale_ * (c1 * reciprocal), -reciprocal};
+}
+
+bool Projector::project(std::span<const double, 3> point, ProjectedNode& node) const {
+  const auto [x, y, depth] = project_extended(point);
+  node = {at_center(x), at_center(y), static_cast<double>(depth)};
+  return !perspective_ || (depth < 0 && std::abs(x - center_x_) < kFarthestPixel &&
+                           std::abs(y - center_y_) < kFarthestPixel);
+}
+
+Extended Projector::extended_camera_coordinates(std::span<const double, 3> point) const {
+  return extended_camera_vector(difference(point, anchor_));
+}
+
+Extended Projector::extended_camera_vector(const Extended& v) const {
+  return {dot(v, extended_right_), dot(v, extended_up_), dot(v, extended_forward_)};
+}
+
+std::array<long double, 2> Projector::extended_slopes(double x, double y) const {
+  return {(x - center_x_) / extended_scale_, (center_y_ - y) / extended_scale_};
 }
 
 double Projector::parameter(std::span<const double, 3> point) const {

@@ -47,6 +47,8 @@ class Projector {
   /// their coordinates can tell, however far away the eye. False when the point cannot be
   /// projected: it lies beside or behind the eye.
   bool project(std::span<const double, 3> point, ProjectedNode& node) const;
+  /// x, y and depth (ProjectedNode) without that rounding.
+  [[nodiscard]] std::array<long double, 3> project_extended(std::span<const double, 3> point) const;
   /// The ray parameter of the plane parallel to the screen through a point.
   [[nodiscard]] double parameter(std::span<const double, 3> point) const;
   /// Camera coordinates (right, up, forward), relative to the eye or, orthographic, look_at.
@@ -63,6 +65,15 @@ class Projector {
   /// Perspective: the direction's components along right and up, that along forward being 1.
   /// Orthographic: the origin's, from look_at.
   [[nodiscard]] std::array<double, 2> slopes(double x, double y) const;
+  /// The slopes, and the range of t that z-clipping leaves, in extended precision.
+  [[nodiscard]] std::array<long double, 2> extended_slopes(double x, double y) const;
+  [[nodiscard]] long double extended_near() const { return extended_near_; }
+  [[nodiscard]] long double extended_far() const { return extended_far_; }
+  /// camera_coordinates and camera_vector in extended precision.
+  [[nodiscard]] std::array<long double, 3> extended_camera_coordinates(
+      std::span<const double, 3> point) const;
+  [[nodiscard]] std::array<long double, 3> extended_camera_vector(
+      const std::array<long double, 3>& v) const;
   /// What rays are made of, for many at a time: with a = (x - center_x) / pixels_per_unit() and
   /// b = (center_y - y) / pixels_per_unit(), relative_origin(x, y) is 0 and direction(x, y) is
   /// forward + a right + b up in perspective; a right + b up and forward in orthographic.
@@ -89,6 +100,7 @@ class Projector {
   double scale_;  // pixels per unit of x / z, or per world unit
   double center_x_, center_y_;
   double near_, far_;
+  long double extended_near_, extended_far_;
   double offset_;  // distance of the eye plane from where t is 0
 };
 

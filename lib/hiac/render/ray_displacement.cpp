@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hiac/geometry/extended_vector.hpp"
 #include "hiac/geometry/face_form.hpp"
 #include "hiac/geometry/inverse_map.hpp"
 #include "hiac/geometry/vector.hpp"
@@ -15,14 +16,14 @@ namespace {
 
 constexpr double kUnit = 0x1p-53;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kSnapPixels = 0x1p-38;  // projection.cpp, kCenterRounding
 
 // Of a cell's size: what Newton's iteration leaves (inverse_map.cpp: a residual of 16 epsilon) and
 // the map's own rounding.
 constexpr double kMapRounding = 64 * kUnit;
 
-Vector middle_of(const ShapeFace& face, std::span<const Vector> corners) {
-  Vector middle{};
+template <class Real>
+std::array<Real, 3> middle_of(const ShapeFace& face, std::span<const std::array<Real, 3>> corners) {
+  std::array<Real, 3> middle{};
   for (std::size_t k = 0; k < face.corner_count; ++k)
     for (std::size_t c = 0; c < 3; ++c)
       middle[c] += corners[face.corners[k]][c] / face.corner_count;
@@ -30,7 +31,8 @@ Vector middle_of(const ShapeFace& face, std::span<const Vector> corners) {
 }
 
 // Of any length; of quadrilaterals across their diagonals.
-Vector normal_of(const ShapeFace& face, std::span<const Vector> corners) {
+template <class Real>
+std::array<Real, 3> normal_of(const ShapeFace& face, std::span<const std::array<Real, 3>> corners) {
   const auto edge = [&](std::size_t from, std::size_t to) {
     return minus(corners[face.corners[to]], corners[face.corners[from]]);
   };
@@ -44,7 +46,8 @@ double bent(const Frame& frame, CellId cell, std::span<const Vector> corners) {
   for (std::size_t f = 0; f < faces.size(); ++f) {
     if (faces[f].corner_count < 4 || face_form(frame.mesh, cell, f, frame.straightness).curved)
       continue;
-    const Vector normal = normal_of(faces[f], corners), middle = middle_of(faces[f], corners);
+    const Vector normal = normal_of<double>(faces[f], corners),
+                 middle = middle_of<double>(faces[f], corners);
     const double area = length(normal);
     if (!(area > 0)) continue;
     for (const std::uint8_t k : faces[f].corners)
@@ -101,7 +104,7 @@ constexpr std::array<double, 3> kCurvedRounding{64, 192, 512};
 
 // Of the faces of a cell, found where its projected corners are. Corners beside the eye have no
 // projection: such cells are met in the world.
-RayDisplacement displacement_on_screen(const Frame& frame, CellId cell) {
+RayDisplacement displacement_on_screen(const Frame& frame, CellId cell, const Arithmetic& numbers) {
   const Projector& projector = frame.projector;
   const auto ids = frame.mesh.cell_nodes(cell).first(corner_count(frame.mesh.kinds[cell]));
   double reach = 0, widest = 0, moved = 0, nearest = kInfinity, farthest = 0;
@@ -119,33 +122,33 @@ RayDisplacement displacement_on_screen(const Frame& frame, CellId cell) {
     right = std::max(right, p.x);
     top = std::min(top, p.y);
     bottom = std::max(bottom, p.y);
-    if (!std::isnan(p.depth) && (at_center(p.x) || at_center(p.y))) moved = kSnapPixels;
+    if (!std::isnan(p.depth) && (at_center(p.x) || at_center(p.y))) moved = numbers.snap;
   }
   double pixels = moved;
   if (!beside)
-    pixels += kUnit * (kCoordinateRounding * widest +
-                       kPlaceRounding * std::max(right - left, bottom - top));
+    pixels += numbers.unit * (kCoordinateRounding * widest +
+                              kPlaceRounding * std::max(right - left, bottom - top));
   RayDisplacement result;
   if (projector.perspective() && !beside) result.spread = farthest / nearest;
   result.aside = 32 * kExtendedUnit * reach +
                  pixels * (projector.perspective() ? reach : 1) / projector.pixels_per_unit();
   result.at_ends = result.aside;
-  result.along = kDepthRounding * kUnit * result.spread * reach;
+  result.along = kDepthRounding * numbers.unit * result.spread * reach;
   return result;
 }
 
 }  // namespace
 
-RayDisplacement displacement_in_world(const Frame& frame, CellId cell) {
+RayDisplacement displacement_in_world(const Frame& frame, CellId cell, const Arithmetic& numbers) {
   const CellKind kind = frame.mesh.kinds[cell];
   const auto nodes = relative_positions(frame.mesh, cell, frame.projector);
   const std::span all = std::span(nodes).first(node_count(kind));
   const auto corners = all.first(corner_count(kind));
   double reach = 0;
   for (const Vector& p : corners) reach = std::max(reach, length(p));
-  const RayDisplacement screen = displacement_on_screen(frame, cell);
+  const RayDisplacement screen = displacement_on_screen(frame, cell, numbers);
   RayDisplacement result;
-  result.aside = kWorldRounding * kUnit * reach;
+  result.aside = kWorldRounding * numbers.unit * reach;
   if (kind != CellKind::tetrahedron4)
     result.aside += 2 * bent(frame, cell, corners) +
                     map_error(CellMap(kind, all, frame.straightness), kind, all);
@@ -165,49 +168,55 @@ RayDisplacement displacement_in_world(const Frame& frame, CellId cell) {
   return result;
 }
 
-RayDisplacement ray_displacement(const Frame& frame, CellId cell) {
-  return frame.kernel_cells[cell] == CellKernel::linear ? displacement_on_screen(frame, cell)
-                                                        : displacement_in_world(frame, cell);
+RayDisplacement ray_displacement(const Frame& frame, CellId cell, const Arithmetic& numbers) {
+  return frame.kernel_cells[cell] == CellKernel::linear
+             ? displacement_on_screen(frame, cell, numbers)
+             : displacement_in_world(frame, cell, numbers);
 }
 
-EndDoubts::EndDoubts(CellKind kind, std::span<const Vector> nodes) {
+template <class Real>
+BasicEndDoubts<Real>::BasicEndDoubts(CellKind kind, std::span<const Vector> nodes) {
   const auto corners = nodes.first(corner_count(kind));
   Vector inside{};
   for (const Vector& p : corners) reach_ = std::max(reach_, length(p));
   for (const Vector& p : corners)
-    for (std::size_t c = 0; c < 3; ++c) inside[c] += p[c] / static_cast<double>(corners.size());
+    for (std::size_t c = 0; c < 3; ++c) inside[c] += p[c] / static_cast<Real>(corners.size());
   for (const ShapeFace& face : topology_of(kind).faces) {
     Plane& plane = planes_[count_++];
-    plane.point = middle_of(face, corners);
-    plane.normal = normal_of(face, corners);
-    const double area = length(plane.normal);
+    plane.point = middle_of<Real>(face, corners);
+    plane.normal = normal_of<Real>(face, corners);
+    const Real area = length(plane.normal);
     if (!(area > 0)) {
       plane.normal = {};
       continue;
     }
-    const double sign = dot(plane.normal, minus(inside, plane.point)) < 0 ? -1 : 1;
-    for (double& x : plane.normal) x *= sign / area;
+    const Real sign = dot(plane.normal, minus(inside, plane.point)) < 0 ? -1 : 1;
+    for (Real& x : plane.normal) x *= sign / area;
   }
 }
 
-EndDoubts::Doubts EndDoubts::at(const Vector& origin, const Vector& direction,
-                                const RayDisplacement& moved) const {
-  const double scale = length(direction);
+template <class Real>
+typename BasicEndDoubts<Real>::Doubts BasicEndDoubts<Real>::at(const Vector& origin,
+                                                               const Vector& direction,
+                                                               const RayDisplacement& moved) const {
+  constexpr Real kRounding = 8 * std::numeric_limits<Real>::epsilon();
+  constexpr Real kNever = std::numeric_limits<Real>::infinity();
+  const Real scale = length(direction);
   // and the rounding of the distances below
-  const double doubt = 2 * moved.at_ends + 8 * kUnit * reach_;
-  double enter = -kInfinity, leave = kInfinity;
-  double enter_least = -kInfinity, enter_most = -kInfinity;
-  double leave_least = kInfinity, leave_most = kInfinity;
+  const Real doubt = 2 * static_cast<Real>(moved.at_ends) + kRounding * reach_;
+  Real enter = -kNever, leave = kNever;
+  Real enter_least = -kNever, enter_most = -kNever;
+  Real leave_least = kNever, leave_most = kNever;
   for (std::size_t k = 0; k < count_; ++k) {
     const Plane& plane = planes_[k];
-    const double inside = dot(plane.normal, minus(origin, plane.point));
-    const double cosine = dot(plane.normal, direction) / scale;
-    if (std::abs(cosine) <= 8 * kUnit) {
+    const Real inside = dot(plane.normal, minus(origin, plane.point));
+    const Real cosine = dot(plane.normal, direction) / scale;
+    if (std::abs(cosine) <= kRounding) {
       // seen edge-on: of no consequence but to rays that run along it
       if (inside < doubt) return {kInfinity, kInfinity};
       continue;
     }
-    const double at = -inside / cosine, error = doubt / std::abs(cosine);
+    const Real at = -inside / cosine, error = doubt / std::abs(cosine);
     if (cosine > 0) {
       enter = std::max(enter, at);
       enter_least = std::max(enter_least, at - error);
@@ -218,16 +227,21 @@ EndDoubts::Doubts EndDoubts::at(const Vector& origin, const Vector& direction,
       leave_most = std::min(leave_most, at + error);
     }
   }
-  const auto or_all = [](double x) { return std::isnan(x) ? kInfinity : x; };
+  const auto or_all = [](Real x) { return std::isnan(x) ? kInfinity : static_cast<double>(x); };
   return {or_all(std::max(enter_most - enter, enter - enter_least)) + moved.along,
           or_all(std::max(leave_most - leave, leave - leave_least)) + moved.along};
 }
 
-double EndDoubts::through(std::size_t face, const Vector& direction,
-                          const RayDisplacement& moved) const {
-  const double cosine = std::abs(dot(planes_[face].normal, direction)) / length(direction);
-  const double doubt = 2 * moved.at_ends + 8 * kUnit * reach_;
-  return cosine > 8 * kUnit ? doubt / cosine + moved.along : kInfinity;
+template <class Real>
+double BasicEndDoubts<Real>::through(std::size_t face, const Vector& direction,
+                                     const RayDisplacement& moved) const {
+  constexpr Real kRounding = 8 * std::numeric_limits<Real>::epsilon();
+  const Real cosine = std::abs(dot(planes_[face].normal, direction)) / length(direction);
+  const Real doubt = 2 * static_cast<Real>(moved.at_ends) + kRounding * reach_;
+  return cosine > kRounding ? static_cast<double>(doubt / cosine) + moved.along : kInfinity;
 }
+
+template class BasicEndDoubts<double>;
+template class BasicEndDoubts<long double>;
 
 }  // namespace hiac

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hiac/mesh/cell_kind.hpp"
+#include "hiac/render/arithmetic.hpp"
 #include "hiac/render/frame.hpp"
 
 namespace hiac {
@@ -22,39 +23,46 @@ struct RayDisplacement {
 /// others in the world, with what their map is off the cell's: edges that count as straight, faces
 /// as planar and cells as affine, though they are not to the bit. Curved faces and maps are met as
 /// they are, but for rounding.
-RayDisplacement ray_displacement(const Frame& frame, CellId cell);
+RayDisplacement ray_displacement(const Frame& frame, CellId cell,
+                                 const Arithmetic& numbers = kDoubles);
 
 /// The same for what is found in the world in tetrahedra, too (face_value.hpp).
-RayDisplacement displacement_in_world(const Frame& frame, CellId cell);
+RayDisplacement displacement_in_world(const Frame& frame, CellId cell,
+                                      const Arithmetic& numbers = kDoubles);
 
 /// How much a displacement of the ray moves the ends of its part inside a convex cell: through
-/// faces seen nearly edge-on, much.
-class EndDoubts {
+/// faces seen nearly edge-on, much. `Real`: double, or long double where displacements may be as
+/// small as rounding of doubles.
+template <class Real>
+class BasicEndDoubts {
  public:
+  using Vector = std::array<Real, 3>;
+
   /// `nodes`: positions of the kind's nodes, in their order; its corners count.
-  EndDoubts(CellKind kind, std::span<const std::array<double, 3>> nodes);
-  EndDoubts() = default;
+  BasicEndDoubts(CellKind kind, std::span<const Vector> nodes);
+  BasicEndDoubts() = default;
 
   struct Doubts {
     double front, back;  ///< lengths, may be infinite
   };
   /// `origin`, `direction` (of any length): of the ray, in the frame of the corners.
-  [[nodiscard]] Doubts at(const std::array<double, 3>& origin,
-                          const std::array<double, 3>& direction,
+  [[nodiscard]] Doubts at(const Vector& origin, const Vector& direction,
                           const RayDisplacement& moved) const;
 
   /// That of a place on one planar face, of a cell that need not be convex: how far along the ray.
-  [[nodiscard]] double through(std::size_t face, const std::array<double, 3>& direction,
+  [[nodiscard]] double through(std::size_t face, const Vector& direction,
                                const RayDisplacement& moved) const;
 
  private:
   struct Plane {
-    std::array<double, 3> normal;  // inwards, of length 1; 0 where the face has no area
-    std::array<double, 3> point;
+    Vector normal;  // inwards, of length 1; 0 where the face has no area
+    Vector point;
   };
   std::array<Plane, 6> planes_{};
-  double reach_ = 0;  // of the corners, from the frame's origin
+  Real reach_ = 0;  // of the corners, from the frame's origin
   std::size_t count_ = 0;
 };
+
+using EndDoubts = BasicEndDoubts<double>;
 
 }  // namespace hiac

@@ -107,6 +107,7 @@ class SegmentDescriber {
                                .front = front,
                                .back = back,
                                .length = lane_[kLength][k],
+                               .seen = lane_[kLength][k],
                                .color = {lane_[kColor0][k], lane_[kColor1][k]},
                                .extinction = {lane_[kTau0][k], lane_[kTau1][k]},
                                .rgb = {lane_[kRed][k], lane_[kGreen][k], lane_[kBlue][k]},

@@ -10,9 +10,21 @@
 namespace hiac {
 namespace {
 
-constexpr double kAngleUnit = 16 * 0x1p-53;
 // Of the largest offset, and twice what makes tetrahedron_cuts-inl.hpp ask the face.
 constexpr double kFoundInWorld = 0x1p-35;
+
+// Barycentric coordinates in the world: quotients of volumes whose terms add up to this times it.
+constexpr double kBarycentricRounding = 64;
+
+// What the edges from a corner could span by what they do span.
+double elongation(const std::array<Vector, 3>& edges) {
+  double longest = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    longest = std::max({longest, length(edges[k]), length(minus(edges[k], edges[(k + 1) % 3]))});
+  const double most = longest * longest * longest;
+  const double volume = std::abs(dot(edges[0], cross(edges[1], edges[2]))) - 0x1p-49 * most;
+  return volume > 0 ? most / volume : std::numeric_limits<double>::infinity();
+}
 
 }  // namespace
 
@@ -30,47 +42,53 @@ std::array<double, 4> TetrahedronDetails::values_of(const FrameField& field, dou
 double TetrahedronDetails::error_of(const std::array<double, 4>& values, ValueRange range,
                                     const RayDisplacement& moved) const {
   const Vector differences{values[1] - values[0], values[2] - values[0], values[3] - values[0]};
-  return field_error(range, gradient_length(edges_, differences), moved, kTetrahedronRounding);
+  return field_error(range, gradient_length(edges_, differences), moved, rounding_, numbers_);
 }
 
 void TetrahedronDetails::enter(CellId cell) {
   cell_ = cell;
   if (!frame_.with_error) return;
   const auto nodes = frame_.mesh.cell_nodes(cell);
-  std::array<Vector, 4> corners;
+  std::array<std::array<long double, 3>, 4> corners;
   for (std::size_t k = 0; k < 4; ++k) {
-    corners[k] = frame_.projector.relative(frame_.mesh.position(nodes[k]));
-    if (k > 0) edges_[k - 1] = minus(corners[k], corners[0]);
+    const auto position = frame_.mesh.position(nodes[k]);
+    corners[k] = frame_.projector.extended_camera_coordinates(position);
+    if (k > 0) edges_[k - 1] = minus(position, frame_.mesh.position(nodes[0]));
   }
-  end_doubts_ = EndDoubts(CellKind::tetrahedron4, corners);
-  displacement_ = ray_displacement(frame_, cell);
+  end_doubts_ = BasicEndDoubts<long double>(CellKind::tetrahedron4, corners);
+  displacement_ = ray_displacement(frame_, cell, numbers_);
+  rounding_ = kTetrahedronRounding;
+  if (frame_.kernel_cells[cell] != CellKernel::linear)
+    rounding_.of_range += kBarycentricRounding * elongation(edges_);
   ValueRange color, extinction;
   const auto color_values = values_of(frame_.color_field(), 0, color);
   const auto extinction_values = values_of(frame_.extinction, 0, extinction);
-  optics_ = cell_optics(frame_.optics, color, extinction);
+  optics_ = cell_optics(frame_.optics, color, extinction, numbers_);
   color_error_ = error_of(color_values, color, displacement_);
   extinction_error_ = error_of(extinction_values, extinction, displacement_);
   continuous_ = frame_.color_field().location == FieldLocation::node &&
                 frame_.extinction.location == FieldLocation::node;
   cuts_.clear();
   if (frame_.isosurfaces.in(cell).empty()) return;
-  const RayDisplacement world = displacement_in_world(frame_, cell);
+  const RayDisplacement world = displacement_in_world(frame_, cell, numbers_);
   for (const IsosurfaceCut& in : frame_.isosurfaces.in(cell)) {
     const FrameIsosurface& surface = frame_.isosurfaces.surfaces[in.surface];
     ValueRange range;
     const auto v = values_of(frame_.isosurfaces.fields[surface.field], surface.value, range);
     const Vector differences{v[1] - v[0], v[2] - v[0], v[3] - v[0]};
-    cuts_.push_back(
-        {&surface, frame_.projector.camera_vector(gradient_direction(edges_, differences)),
-         kAngleUnit * gradient_condition(edges_, differences), std::max(-range.least, range.most),
-         error_of(v, range, displacement_), error_of(v, range, world)});
+    cuts_.push_back({&surface,
+                     frame_.projector.camera_vector(gradient_direction(edges_, differences)),
+                     16 * numbers_.unit * gradient_condition(edges_, differences),
+                     std::max(-range.least, range.most), error_of(v, range, displacement_),
+                     error_of(v, range, world)});
   }
 }
 
-EndDoubts::Doubts TetrahedronDetails::end_doubts(const TetrahedronSegment& segment) const {
-  const double x = segment.x + 0.5, y = segment.y + 0.5;
-  EndDoubts::Doubts doubts = end_doubts_.at(frame_.projector.relative_origin(x, y),
-                                            frame_.projector.direction(x, y), displacement_);
+TetrahedronDetails::Ends TetrahedronDetails::end_doubts(const TetrahedronSegment& segment) const {
+  const auto [a, b] = frame_.projector.extended_slopes(segment.x + 0.5, segment.y + 0.5);
+  Ends doubts = frame_.projector.perspective()
+                    ? end_doubts_.at({0, 0, 0}, {a, b, 1}, displacement_)
+                    : end_doubts_.at({a, b, 0}, {0, 0, 1}, displacement_);
   // where the view clips is known
   if (segment.front == frame_.projector.near()) doubts.front = displacement_.along;
   if (segment.back == frame_.projector.far()) doubts.back = displacement_.along;
@@ -78,7 +96,7 @@ EndDoubts::Doubts TetrahedronDetails::end_doubts(const TetrahedronSegment& segme
 }
 
 ErrorBound TetrahedronDetails::cuts_bound(const TetrahedronSegment& segment,
-                                          const EndDoubts::Doubts& ends) const {
+                                          const Ends& ends) const {
   const bool emission = frame_.optics.emission;
   const double largest = frame_.isosurfaces.largest_light;
   Vector ray{0, 0, 1};
@@ -116,7 +134,7 @@ ErrorBound TetrahedronDetails::cuts_bound(const TetrahedronSegment& segment,
     ErrorBound shade;
     if (cut.crossed)
       shade = shade_bound(*cuts_[k].surface, frame_.isosurfaces.lights, cuts_[k].normal, ray,
-                          cuts_[k].angle);
+                          cuts_[k].angle, numbers_);
     const ErrorBound bound = cut_bound(optics_, emission, largest, cut, shade);
     sum.radiance += bound.radiance;
     sum.transparency += bound.transparency;
@@ -149,6 +167,7 @@ SegmentDetails TetrahedronDetails::describe(const TetrahedronSegment& segment) c
   ErrorBound sum =
       segment_bound(optics_, emission,
                     {.length = segment.length,
+                     .seen = segment.seen,
                      .along = displacement_.along,
                      .color_error = color_error_,
                      .extinction_error = extinction_error_,
@@ -156,8 +175,9 @@ SegmentDetails TetrahedronDetails::describe(const TetrahedronSegment& segment) c
                      .extinction_change = std::abs(segment.extinction[1] - segment.extinction[0]),
                      .opacity = 1 - segment.transparency,
                      // of the volume alone where surfaces are crossed
-                     .transparency = segment.cuts.empty() ? segment.transparency : 1});
-  const EndDoubts::Doubts ends = end_doubts(segment);
+                     .transparency = segment.cuts.empty() ? segment.transparency : 1},
+                    numbers_);
+  const Ends ends = end_doubts(segment);
   const double most = frame_.depth * frame_.projector.ray_scale(segment.x + 0.5, segment.y + 0.5);
   details.front_edge = edge_bound(optics_, emission, std::min(most, ends.front));
   details.back_edge = edge_bound(optics_, emission, std::min(most, ends.back));

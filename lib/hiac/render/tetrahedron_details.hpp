@@ -20,8 +20,9 @@ struct CutOffsets {
 /// A segment through a linear tetrahedron, as it was drawn.
 struct TetrahedronSegment {
   int x, y;
-  double front, back;                       ///< ray parameters
-  double length;                            ///< world units
+  double front, back;  ///< ray parameters
+  double length;       ///< world units
+  double seen;         ///< not less than the integral of its transparency along it
   std::array<double, 2> color, extinction;  ///< the fields where it begins and ends
   std::array<double, 3> rgb;
   double transparency;
@@ -30,16 +31,19 @@ struct TetrahedronSegment {
   std::span<const CutOffsets> cuts;  ///< of Isosurfaces::in(cell), or none where none is near
 };
 
-/// Details of segments through linear tetrahedra; where errors are asked for, with their bounds.
+/// Details of segments through linear tetrahedra; where errors are asked for, with their bounds:
+/// found over the screen those of the kernel's cells, others in the world.
 class TetrahedronDetails {
  public:
-  explicit TetrahedronDetails(const Frame& frame) : frame_(frame) {}
+  explicit TetrahedronDetails(const Frame& frame, const Arithmetic& numbers = kDoubles)
+      : frame_(frame), numbers_(numbers) {}
 
   void enter(CellId cell);
   [[nodiscard]] SegmentDetails describe(const TetrahedronSegment& segment) const;
 
  private:
   using Vector = std::array<double, 3>;
+  using Ends = BasicEndDoubts<long double>::Doubts;
   struct CutErrors {
     const FrameIsosurface* surface;
     Vector normal;   // camera frame
@@ -53,17 +57,18 @@ class TetrahedronDetails {
   std::array<double, 4> values_of(const FrameField& field, double from, ValueRange& range) const;
   [[nodiscard]] double error_of(const std::array<double, 4>& values, ValueRange range,
                                 const RayDisplacement& moved) const;
-  [[nodiscard]] EndDoubts::Doubts end_doubts(const TetrahedronSegment& segment) const;
-  [[nodiscard]] ErrorBound cuts_bound(const TetrahedronSegment& segment,
-                                      const EndDoubts::Doubts& ends) const;
+  [[nodiscard]] Ends end_doubts(const TetrahedronSegment& segment) const;
+  [[nodiscard]] ErrorBound cuts_bound(const TetrahedronSegment& segment, const Ends& ends) const;
 
   const Frame& frame_;
+  Arithmetic numbers_;
   // of the cell at hand
   CellId cell_ = 0;
   std::array<Vector, 3> edges_{};  // from corner 0
-  EndDoubts end_doubts_;
+  BasicEndDoubts<long double> end_doubts_;
   CellOptics optics_;
   RayDisplacement displacement_;
+  FieldRounding rounding_ = kTetrahedronRounding;
   double color_error_ = 0, extinction_error_ = 0;
   bool continuous_ = true;  // fields fit at faces
   std::vector<CutErrors> cuts_;
