@@ -22,11 +22,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 // Of the tolerance; the rest is for rounding and the ends of rays.
 inline constexpr double kQuadratureShare = 0.5;
 
-// One quadratic field in one cell: its Bernstein coefficients by pairs of corners, which are in
-// ascending order of their nodes, less the value at the first.
+// One quadratic field in one cell, less the value at its first corner; corners are in ascending
+// order of their nodes. With the barycentric coordinates w_1, w_2, w_3 of the others it is
+// sum 2 linear_i w_i + sum square_ij w_i w_j.
 struct QuadraticField {
   double base;
-  std::array<std::array<double, 4>, 4> b;
+  std::array<double, 3> linear;
+  std::array<std::array<double, 3>, 3> square;
   double least, most;
   IntervalRange intervals;
 
@@ -41,6 +43,7 @@ struct QuadraticField {
       return field.values[field.index(cell, first_entry + k, nodes[k])];
     };
     base = value(corner[0]);
+    std::array<std::array<double, 4>, 4> b;  // Bernstein coefficients by pairs of corners
     std::array<double, 4> at_corner;
     for (std::size_t i = 0; i < 4; ++i) b[i][i] = at_corner[i] = value(corner[i]) - base;
     double low = 0, high = 0;
@@ -51,6 +54,11 @@ struct QuadraticField {
         low = std::min({low, b[i][j], at_corner[i]});
         high = std::max({high, b[i][j], at_corner[i]});
       }
+    for (std::size_t i = 0; i < 3; ++i) {
+      linear[i] = b[0][i + 1];
+      for (std::size_t j = 0; j < 3; ++j)
+        square[i][j] = b[i + 1][j + 1] - b[0][i + 1] - b[0][j + 1];
+    }
     // a constant keeps its value
     const double rounding =
         high > low ? 8 * std::numeric_limits<double>::epsilon() * (std::abs(base) + high - low) : 0;
@@ -120,15 +128,18 @@ class QuadraticRenderer {
         std::minmax({corners_.depth[0], corners_.depth[1], corners_.depth[2], corners_.depth[3]});
     nearest_ = nearest;
     farthest_ = farthest;
+    const auto parameter = [&](double depth) { return perspective_ ? -1 / depth : depth; };
+    clipped_ = !(parameter(nearest) >= frame_.projector.near() &&
+                 parameter(farthest) <= frame_.projector.far());
     return true;
   }
 
   // Barycentric coordinates as affine functions over the screen; in perspective times the depth.
   HWY_INLINE void set_weights() {
     const hn::CappedTag<double, 4> d;
-    for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t k = 0; k < 3; ++k) {
       HWY_ALIGN double at_corner[4] = {0, 0, 0, 0};
-      at_corner[k] = perspective_ ? corners_.depth[k] : 1;
+      at_corner[k + 1] = perspective_ ? corners_.depth[k + 1] : 1;
       for (std::size_t f = 0; f < 4; f += hn::Lanes(d))
         set_quantity(d, at_corner, f, face_edges(d, corners_, f).swapped, weights_[k]);
     }
@@ -137,26 +148,34 @@ class QuadraticRenderer {
   // Where rays meet the surface.
   struct Place {
     V depth;
-    V corner[4];  // barycentric coordinates
+    V corner[3];  // barycentric coordinates of the last three
   };
 
-  // On those of the faces [begin, end) of sides_ that cover the pixels.
-  HWY_INLINE Place meet(D d, V pixel, std::size_t begin, std::size_t end) const {
-    Place place;
-    for (std::size_t k = begin; k < end; ++k) {
+  HWY_INLINE Place place_on(D d, V pixel, std::size_t f) const {
+    const auto on = place_on_face(d, planes_, face_row_, f, pixel);
+    return {on_face(d, planes_.depth, f, on),
+            {on_face(d, weights_[0], f, on), on_face(d, weights_[1], f, on),
+             on_face(d, weights_[2], f, on)}};
+  }
+
+  // On those of the faces [begin, end) of sides_ that cover the pixels, from x up to `last`.
+  HWY_INLINE Place meet(D d, V pixel, int x, int last, std::size_t begin, std::size_t end) const {
+    const auto covers_all = [&](std::size_t k) {
       const std::size_t f = sides_.face[k];
-      const auto on = place_on_face(d, planes_, face_row_, f, pixel);
-      const V depth = on_face(d, planes_.depth, f, on);
-      const V w[4] = {on_face(d, weights_[0], f, on), on_face(d, weights_[1], f, on),
-                      on_face(d, weights_[2], f, on), on_face(d, weights_[3], f, on)};
-      if (k == begin) {
-        place = {depth, {w[0], w[1], w[2], w[3]}};
-        continue;
-      }
+      return face_row_.first[f] <= x && last <= face_row_.last[f];
+    };
+    // mostly one does
+    std::size_t first = begin;
+    while (first + 1 < end && !covers_all(first)) ++first;
+    const bool one = covers_all(first);
+    Place place = place_on(d, pixel, sides_.face[one ? first : begin]);
+    for (std::size_t k = begin + 1; k < end && !one; ++k) {
+      const std::size_t f = sides_.face[k];
       const M covered = covered_by_face(d, face_row_, f, pixel);
-      place.depth = hn::IfThenElse(covered, depth, place.depth);
-      for (std::size_t c = 0; c < 4; ++c)
-        place.corner[c] = hn::IfThenElse(covered, w[c], place.corner[c]);
+      const Place here = place_on(d, pixel, f);
+      place.depth = hn::IfThenElse(covered, here.depth, place.depth);
+      for (std::size_t c = 0; c < 3; ++c)
+        place.corner[c] = hn::IfThenElse(covered, here.corner[c], place.corner[c]);
     }
     if (perspective_) {
       const V inverse = hn::Div(hn::Set(d, 1.0), place.depth);
@@ -175,16 +194,17 @@ class QuadraticRenderer {
                                                       const Place& p, const Place& q) {
     const V zero = hn::Zero(d);
     QuadraticScalar<V> s{zero, zero, zero};
-    for (std::size_t i = 0; i < 4; ++i) {
-      V at_p = zero, at_q = zero;
-      for (std::size_t j = 0; j < 4; ++j) {
-        const V b = hn::Set(d, field.b[i][j]);
-        at_p = hn::MulAdd(b, p.corner[j], at_p);
-        at_q = hn::MulAdd(b, q.corner[j], at_q);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const V linear = hn::Set(d, field.linear[i]);
+      V at_p = linear, at_q = linear;
+      for (std::size_t j = 0; j < 3; ++j) {
+        const V square = hn::Set(d, field.square[i][j]);
+        at_p = hn::MulAdd(square, p.corner[j], at_p);
+        at_q = hn::MulAdd(square, q.corner[j], at_q);
       }
-      s.c0 = hn::MulAdd(at_p, p.corner[i], s.c0);
-      s.c1 = hn::MulAdd(at_p, q.corner[i], s.c1);
-      s.c2 = hn::MulAdd(at_q, q.corner[i], s.c2);
+      s.c0 = hn::MulAdd(hn::Add(at_p, linear), p.corner[i], s.c0);
+      s.c1 = hn::MulAdd(linear, p.corner[i], hn::MulAdd(at_p, q.corner[i], s.c1));
+      s.c2 = hn::MulAdd(hn::Add(at_q, linear), q.corner[i], s.c2);
     }
     const auto kept = [&](V c) {
       return hn::Min(hn::Max(hn::Add(hn::Set(d, field.base), c), hn::Set(d, field.least)),
@@ -202,25 +222,34 @@ class QuadraticRenderer {
     M active = hn::And(hn::Lt(pixel, hn::Set(d, last)),
                        hn::Gt(behind, hn::Set(d, frame_.least_transparency)));
     if (hn::AllFalse(d, active)) return;
-    const Place in = meet(d, pixel, 0, sides_.entered), out = meet(d, pixel, sides_.entered, 4);
+    const int end = std::min(x + static_cast<int>(hn::Lanes(d)), last);
+    const Place in = meet(d, pixel, x, end, 0, sides_.entered);
+    const Place out = meet(d, pixel, x, end, sides_.entered, 4);
     const V whole_front = ray_parameter(d, in.depth), whole_back = ray_parameter(d, out.depth);
     const V depth = hn::Sub(whole_back, whole_front);
-    const V front = hn::Max(whole_front, hn::Set(d, frame_.projector.near()));
-    const V back = hn::Min(whole_back, hn::Set(d, frame_.projector.far()));
+    V front = whole_front, back = whole_back;
+    QuadraticSegments<V> s;
+    s.whole = !clipped_;
+    s.begin = zero;
+    s.end = one;
+    if (clipped_) {
+      front = hn::Max(front, hn::Set(d, frame_.projector.near()));
+      back = hn::Min(back, hn::Set(d, frame_.projector.far()));
+      const auto part = [&](V t) {
+        return hn::Min(hn::Max(hn::Div(hn::Sub(t, whole_front), depth), zero), one);
+      };
+      s.begin = part(front);
+      s.end = hn::IfThenElse(hn::Eq(back, whole_back), one, part(back));
+    }
     active = hn::And(active, hn::Lt(front, back));
     counts_.segments += hn::CountTrue(d, active);
-    const auto part = [&](V t) {
-      return hn::Min(hn::Max(hn::Div(hn::Sub(t, whole_front), depth), zero), one);
-    };
-    QuadraticSegments<V> s;
     s.extinction = scalar_between(d, extinction_, in, out);
     s.color = frame_.optics.same_field ? s.extinction : scalar_between(d, color_, in, out);
-    s.begin = part(front);
-    s.end = hn::IfThenElse(hn::Eq(back, whole_back), one, part(back));
-    s.length = hn::Mul(depth, hn::LoadU(d, buffer_.ray_scale.data() + at));
-    const double share = kQuadratureShare * frame_.tolerance / frame_.depth;
-    s.allowed = hn::Mul(hn::Set(d, share), depth);
-    if (group_ == nullptr) s.allowed = hn::Div(s.allowed, behind);
+    s.length =
+        hn::IfThenElseZero(active, hn::Mul(depth, hn::LoadU(d, buffer_.ray_scale.data() + at)));
+    const V allowed =
+        hn::Mul(hn::Set(d, kQuadratureShare * frame_.tolerance / frame_.depth), depth);
+    s.weight = hn::Div(group_ == nullptr ? behind : one, allowed);
     const Radiance<V> radiance = walk.run(d, s, active);
     sink_.add(d, {at, front, back, radiance, active, behind});
   }
@@ -236,8 +265,9 @@ class QuadraticRenderer {
   QuadraticField extinction_, color_;
   ProjectedTetrahedron corners_;
   double nearest_ = 0, farthest_ = 0;  // depths
+  bool clipped_ = false;               // partly in front of or behind what the view shows
   FacePlanes planes_;
-  std::array<FacePlanes::Quantity, 4> weights_;
+  std::array<FacePlanes::Quantity, 3> weights_;
   FaceRuns runs_;
   FaceSides sides_;
   FaceRow face_row_;

@@ -12,8 +12,8 @@
 
 #  include <hwy/highway.h>
 
-#  include "hiac/render/quadratic_rules.hpp"
 #  include "hiac/render/shading-inl.hpp"
+#  include "hiac/render/symmetric_rules.hpp"
 #  include "hiac/render/transparency-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -41,19 +41,51 @@ HWY_INLINE QuadraticScalar<V> part_of(D d, const QuadraticScalar<V>& f, V u, V v
   return {blossom(d, f, u, u), blossom(d, f, u, v), blossom(d, f, v, v)};
 }
 
-// Segments of one vector of pixels: what lies between `begin` and `end` of u in [0, 1].
+// Segments of one vector of pixels: what lies between `begin` and `end` of u in [0, 1]. Those that
+// do not count have no length.
 template <class V>
 struct QuadraticSegments {
   QuadraticScalar<V> color, extinction;  // one and the same where the fields are
+  bool whole;                            // all from 0 to 1
   V begin, end;
-  V length;   // world length of u from 0 to 1
-  V allowed;  // absolute error that may be made for u from 0 to 1, over the transparency in front
+  V length;  // world length of u from 0 to 1
+  V weight;  // the transparency in front over the absolute error that may be made for u from 0 to 1
 };
 
-// The largest lane.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE double largest_lane(D d, V v) {
-  return hn::GetLane(hn::MaxOfLanes(d, v));
+// A part of them on which no transfer function bends: fields on [0, 1].
+template <class V>
+struct QuadraticPiece {
+  QuadraticScalar<V> color, extinction;
+  V length, weight;
+};
+
+// How many nodes give the mean of p(z) exp(-A(z)) over [-1, 1] with the error allowed; 0 when more
+// than there are. `wanted`: a bound of |p| over what is allowed; p is of the degree 1 or 2;
+// `alpha`: coefficients of z, z^2, z^3 in A, which is positive in the middle. For the lane that
+// needs most. `ellipse`: the best one of the last time, one of whose neighbours is tried besides,
+// in turn.
+template <std::size_t kDegree, class D, class V = hn::Vec<D>>
+HWY_INLINE std::size_t quadratic_nodes(D d, const QuadraticEllipses& table, V wanted,
+                                       const V (&alpha)[3], EllipseChoice& ellipse) {
+  static_assert(kDegree == 1 || kDegree == 2);
+  const V log = log_above(d, wanted);
+  const V size[3] = {hn::Abs(alpha[0]), hn::Abs(alpha[1]), hn::Abs(alpha[2])};
+  const auto needed_on = [&](std::size_t e) {
+    V needed =
+        hn::MulAdd(log, hn::Set(d, table.rate[e]), hn::Set(d, table.constant[kDegree - 1][e]));
+    for (std::size_t k = 0; k < 3; ++k)
+      needed = hn::MulAdd(size[k], hn::Set(d, table.per_power[k][e]), needed);
+    return hn::GetLane(hn::MaxOfLanes(d, needed));
+  };
+  double fewest = needed_on(ellipse.best);
+  const std::size_t other = ellipse.neighbour();
+  if (const double needed = needed_on(other); needed < fewest) {
+    fewest = needed;
+    ellipse.best = other;
+  }
+  // the next number above
+  if (!(fewest < static_cast<double>(kMostSymmetricNodes))) return 0;
+  return fewest < 0 ? 1 : static_cast<std::size_t>(fewest) + 1;
 }
 
 // Integrates segments piece by piece, front to back.
@@ -63,33 +95,40 @@ HWY_INLINE double largest_lane(D d, V v) {
 // depth A a cubic. With chromaticity, integration by parts leaves
 //     I = kappa(0) - kappa(1) exp(-A(1)) + integral of kappa' exp(-A),
 // with emission I = length integral of g exp(-A). The integrals are Gauss-Legendre sums with as
-// many nodes as the bound of polynomial_piece.hpp asks for (quadratic_rules.hpp), or pieces are
+// many nodes as the bound of polynomial_piece.hpp asks for (symmetric_rules.hpp), or pieces are
 // halved.
 template <bool kEmission>
 class QuadraticWalk {
  public:
   QuadraticWalk(const OpticsTables& optics, IntervalRange color, IntervalRange extinction)
-      : optics_(optics), color_(color), extinction_(extinction) {}
+      : optics_(optics),
+        color_(color),
+        extinction_(extinction),
+        rules_(symmetric_rules()),
+        ellipses_(quadratic_ellipses()) {}
 
   template <class D, class V = hn::Vec<D>>
   HWY_INLINE Radiance<V> run(D d, const QuadraticSegments<V>& s, hn::Mask<D> active) {
     find_cuts(d, s);
     const V zero = hn::Zero(d);
     Radiance<V> sum{zero, zero, zero, hn::Set(d, 1.0)};
-    V u = s.begin, step = hn::Sub(s.end, s.begin);
-    active = hn::And(active, hn::Lt(u, s.end));
+    V u = s.begin, next = s.end, step = hn::Sub(s.end, s.begin);
+    QuadraticPiece<V> piece{s.color, s.extinction, s.length, s.weight};
+    bool whole = s.whole && cut_count_ == 0;
     int halvings = 0;
+    active = hn::And(active, hn::Lt(u, s.end));
     while (!hn::AllFalse(d, active)) {
-      V next = hn::Min(s.end, hn::Add(u, step));
-      for (std::size_t k = 0; k < cut_count_; ++k) {
-        const V root = hn::LoadU(d, cuts_.data() + k * hn::Lanes(d));
-        next = hn::IfThenElse(hn::And(hn::Gt(root, u), hn::Lt(root, next)), root, next);
+      if (!whole) {
+        next = next_cut(d, u, hn::Min(s.end, hn::Add(u, step)));
+        cut_out(d, s, u, next, piece);
       }
-      if (!add_piece(d, s, u, next, active, halvings < kMostHalvings, sum)) {
+      if (!add_piece(d, piece, active, halvings < kMostHalvings, sum)) {
         ++halvings;
         step = hn::Mul(step, hn::Set(d, 0.5));
+        whole = false;
         continue;
       }
+      if (whole) break;
       u = hn::IfThenElse(active, next, u);
       active = hn::And(active, hn::Lt(u, s.end));
       // what is behind this adds less than rounding
@@ -144,11 +183,33 @@ class QuadraticWalk {
     return here;
   }
 
-  // The intervals in which a piece's middle lies; neighbouring rays' are mostly one.
+  // The first cut between u and `end`, or that.
+  template <class D, class V>
+  HWY_INLINE V next_cut(D d, V u, V end) const {
+    V next = end;
+    for (std::size_t k = 0; k < cut_count_; ++k) {
+      const V root = hn::LoadU(d, cuts_.data() + k * hn::Lanes(d));
+      next = hn::IfThenElse(hn::And(hn::Gt(root, u), hn::Lt(root, next)), root, next);
+    }
+    return next;
+  }
+
+  template <class D, class V>
+  HWY_INLINE void cut_out(D d, const QuadraticSegments<V>& s, V u, V v,
+                          QuadraticPiece<V>& piece) const {
+    const V part = hn::Sub(v, u);
+    piece.extinction = part_of(d, s.extinction, u, v);
+    piece.color = optics_.same_field ? piece.extinction : part_of(d, s.color, u, v);
+    piece.length = hn::Mul(s.length, part);
+    piece.weight = hn::Div(s.weight, part);
+  }
+
+  // The intervals in which a field is in the middle; neighbouring rays' are mostly one.
   template <std::size_t N, class D, class V>
   static HWY_INLINE IntervalReader<D> reader_of(D d, const TransferTable<N>& table,
-                                                IntervalRange range, V middle) {
+                                                IntervalRange range, const QuadraticScalar<V>& f) {
     if (range.low == range.high) return IntervalReader<D>(d, range.low);
+    const V middle = hn::Mul(hn::Set(d, 0.25), hn::Add(hn::Add(f.c0, f.c2), hn::Add(f.c1, f.c1)));
     const hn::RebindToSigned<D> di;
     auto interval = hn::Set(di, static_cast<std::int64_t>(range.low));
     for (std::size_t k = range.low; k < range.high; ++k) {
@@ -161,66 +222,83 @@ class QuadraticWalk {
     return IntervalReader<D>(d, interval);
   }
 
-  // The optical depth along a piece: alpha_1 x + alpha_2 x^2 + alpha_3 x^3.
+  // The optical depth along a piece, z = 2 x - 1 in [-1, 1]: middle + sum of alpha_k z^(k+1).
   template <class V>
   struct Depth {
-    V a1, a2, a3, total;
+    V middle, alpha[3];
+    V total;
     V most;  // not less than any value
   };
 
+  // From the extinction in Bernstein form.
   template <class D, class V>
   static HWY_INLINE Depth<V> depth_of(D d, V front, V middle, V back, V length) {
-    const V zero = hn::Zero(d), third = hn::Set(d, 1.0 / 3);
+    const V zero = hn::Zero(d), third = hn::Set(d, 1.0 / 3), half = hn::Set(d, 0.5);
+    const V scale = hn::Mul(length, hn::Set(d, 0.25));
     front = hn::Max(front, zero);
     back = hn::Max(back, zero);
-    const V rise = hn::Sub(middle, front);
-    const V bend = hn::Sub(hn::Sub(back, middle), rise);
-    const V sum = hn::Add(hn::Add(front, middle), back);
-    const V largest = hn::Max(hn::Max(front, back), hn::Max(middle, zero));
-    return {hn::Mul(length, front), hn::Mul(length, rise), hn::Mul(hn::Mul(length, third), bend),
-            hn::Max(hn::Mul(hn::Mul(length, third), sum), zero), hn::Mul(length, largest)};
+    // mean + rise z + bend z^2, times 4
+    const V ends = hn::Add(front, back), middles = hn::Add(middle, middle);
+    const V mean = hn::Mul(scale, hn::Add(ends, middles));
+    const V rise = hn::Mul(scale, hn::Sub(back, front));
+    const V bend = hn::Mul(scale, hn::Sub(ends, middles));
+    Depth<V> depth;
+    depth.alpha[0] = hn::Mul(half, mean);
+    depth.alpha[1] = hn::Mul(half, rise);
+    depth.alpha[2] = hn::Mul(hn::Set(d, 1.0 / 6), bend);
+    depth.middle = hn::Add(hn::Sub(depth.alpha[0], depth.alpha[1]), depth.alpha[2]);
+    depth.total = hn::Max(hn::MulAdd(third, bend, mean), zero);
+    depth.most = hn::Mul(length, hn::Max(hn::Max(front, back), hn::Max(middle, zero)));
+    return depth;
   }
 
-  // False when no rule meets what is allowed of the piece from u to v, unless it `must` be added.
+  // False when no rule meets what is allowed of the piece and it `may_refuse`.
   template <class D, class V>
-  HWY_INLINE bool add_piece(D d, const QuadraticSegments<V>& s, V u, V v, hn::Mask<D> active,
-                            bool may_refuse, Radiance<V>& sum) const {
-    const QuadraticScalar<V> tau_field = part_of(d, s.extinction, u, v);
-    const QuadraticScalar<V> field = optics_.same_field ? tau_field : part_of(d, s.color, u, v);
-    const V half = hn::Set(d, 0.5);
-    const V middle = hn::Mul(half, hn::Add(u, v));
-    const auto extinction = reader_of(d, optics_.extinction, extinction_here_,
-                                      blossom(d, s.extinction, middle, middle));
-    const auto color = optics_.same_field ? extinction
-                                          : reader_of(d, optics_.color, color_,
-                                                      blossom(d, s.color, middle, middle));
-    const auto tau = [&](V f) { return extinction.at(optics_.extinction, 0, f); };
-    const V part = hn::Sub(v, u);
-    const V length = hn::Mul(s.length, part);
-    const Depth<V> depth =
-        depth_of(d, tau(tau_field.c0), tau(tau_field.c1), tau(tau_field.c2), length);
+  HWY_INLINE bool add_piece(D d, const QuadraticPiece<V>& piece, hn::Mask<D> active,
+                            bool may_refuse, Radiance<V>& sum) {
+    const auto extinction = reader_of(d, optics_.extinction, extinction_here_, piece.extinction);
+    const auto color =
+        optics_.same_field ? extinction : reader_of(d, optics_.color, color_here_, piece.color);
+    const V tau_anchor = extinction(optics_.extinction.anchor);
+    const V tau_slope = extinction(optics_.extinction.slope[0]);
+    const V tau_value = extinction(optics_.extinction.value[0]);
+    const auto tau = [&](V f) { return hn::MulAdd(tau_slope, hn::Sub(f, tau_anchor), tau_value); };
+    const Depth<V> depth = depth_of(d, tau(piece.extinction.c0), tau(piece.extinction.c1),
+                                    tau(piece.extinction.c2), piece.length);
 
     const V anchor = color(optics_.color.anchor);
-    const QuadraticScalar<V> f{hn::Sub(field.c0, anchor), hn::Sub(field.c1, anchor),
-                               hn::Sub(field.c2, anchor)};
+    const QuadraticScalar<V> f{hn::Sub(piece.color.c0, anchor), hn::Sub(piece.color.c1, anchor),
+                               hn::Sub(piece.color.c2, anchor)};
     const V slope[3] = {color(optics_.color.slope[0]), color(optics_.color.slope[1]),
                         color(optics_.color.slope[2])};
     const V value[3] = {color(optics_.color.value[0]), color(optics_.color.value[1]),
                         color(optics_.color.value[2])};
-    const V integrand =
-        kEmission ? hn::Mul(length, largest_color(d, f, slope, value)) : largest_rise(f, slope);
-    const V wanted = hn::Div(hn::Mul(integrand, sum.transparency), hn::Mul(s.allowed, part));
-    const std::size_t nodes = nodes_for(d, depth, hn::IfThenElseZero(active, wanted));
+    const V integrand = kEmission ? hn::Mul(piece.length, largest_color(d, f, slope, value))
+                                  : largest_rise(f, slope);
+    const V wanted = hn::Mul(integrand, hn::Mul(sum.transparency, piece.weight));
+    constexpr std::size_t kDegree = kEmission ? 2 : 1;
+    const std::size_t nodes = quadratic_nodes<kDegree>(
+        d, ellipses_, hn::IfThenElseZero(active, wanted), depth.alpha, ellipse_);
     if (nodes == 0 && may_refuse) return false;
-    const auto& rule = quadratic_rule(nodes == 0 ? kMostQuadraticNodes : nodes);
-    const bool thin =
-        hn::AllTrue(d, hn::Lt(hn::IfThenElseZero(active, depth.most), hn::Set(d, kThin)));
+    const SymmetricRule& rule = rules_[(nodes == 0 ? kMostSymmetricNodes : nodes) - 1];
+    const bool thin = hn::AllTrue(d, hn::Lt(depth.most, hn::Set(d, kThin)));
     const V zeta = transparency(d, depth.total, thin);
+    const Moments<V> moments = moments_of(d, rule, depth, thin);
     V constant, linear;  // a channel is value * constant + slope * linear
-    if constexpr (kEmission)
-      emission_sums(d, rule, depth, thin, f, length, constant, linear);
-    else
-      chromaticity_sums(d, rule, depth, thin, f, zeta, constant, linear);
+    const V difference = hn::Sub(f.c2, f.c0);
+    const V bend = hn::Sub(hn::Add(f.c0, f.c2), hn::Add(f.c1, f.c1));
+    if constexpr (kEmission) {
+      const V mean = hn::Add(hn::Add(f.c0, f.c2), hn::Add(f.c1, f.c1));
+      const V second = hn::MulAdd(bend, moments.of[2], hn::Mul(mean, moments.of[0]));
+      const V first = hn::Mul(difference, moments.of[1]);
+      constant = hn::Mul(piece.length, moments.of[0]);
+      linear =
+          hn::Mul(hn::Mul(piece.length, hn::Set(d, 0.25)), hn::Add(second, hn::Add(first, first)));
+    } else {
+      constant = hn::Sub(hn::Set(d, 1.0), zeta);
+      linear = hn::Add(hn::NegMulAdd(f.c2, zeta, f.c0),
+                       hn::MulAdd(difference, moments.of[0], hn::Mul(bend, moments.of[1])));
+    }
     const auto channel = [&](std::size_t c) {
       return hn::MulAdd(slope[c], linear, hn::Mul(value[c], constant));
     };
@@ -247,57 +325,31 @@ class QuadraticWalk {
     return largest;
   }
 
-  // `wanted`: bound of the factor of exp(-A) over the error allowed.
-  template <class D, class V>
-  static HWY_INLINE std::size_t nodes_for(D d, const Depth<V>& a, V wanted) {
-    const double largest = largest_lane(d, wanted);
-    if (!(largest > 0)) return 1;
-    // Chebyshev coefficients of A on [0, 1], those of degree 1 and more
-    const auto times = [d](double s, V v) { return hn::Mul(hn::Set(d, s), v); };
-    const V c1 = hn::Add(times(0.5, hn::Add(a.a1, a.a2)), times(15.0 / 32, a.a3));
-    const V c2 = hn::Add(times(1.0 / 8, a.a2), times(3.0 / 16, a.a3));
-    return quadratic_nodes(kEmission ? 2 : 1, largest, largest_lane(d, hn::Abs(c1)),
-                           largest_lane(d, hn::Abs(c2)),
-                           largest_lane(d, hn::Abs(times(1.0 / 32, a.a3))));
-  }
+  // Means over a piece of exp(-A) times 1, z and, of emission, z^2.
+  template <class V>
+  struct Moments {
+    V of[3];
+  };
 
   template <class D, class V>
-  static HWY_INLINE V transparency_at(D d, const Depth<V>& a, double x, bool thin) {
-    const V at = hn::Set(d, x);
-    return transparency(d, hn::Mul(at, hn::MulAdd(at, hn::MulAdd(at, a.a3, a.a2), a.a1)), thin);
-  }
-
-  template <class D, class V>
-  static HWY_INLINE void chromaticity_sums(D d, const QuadraticRule& rule, const Depth<V>& depth,
-                                           bool thin, const QuadraticScalar<V>& f, V zeta,
-                                           V& constant, V& linear) {
-    V front = hn::Zero(d), back = hn::Zero(d);  // integrals of (1 - x) exp(-A), x exp(-A)
-    for (std::size_t k = 0; k < rule.count; ++k) {
-      const V t = transparency_at(d, depth, rule.x[k], thin);
-      front = hn::MulAdd(hn::Set(d, rule.w[k] * (1 - rule.x[k])), t, front);
-      back = hn::MulAdd(hn::Set(d, rule.w[k] * rule.x[k]), t, back);
+  static HWY_INLINE Moments<V> moments_of(D d, const SymmetricRule& rule, const Depth<V>& depth,
+                                          bool thin) {
+    Moments<V> m{{hn::Zero(d), hn::Zero(d), hn::Zero(d)}};
+    if (rule.middle != 0)
+      m.of[0] = hn::Mul(hn::Set(d, rule.middle), transparency(d, depth.middle, thin));
+    for (std::size_t k = 0; k < rule.pairs; ++k) {
+      const V z = hn::Set(d, rule.z[k]), square = hn::Mul(z, z);
+      const V even = hn::MulAdd(square, depth.alpha[1], depth.middle);
+      const V odd = hn::Mul(z, hn::MulAdd(square, depth.alpha[2], depth.alpha[0]));
+      V before = hn::Sub(even, odd), behind = hn::Add(even, odd);
+      transparencies(d, before, behind, thin);
+      const V both = hn::Mul(hn::Set(d, rule.weight[k]), hn::Add(behind, before));
+      m.of[0] = hn::Add(m.of[0], both);
+      m.of[1] =
+          hn::MulAdd(hn::Set(d, rule.weight[k] * rule.z[k]), hn::Sub(behind, before), m.of[1]);
+      if constexpr (kEmission) m.of[2] = hn::MulAdd(square, both, m.of[2]);
     }
-    const V half = hn::MulAdd(hn::Sub(f.c1, f.c0), front, hn::Mul(hn::Sub(f.c2, f.c1), back));
-    constant = hn::Sub(hn::Set(d, 1.0), zeta);
-    linear = hn::Add(hn::NegMulAdd(f.c2, zeta, f.c0), hn::Add(half, half));
-  }
-
-  template <class D, class V>
-  static HWY_INLINE void emission_sums(D d, const QuadraticRule& rule, const Depth<V>& depth,
-                                       bool thin, const QuadraticScalar<V>& f, V length,
-                                       V& constant, V& linear) {
-    constant = linear = hn::Zero(d);
-    for (std::size_t k = 0; k < rule.count; ++k) {
-      const double x = rule.x[k], y = 1 - x;
-      const V t = hn::Mul(hn::Set(d, rule.w[k]), transparency_at(d, depth, x, thin));
-      const V here =
-          hn::MulAdd(hn::Set(d, y * y), f.c0,
-                     hn::MulAdd(hn::Set(d, 2 * x * y), f.c1, hn::Mul(hn::Set(d, x * x), f.c2)));
-      constant = hn::Add(constant, t);
-      linear = hn::MulAdd(t, here, linear);
-    }
-    constant = hn::Mul(constant, length);
-    linear = hn::Mul(linear, length);
+    return m;
   }
 
   const OpticsTables& optics_;
@@ -305,6 +357,9 @@ class QuadraticWalk {
   IntervalRange color_here_{}, extinction_here_{};  // of the segments at hand
   std::size_t cut_count_ = 0;
   std::vector<double> cuts_;  // vectors of u
+  const SymmetricRules& rules_;
+  const QuadraticEllipses& ellipses_;
+  EllipseChoice ellipse_;
 };
 
 }  // namespace hiac::HWY_NAMESPACE
