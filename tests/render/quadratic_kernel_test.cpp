@@ -123,8 +123,8 @@ TEST(QuadraticRules, MeetWhatIsAllowed) {
     const hwy::HWY_NAMESPACE::Vec<decltype(d)> alpha[3] = {Set(d, a1), Set(d, a2), Set(d, a3)};
     std::size_t nodes = 0;
     // the last of these has tried all ellipses
-    for (std::size_t k = 0; k < 2 * QuadraticEllipses::kCount; ++k)
-      nodes = simd::quadratic_nodes<1>(d, quadratic_ellipses(), Set(d, wanted), alpha, choice);
+    for (std::size_t k = 0; k < 2 * BernsteinEllipses::kCount; ++k)
+      nodes = simd::quadratic_nodes<1>(d, bernstein_ellipses(), Set(d, wanted), alpha, choice);
     return nodes;
   };
   const auto integral = [](std::size_t nodes, double a0, double a1, double a2, double a3,

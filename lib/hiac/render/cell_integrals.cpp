@@ -120,8 +120,8 @@ class SegmentIntegrator {
     }
   }
 
-  // In Bernstein form, without what is negligible in all lanes.
-  HWY_NOINLINE void to_bernstein(std::size_t f, std::size_t degree, LanePolynomial<V>& p) const {
+  // In powers, without what is negligible in all lanes.
+  HWY_NOINLINE void to_powers(std::size_t f, std::size_t degree, LanePolynomial<V>& p) const {
     const D d;
     V dropped = hn::Zero(d);
     while (degree > 0) {
@@ -130,25 +130,20 @@ class SegmentIntegrator {
       --degree;
     }
     p.degree = degree;
-    const auto& matrix = bernstein_bases(degree).from_chebyshev;
-    for (std::size_t i = 0; i <= degree - i; ++i) {
-      V even = hn::Mul(hn::Set(d, matrix[i][0]), coefficients_[f][0]), odd = hn::Zero(d);
-      for (std::size_t k = 2; k <= degree; k += 2)
-        even = hn::MulAdd(hn::Set(d, matrix[i][k]), coefficients_[f][k], even);
-      for (std::size_t k = 1; k <= degree; k += 2)
-        odd = hn::MulAdd(hn::Set(d, matrix[i][k]), coefficients_[f][k], odd);
-      p.c[i] = hn::Add(even, odd);
-      p.c[degree - i] = hn::Sub(even, odd);
-      if (i == degree - i) p.c[i] = even;
-      if (degree - i == 0) break;
+    const ChebyshevPowers& powers = chebyshev_powers();
+    for (std::size_t i = 0; i <= degree; ++i) {
+      V sum = hn::Mul(hn::Set(d, powers[i][i]), coefficients_[f][i]);
+      for (std::size_t k = i + 2; k <= degree; k += 2)
+        sum = hn::MulAdd(hn::Set(d, powers[k][i]), coefficients_[f][k], sum);
+      p.c[i] = sum;
     }
   }
 
   HWY_NOINLINE void add(double begin, double end, std::size_t degree) {
     const D d;
     LanePolynomial<V> extinction, color;
-    to_bernstein(0, degree, extinction);
-    if (cell_.field_count > 1) to_bernstein(1, degree, color);
+    to_powers(0, degree, extinction);
+    if (cell_.field_count > 1) to_powers(1, degree, color);
     const V part = hn::Set(d, end - begin);
     const M undone = walk_.add(d, extinction, color, hn::Mul(length_, part),
                                hn::Mul(allowed_, part), active_, sum_);

@@ -35,6 +35,18 @@ const ChebyshevPoints& chebyshev_points(std::size_t n) {
   return kPoints[n <= 5 ? n - 1 : n / 8 + 4];
 }
 
+const ChebyshevPowers& chebyshev_powers() {
+  static const ChebyshevPowers kPowers = [] {
+    ChebyshevPowers t{};
+    t[0][0] = t[1][1] = 1;
+    for (std::size_t k = 2; k < t.size(); ++k)
+      for (std::size_t i = 0; i <= k; ++i)
+        t[k][i] = (i > 0 ? 2 * t[k - 1][i - 1] : 0) - t[k - 2][i];
+    return t;
+  }();
+  return kPowers;
+}
+
 namespace {
 
 std::vector<std::vector<double>> make_between(std::size_t n) {

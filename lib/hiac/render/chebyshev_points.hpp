@@ -31,6 +31,11 @@ class ChebyshevPoints {
 /// Those for n = 1, 2, 3, 4, 5, 8 or 16.
 const ChebyshevPoints& chebyshev_points(std::size_t n);
 
+/// Chebyshev polynomials in powers: the coefficient of z^i in T_k is [k][i].
+using ChebyshevPowers =
+    std::array<std::array<double, kMostChebyshevDegree + 1>, kMostChebyshevDegree + 1>;
+const ChebyshevPowers& chebyshev_powers();
+
 /// The polynomial through values at the points of n = 4 or 8, at those points of 2 n that these are
 /// not: [which of them][value], front to back.
 const std::vector<std::vector<double>>& between_points(std::size_t n);

@@ -8,68 +8,57 @@
 #    define HIAC_RENDER_POLYNOMIAL_WALK_INL
 #  endif
 
+#  include <array>
 #  include <cmath>
 #  include <vector>
 
 #  include <hwy/highway.h>
 
-#  include "hiac/render/bernstein_tables.hpp"
+#  include "hiac/optics/bernstein.hpp"
 #  include "hiac/render/shading-inl.hpp"
+#  include "hiac/render/symmetric_rules.hpp"
 #  include "hiac/render/transparency-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// A polynomial on [0, 1] in every lane, in Bernstein form; all of one degree.
+// A polynomial of z in [-1, 1] in every lane, in powers of z; all of one degree. Those that are
+// interpolated have coefficients in powers that are small like their Chebyshev coefficients.
 template <class V>
 struct LanePolynomial {
   std::size_t degree = 0;
   V c[kMaxFieldDegree + 1];
 };
 
-// What is left of a polynomial on [0, v], as one on [0, 1]: de Casteljau's algorithm.
+// What is left of a polynomial on [middle - half, middle + half], as one on [-1, 1].
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE void keep_front(D d, LanePolynomial<V>& f, V v) {
-  const V rest = hn::Sub(hn::Set(d, 1.0), v);
-  for (std::size_t r = 1; r <= f.degree; ++r)
-    for (std::size_t i = f.degree; i >= r; --i)
-      f.c[i] = hn::MulAdd(v, f.c[i], hn::Mul(rest, f.c[i - 1]));
+HWY_INLINE void keep_part(D, LanePolynomial<V>& f, V middle, V half) {
+  const std::size_t n = f.degree;
+  for (std::size_t r = 0; r < n; ++r)
+    for (std::size_t k = n; k-- > r;) f.c[k] = hn::MulAdd(middle, f.c[k + 1], f.c[k]);
+  V scale = half;
+  for (std::size_t k = 1; k <= n; ++k) {
+    f.c[k] = hn::Mul(f.c[k], scale);
+    scale = hn::Mul(scale, half);
+  }
 }
 
-// The same of [u, 1].
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE void keep_back(D d, LanePolynomial<V>& f, V u) {
-  const V rest = hn::Sub(hn::Set(d, 1.0), u);
-  for (std::size_t r = 1; r <= f.degree; ++r)
-    for (std::size_t i = 0; i + r <= f.degree; ++i)
-      f.c[i] = hn::MulAdd(u, f.c[i + 1], hn::Mul(rest, f.c[i]));
-}
-
-// f(x) and f'(x).
+// What of a polynomial in powers of z is even, and what is odd over z, by z^2.
 template <class V>
-struct ValueAndSlope {
-  V value, slope;
+struct EvenAndOdd {
+  V even, odd;
 };
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE ValueAndSlope<V> evaluate(D d, const LanePolynomial<V>& f, V x) {
-  if (f.degree == 0) return {f.c[0], hn::Zero(d)};
-  const V rest = hn::Sub(hn::Set(d, 1.0), x);
-  V c[kMaxFieldDegree + 1];
-  for (std::size_t i = 0; i <= f.degree; ++i) c[i] = f.c[i];
-  for (std::size_t r = 1; r < f.degree; ++r)
-    for (std::size_t i = 0; i + r <= f.degree; ++i)
-      c[i] = hn::MulAdd(x, c[i + 1], hn::Mul(rest, c[i]));
-  return {hn::MulAdd(x, c[1], hn::Mul(rest, c[0])),
-          hn::Mul(hn::Set(d, static_cast<double>(f.degree)), hn::Sub(c[1], c[0]))};
-}
-
-// Sum of coefficients times the entries of a row.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE V combined(D d, const LanePolynomial<V>& f, const BernsteinRule::Row& row) {
-  V sum = hn::Mul(hn::Set(d, row[0]), f.c[0]);
-  for (std::size_t i = 1; i <= f.degree; ++i) sum = hn::MulAdd(hn::Set(d, row[i]), f.c[i], sum);
-  return sum;
+HWY_INLINE EvenAndOdd<V> even_and_odd(D d, const V* c, std::size_t degree, V square) {
+  std::size_t k = degree & ~std::size_t{1};
+  EvenAndOdd<V> at{c[k], k < degree ? c[k + 1] : hn::Zero(d)};
+  while (k > 0) {
+    k -= 2;
+    at.even = hn::MulAdd(at.even, square, c[k]);
+    at.odd = hn::MulAdd(at.odd, square, c[k + 1]);
+  }
+  return at;
 }
 
 // A field in the cell at hand, as a walk sees it. Polynomials are of the field less `base`.
@@ -82,64 +71,67 @@ struct WalkField {
 // Integrates segments piece by piece, front to back.
 //
 // A piece ends where a field takes a value at which its transfer function bends or jumps. A
-// polynomial whose Bernstein coefficients rise, or fall, takes it once, and Newton's method finds
-// where; others are halved until they do not meet it or are monotone. On a piece, x from 0 to 1,
-// extinction and colour are polynomials, and so is the optical depth A. With chromaticity,
-// integration by parts leaves
-//     I = kappa(0) - kappa(1) exp(-A(1)) + integral of kappa' exp(-A),
-// with emission I = length integral of g exp(-A). The integrals are Gauss-Legendre sums with as
-// many nodes as the bound of polynomial_piece.hpp asks for, or pieces are halved.
+// polynomial whose slope at 0 outweighs what higher powers add to it rises, or falls, and takes it
+// once, and Newton's method finds where; others are halved until they do not meet it or are
+// monotone. On a piece, z from -1 to 1, extinction and colour are polynomials, and so is the
+// optical depth A. With chromaticity, integration by parts leaves
+//     I = kappa(-1) - kappa(1) exp(-A(1)) + integral of kappa' exp(-A),
+// with emission I = length times the mean of g exp(-A). The integrals are Gauss-Legendre sums with
+// as many nodes as the bound of symmetric_rules.hpp asks for, or pieces are halved.
 template <bool kEmission>
 class PolynomialWalk {
  public:
   // `color` counts where the fields are two.
   PolynomialWalk(const OpticsTables& optics, const WalkField& color, const WalkField& extinction)
-      : optics_(optics), color_(color), extinction_(extinction) {}
+      : optics_(optics),
+        color_(color),
+        extinction_(extinction),
+        never_cut_(extinction.intervals.low == extinction.intervals.high &&
+                   (optics.same_field || color.intervals.low == color.intervals.high)),
+        rules_(symmetric_rules()),
+        ellipses_(bernstein_ellipses()) {}
 
-  // Adds segments behind what is in `sum`. `length`: of x from 0 to 1, in the world; `allowed`:
+  // Adds segments behind what is in `sum`. `length`: of z from -1 to 1, in the world; `allowed`:
   // absolute error that may be made on it, over the transparency in front of `sum`. Lanes that are
   // active must have finite numbers, and those that are not, too. Returns the lanes that could not
   // be done.
   template <class D, class V = hn::Vec<D>>
   HWY_NOINLINE hn::Mask<D> add(D d, const LanePolynomial<V>& extinction,
                                const LanePolynomial<V>& color, V length, V allowed,
-                               hn::Mask<D> active, Radiance<V>& sum) const {
-    const V one = hn::Set(d, 1.0), half = hn::Set(d, 0.5);
-    V u = hn::Zero(d), v = one;
-    LanePolynomial<V> tau_field = extinction, color_field;
-    if (!optics_.same_field) color_field = color;
+                               hn::Mask<D> active, Radiance<V>& sum) {
+    const V one = hn::Set(d, 1.0), half = hn::Set(d, 0.5), narrow = hn::Set(d, kNarrow);
+    V u = hn::Set(d, -1.0), v = one;
+    Fields<V> f{extinction, {}};
+    if (!optics_.same_field) f.color = color;
+    bool settled = never_cut_;  // no breakpoint is left between u and v
     for (int round = 0; round < kMostRounds; ++round) {
       if (hn::AllFalse(d, active)) return active;
-      const V width = hn::Sub(v, u);
-      const auto wide = hn::And(active, hn::Gt(width, hn::Set(d, kNarrow)));
-      V part = cut_at(d, tau_field, optics_.extinction.upper, extinction_, wide);
-      if (!optics_.same_field)
-        part = hn::Min(part, cut_at(d, color_field, optics_.color.upper, color_, wide));
-      bool ready = hn::AllTrue(d, hn::Eq(part, one));
-      if (ready && !add_piece(d, tau_field, optics_.same_field ? tau_field : color_field,
-                              hn::Mul(length, width), hn::Mul(allowed, width), active,
-                              hn::AllTrue(d, hn::Or(hn::Not(active), wide)), sum)) {
-        ready = false;
-        part = half;
+      V part = hn::Mul(half, hn::Sub(v, u));
+      if (!settled) {
+        V end = one;
+        settled = find_end(d, f, hn::And(active, hn::Gt(part, narrow)), end);
+        if (!hn::AllTrue(d, hn::Eq(end, one))) part = shorten(d, end, f, u, v);
+        if (!settled) continue;
       }
-      if (ready) {
-        u = v;
-        v = one;
-        // what is behind this adds less than rounding
-        active = hn::And(active,
-                         hn::And(hn::Lt(u, one), hn::Gt(sum.transparency, hn::Set(d, kInvisible))));
-        if (hn::AllFalse(d, active)) return active;
-        tau_field = extinction;
-        keep_back(d, tau_field, u);
-        if (optics_.same_field) continue;
-        color_field = color;
-        keep_back(d, color_field, u);
-      } else {
-        part = hn::Max(part, hn::Min(hn::Div(hn::Set(d, 0.5 * kNarrow), width), one));
-        v = hn::IfThenElse(hn::Eq(part, one), v, hn::MulAdd(width, part, u));
-        keep_front(d, tau_field, part);
-        if (!optics_.same_field) keep_front(d, color_field, part);
+      const bool may_refuse = hn::AllTrue(d, hn::Or(hn::Not(active), hn::Gt(part, narrow)));
+      if (!add_piece(d, f.extinction, optics_.same_field ? f.extinction : f.color,
+                     hn::Mul(length, part), hn::Mul(allowed, part), active, may_refuse, sum)) {
+        shorten(d, hn::Zero(d), f, u, v);
+        continue;
       }
+      u = v;
+      v = one;
+      settled = never_cut_;
+      // what is behind this adds less than rounding
+      active = hn::And(active,
+                       hn::And(hn::Lt(u, one), hn::Gt(sum.transparency, hn::Set(d, kInvisible))));
+      if (hn::AllFalse(d, active)) return active;
+      const V middle = hn::Mul(half, hn::Add(one, u)), rest = hn::Mul(half, hn::Sub(one, u));
+      f.extinction = extinction;
+      keep_part(d, f.extinction, middle, rest);
+      if (optics_.same_field) continue;
+      f.color = color;
+      keep_part(d, f.color, middle, rest);
     }
     return active;
   }
@@ -149,85 +141,128 @@ class PolynomialWalk {
   static constexpr double kNarrow = 0x1p-40;  // breakpoints in shorter pieces do not count
   static constexpr double kInvisible = 1e-20;
 
-  // Where to end pieces of which `wide` lanes meet a breakpoint: at the first one if it is known,
-  // or halfway; 1 for the others.
+  // What is between u and v, on [-1, 1].
+  template <class V>
+  struct Fields {
+    LanePolynomial<V> extinction, color;
+  };
+
+  // Keeps what is in front of `end`, or as much as a narrow piece has. Returns what part of the
+  // whole that is.
   template <class D, class V = hn::Vec<D>>
-  static HWY_NOINLINE V cut_at(D d, const LanePolynomial<V>& f, const std::vector<double>& upper,
-                               const WalkField& field, hn::Mask<D> wide) {
-    const V one = hn::Set(d, 1.0);
+  HWY_NOINLINE V shorten(D d, V end, Fields<V>& f, V u, V& v) const {
+    const V one = hn::Set(d, 1.0), half = hn::Set(d, 0.5), width = hn::Sub(v, u);
+    V part = hn::MulAdd(half, end, half);
+    part = hn::Max(part, hn::Min(hn::Div(hn::Set(d, kNarrow), width), one));
+    v = hn::IfThenElse(hn::Eq(part, one), v, hn::MulAdd(width, part, u));
+    const V middle = hn::Sub(part, one);
+    keep_part(d, f.extinction, middle, part);
+    if (!optics_.same_field) keep_part(d, f.color, middle, part);
+    return hn::Mul(half, hn::Sub(v, u));
+  }
+
+  // Where to end pieces of which `wide` lanes may meet a breakpoint: at the first one if it is
+  // known, or halfway; at 1 the others. False where pieces may meet a breakpoint before that.
+  template <class D, class V = hn::Vec<D>>
+  HWY_INLINE bool find_end(D d, const Fields<V>& f, hn::Mask<D> wide, V& end) const {
+    bool settled = cut_at(d, f.extinction, optics_.extinction.upper, extinction_, wide, end);
+    if (!optics_.same_field)
+      settled = cut_at(d, f.color, optics_.color.upper, color_, wide, end) && settled;
+    return settled;
+  }
+
+  template <class D, class V = hn::Vec<D>>
+  static HWY_NOINLINE bool cut_at(D d, const LanePolynomial<V>& f, const std::vector<double>& upper,
+                                  const WalkField& field, hn::Mask<D> wide, V& end) {
     const auto [low, high] = field.intervals;
-    if (low == high) return one;
-    V least = f.c[0], most = f.c[0];
-    for (std::size_t i = 1; i <= f.degree; ++i) {
-      least = hn::Min(least, f.c[i]);
-      most = hn::Max(most, f.c[i]);
+    if (low == high || f.degree == 0) return true;
+    // bounds, and where the field is monotone its values at the ends
+    const V zero = hn::Zero(d);
+    V even_least = f.c[0], even_most = f.c[0], even = f.c[0];
+    V odd = f.c[1], odd_size = hn::Abs(f.c[1]), bend = zero;
+    for (std::size_t k = 2; k <= f.degree; ++k) {
+      const V size = hn::Abs(f.c[k]);
+      bend = hn::MulAdd(hn::Set(d, static_cast<double>(k)), size, bend);
+      if (k % 2 == 0) {
+        even = hn::Add(even, f.c[k]);
+        even_least = hn::Add(even_least, hn::Min(f.c[k], zero));
+        even_most = hn::Add(even_most, hn::Max(f.c[k], zero));
+      } else {
+        odd = hn::Add(odd, f.c[k]);
+        odd_size = hn::Add(odd_size, size);
+      }
     }
+    const V front = hn::Sub(even, odd), back = hn::Add(even, odd);
+    const auto monotone = hn::Ge(hn::Abs(f.c[1]), bend);
+    const V least = hn::IfThenElse(monotone, hn::Min(front, back), hn::Sub(even_least, odd_size));
+    const V most = hn::IfThenElse(monotone, hn::Max(front, back), hn::Add(even_most, odd_size));
     // a piece that ends at a breakpoint does so to within rounding
     const V doubt = hn::Set(d, 0x1p-46 * field.spread + 0x1p-51 * std::abs(field.base));
-    auto meets = hn::Lt(one, hn::Zero(d));
+    auto meets = hn::Lt(hn::Set(d, 1.0), zero);
     for (std::size_t k = low; k < high; ++k) {
       const V value = hn::Set(d, upper[k] - field.base);
       meets = hn::Or(meets, hn::And(hn::Lt(least, hn::Sub(value, doubt)),
                                     hn::Gt(most, hn::Add(value, doubt))));
     }
     meets = hn::And(meets, wide);
-    if (hn::AllFalse(d, meets)) return one;
-    auto rises = meets, falls = meets;
-    for (std::size_t i = 1; i <= f.degree; ++i) {
-      rises = hn::And(rises, hn::Ge(f.c[i], f.c[i - 1]));
-      falls = hn::And(falls, hn::Le(f.c[i], f.c[i - 1]));
+    if (hn::AllFalse(d, meets)) return true;
+    const auto once = hn::And(meets, monotone);
+    if (hn::AllFalse(d, once)) {
+      end = hn::IfThenElse(meets, hn::Min(end, zero), end);
+      return false;
     }
-    const V part = hn::IfThenElse(meets, hn::Set(d, 0.5), one);
-    const auto monotone = hn::Or(rises, falls);
-    if (hn::AllFalse(d, monotone)) return part;
     // the first that is met
-    const V after = hn::Add(f.c[0], doubt), before = hn::Sub(f.c[0], doubt);
-    V target = f.c[0];
+    const auto rises = hn::Gt(f.c[1], zero);
+    const V after = hn::Add(front, doubt), before = hn::Sub(front, doubt);
+    V target = front;
     for (std::size_t k = low; k < high; ++k) {
       const V value = hn::Set(d, upper[k] - field.base);
-      target = hn::IfThenElse(hn::And(falls, hn::Lt(value, before)), value, target);
+      target = hn::IfThenElse(hn::AndNot(rises, hn::Lt(value, before)), value, target);
     }
     for (std::size_t k = high; k-- > low;) {
       const V value = hn::Set(d, upper[k] - field.base);
       target = hn::IfThenElse(hn::And(rises, hn::Gt(value, after)), value, target);
     }
-    return hn::IfThenElse(monotone, root(d, f, target, monotone, rises), part);
+    const V chord = hn::Div(hn::Sub(hn::Sub(target, front), odd), odd);
+    const V stop = hn::IfThenElseZero(once, root(d, f, target, chord, once, rises));
+    end = hn::IfThenElse(meets, hn::Min(end, stop), end);
+    return hn::AllFalse(d, hn::AndNot(once, meets));
   }
 
   // Where monotone polynomials take values between those at their ends: Newton's method, kept
   // between bounds.
   template <class D, class V = hn::Vec<D>>
-  static HWY_NOINLINE V root(D d, const LanePolynomial<V>& f, V target, hn::Mask<D> where,
+  static HWY_NOINLINE V root(D d, const LanePolynomial<V>& f, V target, V guess, hn::Mask<D> where,
                              hn::Mask<D> rises) {
-    V low = hn::Zero(d), high = hn::Set(d, 1.0);
-    const V chord = hn::Div(hn::Sub(target, f.c[0]), hn::Sub(f.c[f.degree], f.c[0]));
-    V x = hn::Min(hn::Max(chord, low), high);
-    x = hn::IfThenElse(where, x, hn::Set(d, 0.5));
+    V low = hn::Set(d, -1.0), high = hn::Set(d, 1.0);
+    V z = hn::IfThenElseZero(where, hn::Min(hn::Max(guess, low), high));
     for (int step = 0; step < 64; ++step) {
-      const auto at = evaluate(d, f, x);
-      const V off = hn::Sub(at.value, target);
+      V value = f.c[f.degree], slope = hn::Zero(d);
+      for (std::size_t k = f.degree; k-- > 0;) {
+        slope = hn::MulAdd(slope, z, value);
+        value = hn::MulAdd(value, z, f.c[k]);
+      }
+      const V off = hn::Sub(value, target);
       const auto beyond = hn::Xor(rises, hn::Lt(off, hn::Zero(d)));
-      high = hn::IfThenElse(beyond, x, high);
-      low = hn::IfThenElse(beyond, low, x);
-      V next = hn::Sub(x, hn::Div(off, at.slope));
+      high = hn::IfThenElse(beyond, z, high);
+      low = hn::IfThenElse(beyond, low, z);
+      V next = hn::Sub(z, hn::Div(off, slope));
       const auto inside = hn::And(hn::Ge(next, low), hn::Le(next, high));
       next = hn::IfThenElse(inside, next, hn::Mul(hn::Add(low, high), hn::Set(d, 0.5)));
-      const V change = hn::Abs(hn::Sub(next, x));
-      x = hn::IfThenElse(where, next, x);
+      const V change = hn::Abs(hn::Sub(next, z));
+      z = hn::IfThenElse(where, next, z);
       // the next step would be as short as this one squared
-      if (hn::AllTrue(d, hn::Or(hn::Not(where), hn::Le(change, hn::Set(d, 0x1p-30))))) break;
+      if (hn::AllTrue(d, hn::Or(hn::Not(where), hn::Le(change, hn::Set(d, 0x1p-29))))) break;
     }
-    return x;
+    return z;
   }
 
   // The intervals in which the middles of pieces lie; neighbouring rays' are mostly one.
   template <std::size_t N, class D, class V = hn::Vec<D>>
   static HWY_INLINE IntervalReader<D> reader_of(D d, const TransferTable<N>& table,
-                                                const WalkField& field,
-                                                const LanePolynomial<V>& f) {
+                                                const WalkField& field, V middle) {
     const auto [low, high] = field.intervals;
     if (low == high) return IntervalReader<D>(d, low);
-    const V middle = combined(d, f, bernstein_rule(f.degree, 1).value[0]);
     const hn::RebindToSigned<D> di;
     auto interval = hn::Set(di, static_cast<std::int64_t>(low));
     for (std::size_t k = low; k < high; ++k) {
@@ -258,41 +293,87 @@ class PolynomialWalk {
     return c;
   }
 
+  // The optical depth along a piece in powers of z, and at its end.
+  template <class V>
+  struct Depth {
+    std::size_t degree;
+    V alpha[kMaxFieldDegree + 2];
+    V total;
+  };
+
+  // Of an extinction offset + slope f.
+  template <class D, class V = hn::Vec<D>>
+  static HWY_INLINE Depth<V> depth_of(D d, const LanePolynomial<V>& f, V offset, V slope,
+                                      V length) {
+    static constexpr auto kInverse = [] {
+      std::array<double, kMaxFieldDegree + 2> inverse{};
+      for (std::size_t k = 1; k < inverse.size(); ++k) inverse[k] = 1 / static_cast<double>(k);
+      return inverse;
+    }();
+    Depth<V> depth;
+    depth.degree = f.degree + 1;
+    const V scale = hn::Mul(hn::Set(d, 0.5), length);
+    slope = hn::Mul(slope, scale);
+    V odd = hn::MulAdd(slope, f.c[0], hn::Mul(offset, scale)), even = hn::Zero(d);
+    depth.alpha[1] = odd;
+    for (std::size_t k = 1; k <= f.degree; ++k) {
+      const V alpha = hn::Mul(hn::Mul(slope, f.c[k]), hn::Set(d, kInverse[k + 1]));
+      depth.alpha[k + 1] = alpha;
+      (k % 2 == 0 ? odd : even) = hn::Add(k % 2 == 0 ? odd : even, alpha);
+    }
+    // no depth at the front
+    depth.alpha[0] = hn::Sub(odd, even);
+    depth.total = hn::Max(hn::Add(odd, odd), hn::Zero(d));
+    return depth;
+  }
+
   // False when no rule meets what is allowed and the piece `may_refuse`.
   template <class D, class V = hn::Vec<D>>
   HWY_NOINLINE bool add_piece(D d, const LanePolynomial<V>& tau_field,
                               const LanePolynomial<V>& field, V length, V allowed,
-                              hn::Mask<D> active, bool may_refuse, Radiance<V>& sum) const {
-    const auto extinction = reader_of(d, optics_.extinction, extinction_, tau_field);
-    const auto color = optics_.same_field ? extinction : reader_of(d, optics_.color, color_, field);
+                              hn::Mask<D> active, bool may_refuse, Radiance<V>& sum) {
+    const auto extinction = reader_of(d, optics_.extinction, extinction_, tau_field.c[0]);
+    const auto color =
+        optics_.same_field ? extinction : reader_of(d, optics_.color, color_, field.c[0]);
     const Channels<V> channels =
         channels_of(d, color, optics_.same_field ? extinction_.base : color_.base);
-    // the optical depth's derivative
-    LanePolynomial<V> tau;
-    tau.degree = tau_field.degree;
-    const V slope = hn::Mul(extinction(optics_.extinction.slope[0]), length);
-    const V value = hn::Mul(extinction(optics_.extinction.value[0]), length);
+    const V slope = extinction(optics_.extinction.slope[0]);
     const V anchor = hn::Sub(extinction(optics_.extinction.anchor), hn::Set(d, extinction_.base));
-    V total = hn::Zero(d), most = hn::Zero(d);
-    for (std::size_t i = 0; i <= tau.degree; ++i) {
-      tau.c[i] = hn::MulAdd(slope, hn::Sub(tau_field.c[i], anchor), value);
-      total = hn::Add(total, tau.c[i]);
-      most = hn::Max(most, tau.c[i]);
+    const V offset = hn::NegMulAdd(slope, anchor, extinction(optics_.extinction.value[0]));
+    const Depth<V> depth = depth_of(d, tau_field, offset, slope, length);
+    // the field less the anchor for emission, else its derivative over the length of a piece
+    V factor[kMaxFieldDegree + 1];
+    std::size_t degree = field.degree;
+    if constexpr (kEmission) {
+      factor[0] = hn::Sub(field.c[0], channels.anchor);
+      for (std::size_t k = 1; k <= degree; ++k) factor[k] = field.c[k];
+    } else {
+      factor[0] = hn::Zero(d);
+      for (std::size_t k = 1; k <= degree; ++k)
+        factor[k - 1] = hn::Mul(hn::Set(d, 2 * static_cast<double>(k)), field.c[k]);
+      if (degree > 0) --degree;
     }
-    total =
-        hn::Max(hn::Mul(total, hn::Set(d, 1 / static_cast<double>(tau.degree + 1))), hn::Zero(d));
     const V weight = hn::IfThenElseZero(active, hn::Div(sum.transparency, allowed));
-    const V offset = hn::NegMulAdd(slope, anchor, value);
-    const std::size_t nodes = nodes_for(d, tau, slope, offset, field, channels, length, weight);
+    const std::size_t nodes = nodes_for(d, depth, factor, degree, channels, length, weight);
     if (nodes == 0 && may_refuse) return false;
-    const std::size_t used = nodes == 0 ? kMostLaneNodes : nodes;
-    const bool thin = hn::AllTrue(d, hn::Lt(hn::IfThenElseZero(active, most), hn::Set(d, kThin)));
-    const V zeta = transparency(d, total, thin);
+    const SymmetricRule& rule = rules_[(nodes == 0 ? kMostSymmetricNodes : nodes) - 1];
+    const bool thin =
+        hn::AllTrue(d, hn::Lt(hn::IfThenElseZero(active, depth.total), hn::Set(d, kThin)));
+    const V zeta = transparency(d, depth.total, thin);
+    const Means<V> means = means_of(d, rule, depth, thin, factor, degree);
     V constant, linear;  // a channel is value * constant + slope * linear
-    if constexpr (kEmission)
-      emission_sums(d, used, tau, thin, field, channels.anchor, length, constant, linear);
-    else
-      chromaticity_sums(d, used, tau, thin, field, channels.anchor, zeta, constant, linear);
+    if constexpr (kEmission) {
+      constant = hn::Mul(means.of_one, length);
+      linear = hn::Mul(means.of_factor, length);
+    } else {
+      V front = hn::Sub(field.c[0], channels.anchor), back = front;
+      for (std::size_t k = 1; k <= field.degree; ++k) {
+        front = k % 2 == 0 ? hn::Add(front, field.c[k]) : hn::Sub(front, field.c[k]);
+        back = hn::Add(back, field.c[k]);
+      }
+      constant = hn::Sub(hn::Set(d, 1.0), zeta);
+      linear = hn::Add(hn::NegMulAdd(back, zeta, front), means.of_factor);
+    }
     const auto channel = [&](std::size_t c) {
       return hn::MulAdd(channels.slope[c], linear, hn::Mul(channels.value[c], constant));
     };
@@ -300,132 +381,89 @@ class PolynomialWalk {
     return true;
   }
 
-  // How many nodes integrate p exp(-A) over [0, 1] with an error of at most 1 / weight, p being
-  // kappa' or g: the bound of polynomial_piece.hpp on the best of some ellipses, for the lane that
-  // needs most. 0: more than there are. `tau` is offset + slope times its field.
+  // How many nodes give the mean of p exp(-A) with an error of at most 1 / weight, p being kappa'
+  // or g: the best of some ellipses, for the lane that needs most. 0: more than there are.
   template <class D, class V = hn::Vec<D>>
-  HWY_NOINLINE std::size_t nodes_for(D d, const LanePolynomial<V>& tau, V slope, V offset,
-                                     const LanePolynomial<V>& field, const Channels<V>& channels,
-                                     V length, V weight) const {
-    V t[kMaxFieldDegree + 3], f[kMaxFieldDegree + 1];  // Chebyshev coefficients, then magnitudes
-    const std::size_t n = tau.degree, m = field.degree;
-    to_chebyshev(d, field, f);
-    if (optics_.same_field)
-      for (std::size_t k = 0; k <= n; ++k)
-        t[k] = k == 0 ? hn::MulAdd(slope, f[0], offset) : hn::Mul(slope, f[k]);
-    else
-      to_chebyshev(d, tau, t);
-    t[n + 1] = t[n + 2] = hn::Zero(d);
-    V depth[kMaxFieldDegree + 2];
-    for (std::size_t k = 1; k <= n + 1; ++k) {
-      const V below = k == 1 ? hn::Add(t[0], t[0]) : t[k - 1];
-      depth[k] =
-          hn::Abs(hn::Mul(hn::Set(d, 0.25 / static_cast<double>(k)), hn::Sub(below, t[k + 1])));
-    }
-    if constexpr (kEmission) f[0] = hn::Sub(f[0], channels.anchor);
-    for (std::size_t k = 0; k <= m; ++k) f[k] = hn::Abs(f[k]);
-    const V steepness = hn::Mul(channels.steepest, weight);
+  HWY_NOINLINE std::size_t nodes_for(D d, const Depth<V>& depth, const V* factor,
+                                     std::size_t degree, const Channels<V>& channels, V length,
+                                     V weight) {
+    V alpha[kMaxFieldDegree + 2], size[kMaxFieldDegree + 1];
+    for (std::size_t k = 1; k <= depth.degree; ++k) alpha[k] = hn::Abs(depth.alpha[k]);
+    for (std::size_t k = 0; k <= degree; ++k) size[k] = hn::Abs(factor[k]);
+    const V middle = hn::Max(depth.alpha[0], hn::Zero(d));
     V brightest = hn::Zero(d);
-    if constexpr (kEmission)
+    if constexpr (kEmission) {
+      weight = hn::Mul(weight, length);
       brightest =
           hn::Mul(weight, hn::Max(hn::Max(hn::Abs(channels.value[0]), hn::Abs(channels.value[1])),
                                   hn::Abs(channels.value[2])));
-    const EllipseTable& ellipses = ellipse_table();
+    }
+    const V steepness = hn::Mul(channels.steepest, weight);
     const auto counts = hn::Gt(weight, hn::Zero(d));
     const auto needed_on = [&](std::size_t e) {
-      V grown = hn::Set(d, ellipses.log_factor[e]), p = hn::Zero(d);
-      for (std::size_t k = 1; k <= n + 1; ++k)
-        grown = hn::MulAdd(hn::Set(d, ellipses.value[e][k]), depth[k], grown);
-      const auto& row = kEmission ? ellipses.value[e] : ellipses.derivative[e];
-      for (std::size_t k = kEmission ? 0 : 1; k <= m; ++k)
-        p = hn::MulAdd(hn::Set(d, row[k]), f[k], p);
-      p = hn::MulAdd(p, steepness, brightest);
-      if constexpr (kEmission) p = hn::Mul(p, length);
-      const V needed = hn::Mul(hn::Add(grown, log_above(d, p)), hn::Set(d, ellipses.rate[e]));
+      const V reach = hn::Set(d, ellipses_.reach[e]);
+      V grown = alpha[depth.degree], p = size[degree];
+      for (std::size_t k = depth.degree; k-- > 1;) grown = hn::MulAdd(grown, reach, alpha[k]);
+      for (std::size_t k = degree; k-- > 0;) p = hn::MulAdd(p, reach, size[k]);
+      const V log = log_above(d, hn::MulAdd(p, steepness, brightest));
+      grown = hn::MulSub(grown, reach, middle);
+      const V needed = hn::Mul(hn::Add(hn::Add(grown, hn::Set(d, ellipses_.log_factor[e])), log),
+                               hn::Set(d, ellipses_.rate[e]));
       return hn::GetLane(hn::MaxOfLanes(d, hn::IfThenElseZero(counts, needed)));
     };
-    // the number falls and then rises with the ellipse; the last piece's is a good guess
-    double fewest = needed_on(ellipse_);
-    bool falls = false;
-    while (ellipse_ + 1 < EllipseTable::kCount) {
-      const double larger = needed_on(ellipse_ + 1);
-      if (!(larger < fewest)) break;
-      fewest = larger;
-      ++ellipse_;
-      falls = true;
+    double fewest = needed_on(ellipse_.best);
+    const std::size_t other = ellipse_.neighbour();
+    if (const double needed = needed_on(other); needed < fewest) {
+      fewest = needed;
+      ellipse_.best = other;
     }
-    while (!falls && ellipse_ > 0) {
-      const double smaller = needed_on(ellipse_ - 1);
-      if (!(smaller < fewest)) break;
-      fewest = smaller;
-      --ellipse_;
-    }
-    if (!(fewest <= static_cast<double>(kMostLaneNodes))) return 0;
-    return static_cast<std::size_t>(std::max(1.0, std::ceil(fewest)));
+    // before it gives up it tries all
+    for (std::size_t e = 0; !(fewest < kMostNodes) && e < BernsteinEllipses::kCount; ++e)
+      if (const double needed = needed_on(e); needed < fewest) {
+        fewest = needed;
+        ellipse_.best = e;
+      }
+    if (!(fewest < kMostNodes)) return 0;
+    return fewest < 0 ? 1 : static_cast<std::size_t>(fewest) + 1;
   }
 
-  // Not less than the logarithm of a number that is not negative: that of the power of two above.
-  template <class D, class V = hn::Vec<D>>
-  static HWY_INLINE V log_above(D d, V x) {
-    const hn::RebindToSigned<D> di;
-    const auto exponent = hn::Sub(hn::ShiftRight<52>(hn::BitCast(di, x)), hn::Set(di, 1022));
-    return hn::Mul(hn::ConvertTo(d, exponent), hn::Set(d, 0.6931471805599454));
-  }
+  // Means over a piece of exp(-A), which emission needs, and of exp(-A) times a factor.
+  template <class V>
+  struct Means {
+    V of_one, of_factor;
+  };
 
   template <class D, class V = hn::Vec<D>>
-  static HWY_INLINE void to_chebyshev(D d, const LanePolynomial<V>& f, V* c) {
-    const auto& matrix = bernstein_bases(f.degree).to_chebyshev;
-    const std::size_t n = f.degree, half = (n + 1) / 2;
-    V even[kMaxFieldDegree / 2 + 1], odd[kMaxFieldDegree / 2 + 1];
-    for (std::size_t i = 0; i < half; ++i) {
-      even[i] = hn::Add(f.c[i], f.c[n - i]);
-      odd[i] = hn::Sub(f.c[i], f.c[n - i]);
+  static HWY_NOINLINE Means<V> means_of(D d, const SymmetricRule& rule, const Depth<V>& depth,
+                                        bool thin, const V* factor, std::size_t degree) {
+    Means<V> means{hn::Zero(d), hn::Zero(d)};
+    if (rule.middle != 0) {
+      means.of_one = hn::Mul(hn::Set(d, rule.middle), transparency(d, depth.alpha[0], thin));
+      means.of_factor = hn::Mul(means.of_one, factor[0]);
     }
-    for (std::size_t k = 0; k <= n; ++k) {
-      const V* part = k % 2 == 0 ? even : odd;
-      c[k] = n % 2 == 0 ? hn::Mul(hn::Set(d, matrix[k][half]), f.c[half]) : hn::Zero(d);
-      for (std::size_t i = 0; i < half; ++i)
-        c[k] = hn::MulAdd(hn::Set(d, matrix[k][i]), part[i], c[k]);
+    for (std::size_t k = 0; k < rule.pairs; ++k) {
+      const V z = hn::Set(d, rule.z[k]), square = hn::Mul(z, z);
+      const EvenAndOdd<V> at = even_and_odd(d, depth.alpha, depth.degree, square);
+      V before = hn::NegMulAdd(z, at.odd, at.even), behind = hn::MulAdd(z, at.odd, at.even);
+      transparencies(d, before, behind, thin);
+      const V weight = hn::Set(d, rule.weight[k]);
+      const V both = hn::Mul(weight, hn::Add(behind, before));
+      const V apart = hn::Mul(hn::Mul(weight, z), hn::Sub(behind, before));
+      const EvenAndOdd<V> f = even_and_odd(d, factor, degree, square);
+      if constexpr (kEmission) means.of_one = hn::Add(means.of_one, both);
+      means.of_factor = hn::MulAdd(f.even, both, hn::MulAdd(f.odd, apart, means.of_factor));
     }
+    return means;
   }
 
-  template <class D, class V = hn::Vec<D>>
-  static HWY_NOINLINE void chromaticity_sums(D d, std::size_t nodes, const LanePolynomial<V>& tau,
-                                             bool thin, const LanePolynomial<V>& f, V anchor,
-                                             V zeta, V& constant, V& linear) {
-    const BernsteinRule &depth = bernstein_rule(tau.degree, nodes),
-                        &rule = bernstein_rule(f.degree, nodes);
-    V sum = hn::Zero(d);
-    for (std::size_t k = 0; k < nodes; ++k) {
-      const V t = transparency(d, combined(d, tau, depth.integral[k]), thin);
-      sum = hn::MulAdd(hn::Mul(hn::Set(d, rule.weight[k]), t), combined(d, f, rule.derivative[k]),
-                       sum);
-    }
-    constant = hn::Sub(hn::Set(d, 1.0), zeta);
-    linear =
-        hn::Add(hn::NegMulAdd(hn::Sub(f.c[f.degree], anchor), zeta, hn::Sub(f.c[0], anchor)), sum);
-  }
-
-  template <class D, class V = hn::Vec<D>>
-  static HWY_NOINLINE void emission_sums(D d, std::size_t nodes, const LanePolynomial<V>& tau,
-                                         bool thin, const LanePolynomial<V>& f, V anchor, V length,
-                                         V& constant, V& linear) {
-    const BernsteinRule &depth = bernstein_rule(tau.degree, nodes),
-                        &rule = bernstein_rule(f.degree, nodes);
-    constant = linear = hn::Zero(d);
-    for (std::size_t k = 0; k < nodes; ++k) {
-      const V t = hn::Mul(hn::Set(d, rule.weight[k]),
-                          transparency(d, combined(d, tau, depth.integral[k]), thin));
-      constant = hn::Add(constant, t);
-      linear = hn::MulAdd(t, hn::Sub(combined(d, f, rule.value[k]), anchor), linear);
-    }
-    constant = hn::Mul(constant, length);
-    linear = hn::Mul(linear, length);
-  }
+  static constexpr double kMostNodes = kMostSymmetricNodes;
 
   const OpticsTables& optics_;
   WalkField color_, extinction_;
-  mutable std::size_t ellipse_ = EllipseTable::kCount - 1;  // best for the last piece
+  bool never_cut_;  // by breakpoints: there are none in the cell
+  const SymmetricRules& rules_;
+  const BernsteinEllipses& ellipses_;
+  EllipseChoice ellipse_;
 };
 
 }  // namespace hiac::HWY_NAMESPACE

@@ -65,17 +65,18 @@ struct QuadraticPiece {
 // needs most. `ellipse`: the best one of the last time, one of whose neighbours is tried besides,
 // in turn.
 template <std::size_t kDegree, class D, class V = hn::Vec<D>>
-HWY_INLINE std::size_t quadratic_nodes(D d, const QuadraticEllipses& table, V wanted,
+HWY_INLINE std::size_t quadratic_nodes(D d, const BernsteinEllipses& table, V wanted,
                                        const V (&alpha)[3], EllipseChoice& ellipse) {
   static_assert(kDegree == 1 || kDegree == 2);
   const V log = log_above(d, wanted);
   const V size[3] = {hn::Abs(alpha[0]), hn::Abs(alpha[1]), hn::Abs(alpha[2])};
+  // on the ellipse |p| is at most rho^kDegree times as large (Bernstein's lemma)
   const auto needed_on = [&](std::size_t e) {
-    V needed =
-        hn::MulAdd(log, hn::Set(d, table.rate[e]), hn::Set(d, table.constant[kDegree - 1][e]));
-    for (std::size_t k = 0; k < 3; ++k)
-      needed = hn::MulAdd(size[k], hn::Set(d, table.per_power[k][e]), needed);
-    return hn::GetLane(hn::MaxOfLanes(d, needed));
+    const V reach = hn::Set(d, table.reach[e]);
+    V grown = hn::MulAdd(reach, hn::MulAdd(reach, size[2], size[1]), size[0]);
+    grown = hn::MulAdd(reach, grown, hn::Add(log, hn::Set(d, table.log_factor[e])));
+    return hn::GetLane(
+        hn::MaxOfLanes(d, hn::MulAdd(grown, hn::Set(d, table.rate[e]), hn::Set(d, 0.5 * kDegree))));
   };
   double fewest = needed_on(ellipse.best);
   const std::size_t other = ellipse.neighbour();
@@ -105,7 +106,7 @@ class QuadraticWalk {
         color_(color),
         extinction_(extinction),
         rules_(symmetric_rules()),
-        ellipses_(quadratic_ellipses()) {}
+        ellipses_(bernstein_ellipses()) {}
 
   template <class D, class V = hn::Vec<D>>
   HWY_INLINE Radiance<V> run(D d, const QuadraticSegments<V>& s, hn::Mask<D> active) {
@@ -358,7 +359,7 @@ class QuadraticWalk {
   std::size_t cut_count_ = 0;
   std::vector<double> cuts_;  // vectors of u
   const SymmetricRules& rules_;
-  const QuadraticEllipses& ellipses_;
+  const BernsteinEllipses& ellipses_;
   EllipseChoice ellipse_;
 };
 

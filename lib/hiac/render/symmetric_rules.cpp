@@ -22,17 +22,13 @@ SymmetricRules make_rules() {
   return rules;
 }
 
-QuadraticEllipses make_ellipses() {
-  QuadraticEllipses table{};
-  for (std::size_t e = 0; e < QuadraticEllipses::kCount; ++e) {
+BernsteinEllipses make_ellipses() {
+  BernsteinEllipses table{};
+  for (std::size_t e = 0; e < BernsteinEllipses::kCount; ++e) {
     const double log_rho = static_cast<double>(e + 1) * std::log(2.0), rho = std::exp(log_rho);
-    const double rate = 0.5 / log_rho, a = 0.5 * (rho + 1 / rho);
-    table.rate[e] = rate;
-    for (std::size_t k = 0; k < table.constant.size(); ++k)
-      table.constant[k][e] = rate * (std::log(32.0 / 15 / (1 - 1 / (rho * rho))) +
-                                     static_cast<double>(k + 1) * log_rho);
-    for (std::size_t k = 0; k < table.per_power.size(); ++k)
-      table.per_power[k][e] = rate * std::pow(a, static_cast<double>(k + 1));
+    table.reach[e] = 0.5 * (rho + 1 / rho);
+    table.rate[e] = 0.5 / log_rho;
+    table.log_factor[e] = std::log(32.0 / 15 / (1 - 1 / (rho * rho)));
   }
   return table;
 }
@@ -44,8 +40,8 @@ const SymmetricRules& symmetric_rules() {
   return kRules;
 }
 
-const QuadraticEllipses& quadratic_ellipses() {
-  static const QuadraticEllipses kTable = make_ellipses();
+const BernsteinEllipses& bernstein_ellipses() {
+  static const BernsteinEllipses kTable = make_ellipses();
   return kTable;
 }
 

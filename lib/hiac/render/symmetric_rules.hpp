@@ -20,23 +20,21 @@ struct SymmetricRule {
 using SymmetricRules = std::array<SymmetricRule, kMostSymmetricNodes>;
 const SymmetricRules& symmetric_rules();
 
-/// What an integrand p(z) exp(-A(z)) is on Bernstein ellipses about [-1, 1], by ellipse.
+/// Bernstein ellipses about [-1, 1], on which integrands p(z) exp(-A(z)) are bounded.
 ///
-/// On the ellipse of parameter rho, |z| is at most a = (rho + 1/rho) / 2, |p| at most rho^degree
-/// times its maximum on [-1, 1] (Bernstein's lemma), and |exp(-A)| at most
-/// exp(sum of |alpha_k| a^k, k > 0) where A = sum of alpha_k z^k has no negative alpha_0. With M
-/// the bound of their product the error of the mean by n nodes is at most (64/15) M rho^(-2n) / (1
-/// - rho^-2) / 2 (Trefethen, "Approximation Theory and Approximation Practice", 2013,
-/// theorem 19.3), so that what is allowed asks for
-///     n >= rate (log(M / allowed) + log(32/15 / (1 - rho^-2))).
-struct QuadraticEllipses {
+/// On the ellipse of parameter rho, |z| is at most `reach`, so that |exp(-A)| is at most
+/// exp(-alpha_0 + sum of |alpha_k| reach^k, k > 0) where A = sum of alpha_k z^k. With M the bound
+/// of the integrand, the error of the mean by n nodes is at most (64/15) M rho^(-2n) / (1 - rho^-2)
+/// / 2 (Trefethen, "Approximation Theory and Approximation Practice", 2013, theorem 19.3), so that
+/// what is allowed asks for n >= rate (log(M / allowed) + log_factor).
+struct BernsteinEllipses {
   static constexpr std::size_t kCount = 8;
   using Row = std::array<double, kCount>;
-  Row rate;                      ///< 1 / (2 log rho)
-  std::array<Row, 2> constant;   ///< of n, for p of degree 1 and 2
-  std::array<Row, 3> per_power;  ///< of n, for |alpha_1|, |alpha_2|, |alpha_3|
+  Row reach;       ///< (rho + 1/rho) / 2
+  Row rate;        ///< 1 / (2 log rho)
+  Row log_factor;  ///< log(32/15 / (1 - rho^-2))
 };
-const QuadraticEllipses& quadratic_ellipses();
+const BernsteinEllipses& bernstein_ellipses();
 
 /// Which ellipse to try, and then which of its neighbours: the larger and the smaller one in turn.
 struct EllipseChoice {
@@ -45,7 +43,7 @@ struct EllipseChoice {
 
   std::size_t neighbour() {
     larger = !larger;
-    if (larger) return best + 1 < QuadraticEllipses::kCount ? best + 1 : best;
+    if (larger) return best + 1 < BernsteinEllipses::kCount ? best + 1 : best;
     return best > 0 ? best - 1 : best;
   }
 };
