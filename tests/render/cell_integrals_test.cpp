@@ -3,6 +3,7 @@
 
 #include "hiac/render/cell_integrals.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -12,6 +13,7 @@
 
 #include "hiac/optics/polynomial_piece.hpp"
 #include "hiac/render/cell_scan.hpp"
+#include "hiac/render/chebyshev_points.hpp"
 #include "hiac/render/field_along_ray.hpp"
 #include "tests/render/general_meshes.hpp"
 #include "tests/support/instrumented.hpp"
@@ -196,6 +198,42 @@ INSTANTIATE_TEST_SUITE_P(Orders, CellIntegrals,
                          [](const auto& instance) {
                            return "Order" + std::to_string(static_cast<int>(instance.param));
                          });
+
+// A polynomial through all that a point is predicted from is met there.
+TEST(PointPredictions, ReproducePolynomials) {
+  const auto power = [](double x, std::size_t n) { return std::pow(2 * x - 1, n); };
+  const auto check = [&](const PointPrediction& p, const ChebyshevPoints& known,
+                         const ChebyshevPoints& wanted) {
+    const double place = wanted.place(p.point);
+    if (p.from.size() == 1) {
+      EXPECT_NEAR(known.place(p.from[0]), place, 1e-15);
+      EXPECT_EQ(p.weights[0], 1);
+      return;
+    }
+    for (std::size_t n = 0; n < p.from.size(); ++n) {
+      double sum = 0;
+      for (std::size_t i = 0; i < p.from.size(); ++i)
+        sum += p.weights[i] * power(known.place(p.from[i]), n);
+      EXPECT_NEAR(sum, power(place, n), 1e-12);
+    }
+  };
+  for (std::size_t n = 2; n <= kMostChebyshevDegree; n += 2) {
+    const ChebyshevPoints& points = chebyshev_points(n);
+    std::vector<bool> known(n + 1, false);
+    known[0] = known[n] = true;
+    for (const PointPrediction& p : points_in_turn(n)) {
+      for (const std::size_t from : p.from) EXPECT_TRUE(known[from]);
+      check(p, points, points);
+      known[p.point] = true;
+    }
+    EXPECT_EQ(std::count(known.begin(), known.end(), true), static_cast<std::ptrdiff_t>(n + 1));
+    for (std::size_t wanted = 2; wanted <= kMostChebyshevDegree; wanted += 2) {
+      EXPECT_EQ(points_from(n, wanted).size(), wanted + 1);
+      for (const PointPrediction& p : points_from(n, wanted))
+        check(p, points, chebyshev_points(wanted));
+    }
+  }
+}
 
 }  // namespace
 }  // namespace hiac

@@ -49,7 +49,7 @@ class SegmentIntegrator {
       negligible_[f] = hn::Max(rays.rounding(cell_.fields[f]), hn::Set(d, cell_.fields[f].allowed));
     sum_ = {hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Set(d, 1.0)};
     if (cell_.exact_degree > 0) {
-      rays.sample(0, 1, cell_.exact_degree, false, active_);
+      rays.sample(0, 1, cell_.exact_degree, active_);
       for (std::size_t f = 0; f < cell_.field_count; ++f) transform(f, cell_.exact_degree);
       add(0, 1, cell_.exact_degree);
     } else {
@@ -69,6 +69,13 @@ class SegmentIntegrator {
   using V = hn::Vec<D>;
   using M = hn::Mask<D>;
   static constexpr int kMostHalvings = 8;
+  static constexpr std::size_t kLeastDegree = 4;
+
+  // What interpolation took for the segments before, by the number of halvings.
+  struct Effort {
+    std::size_t degree = 8;
+    int halve = 0;  // for how many parts nothing but halves shall be tried
+  };
 
   static WalkField walk_field(const CellPolynomials::Field& field, IntervalRange intervals) {
     return {intervals, field.base,
@@ -139,7 +146,8 @@ class SegmentIntegrator {
     }
   }
 
-  HWY_NOINLINE void add(double begin, double end, std::size_t degree) {
+  // Returns the degree that counted.
+  HWY_NOINLINE std::size_t add(double begin, double end, std::size_t degree) {
     const D d;
     LanePolynomial<V> extinction, color;
     to_powers(0, degree, extinction);
@@ -148,47 +156,86 @@ class SegmentIntegrator {
     const M undone = walk_.add(d, extinction, color, hn::Mul(length_, part),
                                hn::Mul(allowed_, part), active_, sum_);
     active_ = hn::AndNot(undone, active_);
+    return std::max(extinction.degree, color.degree);
   }
 
-  // Fields that are not polynomials, on a part of the segments: of ever higher degree, or on
-  // halves.
+  // Fields that are not polynomials, on a part of the segments: of the degree that was enough for
+  // such a part the last time, or of higher ones, or on halves.
   HWY_NOINLINE void interpolate(double begin, double end, int halvings) {
     const D d;
+    Effort& effort = efforts_[static_cast<std::size_t>(halvings)];
+    std::size_t degree = effort.degree;
     M resolved = active_;
-    V before[2] = {hn::Zero(d), hn::Zero(d)};
-    for (std::size_t degree = 4; degree <= kMostChebyshevDegree; degree *= 2) {
-      rays_->sample(begin, end, degree, degree > 4, active_);
+    // in other cells the halves are found from the whole
+    const bool halve = cell_.affine && effort.halve > 0;
+    if (halve) --effort.halve;
+    // points of 8 are points of 16 as well
+    const std::size_t more = cell_.affine ? 4 : 8;
+    for (std::size_t known = 0; !halve; degree = std::min(degree + more, kMostChebyshevDegree)) {
+      if (known == 0)
+        rays_->sample(begin, end, degree, active_);
+      else
+        rays_->sample_again(begin, end, known, degree, active_);
+      known = degree;
       resolved = active_;
       M hopeless = hn::Lt(hn::Set(d, 1.0), hn::Zero(d));
       for (std::size_t f = 0; f < cell_.field_count; ++f) {
         transform(f, degree);
-        const V last =
-            hn::Add(hn::Abs(coefficients_[f][degree]), hn::Abs(coefficients_[f][degree - 1]));
+        const V last = last_two(f, degree);
         resolved = hn::And(resolved, hn::Le(last, negligible_[f]));
-        // what twice the degree would leave, if coefficients fall off as they did
-        const V rate = hn::Div(last, before[f]);
-        const V left = hn::Mul(last, hn::Mul(rate, rate));
-        hopeless = hn::Or(hopeless, hn::Gt(left, hn::Mul(hn::Set(d, 8.0), negligible_[f])));
-        before[f] = last;
+        hopeless = hn::Or(
+            hopeless, hn::Gt(at_most_degree(f, degree), hn::Mul(hn::Set(d, 8.0), negligible_[f])));
       }
       if (hn::AllFalse(d, active_)) return;
-      if (hn::AllTrue(d, hn::Or(hn::Not(active_), resolved))) return add(begin, end, degree);
+      if (hn::AllTrue(d, hn::Or(hn::Not(active_), resolved))) {
+        // the last two coefficients shall be negligible again, and a few more rays
+        const std::size_t enough = add(begin, end, degree) + 3;
+        effort.degree = std::clamp((enough + 1) / 2 * 2, std::max(degree - 2, kLeastDegree),
+                                   kMostChebyshevDegree);
+        return;
+      }
       hopeless = hn::And(hopeless, hn::AndNot(resolved, active_));
-      if (degree == 8 && halvings < kMostHalvings && !hn::AllFalse(d, hopeless)) break;
+      effort.degree = std::min(degree + 2, kMostChebyshevDegree);
+      if (degree == kMostChebyshevDegree) break;
+      if (halvings < kMostHalvings && !hn::AllFalse(d, hopeless)) break;
     }
+    if (!halve) effort = {8, 3};
     if (halvings == kMostHalvings) {
       active_ = resolved;
       if (!hn::AllFalse(d, active_)) add(begin, end, kMostChebyshevDegree);
       return;
     }
     const double middle = 0.5 * (begin + end);
+    if (cell_.affine) {
+      interpolate(begin, middle, halvings + 1);
+      return interpolate(middle, end, halvings + 1);
+    }
+    const RayStarts<V> whole = rays_->starts(0, degree), back = rays_->starts(degree / 2, degree);
+    starts_ = {whole.front, back.front};
     interpolate(begin, middle, halvings + 1);
+    starts_ = back;
     interpolate(middle, end, halvings + 1);
+    starts_ = whole;
+  }
+
+  HWY_INLINE V last_two(std::size_t f, std::size_t degree) const {
+    return hn::Add(hn::Abs(coefficients_[f][degree]), hn::Abs(coefficients_[f][degree - 1]));
+  }
+
+  // What the highest degree would leave, if coefficients fall off as they do from half of this one.
+  HWY_INLINE V at_most_degree(std::size_t f, std::size_t degree) const {
+    V last = last_two(f, degree);
+    if (degree > 8) return hn::Zero(D());
+    const V rate = hn::Div(last, last_two(f, degree / 2));
+    for (std::size_t at = degree; at + degree / 2 <= kMostChebyshevDegree; at += degree / 2)
+      last = hn::Mul(last, rate);
+    return last;
   }
 
   const Frame& frame_;
   const CellPolynomials& cell_;
   PolynomialWalk<kEmission> walk_;
+  std::array<Effort, kMostHalvings + 1> efforts_;
   // of the segments at hand
   CellRays<D>* rays_ = nullptr;
   RayStarts<V> starts_;  // of the segments before

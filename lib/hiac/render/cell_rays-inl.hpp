@@ -54,6 +54,20 @@ HWY_INLINE void value_and_gradient(D d, const CubePolynomial& f, const LanePoint
                                    V (&gradient)[3]) {
   constexpr std::size_t kN = P + 1;
   const auto& [u, v, w] = at.c;
+  if constexpr (P == 1) {  // as most maps are
+    const auto along_u = [&](std::size_t k) {
+      return hn::MulAdd(hn::Set(d, f.c[k + 1]), u, hn::Set(d, f.c[k]));
+    };
+    const auto slope = [&](std::size_t k) {
+      return hn::MulAdd(hn::Set(d, f.c[k + 5]), w, hn::Set(d, f.c[k + 1]));
+    };
+    const V by_vw = along_u(6), by_w = along_u(4);
+    gradient[0] = hn::MulAdd(slope(2), v, slope(0));
+    gradient[1] = hn::MulAdd(by_vw, w, along_u(2));
+    gradient[2] = hn::MulAdd(by_vw, v, by_w);
+    value = hn::MulAdd(gradient[1], v, hn::MulAdd(by_w, w, along_u(0)));
+    return;
+  }
   const V zero = hn::Zero(d);
   value = gradient[0] = gradient[1] = gradient[2] = zero;
   for (std::size_t k = kN; k-- > 0;) {
@@ -113,35 +127,58 @@ class CellRays {
   // Where the rays are known to be near the front, or near the back.
   void start_at(const LanePoint<V>& known) { starts_ = {known, known}; }
 
-  // Collapsed coordinates at the Chebyshev points of [begin, end]; `refine`: those of `degree` that
-  // are not of half of it. Lanes for which they are not found are taken off `active`.
-  HWY_NOINLINE void sample(double begin, double end, std::size_t degree, bool refine, M& active) {
-    if (!cell_.affine && !refine) return sample_five(begin, end, active);
+  // Collapsed coordinates at the Chebyshev points of [begin, end]; an even `degree` where the cell
+  // is not affine. Lanes for which they are not found are taken off `active`.
+  HWY_NOINLINE void sample(double begin, double end, std::size_t degree, M& active) {
     const ChebyshevPoints& points = chebyshev_points(degree);
-    const std::size_t stride = cell_.exact_degree > 0 ? 1 : kMostChebyshevDegree / degree;
-    for (std::size_t j = refine ? 1 : 0; j <= degree; j += refine ? 2 : 1) {
-      LanePoint<V>& here = at_[j * stride];
-      const double u = begin + (end - begin) * points.place(j);
-      if (cell_.affine) {
+    const auto u = [&](std::size_t j) { return begin + (end - begin) * points.place(j); };
+    if (cell_.affine) {
+      for (std::size_t j = 0; j <= degree; ++j) {
+        const V part = hn::Set(d_, u(j));
         LanePoint<V> xi;
         for (std::size_t a = 0; a < 3; ++a)
-          xi.c[a] = hn::MulAdd(hn::Set(d_, u), xi_change_.c[a], xi_front_.c[a]);
-        here = collapsed_in(xi);
-        continue;
+          xi.c[a] = hn::MulAdd(part, xi_change_.c[a], xi_front_.c[a]);
+        at_[j] = collapsed_in(xi);
       }
-      here = predicted(degree, j);
-      find_at(u, here, active);
+      return;
     }
+    at_[0] = starts_.front;
+    at_[degree] = starts_.back;
+    find_at(u(0), at_[0], active);
+    find_at(u(degree), at_[degree], active);
+    starts_ = {at_[0], at_[degree]};
+    for (const PointPrediction& p : points_in_turn(degree)) {
+      at_[p.point] = predicted(p, at_);
+      find_at(u(p.point), at_[p.point], active);
+    }
+  }
+
+  // The same where they are known at the points of another degree.
+  HWY_NOINLINE void sample_again(double begin, double end, std::size_t known, std::size_t degree,
+                                 M& active) {
+    if (cell_.affine) return sample(begin, end, degree, active);
+    LanePoint<V> before[kMostChebyshevDegree + 1];
+    for (std::size_t j = 0; j <= known; ++j) before[j] = at_[j];
+    const ChebyshevPoints& points = chebyshev_points(degree);
+    for (const PointPrediction& p : points_from(known, degree)) {
+      at_[p.point] = predicted(p, before);
+      if (p.from.size() == 1) continue;
+      find_at(begin + (end - begin) * points.place(p.point), at_[p.point], active);
+    }
+  }
+
+  // What the ends of the next part are found from: of the points of `degree`.
+  [[nodiscard]] RayStarts<V> starts(std::size_t front, std::size_t back) const {
+    return {at_[front], at_[back]};
   }
 
   // A field's values at the points of sample(), front to back, in its bounds.
   HWY_NOINLINE void values(const CellPolynomials::Field& field, std::size_t degree,
                            V* value) const {
-    const std::size_t stride = cell_.exact_degree > 0 ? 1 : kMostChebyshevDegree / degree;
     const V least = hn::Set(d_, field.least - field.base);
     const V most = hn::Set(d_, field.most - field.base);
     for (std::size_t j = 0; j <= degree; ++j)
-      value[j] = hn::Min(hn::Max(value_of(d_, field.f, at_[j * stride]), least), most);
+      value[j] = hn::Min(hn::Max(value_of(d_, field.f, at_[j]), least), most);
   }
 
   // What of a field's values is rounding (FieldAlongRay::rounding).
@@ -163,31 +200,6 @@ class CellRays {
   static constexpr int kMostSteps = 10;
   // the next step would be as short as this one squared
   static constexpr double kLastStep = 0x1p26;  // its inverse
-
-  // The points of degree 4: the ends, then those between them from where parabolas have them.
-  void sample_five(double begin, double end, M& active) {
-    const ChebyshevPoints& points = chebyshev_points(4);
-    constexpr std::size_t kStride = kMostChebyshevDegree / 4;
-    LanePoint<V>&front = at_[0], &middle = at_[2 * kStride], &back = at_[4 * kStride];
-    const auto u = [&](std::size_t j) { return begin + (end - begin) * points.place(j); };
-    front = starts_.front;
-    back = starts_.back;
-    find_at(u(0), front, active);
-    find_at(u(4), back, active);
-    starts_ = {front, back};
-    const V half = hn::Set(d_, 0.5);
-    for (std::size_t a = 0; a < 3; ++a) middle.c[a] = hn::Mul(half, hn::Add(front.c[a], back.c[a]));
-    find_at(u(2), middle, active);
-    // Lagrange's weights at (1 - sqrt(1/2)) / 2
-    const V near = hn::Set(d_, 0.60355339059327379), far = hn::Set(d_, -0.10355339059327377);
-    for (std::size_t a = 0; a < 3; ++a) {
-      const V shared = hn::Mul(half, middle.c[a]);
-      at_[kStride].c[a] = hn::MulAdd(near, front.c[a], hn::MulAdd(far, back.c[a], shared));
-      at_[3 * kStride].c[a] = hn::MulAdd(near, back.c[a], hn::MulAdd(far, front.c[a], shared));
-    }
-    find_at(u(1), at_[kStride], active);
-    find_at(u(3), at_[3 * kStride], active);
-  }
 
   HWY_INLINE void find_at(double u, LanePoint<V>& at, M& active) const {
     const V t = hn::MulAdd(hn::Set(d_, u), hn::Sub(back_, front_), front_);
@@ -229,14 +241,14 @@ class CellRays {
     return xi;
   }
 
-  // From the points of half the degree, the polynomial through them at point j.
-  [[nodiscard]] HWY_INLINE LanePoint<V> predicted(std::size_t degree, std::size_t j) const {
-    const std::size_t half = degree / 2, stride = kMostChebyshevDegree / half;
-    const std::vector<double>& weights = between_points(half)[j / 2];
+  [[nodiscard]] HWY_INLINE LanePoint<V> predicted(const PointPrediction& prediction,
+                                                  const LanePoint<V>* known) const {
     LanePoint<V> p{{hn::Zero(d_), hn::Zero(d_), hn::Zero(d_)}};
-    for (std::size_t i = 0; i <= half; ++i)
-      for (std::size_t a = 0; a < 3; ++a)
-        p.c[a] = hn::MulAdd(hn::Set(d_, weights[i]), at_[i * stride].c[a], p.c[a]);
+    for (std::size_t i = 0; i < prediction.from.size(); ++i) {
+      const V weight = hn::Set(d_, prediction.weights[i]);
+      const LanePoint<V>& from = known[prediction.from[i]];
+      for (std::size_t a = 0; a < 3; ++a) p.c[a] = hn::MulAdd(weight, from.c[a], p.c[a]);
+    }
     return p;
   }
 
@@ -250,8 +262,7 @@ class CellRays {
 
   template <std::size_t P>
   HWY_NOINLINE M find_by(const LanePoint<V>& target, LanePoint<V>& at, M active) const {
-    const V zero = hn::Zero(d_);
-    M found = hn::Lt(hn::Set(d_, 1.0), zero);
+    M found = hn::Lt(hn::Set(d_, 1.0), hn::Zero(d_));
     for (int step = 0; step < kMostSteps; ++step) {
       V off[3], g[3][3];
       for (std::size_t a = 0; a < 3; ++a) {
@@ -270,7 +281,7 @@ class CellRays {
       const V det = hn::MulAdd(g[0][0], inverse[0][0],
                                hn::MulAdd(g[1][0], inverse[0][1], hn::Mul(g[2][0], inverse[0][2])));
       const V scale = hn::Div(hn::Set(d_, 1.0), det);
-      V largest = zero;
+      V largest = hn::Zero(d_);
       for (std::size_t i = 0; i < 3; ++i) {
         const V sum = hn::MulAdd(inverse[i][0], off[0],
                                  hn::MulAdd(inverse[i][1], off[1], hn::Mul(inverse[i][2], off[2])));

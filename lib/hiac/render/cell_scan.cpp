@@ -11,22 +11,14 @@
 // must come after foreach_target.h
 #include <hwy/highway.h>
 
+#include "hiac/render/surface_depth-inl.hpp"
+
 // Compiled once for every instruction set, although little is in vectors here: where the
 // tetrahedron kernel uses fused operations, these have to be fused as well.
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-// Fused where the instruction set has it, as the same operation on vectors is.
-HWY_INLINE double mul_add(double a, double b, double c) {
-  const hn::CappedTag<double, 1> d;
-  return hn::GetLane(hn::MulAdd(hn::Set(d, a), hn::Set(d, b), hn::Set(d, c)));
-}
-HWY_INLINE double neg_mul_add(double a, double b, double c) {
-  const hn::CappedTag<double, 1> d;
-  return hn::GetLane(hn::NegMulAdd(hn::Set(d, a), hn::Set(d, b), hn::Set(d, c)));
-}
 
 // The first pixel in [low, high] whose centre lies at or after a coordinate, or before it by no
 // more than `slack`.
@@ -39,12 +31,6 @@ HWY_INLINE int first_center(double coordinate, int low, int high, double slack =
 // Nodes above a row of pixel centres or on it.
 HWY_INLINE bool is_above(const ProjectedNode& node, double center) { return node.y <= center; }
 
-// Where a row of pixel centres crosses an edge.
-struct RowCrossing {
-  double x, depth;
-  int column;  // the first pixel right of it, or on it
-};
-
 HWY_INLINE RowCrossing cross_row(const ProjectedNode& a, const ProjectedNode& b, double center,
                                  const TileRect& tile) {
   const double slope = (b.x - a.x) / (b.y - a.y);
@@ -56,89 +42,9 @@ HWY_INLINE RowCrossing cross_row(const ProjectedNode& a, const ProjectedNode& b,
           first_center(x, tile.x0, tile.x1, on_crossing(slope))};
 }
 
-// Pixels between the edges of a triangle: narrower than this it is seen edge-on, and where it lies
-// is known to rounding of projected coordinates alone (an ulp is 3e-11 for the farthest nodes).
-constexpr double kEdgeOnWidth = 0x1p-35;
-// The same for triangles off the screen, relative to their distance from the eye.
+// Triangles off the screen are seen edge-on (kEdgeOnWidth) when they are narrower than this,
+// relative to their distance from the eye.
 constexpr double kEdgeOn = 64 * std::numeric_limits<double>::epsilon();
-
-// Depth on a triangle over the screen: FacePlanes of scan_conversion-inl.hpp, one at a time.
-class TriangleDepth {
- public:
-  TriangleDepth() = default;
-  HWY_INLINE TriangleDepth(const ProjectedNode& base, const ProjectedNode& one,
-                           const ProjectedNode& two)
-      : base_(base) {
-    const double x1 = one.x - base.x, y1 = one.y - base.y;
-    const double x2 = two.x - base.x, y2 = two.y - base.y;
-    const bool swapped =
-        std::max(std::abs(x1), std::abs(y1)) < std::max(std::abs(x2), std::abs(y2));
-    const double mx = swapped ? x2 : x1, my = swapped ? y2 : y1;
-    const double sx = swapped ? x1 : x2, sy = swapped ? y1 : y2;
-    const bool y_pivot = std::abs(mx) < std::abs(my);
-    const double mp = y_pivot ? my : mx, mq = y_pivot ? mx : my;
-    const double sp = y_pivot ? sy : sx, sq = y_pivot ? sx : sy;
-    const double inverse_mp = 1 / mp;
-    const double l = mq * inverse_mp;
-    const double inverse_u = 1 / neg_mul_add(l, sp, sq);
-    const double cp = -(l * inverse_u);
-    cx_ = y_pivot ? inverse_u : cp;
-    cy_ = y_pivot ? cp : inverse_u;
-    gx_ = y_pivot ? 0.0 : inverse_mp;
-    gy_ = y_pivot ? inverse_mp : 0.0;
-    h_ = sp * inverse_mp;
-    const double q1 = one.depth - base.depth, q2 = two.depth - base.depth;
-    qm_ = swapped ? q2 : q1;
-    qs_ = swapped ? q1 : q2;
-  }
-
-  [[nodiscard]] HWY_INLINE double at(double x, double y) const {
-    const double dx = x - base_.x, dy = y - base_.y;
-    const double s = mul_add(dx, cx_, cy_ * dy);
-    const double m = neg_mul_add(h_, s, mul_add(dx, gx_, gy_ * dy));
-    return mul_add(s, qs_, mul_add(m, qm_, base_.depth));
-  }
-
- private:
-  ProjectedNode base_;
-  double cx_, cy_, gx_, gy_, h_, qm_, qs_;
-};
-
-using Nodes = std::array<ProjectedNode, CellSurface::kMostCorners>;
-
-HWY_INLINE Nodes projected_nodes(const Frame& frame, const CellSurface& surface) {
-  Nodes nodes{};
-  for (std::size_t k = 0; k < surface.corner_count; ++k) nodes[k] = frame.nodes[surface.nodes[k]];
-  return nodes;
-}
-
-// The depths on a cell's triangles, each made ready when it is first needed.
-class SurfaceDepth {
- public:
-  HWY_INLINE SurfaceDepth(const CellSurface& surface, const Nodes& nodes)
-      : surface_(surface), nodes_(nodes) {}
-
-  // On a row, between the two edges that it crosses; never beyond the depths there. A triangle seen
-  // edge-on is as deep as the nearer of the two: of the cells that it parts, one gets all of the
-  // ray. The ray's cells then follow one another whatever rounding does.
-  HWY_INLINE double at(std::size_t triangle, const RowCrossing& e, const RowCrossing& f, double x,
-                       double y) {
-    const double least = std::min(e.depth, f.depth), most = std::max(e.depth, f.depth);
-    if (std::abs(e.x - f.x) < kEdgeOnWidth) return least;
-    if (!ready_[triangle]) {
-      const auto& c = surface_.triangles[triangle].corners;
-      triangles_[triangle] = TriangleDepth(nodes_[c[0]], nodes_[c[1]], nodes_[c[2]]);
-      ready_[triangle] = true;
-    }
-    return std::min(std::max(triangles_[triangle].at(x, y), least), most);
-  }
-
- private:
-  const CellSurface& surface_;
-  const Nodes& nodes_;
-  std::array<TriangleDepth, CellSurface::kMostTriangles> triangles_;
-  std::array<bool, CellSurface::kMostTriangles> ready_{};
-};
 
 // A triangle that a row crosses, between two of its edges.
 struct CrossedTriangle {
@@ -257,6 +163,7 @@ class ScreenScan {
       first = std::min(first, edges[e].column);
       last = std::max(last, edges[e].column);
     }
+    if (curved_ == nullptr) return meet_row(section, edges, first, last, y, crossings);
     for (int x = first; x < last; ++x) {
       RayCrossings ray;
       for (std::size_t i = 0; i < section.triangle_count; ++i) {
@@ -265,11 +172,41 @@ class ScreenScan {
         const double depth = depth_.at(k, edges[e], edges[f], x + 0.5, center);
         ray.add(perspective_ ? -1 / depth : depth, surface_.triangles[k].face);
       }
-      if (curved_ != nullptr)
-        curved_->at_pixel(
-            x, [&](std::size_t e) { return x >= edges[e].column; },
-            [&](double t, std::uint8_t face, double u, double v) { ray.add(t, face, u, v); });
+      curved_->at_pixel(
+          x, [&](std::size_t e) { return x >= edges[e].column; },
+          [&](double t, std::uint8_t face, double u, double v) { ray.add(t, face, u, v); });
       ray.append_to(crossings, curved_, x, y);
+    }
+  }
+
+  // Without curved faces: triangle by triangle, then the pixels [first, last).
+  void meet_row(const RowSection& section,
+                const std::array<RowCrossing, CellSurface::kMostEdges>& edges, int first, int last,
+                int y, std::vector<CellCrossing>& crossings) {
+    if (first >= last) return;
+    std::array<std::uint8_t, kTileStride> count;
+    std::fill_n(count.begin(), last - first, std::uint8_t{0});
+    std::array<double, kTileStride> depths;
+    std::array<std::array<double, kTileStride>, CellSurface::kMostTriangles> places;
+    std::array<std::array<std::uint8_t, kTileStride>, CellSurface::kMostTriangles> faces;
+    for (std::size_t i = 0; i < section.triangle_count; ++i) {
+      const auto& [k, e, f] = section.triangles[i];
+      const auto [from, to] = std::minmax(edges[e].column, edges[f].column);
+      if (from == to) continue;
+      const auto pixels = static_cast<std::size_t>(to - from);
+      depth_.along_row(k, edges[e], edges[f], from + 0.5, y + 0.5, pixels, depths.data());
+      const auto offset = static_cast<std::size_t>(from - first);
+      for (std::size_t j = 0; j < pixels; ++j) {
+        const std::size_t slot = count[offset + j]++;
+        places[slot][offset + j] = perspective_ ? -1 / depths[j] : depths[j];
+        faces[slot][offset + j] = surface_.triangles[k].face;
+      }
+    }
+    for (int x = first; x < last; ++x) {
+      const auto at = static_cast<std::size_t>(x - first);
+      RayCrossings ray;
+      for (std::size_t k = 0; k < count[at]; ++k) ray.add(places[k][at], faces[k][at]);
+      ray.append_to(crossings, nullptr, x, y);
     }
   }
 

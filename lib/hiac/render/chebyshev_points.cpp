@@ -1,7 +1,9 @@
 #include "hiac/render/chebyshev_points.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace hiac {
 
@@ -29,10 +31,12 @@ void ChebyshevPoints::coefficients(const double* values, std::size_t stride, dou
 }
 
 const ChebyshevPoints& chebyshev_points(std::size_t n) {
-  static const std::array<ChebyshevPoints, 7> kPoints{
-      ChebyshevPoints(1), ChebyshevPoints(2), ChebyshevPoints(3), ChebyshevPoints(4),
-      ChebyshevPoints(5), ChebyshevPoints(8), ChebyshevPoints(16)};
-  return kPoints[n <= 5 ? n - 1 : n / 8 + 4];
+  static const std::vector<ChebyshevPoints> kPoints = [] {
+    std::vector<ChebyshevPoints> points;
+    for (std::size_t k = 1; k <= kMostChebyshevDegree; ++k) points.emplace_back(k);
+    return points;
+  }();
+  return kPoints[n - 1];
 }
 
 const ChebyshevPowers& chebyshev_powers() {
@@ -49,24 +53,71 @@ const ChebyshevPowers& chebyshev_powers() {
 
 namespace {
 
-std::vector<std::vector<double>> make_between(std::size_t n) {
-  const ChebyshevPoints &known = chebyshev_points(n), &wanted = chebyshev_points(2 * n);
-  std::vector<std::vector<double>> weights(n, std::vector<double>(n + 1, 1));
-  for (std::size_t j = 0; j < n; ++j)
-    for (std::size_t i = 0; i <= n; ++i)
-      for (std::size_t k = 0; k <= n; ++k)
-        if (k != i)
-          weights[j][i] *=
-              (wanted.place(2 * j + 1) - known.place(k)) / (known.place(i) - known.place(k));
-  return weights;
+// Of one of the points of `wanted` from some of `known`: Lagrange's weights.
+PointPrediction prediction(const ChebyshevPoints& wanted, std::size_t point,
+                           const ChebyshevPoints& known, const std::vector<std::size_t>& from) {
+  PointPrediction p{point, from, std::vector<double>(from.size(), 1)};
+  for (std::size_t i = 0; i < from.size(); ++i)
+    for (const std::size_t k : from)
+      if (k != from[i])
+        p.weights[i] *=
+            (wanted.place(point) - known.place(k)) / (known.place(from[i]) - known.place(k));
+  return p;
 }
+
+// The middle from the ends, then every other point from these three, then the rest from all those.
+std::vector<PointPrediction> make_points_in_turn(std::size_t n) {
+  const ChebyshevPoints& points = chebyshev_points(n);
+  std::vector<std::size_t> known{0, n};
+  std::vector<PointPrediction> order;
+  const auto predict = [&](std::size_t first, std::size_t step) {
+    const std::vector<std::size_t> from = known;
+    for (std::size_t j = first; j < n; j += step) {
+      if (std::ranges::find(from, j) != from.end()) continue;
+      order.push_back(prediction(points, j, points, from));
+      known.push_back(j);
+    }
+  };
+  predict(n / 2, n);
+  predict(2, 2);
+  predict(1, 1);
+  return order;
+}
+
+std::vector<PointPrediction> make_points_from(std::size_t known, std::size_t wanted) {
+  std::vector<std::size_t> from(known + 1);
+  std::iota(from.begin(), from.end(), std::size_t{0});
+  std::vector<PointPrediction> all;
+  for (std::size_t j = 0; j <= wanted; ++j) {
+    const std::vector<std::size_t> same{j * known / wanted};
+    all.push_back(prediction(chebyshev_points(wanted), j, chebyshev_points(known),
+                             j * known % wanted == 0 ? same : from));
+  }
+  return all;
+}
+
+constexpr std::size_t kEvenDegrees = kMostChebyshevDegree / 2;
 
 }  // namespace
 
-const std::vector<std::vector<double>>& between_points(std::size_t n) {
-  static const std::array<std::vector<std::vector<double>>, 2> kWeights{make_between(4),
-                                                                        make_between(8)};
-  return kWeights[n / 8];
+const std::vector<PointPrediction>& points_in_turn(std::size_t n) {
+  static const auto kOrders = [] {
+    std::array<std::vector<PointPrediction>, kEvenDegrees> orders;
+    for (std::size_t k = 0; k < orders.size(); ++k) orders[k] = make_points_in_turn(2 * (k + 1));
+    return orders;
+  }();
+  return kOrders[n / 2 - 1];
+}
+
+const std::vector<PointPrediction>& points_from(std::size_t known, std::size_t wanted) {
+  static const auto kAll = [] {
+    std::array<std::array<std::vector<PointPrediction>, kEvenDegrees>, kEvenDegrees> all;
+    for (std::size_t k = 0; k < kEvenDegrees; ++k)
+      for (std::size_t w = 0; w < kEvenDegrees; ++w)
+        all[k][w] = make_points_from(2 * (k + 1), 2 * (w + 1));
+    return all;
+  }();
+  return kAll[known / 2 - 1][wanted / 2 - 1];
 }
 
 }  // namespace hiac

@@ -28,7 +28,7 @@ class ChebyshevPoints {
   std::array<std::array<double, kMostChebyshevDegree + 1>, kMostChebyshevDegree + 1> transform_{};
 };
 
-/// Those for n = 1, 2, 3, 4, 5, 8 or 16.
+/// 1 <= n <= kMostChebyshevDegree.
 const ChebyshevPoints& chebyshev_points(std::size_t n);
 
 /// Chebyshev polynomials in powers: the coefficient of z^i in T_k is [k][i].
@@ -36,8 +36,19 @@ using ChebyshevPowers =
     std::array<std::array<double, kMostChebyshevDegree + 1>, kMostChebyshevDegree + 1>;
 const ChebyshevPowers& chebyshev_powers();
 
-/// The polynomial through values at the points of n = 4 or 8, at those points of 2 n that these are
-/// not: [which of them][value], front to back.
-const std::vector<std::vector<double>>& between_points(std::size_t n);
+/// How points between known ones are found from these: by polynomials through what is known.
+struct PointPrediction {
+  std::size_t point;              ///< of what is wanted
+  std::vector<std::size_t> from;  ///< of what is known
+  std::vector<double> weights;    ///< of these
+};
+
+/// The Chebyshev points of an even n <= kMostChebyshevDegree but for the ends, in an order in which
+/// each can be predicted from those before it and the ends.
+const std::vector<PointPrediction>& points_in_turn(std::size_t n);
+
+/// Those of `wanted`, all predicted from those of `known`; both even and at most
+/// kMostChebyshevDegree. What is among the known ones is from that alone.
+const std::vector<PointPrediction>& points_from(std::size_t known, std::size_t wanted);
 
 }  // namespace hiac

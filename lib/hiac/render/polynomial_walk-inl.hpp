@@ -29,6 +29,12 @@ template <class V>
 struct LanePolynomial {
   std::size_t degree = 0;
   V c[kMaxFieldDegree + 1];
+
+  // Without what is not there: assignment would move all of them.
+  HWY_INLINE void set(const LanePolynomial& other) {
+    degree = other.degree;
+    for (std::size_t k = 0; k <= degree; ++k) c[k] = other.c[k];
+  }
 };
 
 // What is left of a polynomial on [middle - half, middle + half], as one on [-1, 1].
@@ -101,8 +107,9 @@ class PolynomialWalk {
                                hn::Mask<D> active, Radiance<V>& sum) {
     const V one = hn::Set(d, 1.0), half = hn::Set(d, 0.5), narrow = hn::Set(d, kNarrow);
     V u = hn::Set(d, -1.0), v = one;
-    Fields<V> f{extinction, {}};
-    if (!optics_.same_field) f.color = color;
+    Fields<V> f;
+    f.extinction.set(extinction);
+    if (!optics_.same_field) f.color.set(color);
     bool settled = never_cut_;  // no breakpoint is left between u and v
     for (int round = 0; round < kMostRounds; ++round) {
       if (hn::AllFalse(d, active)) return active;
@@ -127,10 +134,10 @@ class PolynomialWalk {
                        hn::And(hn::Lt(u, one), hn::Gt(sum.transparency, hn::Set(d, kInvisible))));
       if (hn::AllFalse(d, active)) return active;
       const V middle = hn::Mul(half, hn::Add(one, u)), rest = hn::Mul(half, hn::Sub(one, u));
-      f.extinction = extinction;
+      f.extinction.set(extinction);
       keep_part(d, f.extinction, middle, rest);
       if (optics_.same_field) continue;
-      f.color = color;
+      f.color.set(color);
       keep_part(d, f.color, middle, rest);
     }
     return active;

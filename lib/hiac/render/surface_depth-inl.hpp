@@ -1,0 +1,157 @@
+// Depths on the triangles of cells' surfaces over the screen, compiled once for every instruction
+// set. Include from a file that Highway's foreach_target.h compiles repeatedly.
+
+#if defined(HIAC_RENDER_SURFACE_DEPTH_INL) == defined(HWY_TARGET_TOGGLE)
+#  ifdef HIAC_RENDER_SURFACE_DEPTH_INL
+#    undef HIAC_RENDER_SURFACE_DEPTH_INL
+#  else
+#    define HIAC_RENDER_SURFACE_DEPTH_INL
+#  endif
+
+#  include <algorithm>
+#  include <array>
+#  include <cmath>
+
+#  include <hwy/highway.h>
+
+#  include "hiac/render/cell_surface.hpp"
+#  include "hiac/render/frame.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace hiac::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Fused where the instruction set has it, as the same operation on vectors is.
+HWY_INLINE double mul_add(double a, double b, double c) {
+  const hn::CappedTag<double, 1> d;
+  return hn::GetLane(hn::MulAdd(hn::Set(d, a), hn::Set(d, b), hn::Set(d, c)));
+}
+HWY_INLINE double neg_mul_add(double a, double b, double c) {
+  const hn::CappedTag<double, 1> d;
+  return hn::GetLane(hn::NegMulAdd(hn::Set(d, a), hn::Set(d, b), hn::Set(d, c)));
+}
+
+// Where a row of pixel centres crosses an edge.
+struct RowCrossing {
+  double x, depth;
+  int column;  // the first pixel right of it, or on it
+};
+
+// Pixels between the edges of a triangle: narrower than this it is seen edge-on, and where it lies
+// is known to rounding of projected coordinates alone (an ulp is 3e-11 for the farthest nodes).
+inline constexpr double kEdgeOnWidth = 0x1p-35;
+
+// Depth on a triangle over the screen: FacePlanes of scan_conversion-inl.hpp, one at a time.
+class TriangleDepth {
+ public:
+  TriangleDepth() = default;
+  HWY_INLINE TriangleDepth(const ProjectedNode& base, const ProjectedNode& one,
+                           const ProjectedNode& two)
+      : base_(base) {
+    const double x1 = one.x - base.x, y1 = one.y - base.y;
+    const double x2 = two.x - base.x, y2 = two.y - base.y;
+    const bool swapped =
+        std::max(std::abs(x1), std::abs(y1)) < std::max(std::abs(x2), std::abs(y2));
+    const double mx = swapped ? x2 : x1, my = swapped ? y2 : y1;
+    const double sx = swapped ? x1 : x2, sy = swapped ? y1 : y2;
+    const bool y_pivot = std::abs(mx) < std::abs(my);
+    const double mp = y_pivot ? my : mx, mq = y_pivot ? mx : my;
+    const double sp = y_pivot ? sy : sx, sq = y_pivot ? sx : sy;
+    const double inverse_mp = 1 / mp;
+    const double l = mq * inverse_mp;
+    const double inverse_u = 1 / neg_mul_add(l, sp, sq);
+    const double cp = -(l * inverse_u);
+    cx_ = y_pivot ? inverse_u : cp;
+    cy_ = y_pivot ? cp : inverse_u;
+    gx_ = y_pivot ? 0.0 : inverse_mp;
+    gy_ = y_pivot ? inverse_mp : 0.0;
+    h_ = sp * inverse_mp;
+    const double q1 = one.depth - base.depth, q2 = two.depth - base.depth;
+    qm_ = swapped ? q2 : q1;
+    qs_ = swapped ? q1 : q2;
+  }
+
+  // At a row of points, `x` and what follows it by steps of 1, in bounds. `depths`: of as many
+  // places as vectors take.
+  HWY_INLINE void along_row(double x, double y, std::size_t count, double least, double most,
+                            double* depths) const {
+    const hn::CappedTag<double, 8> d;
+    const double dy = y - base_.y;
+    const auto cy_dy = hn::Set(d, cy_ * dy), gy_dy = hn::Set(d, gy_ * dy);
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+      const auto dx = hn::Sub(hn::Iota(d, x + static_cast<double>(i)), hn::Set(d, base_.x));
+      const auto s = hn::MulAdd(dx, hn::Set(d, cx_), cy_dy);
+      const auto m = hn::NegMulAdd(hn::Set(d, h_), s, hn::MulAdd(dx, hn::Set(d, gx_), gy_dy));
+      const auto depth =
+          hn::MulAdd(s, hn::Set(d, qs_), hn::MulAdd(m, hn::Set(d, qm_), hn::Set(d, base_.depth)));
+      hn::StoreU(hn::Min(hn::Max(depth, hn::Set(d, least)), hn::Set(d, most)), d, depths + i);
+    }
+  }
+
+  // The same at one point, without bounds.
+  [[nodiscard]] HWY_INLINE double at(double x, double y) const {
+    const double dx = x - base_.x, dy = y - base_.y;
+    const double s = mul_add(dx, cx_, cy_ * dy);
+    const double m = neg_mul_add(h_, s, mul_add(dx, gx_, gy_ * dy));
+    return mul_add(s, qs_, mul_add(m, qm_, base_.depth));
+  }
+
+ private:
+  ProjectedNode base_;
+  double cx_, cy_, gx_, gy_, h_, qm_, qs_;
+};
+
+using Nodes = std::array<ProjectedNode, CellSurface::kMostCorners>;
+
+HWY_INLINE Nodes projected_nodes(const Frame& frame, const CellSurface& surface) {
+  Nodes nodes{};
+  for (std::size_t k = 0; k < surface.corner_count; ++k) nodes[k] = frame.nodes[surface.nodes[k]];
+  return nodes;
+}
+
+// The depths on a cell's triangles, each made ready when it is first needed.
+class SurfaceDepth {
+ public:
+  HWY_INLINE SurfaceDepth(const CellSurface& surface, const Nodes& nodes)
+      : surface_(surface), nodes_(nodes) {}
+
+  // On a row, between the two edges that it crosses; never beyond the depths there. A triangle seen
+  // edge-on is as deep as the nearer of the two: of the cells that it parts, one gets all of the
+  // ray. The ray's cells then follow one another whatever rounding does.
+  HWY_INLINE double at(std::size_t triangle, const RowCrossing& e, const RowCrossing& f, double x,
+                       double y) {
+    const double least = std::min(e.depth, f.depth), most = std::max(e.depth, f.depth);
+    if (std::abs(e.x - f.x) < kEdgeOnWidth) return least;
+    return std::min(std::max(on(triangle).at(x, y), least), most);
+  }
+
+  // The same for `count` pixels, from x on (TriangleDepth::along_row).
+  HWY_INLINE void along_row(std::size_t triangle, const RowCrossing& e, const RowCrossing& f,
+                            double x, double y, std::size_t count, double* depths) {
+    const double least = std::min(e.depth, f.depth), most = std::max(e.depth, f.depth);
+    if (std::abs(e.x - f.x) < kEdgeOnWidth)
+      std::fill_n(depths, count, least);
+    else
+      on(triangle).along_row(x, y, count, least, most, depths);
+  }
+
+ private:
+  HWY_INLINE const TriangleDepth& on(std::size_t triangle) {
+    if (!ready_[triangle]) {
+      const auto& c = surface_.triangles[triangle].corners;
+      triangles_[triangle] = TriangleDepth(nodes_[c[0]], nodes_[c[1]], nodes_[c[2]]);
+      ready_[triangle] = true;
+    }
+    return triangles_[triangle];
+  }
+
+  const CellSurface& surface_;
+  const Nodes& nodes_;
+  std::array<TriangleDepth, CellSurface::kMostTriangles> triangles_;
+  std::array<bool, CellSurface::kMostTriangles> ready_{};
+};
+
+}  // namespace hiac::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
