@@ -4,8 +4,11 @@
 #include <cctype>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "hiac/mesh/shape_functions.hpp"
 #include "tests/formats/files.hpp"
+#include "tests/formats/one_cell.hpp"
 #include "tests/formats/one_cell_files.hpp"
 
 namespace hiac::formats {
@@ -95,6 +98,87 @@ TEST(OneCellFiles, FieldsStepsAndUnitsAreRead) {
     wrong = {};
     wrong.block = "there is none";
     EXPECT_THROW(format_named(file.format).read(path, wrong), UsageError) << file.format;
+  }
+}
+
+// ---- results with their mesh in files beside or in one document
+
+/// Bottom edges, top edges, upright edges: EnSight User Manual, section 9.1 (tetra10 ... hexa20);
+/// and the XDMF Model and Format, whose cells are VTK's.
+const std::vector<std::pair<int, int>> kTetraEdges{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
+const std::vector<std::pair<int, int>> kPyramidEdges{{0, 1}, {1, 2}, {2, 3}, {3, 0},
+                                                     {0, 4}, {1, 4}, {2, 4}, {3, 4}};
+const std::vector<std::pair<int, int>> kPrismEdges{{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5},
+                                                   {5, 3}, {0, 3}, {1, 4}, {2, 5}};
+const std::vector<std::pair<int, int>> kBrickEdges{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
+                                                   {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
+
+std::vector<DocumentedElement> all_elements(const std::vector<std::string>& names) {
+  using K = CellKind;
+  return {{names[0], K::tetrahedron4, kTetraCorners, {}},
+          {names[1], K::tetrahedron10, kTetraCorners, kTetraEdges, 1},
+          {names[2], K::pyramid5, kPyramidCorners, {}},
+          {names[3], K::pyramid13, kPyramidCorners, kPyramidEdges, 1},
+          {names[4], K::prism6, kPrismCorners, {}},
+          {names[5], K::prism15, kPrismCorners, kPrismEdges, 1},
+          {names[6], K::brick8, kBrickCorners, {}},
+          {names[7], K::brick20, kBrickCorners, kBrickEdges, 1}};
+}
+
+TEST(OneCellResults, EnSight) {
+  for (const DocumentedElement& element :
+       all_elements({"tetra4", "tetra10", "pyramid5", "pyramid13", "penta6", "penta15", "hexa8",
+                     "hexa20"})) {
+    const std::vector<Vector> points = placed_points(element);
+    std::string geometry = fmt::format(
+        "one\ncell\nnode id off\nelement id off\npart\n{:10}\none\ncoordinates\n{:10}\n", 1,
+        points.size());
+    for (std::size_t c = 0; c < 3; ++c)
+      for (const Vector& point : points) geometry += fmt::format("{:12.5e}\n", point[c]);
+    geometry += fmt::format("{}\n{:10}\n", element.name, 1);
+    for (std::size_t n = 1; n <= points.size(); ++n) geometry += fmt::format("{:10}", n);
+    std::string values = fmt::format("p\npart\n{:10}\ncoordinates\n", 1);
+    for (const Vector& point : points)
+      values += fmt::format("{:.16e}\n", polynomial(element.kind, point));
+    const ScratchFolder folder;
+    EXPECT_NE(folder.write("c.geo", geometry + "\n"), "");
+    EXPECT_NE(folder.write("c.p", values), "");
+    const std::string path = folder.write(
+        "c.case",
+        "FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: c.geo\nVARIABLE\nscalar per node: p c.p\n");
+    expect_one_cell(read_any(path).mesh, element);
+  }
+}
+
+TEST(OneCellResults, Xdmf) {
+  for (DocumentedElement element :
+       all_elements({"Tetrahedron", "Tetrahedron_10", "Pyramid", "Pyramid_13", "Wedge", "Wedge_15",
+                     "Hexahedron", "Hexahedron_20"})) {
+    // vtkWedge.h: the normal of the first triangle points outward, away from the other
+    if (shape_of(element.kind) == CellShape::prism) {
+      std::swap(element.corners[1], element.corners[2]);
+      std::swap(element.corners[4], element.corners[5]);
+    }
+    const std::vector<Vector> points = placed_points(element);
+    std::string xyz;
+    std::string nodes;
+    std::string values;
+    for (std::size_t n = 0; n < points.size(); ++n) {
+      xyz += fmt::format("{} {} {}\n", points[n][0], points[n][1], points[n][2]);
+      nodes += fmt::format("{} ", n);
+      values += fmt::format("{} ", polynomial(element.kind, points[n]));
+    }
+    const ScratchFolder folder;
+    const std::string path = folder.write(
+        "c.xdmf",
+        fmt::format("<Xdmf Version=\"3.0\"><Domain><Grid Name=\"g\"><Topology TopologyType=\"{0}\" "
+                    "NumberOfElements=\"1\"><DataItem Dimensions=\"1 {1}\" NumberType=\"Int\">{2}"
+                    "</DataItem></Topology><Geometry GeometryType=\"XYZ\"><DataItem Dimensions=\""
+                    "{1} 3\">{3}</DataItem></Geometry><Attribute Name=\"p\" Center=\"Node\">"
+                    "<DataItem Dimensions=\"{1}\">{4}</DataItem></Attribute></Grid></Domain>"
+                    "</Xdmf>",
+                    element.name, points.size(), nodes, xyz, values));
+    expect_one_cell(read_any(path).mesh, element);
   }
 }
 
