@@ -66,17 +66,26 @@ void add_ordered_cells(const Zone& zone, std::size_t first_node, ForeignMesh& me
 
 void add_elements(const Zone& zone, std::size_t first_node, const std::string& subject,
                   ForeignMesh& mesh) {
+  const auto checked = [&](std::int64_t node) {
+    if (node < 1 || static_cast<std::uint64_t>(node) > zone.nodes)
+      throw InputError(subject, fmt::format("zone '{}': there is no node {} (1 to {} expected)",
+                                            zone.name, node, zone.nodes));
+    return node - 1 + static_cast<std::int64_t>(first_node);
+  };
+  if (!zone.polyhedra.empty()) {
+    for (std::vector<std::vector<std::int64_t>> faces : zone.polyhedra) {
+      for (auto& face : faces)
+        for (std::int64_t& node : face) node = checked(node);
+      mesh.add_polyhedron("POLYHEDRON", faces);
+    }
+    return;
+  }
   CellConversion conversion = kNoVolume;
   if (zone.element == "BRICK") conversion = solid_conversion(CellKind::brick8);
   if (zone.element == "TETRAHEDRON") conversion = solid_conversion(CellKind::tetrahedron4);
   const std::uint16_t type = mesh.type_place(zone.element, zone.nodes_per_element, conversion);
   mesh.cell_types.insert(mesh.cell_types.end(), zone.elements, type);
-  for (const std::int64_t node : zone.connectivity) {
-    if (node < 1 || static_cast<std::uint64_t>(node) > zone.nodes)
-      throw InputError(subject, fmt::format("zone '{}': there is no node {} (1 to {} expected)",
-                                            zone.name, node, zone.nodes));
-    mesh.cell_nodes.push_back(node - 1 + static_cast<std::int64_t>(first_node));
-  }
+  for (const std::int64_t node : zone.connectivity) mesh.cell_nodes.push_back(checked(node));
 }
 
 /// Appends the values of a variable that lives on nodes or on cells; NaN where a zone has it in the
@@ -156,7 +165,7 @@ Format tecplot_format() {
   Format format;
   format.name = "tecplot";
   format.extensions = {".dat", ".tec", ".plt", ".tp"};
-  format.kinds = "tet4 pyr5 prism6 wedge7 brick8, ordered";
+  format.kinds = "tet4 pyr5 prism6 wedge7 brick8, polyhedra, ordered";
   format.fields = "node, cell";
   format.time_steps = "many";
   format.recognizes = [](std::string_view head) {

@@ -266,12 +266,18 @@ class Reader {
     static const std::map<std::string, std::size_t> kNodes{{"BRICK", 8},         {"TETRAHEDRON", 4},
                                                            {"QUADRILATERAL", 4}, {"TRIANGLE", 3},
                                                            {"LINESEG", 2},       {"LINE", 2}};
+    if (has_faces(zone)) return;
     const auto nodes = kNodes.find(zone.element);
     if (nodes == kNodes.end())
       cursor_.fail_at(start, fmt::format("element type {} is not supported (BRICK, TETRAHEDRON, "
-                                         "QUADRILATERAL, TRIANGLE or LINESEG expected)",
+                                         "QUADRILATERAL, TRIANGLE, LINESEG, POLYGON or POLYHEDRON "
+                                         "expected)",
                                          shown(zone.element)));
     zone.nodes_per_element = nodes->second;
+  }
+
+  static bool has_faces(const Zone& zone) {
+    return zone.element == "POLYHEDRON" || zone.element == "POLYGON";
   }
 
   /// ([4-5]=CELLCENTERED, [1]=NODAL) or (NODAL, NODAL, CELLCENTERED).
@@ -389,17 +395,61 @@ class Reader {
     if (const std::string* shared = value(header, "CONNECTIVITYSHAREZONE")) {
       const std::vector<std::size_t> from = number_list(*shared);
       if (from.empty() || from.front() >= file_.zones.size() ||
-          file_.zones[from.front()].connectivity.size() != zone.elements * zone.nodes_per_element)
+          file_.zones[from.front()].element != zone.element ||
+          file_.zones[from.front()].elements != zone.elements)
         cursor_.fail_at(start, "CONNECTIVITYSHAREZONE: there is no such zone, or it is another");
       zone.connectivity = file_.zones[from.front()].connectivity;
+      zone.polyhedra = file_.zones[from.front()].polyhedra;
       return;
     }
     if (zone.elements > cursor_.left())
       cursor_.fail_at(start, "more elements announced than the file can hold");
+    if (has_faces(zone)) return read_faces(header, start, zone);
     for (std::size_t i = 0; i < zone.elements * zone.nodes_per_element; ++i) {
       skip_to_number();
       zone.connectivity.push_back(cursor_.integer("a node number"));
     }
+  }
+
+  std::int64_t next_integer(std::string_view what) {
+    skip_to_number();
+    return cursor_.integer(what);
+  }
+
+  /// How many nodes each face has (a polygon's have two), their nodes, the elements to the left and
+  /// to the right of each, and connections with other zones.
+  void read_faces(const Header& header, std::size_t start, Zone& zone) {
+    const auto size = [&](const char* name) {
+      const std::string* found = value(header, name);
+      return found == nullptr ? 0 : count_of(*found, start);
+    };
+    const bool solid = zone.element == "POLYHEDRON";
+    std::vector<std::vector<std::int64_t>> faces;
+    std::size_t total = 0;
+    for (std::size_t f = size("FACES"); f > 0; --f) {
+      const std::int64_t nodes = solid ? next_integer("a face's number of nodes") : 2;
+      if (nodes < 0 || static_cast<std::uint64_t>(nodes) > cursor_.text().size() - total)
+        cursor_.fail(fmt::format("a face's number of nodes expected ({} found)", nodes));
+      faces.emplace_back(static_cast<std::size_t>(nodes));
+      total += faces.back().size();
+    }
+    for (auto& face : faces)
+      for (std::int64_t& node : face) node = next_integer("a face's node");
+    if (solid) zone.polyhedra.resize(zone.elements);
+    for (int side = 0; side < 2; ++side)
+      for (const auto& face : faces) {
+        // none: 0; in another zone: less
+        const std::int64_t element = next_integer("the element beside a face");
+        if (element > 0 && static_cast<std::uint64_t>(element) > zone.elements)
+          cursor_.fail(fmt::format("there is no element {} beside a face (1 to {} expected)",
+                                   element, zone.elements));
+        if (solid && element > 0)
+          zone.polyhedra[static_cast<std::size_t>(element) - 1].push_back(face);
+      }
+    const std::size_t connections = size("TOTALNUMBOUNDARYCONNECTIONS");
+    for (std::size_t n = size("NUMCONNECTEDBOUNDARYFACES"); n > 0; --n)
+      next_integer("a number of connections");
+    for (std::size_t n = 0; n < 2 * connections; ++n) next_integer("a connection");
   }
 
   TextCursor cursor_;

@@ -21,6 +21,9 @@ struct Zone {
   std::vector<bool> cell_centered;          ///< for every variable
   std::vector<std::vector<double>> values;  ///< for every variable
   std::vector<std::int64_t> connectivity;   ///< node numbers from 1
+  /// Of an element "POLYHEDRON" its faces, each a list of node numbers from 1; of "POLYGON"
+  /// nothing.
+  std::vector<std::vector<std::vector<std::int64_t>>> polyhedra;
 };
 
 /// What a file holds.
@@ -33,7 +36,8 @@ struct TecplotFile {
 
 /// Reads an ASCII data file (Tecplot 360 Data Format Guide, "ASCII data"): TITLE, VARIABLES, ZONE
 /// with POINT and BLOCK packing, repeated values (3*1.5), shared variables and connectivity,
-/// cell-centred variables. Throws InputError naming file and line.
+/// cell-centred variables, polygons and polyhedra by their faces. Throws InputError naming file and
+/// line.
 TecplotFile read_tecplot_text(const InputText& text);
 
 }  // namespace hiac::formats::tecplot

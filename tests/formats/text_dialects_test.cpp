@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "tests/formats/cell_volumes.hpp"
 #include "tests/formats/files.hpp"
 
 namespace hiac::formats {
@@ -290,6 +291,35 @@ TEST(UgridDialects, AllBinaryVariants) {
     for (const std::string& name : {"a." + variant + ".ugrid", std::string("a.ugrid")})
       expect_unit_tetrahedron(read_any(folder.write(name, bytes.str())).mesh);
   }
+}
+
+/// Two tetrahedra over one face, and a polygon, as the Data Format Guide has faces: how many nodes
+/// each has, which, the elements to the left and right.
+std::string polyhedral_zones(const std::string& left) {
+  return "VARIABLES = X, Y, Z, c\n"
+         "ZONE T=\"p\", ZONETYPE=FEPOLYHEDRON, NODES=5, ELEMENTS=2, FACES=7, TotalNumFaceNodes=21, "
+         "NumConnectedBoundaryFaces=1, TotalNumBoundaryConnections=1, DATAPACKING=BLOCK, "
+         "VARLOCATION=([4]=CELLCENTERED)\n"
+         "0 1 0 0 1\n0 0 1 0 1\n0 0 0 1 1\n7 8\n"
+         "3 3 3 3 3 3 3\n# nodes\n1 3 2 1 2 4 2 3 4 1 4 3 2 3 5 3 4 5 2 5 4\n" +
+         left +
+         "\n0 0 2 0 0 -1 0\n1\n1\n2\n"
+         "ZONE T=\"flat\", ZONETYPE=FEPOLYGON, NODES=3, ELEMENTS=1, FACES=3, TotalNumFaceNodes=6, "
+         "DATAPACKING=BLOCK, VARLOCATION=([4]=CELLCENTERED)\n"
+         "0 1 0\n0 0 1\n0 0 0\n9\n1 2 2 3 3 1\n1 1 1\n0 0 0\n";
+}
+
+TEST(TecplotDialects, PolyhedraAreToldByTheirFaces) {
+  const ScratchFolder folder;
+  const Reading reading = read_any(folder.write("p.dat", polyhedral_zones("1 1 1 1 2 2 2")));
+  ASSERT_EQ(reading.mesh.cell_count(), 2U);
+  EXPECT_EQ(reading.mesh.kinds[1], CellKind::tetrahedron4);
+  EXPECT_NEAR(volume_of(reading.mesh, 0), 1.0 / 6, 1e-12);
+  EXPECT_NEAR(std::abs(volume_of(reading.mesh, 1)), 1.0 / 3, 1e-12);
+  EXPECT_THAT(reading.mesh.fields.at(0).values.view(), testing::ElementsAre(7, 8));
+  EXPECT_THAT(reading.notes, testing::Contains(HasSubstr("without volume: 1 POLYGON")));
+  EXPECT_THAT(refusal(folder.write("q.dat", polyhedral_zones("1 1 1 1 2 2 3"))),
+              HasSubstr("no element 3 beside a face"));
 }
 
 TEST(TecplotDialects, OrderedBlocksWithCellDataSharedVariablesAndTimes) {
