@@ -141,6 +141,7 @@ struct Model {
   std::vector<std::array<int, 8>> thick_shells;
   std::vector<std::array<int, 2>> more;  ///< of tetrahedra of ten nodes
   bool shell = true;                     ///< a shell beside the solids, with values of its own
+  bool numbers = true;                   ///< users' numbers of nodes and elements
 };
 
 /// A unit brick, a prism, a pyramid and a tetrahedron upon and beside it.
@@ -179,7 +180,7 @@ inline std::string d3plot_geometry(const Model& model, bool wide, bool swapped) 
   const std::int64_t shells = model.shell ? 1 : 0;
   const auto thick_shells = static_cast<std::int64_t>(model.thick_shells.size());
   const std::int64_t numbered = control[16] + solids + shells + thick_shells;
-  control[39] = 10 + numbered;
+  control[39] = model.numbers ? 10 + numbered : 0;
   control[40] = thick_shells;
   control[41] = model.thick_shells.empty() ? 0 : 1;
   control[42] = model.thick_shells.empty() ? 0 : 7;
@@ -202,10 +203,12 @@ inline std::string d3plot_geometry(const Model& model, bool wide, bool swapped) 
   if (model.shell)
     for (const int word : {1, 2, 3, 4, 2}) out.integer(word);
   // users' numbers: where the parts begin in memory, how many there are, and they
-  for (const std::int64_t word :
-       {0L, 0L, 0L, 0L, 0L, control[16], solids, 0L, shells, thick_shells})
-    out.integer(word);
-  for (std::int64_t n = 0; n < numbered; ++n) out.integer(100 + n);
+  if (model.numbers) {
+    for (const std::int64_t word :
+         {0L, 0L, 0L, 0L, 0L, control[16], solids, 0L, shells, thick_shells})
+      out.integer(word);
+    for (std::int64_t n = 0; n < numbered; ++n) out.integer(100 + n);
+  }
   for (const auto& more : model.more)
     for (const int node : more) out.integer(node);
   out.real(-999999);

@@ -202,7 +202,10 @@ TEST(D3plot, VtkReadsTheSame) {
 #ifndef HIAC_WITH_VTK_LSDYNA
   GTEST_SKIP() << "VTK::IOLSDyna is not there";
 #else
-  const Model model = linear_model();
+  Model model = linear_model();
+  // of both, VTK 9.1 shows values that the file does not hold
+  model.shell = false;
+  model.numbers = false;
   for (const bool wide : {false, true})
     for (const bool swapped : {false, true}) {
       const ScratchFolder folder;
