@@ -11,6 +11,7 @@
 #include <limits>
 #include <numbers>
 #include <set>
+#include <vector>
 
 #include "hiac/mesh/face_adjacency.hpp"
 #include "hiac/order/order_basis.hpp"
@@ -141,6 +142,52 @@ std::vector<std::string> data_files() {
     if (entry.is_regular_file()) files.push_back(entry.path().string());
   std::ranges::sort(files);
   return files;
+}
+
+// Files of quadratic cells, many of them curved.
+const std::array kQuadratic{"exodus/mfem_cube/simple-cube-tet10.e",
+                            "gmsh/quadratic/hex27_8ele_v2.msh",
+                            "gmsh/quadratic/quadraticsphere.msh",
+                            "gmsh/with_data/adaptive_tet10.msh",
+                            "nasty/curved/hex3Dpart.vtk",
+                            "nasty/curved/sphereCube.vtk",
+                            "vtk_xml/analytic/QuadraticHexahedron.vtu",
+                            "vtk_xml/analytic/QuadraticPyramid.vtu",
+                            "vtk_xml/analytic/QuadraticTetra.vtu",
+                            "vtk_xml/fe_results/dataset.vtu",
+                            "vtk_xml/fe_results/notch_disp.vtu"};
+
+// Whatever of them is there: drawn in order, and what is claimed of errors is of use.
+TEST(DataRendering, QuadraticMeshesAreDrawnInOrder) {
+  std::size_t drawn = 0;
+  for (const char* name : kQuadratic) {
+    const fs::path path = fs::path(data_dir()) / name;
+    if (!fs::exists(path) || (test::kInstrumented && fs::file_size(path) > kMostBytes)) continue;
+    ZooMesh mesh = read_any(path.string()).mesh;
+    const Box box = box_of(mesh);
+    test::add_node_field(mesh, "shade", [&](const Position& p) {
+      return 0.5 + 0.5 * std::sin(7 * (p[0] + 2 * p[1] + 3 * p[2]) / box.diagonal);
+    });
+    const OrderBasis basis = order_basis(mesh, build_face_adjacency(mesh));
+    const auto cameras = cameras_around(box);
+    const std::vector<CellId> invalid = invalid_cells(mesh, Scene{}.render.planarity);
+    std::vector<double> claims;
+    for (const std::size_t k : {4U, 12U}) {
+      const Scene scene = scene_of(cameras[k]);
+      const OrderResult sorted = exact_order(basis, view_of(cameras[k]), scene.render.planarity);
+      const std::array channels{Channel::error};
+      const RenderResult result =
+          render(mesh, without_cells(sorted.order, invalid), scene, false, nullptr, channels);
+      EXPECT_EQ(result.statistics.violations, 0U) << name;
+      for (std::size_t i = 0; i + 4 < result.image.values().size(); i += 5)
+        if (result.image.values()[i + 3] > 0) claims.push_back(result.image.values()[i + 4]);
+    }
+    ASSERT_FALSE(claims.empty()) << name;
+    std::ranges::sort(claims);
+    EXPECT_LT(claims[claims.size() * 9 / 10], 1e-6) << name;
+    ++drawn;
+  }
+  if (drawn == 0) GTEST_SKIP() << "none of the files is in " << data_dir();
 }
 
 TEST(DataRendering, NoSegmentIsOutOfOrder) {

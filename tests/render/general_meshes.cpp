@@ -54,6 +54,41 @@ ZooMesh two_wedges() {
                                {CellKind::wedge7, {0, 7, 9, 4, 3, 8, 6}}});
 }
 
+ZooMesh wedge_grid(std::size_t n) {
+  // halves of a cube's edges; of the other wedge it is the cube's point reflection
+  constexpr std::array<std::array<int, 3>, 7> kCorners{
+      {{0, 0, 0}, {2, 0, 0}, {1, 2, 0}, {0, 2, 0}, {0, 0, 2}, {1, 0, 2}, {0, 2, 2}}};
+  // the wedge's own mirror image
+  constexpr std::array<std::size_t, 7> kMirrored{0, 1, 5, 4, 3, 2, 6};
+  std::map<std::array<int, 3>, NodeId> numbers;
+  std::vector<Position> positions;
+  std::vector<Cell> cells;
+  const auto count = static_cast<int>(n);
+  for (int z = 0; z < count; ++z)
+    for (int y = 0; y < count; ++y)
+      for (int x = 0; x < count; ++x)
+        for (const bool other : {false, true}) {
+          const std::array<bool, 3> flip{other, other != (y % 2 != 0), other != (z % 2 != 0)};
+          const bool mirrored = (flip[0] != flip[1]) != flip[2];
+          Cell cell{CellKind::wedge7, {}};
+          for (std::size_t k = 0; k < 7; ++k) {
+            const auto& corner = kCorners[mirrored ? kMirrored[k] : k];
+            const std::array<int, 3> base{2 * x, 2 * y, 2 * z};
+            std::array<int, 3> key;
+            for (std::size_t c = 0; c < 3; ++c)
+              key[c] = base[c] + (flip[c] ? 2 - corner[c] : corner[c]);
+            const auto [at, is_new] =
+                numbers.try_emplace(key, static_cast<NodeId>(positions.size()));
+            if (is_new)
+              positions.push_back({key[0] / (2.0 * double(n)), key[1] / (2.0 * double(n)),
+                                   key[2] / (2.0 * double(n))});
+            cell.nodes.push_back(at->second);
+          }
+          cells.push_back(cell);
+        }
+  return make_mesh(positions, cells);
+}
+
 ZooMesh mixed_columns(std::size_t n) {
   std::vector<Position> positions;
   const double h = 1.0 / static_cast<double>(n);

@@ -30,6 +30,10 @@ Position rippled(const Position& p, double by);
 /// Two 7-node wedges that share a quadrilateral face, as large as the unit cube.
 ZooMesh two_wedges();
 
+/// The unit cube as n x n x n cubes of two wedges each, mirrored from cube to cube so that they are
+/// conforming.
+ZooMesh wedge_grid(std::size_t n);
+
 /// n x n columns of the unit cube: prisms below; above them transition cubes, each two tetrahedra
 /// and five pyramids; above these bricks. Conforming, with every pair of these kinds that can share
 /// a face sharing one.

@@ -229,6 +229,36 @@ TEST(Splatting, ACellIsAKernelAtItsCentreOfGravity) {
 }
 
 // A field of each kind is taken at the centre of gravity.
+// A brick whose height is 1 + 4 a x (1 - x), in closed form; and all kinds bent inside a cube.
+TEST(Splatting, CurvedCellsHaveTheirVolumeAndCentre) {
+  constexpr double a = 0.2;
+  ZooMesh mesh = test::moved(test::of_order(test::structured(1, Cut::bricks), CellOrder::quadratic),
+                             [](const Position& p) {
+                               return Position{p[0], p[1], p[2] * (1 + 4 * a * p[0] * (1 - p[0]))};
+                             });
+  test::add_node_field(mesh, "f", [](const Position&) { return 0.5; });
+  const Scene scene = test::cube_scene(Projection::orthographic, 40, 40);
+  const Projector projector(scene.camera, scene.image);
+  const double pixels = std::pow(projector.pixels_per_unit(), 2);
+  const Splat splat = splat_of(make_frame(mesh, scene, projector), 0);
+  const double volume = 1 + 2 * a / 3;
+  EXPECT_NEAR(splat.length / pixels, volume, 1e-12);
+  EXPECT_NEAR(splat.point[0], 0.5, 1e-12);
+  EXPECT_NEAR(splat.point[2], (0.5 + 2 * a / 3 + 4 * a * a / 15) / volume, 1e-12);
+  for (const ZooMesh& straight :
+       {test::structured(2, Cut::tetrahedra), test::structured(2, Cut::pyramids),
+        test::structured(2, Cut::prisms), test::wedge_grid(2), test::structured(2, Cut::bricks)})
+    for (const CellOrder order : {CellOrder::quadratic, CellOrder::cubic}) {
+      ZooMesh cube = test::moved(test::of_order(straight, order), test::bent);
+      test::add_node_field(cube, "f", [](const Position&) { return 0.5; });
+      const Frame frame = make_frame(cube, scene, projector);
+      double sum = 0;
+      for (CellId cell = 0; cell < cube.cell_count(); ++cell)
+        sum += splat_of(frame, cell).length / pixels;
+      EXPECT_NEAR(sum, 1, 1e-12) << kind_name(cube.kinds[0]);
+    }
+}
+
 TEST(Splatting, FieldsAreTakenAtTheCentre) {
   ZooMesh mesh = test::make_mesh({{0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}, {0, 0, 0.01}},
                                  {{CellKind::tetrahedron4, {0, 1, 2, 3}}});

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "hiac/geometry/inverse_map.hpp"
 #include "hiac/mesh/interpolant_range.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/render/frame_field.hpp"
 #include "hiac/render/projection.hpp"
+#include "hiac/render/world_polynomial.hpp"
 
 namespace hiac {
 
@@ -15,10 +17,12 @@ namespace hiac {
 struct CellField {
   std::array<double, kMaxNodesPerCell> values;
   double least, most;
-  double allowed = 0;  ///< absolute error of the field that is allowed
+  double allowed = 0;                         ///< absolute error of the field that is allowed
+  std::optional<WorldPolynomial> polynomial;  ///< instead of the isoparametric interpolant
 };
 
-/// A field in a cell, less `level`.
+/// A field in a cell, less `level`. A polynomial that the nodes do not determine is taken as
+/// constant; check_renderable has refused such cells.
 CellField cell_field(const ZooMesh& mesh, CellId cell, const FrameField& field, double level = 0);
 
 /// The positions of a cell's nodes; entries beyond them are not set.

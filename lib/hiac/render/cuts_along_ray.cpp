@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 #include "hiac/render/gradient_bound.hpp"
 #include "hiac/render/gradient_direction.hpp"
@@ -101,6 +102,8 @@ bool CutsAlongRay::enter(CellId cell, const RayDisplacement& displacement) {
 
 bool CutsAlongRay::below_at_face(const Cut& cut, const CellCrossing& crossing, std::size_t face,
                                  double t, double offset) const {
+  // neighbours do not agree on the face: each says what it has itself
+  if (cut.offsets.polynomial) return offset < 0;
   if ((cut.closed_faces & (1U << face)) != 0) return true;
   bool mixed = false;
   const double sign = cut.faces[face].sign(mixed);
@@ -160,6 +163,10 @@ void CutsAlongRay::add_places(const CellMap& map, const CellCrossing& crossing,
 // In the camera's frame; `rounding`: what its direction is wrong by.
 std::array<double, 3> CutsAlongRay::normal_at(const CellMap& map, const RayStretch& stretch,
                                               const Cut& cut, double t, double& rounding) const {
+  if (cut.offsets.polynomial) {
+    const auto along = cut.offsets.polynomial->gradient(minus(stretch.at(t), nodes_[0]));
+    return frame_.projector.camera_vector(largest(along) > 0 ? unit(along) : Vector{0, 0, 1});
+  }
   const CellMap::Point xi = map.reference(stretch.at(t), stretch.guess(map));
   std::array<std::array<double, 3>, CellMap::kMostNodes> shape;
   shape_gradients<double>(kind_, xi, shape);

@@ -231,6 +231,10 @@ struct PartRenderer::Prepared {
       throw UsageError(
           "channel 'error': no bound is claimed of integrations other than \"exact\" "
           "(`render.integration`)");
+    if (scene.render.interpolation != Interpolation::isoparametric)
+      throw UsageError(
+          "channel 'error': no bound is claimed of interpolations other than \"isoparametric\" "
+          "(`render.interpolation`)");
     if (scene.render.splat_below > 0)
       throw UsageError("channel 'error': no bound is claimed of splats (`render.splat_below`)");
   }

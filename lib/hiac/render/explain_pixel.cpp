@@ -252,7 +252,8 @@ PixelExplanation explain_pixel(const ZooMesh& mesh, const VisibilityOrder& order
   const Projector projector(scene.camera, scene.image);
   Frame frame = make_frame(mesh, scene, projector);
   frame.with_details = true;
-  frame.with_error = frame.optics.rule == PieceRule::exact;
+  frame.with_error = frame.optics.rule == PieceRule::exact &&
+                     scene.render.interpolation == Interpolation::isoparametric;
 
   PixelExplanation result;
   result.x = x;

@@ -62,7 +62,9 @@ FieldAlongRay::FieldAlongRay(CellKind kind, const CellMap& map, std::span<const 
     : kind_(kind),
       map_(map),
       fields_(fields),
-      exact_degree_(map.affine() ? degree_along_lines(kind) : 0) {}
+      in_world_(std::ranges::any_of(
+          fields, [](const CellField& field) { return field.polynomial.has_value(); })),
+      exact_degree_(map.affine() || in_world_ ? degree_along_lines(kind) : 0) {}
 
 double FieldAlongRay::rounding(const RayStretch& stretch, const CellField& field) const {
   const double point =
@@ -84,6 +86,15 @@ void FieldAlongRay::evaluate(const CellMap::Point& xi,
     // has no volume, the stretch no length) nothing more is known
     values[f] = std::min(std::max(field.least, value), field.most);
   }
+}
+
+void FieldAlongRay::evaluate_in_world(const CellMap::Point& point,
+                                      std::span<double, kMostFields> values) const {
+  const CellMap::Point origin = map_.position(reference_nodes(kind_)[0]);
+  const CellMap::Point from_origin{point[0] - origin[0], point[1] - origin[1],
+                                   point[2] - origin[2]};
+  for (std::size_t f = 0; f < fields_.size(); ++f)
+    values[f] = fields_[f].polynomial ? fields_[f].polynomial->at(from_origin) : fields_[f].least;
 }
 
 // Adds the points of a smaller stride to the samples.
@@ -109,18 +120,25 @@ void FieldAlongRay::sample(const RayStretch& stretch, double begin, double end, 
   samples.stride = stride;
 }
 
-// An affine map takes the ray to a straight line.
+// An affine map takes the ray to a straight line; in the world it is one.
 FieldAlongRay::Piece FieldAlongRay::exact(const RayStretch& stretch) const {
   const ChebyshevPoints& points = chebyshev_points(exact_degree_);
-  const CellMap::Point front = map_.reference(stretch.at(stretch.front), map_.middle());
-  const CellMap::Point back = map_.reference(stretch.at(stretch.back), map_.middle());
+  CellMap::Point front = stretch.at(stretch.front), back = stretch.at(stretch.back);
+  if (!in_world_) {
+    front = map_.reference(front, map_.middle());
+    back = map_.reference(back, map_.middle());
+  }
   std::array<std::array<double, kMostDegree + 1>, kMostFields> values;
   for (std::size_t j = 0; j <= exact_degree_; ++j) {
     const double u = points.place(j);
+    const CellMap::Point at{front[0] + u * (back[0] - front[0]),
+                            front[1] + u * (back[1] - front[1]),
+                            front[2] + u * (back[2] - front[2])};
     std::array<double, kMostFields> here;
-    evaluate({front[0] + u * (back[0] - front[0]), front[1] + u * (back[1] - front[1]),
-              front[2] + u * (back[2] - front[2])},
-             here);
+    if (in_world_)
+      evaluate_in_world(at, here);
+    else
+      evaluate(at, here);
     for (std::size_t f = 0; f < fields_.size(); ++f) values[f][j] = here[f];
   }
   Piece piece{0, 1, {}};

@@ -52,6 +52,8 @@ class FieldAlongRay {
 
   /// Replaces `pieces` by those of a stretch inside the cell, front to back.
   ///
+  /// Fields that are polynomials in the world (CellField::polynomial) are so along the ray.
+  ///
   /// Where the map is affine the fields of tetrahedra (degree 1, 2, 3 by order), prisms (2, 3, 4)
   /// and bricks (3, 4, 5) are polynomials, and taken as such. Else, and in pyramids and wedges,
   /// whose shape functions are rational, they are analytic, and interpolated in Chebyshev points,
@@ -68,6 +70,7 @@ class FieldAlongRay {
   struct Samples;
   void evaluate(const CellMap::Point& xi, std::span<double, kMostFields> values) const;
   [[nodiscard]] Piece exact(const RayStretch& stretch) const;
+  void evaluate_in_world(const CellMap::Point& point, std::span<double, kMostFields> values) const;
   void sample(const RayStretch& stretch, double begin, double end, std::size_t stride,
               Samples& samples) const;
   void interpolate(const RayStretch& stretch, double begin, double end, int bisections,
@@ -75,6 +78,7 @@ class FieldAlongRay {
   CellKind kind_;
   const CellMap& map_;
   std::span<const CellField> fields_;
+  bool in_world_;             // a field is a polynomial there
   std::size_t exact_degree_;  // 0: not a polynomial
 };
 

@@ -29,16 +29,16 @@ double depth_of_mesh(const ZooMesh& mesh, const Projector& projector) {
 }
 
 template <std::size_t N>
-FrameField frame_field(const ZooMesh& mesh, const std::string& name,
-                       const TransferTable<N>& table) {
+FrameField frame_field(const ZooMesh& mesh, const std::string& name, const TransferTable<N>& table,
+                       bool polynomial) {
   Field field = scalar_field(mesh, name);
-  FrameField result{field.values, {}, field.location};
+  FrameField result{field.values, {}, field.location, polynomial};
   result.intervals = classify_values(result.values.view(), table);
   return result;
 }
 
 FrameField zero_field(const ZooMesh& mesh) {
-  FrameField zero{std::vector<double>(mesh.cell_count(), 0.0), {}, FieldLocation::cell};
+  FrameField zero{std::vector<double>(mesh.cell_count(), 0.0), {}, FieldLocation::cell, false};
   zero.intervals.assign(mesh.cell_count(), {0, 0});
   return zero;
 }
@@ -58,15 +58,17 @@ Frame make_frame(const ZooMesh& mesh, const Scene& scene, const Projector& proje
   frame.kernel_cells = kernel_cells(mesh, frame.nodes, scene.render.planarity);
   if (scene.render.splat_below > 0)
     frame.splatted_cells = splatted_cells(frame, scene.image, scene.render.splat_below);
+  const bool polynomial = scene.render.interpolation == Interpolation::polynomial;
   const auto& color = scene.volume.color;
   const auto& extinction = scene.volume.extinction;
   if (extinction)
-    frame.extinction = frame_field(mesh, extinction->field, frame.optics.extinction);
+    frame.extinction = frame_field(mesh, extinction->field, frame.optics.extinction, polynomial);
   else if (color)
-    frame.extinction = frame_field(mesh, color->field, frame.optics.extinction);
+    frame.extinction = frame_field(mesh, color->field, frame.optics.extinction, polynomial);
   else
     frame.extinction = zero_field(mesh);
-  if (!frame.optics.same_field) frame.color = frame_field(mesh, color->field, frame.optics.color);
+  if (!frame.optics.same_field)
+    frame.color = frame_field(mesh, color->field, frame.optics.color, polynomial);
   frame.tolerance = scene.render.tolerance;
   frame.straightness = scene.render.planarity;
   frame.depth = depth_of_mesh(mesh, projector);

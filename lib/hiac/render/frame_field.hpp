@@ -14,6 +14,7 @@ struct FrameField {
   SharedArray<double> values;
   std::vector<ScalarIntervals> intervals;
   FieldLocation location = FieldLocation::node;
+  bool polynomial = false;  ///< interpolated by WorldPolynomial, else isoparametrically
 
   /// Where the value of a cell's corner is. `entry` is the corner's index into ZooMesh::nodes.
   [[nodiscard]] std::size_t index(CellId cell, std::uint64_t entry, NodeId node) const {

@@ -10,6 +10,7 @@
 #include "hiac/optics/polynomial_piece.hpp"
 #include "hiac/optics/polynomial_roots.hpp"
 #include "hiac/render/cell_integrals.hpp"
+#include "hiac/render/cell_scalars.hpp"
 #include "hiac/render/cell_scan.hpp"
 #include "hiac/render/cuts_along_ray.hpp"
 #include "hiac/render/error_bound.hpp"
@@ -27,64 +28,6 @@ constexpr double kFieldShare = 0x1p-8, kIntegrationShare = 0x1p-7;
 
 // Behind an opaque surface nothing is seen; a tolerance divided by this is a number still.
 constexpr double kLeastVisible = 1e-100;
-
-// Intervals of a transfer table, inclusive.
-struct IntervalRange {
-  std::size_t low, high;
-};
-
-bool all_zero(const std::vector<std::uint8_t>& zero, IntervalRange range) {
-  return std::all_of(zero.begin() + static_cast<std::ptrdiff_t>(range.low),
-                     zero.begin() + static_cast<std::ptrdiff_t>(range.high) + 1,
-                     [](std::uint8_t z) { return z != 0; });
-}
-
-// The steepest slope of a transfer function on some intervals; infinite where it jumps there.
-template <std::size_t N>
-double steepest_slope(const TransferTable<N>& table, IntervalRange range) {
-  double steepest = 0;
-  for (std::size_t c = 0; c < N; ++c)
-    for (std::size_t k = range.low; k <= range.high; ++k) {
-      steepest = std::max(steepest, std::abs(table.slope[c][k]));
-      if (k == range.low) continue;
-      const auto at_breakpoint = [&](std::size_t piece) {
-        return table.value[c][piece] +
-               table.slope[c][piece] * (table.lower[k] - table.anchor[piece]);
-      };
-      const double before = at_breakpoint(k - 1), after = at_breakpoint(k);
-      const double rounding =
-          8 * std::numeric_limits<double>::epsilon() * (std::abs(before) + std::abs(after));
-      if (std::abs(after - before) > rounding) return std::numeric_limits<double>::infinity();
-    }
-  return steepest;
-}
-
-// On how much of [0, 1] a polynomial is within `error` of a value. `roots`: scratch.
-double doubtful_part(const BernsteinPolynomial& f, double value, double error,
-                     std::vector<RootEnclosure>& roots) {
-  roots.clear();
-  append_roots(f, value - error, roots);
-  append_roots(f, value + error, roots);
-  std::ranges::sort(roots, {}, &RootEnclosure::low);
-  roots.push_back({1, 1, 0});
-  double from = 0, sum = 0;
-  for (const RootEnclosure& root : roots) {
-    // between roots it is within or not all along
-    if (root.low > from && std::abs(evaluate(f, 0.5 * (from + root.low)) - value) <= 2 * error)
-      sum += root.low - from;
-    if (root.high > from) sum += root.high - std::max(from, root.low);
-    from = std::max(from, root.high);
-  }
-  return sum;
-}
-
-// One field in one cell.
-struct CellScalars {
-  CellField nodes;
-  IntervalRange intervals;
-
-  [[nodiscard]] bool constant() const { return nodes.least == nodes.most; }
-};
 
 class GeneralCellRenderer {
  public:
@@ -120,7 +63,8 @@ class GeneralCellRenderer {
     const FieldAlongRay field(kind_, map, std::span(fields).first(optics_.same_field ? 1 : 2));
     is_uniform_ = uniform_optics();
     if (frame_.with_error) set_errors();
-    if (optics_.rule == PieceRule::exact && !is_cut_ && !is_uniform_)
+    if (optics_.rule == PieceRule::exact && !is_cut_ && !is_uniform_ &&
+        !extinction_.nodes.polynomial && !color_.nodes.polynomial)
       render_together(map, field, std::span(fields).first(optics_.same_field ? 1 : 2));
     else
       for (const CellCrossing& crossing : crossings_) render(crossing, map, field);
@@ -128,17 +72,10 @@ class GeneralCellRenderer {
 
  private:
   void load(CellId cell) {
-    extinction_ = load_field(frame_.extinction, optics_.extinction, cell);
-    color_ = optics_.same_field ? extinction_ : load_field(frame_.color, optics_.color, cell);
+    extinction_ = cell_scalars(frame_.mesh, cell, frame_.extinction, optics_.extinction);
+    color_ = optics_.same_field ? extinction_
+                                : cell_scalars(frame_.mesh, cell, frame_.color, optics_.color);
     set_allowed_errors();
-  }
-
-  template <std::size_t N>
-  [[nodiscard]] CellScalars load_field(const FrameField& field, const TransferTable<N>& table,
-                                       CellId cell) const {
-    const CellField nodes = cell_field(frame_.mesh, cell, field);
-    return {nodes,
-            {classify_value(nodes.least, table).low, classify_value(nodes.most, table).high}};
   }
 
   // An error e of a field changes the optical depth of a whole ray by e times slope times length at
@@ -167,14 +104,7 @@ class GeneralCellRenderer {
 
   // Whether colour and extinction have one value in the whole cell.
   [[nodiscard]] bool uniform_optics() const {
-    const auto flat = [](const auto& table, const CellScalars& scalars) {
-      if (scalars.constant()) return true;
-      const auto [low, high] = scalars.intervals;
-      return low == high && std::ranges::all_of(table.slope, [k = low](const auto& slope) {
-               return slope[k] == 0;
-             });
-    };
-    return flat(optics_.extinction, extinction_) && flat(optics_.color, color_);
+    return is_flat(optics_.extinction, extinction_) && is_flat(optics_.color, color_);
   }
 
   [[nodiscard]] std::size_t index_of(const CellCrossing& crossing) const {

@@ -156,7 +156,10 @@ Isosurfaces make_isosurfaces(const ZooMesh& mesh, const Scene& scene, const Proj
     const auto [at, is_new] = numbers.try_emplace(s.field, all.fields.size());
     if (is_new) {
       const Field field = scalar_field(mesh, s.field);
-      all.fields.push_back({field.values, {}, field.location});
+      all.fields.push_back({field.values,
+                            {},
+                            field.location,
+                            scene.render.interpolation == Interpolation::polynomial});
     }
     all.surfaces.push_back({at->second, s.value, s.color, std::log1p(-s.opacity), s.ambient,
                             s.diffuse, s.specular, s.shininess});

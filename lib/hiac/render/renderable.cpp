@@ -19,6 +19,7 @@
 #include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/corner_fan.hpp"
 #include "hiac/render/cell_field.hpp"
+#include "hiac/render/world_polynomial.hpp"
 
 namespace hiac {
 namespace {
@@ -56,12 +57,6 @@ std::string cell_name(const ZooMesh& mesh, std::size_t cell) {
 // What there is more of than the one that is named.
 std::string others(const Failures& failures) {
   return failures.count == 1 ? "" : fmt::format("; {} cells in all", failures.count);
-}
-
-void check_scene(const Scene& scene) {
-  if (scene.render.interpolation != Interpolation::isoparametric)
-    throw InputError(
-        "key `render.interpolation`: this version interpolates \"isoparametric\" alone");
 }
 
 // Whether the cell's surface turns the other way at some corners than at others (the Jacobian
@@ -143,6 +138,33 @@ void check_geometry(const ZooMesh& mesh, double planarity) {
                                fault_of(mesh, failures.first, planarity), others(failures)));
 }
 
+// Whether every cell has the polynomial that fields are to be interpolated by. `skip_invalid`: but
+// those that are left out.
+void check_polynomials(const ZooMesh& mesh, double planarity, bool skip_invalid) {
+  const auto of_interest = [&](std::size_t cell) {
+    return !skip_invalid || fault_of(mesh, cell, planarity) == nullptr;
+  };
+  Failures failures = count_failures(mesh.cell_count(), [&](std::size_t cell) {
+    return !WorldPolynomial::exists(mesh.kinds[cell]) && of_interest(cell);
+  });
+  if (failures.count > 0)
+    throw InputError(
+        cell_name(mesh, failures.first),
+        fmt::format("`render.interpolation` = \"polynomial\" has no function for the "
+                    "kind (tetrahedra, prism6, brick8 or brick20 expected, {} found{})",
+                    kind_name(mesh.kinds[failures.first]), others(failures)));
+  const std::array<double, kMaxNodesPerCell> any{};
+  failures = count_failures(mesh.cell_count(), [&](std::size_t cell) {
+    return !WorldPolynomial::through(mesh, static_cast<CellId>(cell), any) && of_interest(cell);
+  });
+  if (failures.count > 0)
+    throw InputError(cell_name(mesh, failures.first),
+                     fmt::format("`render.interpolation` = \"polynomial\": the nodes do not "
+                                 "determine the function (independent equations expected, a pivot "
+                                 "below 1e-10 found{})",
+                                 others(failures)));
+}
+
 // The cells' values of a field, by entry of ZooMesh::nodes (nodes and corners) or by cell.
 void check_field(const ZooMesh& mesh, const std::string& name) {
   const Field field = scalar_field(mesh, name);
@@ -202,8 +224,9 @@ VisibilityOrder without_cells(const VisibilityOrder& order, std::span<const Cell
 }
 
 void check_renderable(const ZooMesh& mesh, const Scene& scene, InvalidCells invalid) {
-  check_scene(scene);
   if (invalid == InvalidCells::refused) check_geometry(mesh, scene.render.planarity);
+  if (scene.render.interpolation == Interpolation::polynomial)
+    check_polynomials(mesh, scene.render.planarity, invalid == InvalidCells::skipped);
   std::set<std::string> fields;
   if (scene.volume.color) fields.insert(scene.volume.color->field);
   if (scene.volume.extinction) fields.insert(scene.volume.extinction->field);

@@ -4,11 +4,14 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "hiac/base/parallel.hpp"
+#include "hiac/geometry/face_form.hpp"
 #include "hiac/geometry/inverse_map.hpp"
 #include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/shape_functions.hpp"
+#include "hiac/optics/gauss_legendre.hpp"
 #include "hiac/optics/linear_piece.hpp"
 #include "hiac/render/cell_field.hpp"
 #include "hiac/render/cell_scan.hpp"
@@ -68,6 +71,70 @@ Gravity gravity_of(const ZooMesh& mesh, CellId cell) {
   return gravity;
 }
 
+// Of a reference cell as the image of the unit cube (interpolant_range.hpp): a point, and the
+// map's determinant there.
+struct CollapsedPoint {
+  Vector reference;
+  double determinant;
+};
+
+CollapsedPoint collapsed_point(CellShape shape, const Vector& cube) {
+  const auto& [u, v, w] = cube;
+  switch (shape) {
+    case CellShape::tetrahedron:
+      return {{u * (1 - v) * (1 - w), v * (1 - w), w}, (1 - v) * (1 - w) * (1 - w)};
+    case CellShape::pyramid:
+      return {{u * (1 - w), v * (1 - w), w}, (1 - w) * (1 - w)};
+    case CellShape::prism:
+      return {{u * (1 - v), v, w}, 1 - v};
+    case CellShape::wedge:
+      return {{u * (2 - v - w), v, w}, 2 - v - w};
+    case CellShape::brick:
+      break;
+  }
+  return {cube, 1};
+}
+
+// Exact for curved cells: integrals over the cube, of polynomials of degree 11 at most.
+Gravity gravity_of_curved(const ZooMesh& mesh, CellId cell) {
+  const CellKind kind = mesh.kinds[cell];
+  const auto nodes = mesh.cell_nodes(cell);
+  const auto origin = mesh.position(nodes[0]);
+  const GaussRule rule = gauss_legendre(6);
+  double volume = 0;
+  Vector moment{};
+  std::array<double, kMaxNodesPerCell> shape;
+  std::array<Vector, kMaxNodesPerCell> gradient;
+  for (std::size_t at = 0; at < 216; ++at) {
+    const std::array<std::size_t, 3> k{at % 6, at / 6 % 6, at / 36};
+    Vector cube;
+    double weight = 1;
+    for (std::size_t c = 0; c < 3; ++c) {
+      cube[c] = 0.5 * (1 + rule.nodes[k[c]]);
+      weight *= 0.5 * rule.weights[k[c]];
+    }
+    const CollapsedPoint point = collapsed_point(shape_of(kind), cube);
+    shape_functions<double>(kind, point.reference, shape);
+    shape_gradients<double>(kind, point.reference, gradient);
+    Vector here{};
+    std::array<Vector, 3> columns{};
+    for (std::size_t n = 1; n < nodes.size(); ++n) {
+      const Vector node = minus(mesh.position(nodes[n]), origin);
+      for (std::size_t c = 0; c < 3; ++c) {
+        here[c] += shape[n] * node[c];
+        for (std::size_t a = 0; a < 3; ++a) columns[a][c] += gradient[n][a] * node[c];
+      }
+    }
+    weight *= point.determinant * box_volume(columns[0], columns[1], columns[2]);
+    volume += weight;
+    for (std::size_t c = 0; c < 3; ++c) moment[c] += weight * here[c];
+  }
+  Gravity gravity{volume, {}};
+  for (std::size_t c = 0; c < 3; ++c)
+    gravity.center[c] = origin[c] + (volume > 0 ? moment[c] / volume : 0);
+  return gravity;
+}
+
 // Decides which cells are splatted.
 class SplatChoice {
  public:
@@ -90,6 +157,16 @@ class SplatChoice {
       top = std::min(top, p.y);
       bottom = std::max(bottom, p.y);
     }
+    if (has_curved_faces(frame_.mesh, cell, frame_.straightness)) {
+      const ScreenBounds bounds = bounds_of_curved_cell(frame_, cell);
+      if (!bounds.in_front || bounds.nearest < projector.near() ||
+          bounds.farthest > projector.far())
+        return false;
+      left = bounds.x0;
+      right = bounds.x1;
+      top = bounds.y0;
+      bottom = bounds.y1;
+    }
     const bool may_be_seen = right > -kBsplineReach && left < width_ + kBsplineReach &&
                              bottom > -kBsplineReach && top < height_ + kBsplineReach;
     return may_be_seen && !covers_enough(cell, {first_center(left - kLeftOfEdge), first_center(top),
@@ -102,11 +179,14 @@ class SplatChoice {
     const std::int64_t in_box = static_cast<std::int64_t>(box.x1 - box.x0) * (box.y1 - box.y0);
     if (in_box < splat_below_) return false;
     const CellSurface surface = cell_surface(frame_.mesh.kinds[cell], frame_.mesh.cell_nodes(cell));
+    std::optional<CurvedFaces> curved;
+    if (has_curved_faces(frame_.mesh, cell, frame_.straightness))
+      curved.emplace(frame_, cell, surface);
     std::int64_t covered = 0;
     for (int y = box.y0; y < box.y1 && covered < splat_below_; ++y) {
       crossings_.clear();
-      // curved faces as if they were planar: splats are no more than that
-      scan_projected_cell(frame_, surface, nullptr, {box.x0, y, box.x1, y + 1}, crossings_);
+      scan_projected_cell(frame_, surface, curved ? &*curved : nullptr, {box.x0, y, box.x1, y + 1},
+                          crossings_);
       // a ray in a face may cross it several times
       for (std::size_t k = 0; k < crossings_.size(); ++k)
         if (k == 0 || crossings_[k].x != crossings_[k - 1].x) ++covered;
@@ -125,6 +205,8 @@ double value_at(const Frame& frame, const FrameField& field, CellId cell, const 
   const CellKind kind = frame.mesh.kinds[cell];
   const CellField nodes = cell_field(frame.mesh, cell, field);
   if (nodes.least == nodes.most) return nodes.least;
+  if (nodes.polynomial)
+    return nodes.polynomial->at(minus(point, frame.mesh.position(frame.mesh.cell_nodes(cell)[0])));
   const CellMap map(kind, cell_positions(frame.mesh, cell), frame.straightness);
   std::array<double, kMaxNodesPerCell> shape;
   shape_functions<double>(kind, map.reference(point, map.middle()), shape);
@@ -151,7 +233,9 @@ std::vector<std::uint8_t> splatted_cells(const Frame& frame, ImageSize size,
 
 Splat splat_of(const Frame& frame, CellId cell) {
   const Projector& projector = frame.projector;
-  const Gravity gravity = gravity_of(frame.mesh, cell);
+  const Gravity gravity = has_curved_faces(frame.mesh, cell, frame.straightness)
+                              ? gravity_of_curved(frame.mesh, cell)
+                              : gravity_of(frame.mesh, cell);
   ProjectedNode center;
   projector.project(gravity.center, center);
   const double t = projector.parameter(gravity.center);

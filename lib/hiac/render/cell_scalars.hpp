@@ -1,0 +1,72 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "hiac/optics/polynomial_roots.hpp"
+#include "hiac/render/cell_field.hpp"
+#include "hiac/render/transfer_table.hpp"
+
+namespace hiac {
+
+/// Intervals of a transfer table, inclusive.
+struct IntervalRange {
+  std::size_t low, high;
+};
+
+/// One field in one cell, and the intervals of its transfer function that it may meet there.
+struct CellScalars {
+  CellField nodes;
+  IntervalRange intervals;
+
+  [[nodiscard]] bool constant() const { return nodes.least == nodes.most; }
+};
+
+template <std::size_t N>
+CellScalars cell_scalars(const ZooMesh& mesh, CellId cell, const FrameField& field,
+                         const TransferTable<N>& table) {
+  const CellField nodes = cell_field(mesh, cell, field);
+  return {nodes, {classify_value(nodes.least, table).low, classify_value(nodes.most, table).high}};
+}
+
+/// Whether all of some intervals are marked as zero.
+bool all_zero(const std::vector<std::uint8_t>& zero, IntervalRange range);
+
+/// Whether a transfer function has one value in the whole cell.
+template <std::size_t N>
+bool is_flat(const TransferTable<N>& table, const CellScalars& scalars) {
+  if (scalars.constant()) return true;
+  const auto [low, high] = scalars.intervals;
+  return low == high &&
+         std::ranges::all_of(table.slope, [k = low](const auto& slope) { return slope[k] == 0; });
+}
+
+/// The steepest slope of a transfer function on some intervals; infinite where it jumps there.
+template <std::size_t N>
+double steepest_slope(const TransferTable<N>& table, IntervalRange range) {
+  double steepest = 0;
+  for (std::size_t c = 0; c < N; ++c)
+    for (std::size_t k = range.low; k <= range.high; ++k) {
+      steepest = std::max(steepest, std::abs(table.slope[c][k]));
+      if (k == range.low) continue;
+      const auto at_breakpoint = [&](std::size_t piece) {
+        return table.value[c][piece] +
+               table.slope[c][piece] * (table.lower[k] - table.anchor[piece]);
+      };
+      const double before = at_breakpoint(k - 1), after = at_breakpoint(k);
+      const double rounding =
+          8 * std::numeric_limits<double>::epsilon() * (std::abs(before) + std::abs(after));
+      if (std::abs(after - before) > rounding) return std::numeric_limits<double>::infinity();
+    }
+  return steepest;
+}
+
+/// On how much of [0, 1] a polynomial is within `error` of a value. `roots`: scratch.
+double doubtful_part(const BernsteinPolynomial& f, double value, double error,
+                     std::vector<RootEnclosure>& roots);
+
+}  // namespace hiac
