@@ -145,17 +145,14 @@ std::vector<std::string> data_files() {
 }
 
 // Files of quadratic cells, many of them curved.
-const std::array kQuadratic{"exodus/mfem_cube/simple-cube-tet10.e",
-                            "gmsh/quadratic/hex27_8ele_v2.msh",
-                            "gmsh/quadratic/quadraticsphere.msh",
-                            "gmsh/with_data/adaptive_tet10.msh",
-                            "nasty/curved/hex3Dpart.vtk",
-                            "nasty/curved/sphereCube.vtk",
-                            "vtk_xml/analytic/QuadraticHexahedron.vtu",
-                            "vtk_xml/analytic/QuadraticPyramid.vtu",
-                            "vtk_xml/analytic/QuadraticTetra.vtu",
-                            "vtk_xml/fe_results/dataset.vtu",
-                            "vtk_xml/fe_results/notch_disp.vtu"};
+const std::array kQuadratic{
+    "exodus/mfem_cube/simple-cube-tet10.e",
+
+    "gmsh/quadratic/quadraticsphere.msh",    "gmsh/with_data/adaptive_tet10.msh",
+
+    "nasty/curved/sphereCube.vtk",           "vtk_xml/analytic/QuadraticHexahedron.vtu",
+    "vtk_xml/analytic/QuadraticPyramid.vtu", "vtk_xml/analytic/QuadraticTetra.vtu",
+    "vtk_xml/fe_results/dataset.vtu",        "vtk_xml/fe_results/notch_disp.vtu"};
 
 // Whatever of them is there: drawn in order, and what is claimed of errors is of use.
 TEST(DataRendering, QuadraticMeshesAreDrawnInOrder) {

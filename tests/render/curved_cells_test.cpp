@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hiac/render/explain_pixel.hpp"
 #include "hiac/render/general_cells.hpp"
 #include "hiac/render/renderable.hpp"
 #include "tests/render/general_meshes.hpp"
@@ -175,6 +176,31 @@ TEST_P(CurvedCells, LinearFieldsAreThoseOfTheBody) {
       EXPECT_LE(errors.largest, 1e-12);
       EXPECT_LE(errors.unaccounted, 0);
     }
+}
+
+// What is told of a pixel's segments is what their places have.
+TEST_P(CurvedCells, ExplainedFieldsAreThoseOfThePlaces) {
+  const auto linear = [](const Position& p) { return 0.5 + 0.3 * p[0] - 0.4 * p[1] + 0.2 * p[2]; };
+  ZooMesh mesh = curved_mesh(GetParam());
+  mesh.fields.clear();
+  test::add_node_field(mesh, "f", linear);
+  const Scene scene = cube_scene(Projection::perspective, 3, 3);
+  const Projector projector(scene.camera, scene.image);
+  std::size_t told = 0;
+  for (const auto& [x, y] : {std::pair{1U, 1U}, {0U, 1U}, {1U, 2U}}) {
+    const PixelExplanation pixel =
+        explain_pixel(mesh, test::sorted(mesh, scene), scene, x, y, false);
+    const auto origin = projector.origin(x + 0.5, y + 0.5),
+               direction = projector.direction(x + 0.5, y + 0.5);
+    for (const PixelSegment& segment : pixel.segments)
+      for (const SegmentEnd& end : {segment.front, segment.back}) {
+        Position at;
+        for (std::size_t c = 0; c < 3; ++c) at[c] = origin[c] + end.depth * direction[c];
+        EXPECT_NEAR(end.extinction_field, linear(at), 1e-9);
+        ++told;
+      }
+  }
+  EXPECT_GT(told, 0U);
 }
 
 std::vector<CellKind> all_kinds() {
