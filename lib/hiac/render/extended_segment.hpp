@@ -19,7 +19,7 @@ struct ExtendedSegment {
 class ExtendedSegments {
  public:
   /// Needs Frame::with_error.
-  explicit ExtendedSegments(const Frame& frame) : frame_(frame), details_(frame, kExtended) {}
+  explicit ExtendedSegments(const Frame& frame) : frame_(frame), details_(frame) {}
 
   using Met = ExtendedTetrahedron::Met;
   /// The segment of pixel (x, y) in a cell, if there is one to draw. In doubt are cells that the
@@ -53,7 +53,7 @@ class ExtendedSegments {
                                         const std::vector<Cut>& cuts, const ExtendedLight& light);
 
   const Frame& frame_;
-  TetrahedronDetails details_;
+  BasicTetrahedronDetails<long double> details_;
 };
 
 }  // namespace hiac

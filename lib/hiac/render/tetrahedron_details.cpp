@@ -28,8 +28,9 @@ double elongation(const std::array<Vector, 3>& edges) {
 
 }  // namespace
 
-std::array<double, 4> TetrahedronDetails::values_of(const FrameField& field, double from,
-                                                    ValueRange& range) const {
+template <class Real>
+std::array<double, 4> BasicTetrahedronDetails<Real>::values_of(const FrameField& field, double from,
+                                                               ValueRange& range) const {
   const auto nodes = frame_.mesh.cell_nodes(cell_);
   std::array<double, 4> values;
   for (std::size_t k = 0; k < 4; ++k)
@@ -39,38 +40,44 @@ std::array<double, 4> TetrahedronDetails::values_of(const FrameField& field, dou
   return values;
 }
 
-double TetrahedronDetails::error_of(const std::array<double, 4>& values, ValueRange range,
-                                    const RayDisplacement& moved) const {
+template <class Real>
+double BasicTetrahedronDetails<Real>::error_of(const std::array<double, 4>& values,
+                                               ValueRange range,
+                                               const RayDisplacement& moved) const {
   const Vector differences{values[1] - values[0], values[2] - values[0], values[3] - values[0]};
-  return field_error(range, gradient_length(edges_, differences), moved, rounding_, numbers_);
+  return field_error(range, gradient_length(edges_, differences), moved, rounding_, kNumbers);
 }
 
-void TetrahedronDetails::enter(CellId cell) {
+template <class Real>
+void BasicTetrahedronDetails<Real>::enter(CellId cell) {
   cell_ = cell;
   if (!frame_.with_error) return;
   const auto nodes = frame_.mesh.cell_nodes(cell);
-  std::array<std::array<long double, 3>, 4> corners;
+  std::array<std::array<Real, 3>, 4> corners;
   for (std::size_t k = 0; k < 4; ++k) {
     const auto position = frame_.mesh.position(nodes[k]);
-    corners[k] = frame_.projector.extended_camera_coordinates(position);
+    if constexpr (std::is_same_v<Real, double>)
+      corners[k] = frame_.projector.relative(position);
+    else
+      corners[k] = frame_.projector.extended_camera_coordinates(position);
     if (k > 0) edges_[k - 1] = minus(position, frame_.mesh.position(nodes[0]));
   }
-  end_doubts_ = BasicEndDoubts<long double>(CellKind::tetrahedron4, corners);
-  displacement_ = ray_displacement(frame_, cell, numbers_);
+  end_doubts_ = BasicEndDoubts<Real>(CellKind::tetrahedron4, corners);
+  displacement_ = ray_displacement(frame_, cell, kNumbers);
   rounding_ = kTetrahedronRounding;
   if (frame_.kernel_cells[cell] != CellKernel::linear)
     rounding_.of_range += kBarycentricRounding * elongation(edges_);
   ValueRange color, extinction;
   const auto color_values = values_of(frame_.color_field(), 0, color);
   const auto extinction_values = values_of(frame_.extinction, 0, extinction);
-  optics_ = cell_optics(frame_.optics, color, extinction, numbers_);
+  optics_ = cell_optics(frame_.optics, color, extinction, kNumbers);
   color_error_ = error_of(color_values, color, displacement_);
   extinction_error_ = error_of(extinction_values, extinction, displacement_);
   continuous_ = frame_.color_field().location == FieldLocation::node &&
                 frame_.extinction.location == FieldLocation::node;
   cuts_.clear();
   if (frame_.isosurfaces.in(cell).empty()) return;
-  const RayDisplacement world = displacement_in_world(frame_, cell, numbers_);
+  const RayDisplacement world = displacement_in_world(frame_, cell, kNumbers);
   for (const IsosurfaceCut& in : frame_.isosurfaces.in(cell)) {
     const FrameIsosurface& surface = frame_.isosurfaces.surfaces[in.surface];
     ValueRange range;
@@ -78,25 +85,35 @@ void TetrahedronDetails::enter(CellId cell) {
     const Vector differences{v[1] - v[0], v[2] - v[0], v[3] - v[0]};
     cuts_.push_back({&surface,
                      frame_.projector.camera_vector(gradient_direction(edges_, differences)),
-                     16 * numbers_.unit * gradient_condition(edges_, differences),
+                     16 * kNumbers.unit * gradient_condition(edges_, differences),
                      std::max(-range.least, range.most), error_of(v, range, displacement_),
                      error_of(v, range, world)});
   }
 }
 
-TetrahedronDetails::Ends TetrahedronDetails::end_doubts(const TetrahedronSegment& segment) const {
-  const auto [a, b] = frame_.projector.extended_slopes(segment.x + 0.5, segment.y + 0.5);
-  Ends doubts = frame_.projector.perspective()
-                    ? end_doubts_.at({0, 0, 0}, {a, b, 1}, displacement_)
-                    : end_doubts_.at({a, b, 0}, {0, 0, 1}, displacement_);
+template <class Real>
+typename BasicTetrahedronDetails<Real>::Ends BasicTetrahedronDetails<Real>::end_doubts(
+    const TetrahedronSegment& segment) const {
+  const Projector& projector = frame_.projector;
+  const double x = segment.x + 0.5, y = segment.y + 0.5;
+  Ends doubts;
+  if constexpr (std::is_same_v<Real, double>) {
+    doubts =
+        end_doubts_.at(projector.relative_origin(x, y), projector.direction(x, y), displacement_);
+  } else {
+    const auto [a, b] = projector.extended_slopes(x, y);
+    doubts = projector.perspective() ? end_doubts_.at({0, 0, 0}, {a, b, 1}, displacement_)
+                                     : end_doubts_.at({a, b, 0}, {0, 0, 1}, displacement_);
+  }
   // where the view clips is known
   if (segment.front == frame_.projector.near()) doubts.front = displacement_.along;
   if (segment.back == frame_.projector.far()) doubts.back = displacement_.along;
   return doubts;
 }
 
-ErrorBound TetrahedronDetails::cuts_bound(const TetrahedronSegment& segment,
-                                          const Ends& ends) const {
+template <class Real>
+ErrorBound BasicTetrahedronDetails<Real>::cuts_bound(const TetrahedronSegment& segment,
+                                                     const Ends& ends) const {
   const bool emission = frame_.optics.emission;
   const double largest = frame_.isosurfaces.largest_light;
   Vector ray{0, 0, 1};
@@ -134,7 +151,7 @@ ErrorBound TetrahedronDetails::cuts_bound(const TetrahedronSegment& segment,
     ErrorBound shade;
     if (cut.crossed)
       shade = shade_bound(*cuts_[k].surface, frame_.isosurfaces.lights, cuts_[k].normal, ray,
-                          cuts_[k].angle, numbers_);
+                          cuts_[k].angle, kNumbers);
     const ErrorBound bound = cut_bound(optics_, emission, largest, cut, shade);
     sum.radiance += bound.radiance;
     sum.transparency += bound.transparency;
@@ -153,7 +170,8 @@ ErrorBound TetrahedronDetails::cuts_bound(const TetrahedronSegment& segment,
   return sum;
 }
 
-SegmentDetails TetrahedronDetails::describe(const TetrahedronSegment& segment) const {
+template <class Real>
+SegmentDetails BasicTetrahedronDetails<Real>::describe(const TetrahedronSegment& segment) const {
   SegmentDetails details;
   details.front = segment.front;
   details.back = segment.back;
@@ -176,7 +194,7 @@ SegmentDetails TetrahedronDetails::describe(const TetrahedronSegment& segment) c
                      .opacity = 1 - segment.transparency,
                      // of the volume alone where surfaces are crossed
                      .transparency = segment.cuts.empty() ? segment.transparency : 1},
-                    numbers_);
+                    kNumbers);
   const Ends ends = end_doubts(segment);
   const double most = frame_.depth * frame_.projector.ray_scale(segment.x + 0.5, segment.y + 0.5);
   details.front_edge = edge_bound(optics_, emission, std::min(most, ends.front));
@@ -197,5 +215,8 @@ SegmentDetails TetrahedronDetails::describe(const TetrahedronSegment& segment) c
   }
   return details;
 }
+
+template class BasicTetrahedronDetails<double>;
+template class BasicTetrahedronDetails<long double>;
 
 }  // namespace hiac

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "hiac/render/error_bound.hpp"
@@ -32,18 +33,20 @@ struct TetrahedronSegment {
 };
 
 /// Details of segments through linear tetrahedra; where errors are asked for, with their bounds:
-/// found over the screen those of the kernel's cells, others in the world.
-class TetrahedronDetails {
+/// found over the screen those of the kernel's cells, others in the world. `Real`: what the
+/// segments are computed with, double or long double.
+template <class Real>
+class BasicTetrahedronDetails {
  public:
-  explicit TetrahedronDetails(const Frame& frame, const Arithmetic& numbers = kDoubles)
-      : frame_(frame), numbers_(numbers) {}
+  explicit BasicTetrahedronDetails(const Frame& frame) : frame_(frame) {}
 
   void enter(CellId cell);
   [[nodiscard]] SegmentDetails describe(const TetrahedronSegment& segment) const;
 
  private:
+  static constexpr Arithmetic kNumbers = std::is_same_v<Real, double> ? kDoubles : kExtended;
   using Vector = std::array<double, 3>;
-  using Ends = BasicEndDoubts<long double>::Doubts;
+  using Ends = typename BasicEndDoubts<Real>::Doubts;
   struct CutErrors {
     const FrameIsosurface* surface;
     Vector normal;   // camera frame
@@ -61,11 +64,10 @@ class TetrahedronDetails {
   [[nodiscard]] ErrorBound cuts_bound(const TetrahedronSegment& segment, const Ends& ends) const;
 
   const Frame& frame_;
-  Arithmetic numbers_;
   // of the cell at hand
   CellId cell_ = 0;
   std::array<Vector, 3> edges_{};  // from corner 0
-  BasicEndDoubts<long double> end_doubts_;
+  BasicEndDoubts<Real> end_doubts_;
   CellOptics optics_;
   RayDisplacement displacement_;
   FieldRounding rounding_ = kTetrahedronRounding;
@@ -73,5 +75,7 @@ class TetrahedronDetails {
   bool continuous_ = true;  // fields fit at faces
   std::vector<CutErrors> cuts_;
 };
+
+using TetrahedronDetails = BasicTetrahedronDetails<double>;
 
 }  // namespace hiac
