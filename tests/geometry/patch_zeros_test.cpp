@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "hiac/base/seconds.hpp"
+
 namespace hiac {
 namespace {
 
@@ -156,6 +158,25 @@ TEST(PatchZeros, TheWindingNumberDecides) {
 }
 
 // A ray along an edge meets all faces around it where the edge is nearest.
+// Rays that run along a face: the search ends, though every part along the curve holds zeros.
+TEST(PatchZeros, CurvesOfZerosAreNotFollowedToTheEnd) {
+  for (const PatchShape& shape : kShapes) {
+    Map map{shape, {}, {}, {}};
+    const std::size_t n = shape.degree, side = n + 1;
+    for (std::size_t j = 0; j < side; ++j)
+      for (std::size_t i = 0; i < side; ++i) {
+        const auto u = static_cast<double>(i) / static_cast<double>(n),
+                   v = static_cast<double>(j) / static_cast<double>(n);
+        map.a[i + side * j] = u - 0.4;
+        map.b[i + side * j] = (u - 0.4) * (v - 0.3);
+      }
+    const double start = seconds_now();
+    const PatchZeros zeros = patch_zeros(map.question(0, false));
+    EXPECT_LT(seconds_now() - start, 5);
+    for (const PatchZero& zero : zeros) EXPECT_NEAR(zero.u, 0.4, 1e-3);
+  }
+}
+
 TEST(PatchZeros, OnAnEdgeTheLeastDeepCornerIsTaken) {
   for (const PatchShape& shape : kShapes) {
     std::mt19937 random(10);

@@ -16,6 +16,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMargin = 1e-3;
 // Below this size nothing more is told apart.
 constexpr int kMostHalvings = 26;
+// Pairs of zeros need a few parts of each smaller size; curves of zeros, where a ray runs along the
+// patch, as many as there are along them. So many of these sizes are looked at, and no more.
+constexpr int kFewHalvings = 12;
+constexpr int kMostFineParts = 1024;
 constexpr int kMostSteps = 12;
 // Zeros closer to each other than this are one.
 constexpr double kSame = 1e-9;
@@ -280,13 +284,15 @@ class Search {
     if (has_one_sign(a, count_, rounding_) || has_one_sign(b, count_, rounding_)) return;
     bool unique = false;
     if (!may_have_zeros(a, b, unique)) return;
-    if (unique || halvings == kMostHalvings) {
+    const bool last =
+        halvings == kMostHalvings || (halvings >= kFewHalvings && fine_parts_++ >= kMostFineParts);
+    if (unique || last) {
       const PatchZero zero = newton({u + 0.5 * size, v + 0.5 * size});
       const double slack = (unique ? 1e-6 : 1.0) * size;
       const bool here = zero.sign != 0 && zero.u >= u - slack && zero.u <= u + size + slack &&
                         zero.v >= v - slack && zero.v <= v + size + slack;
       if (here) add(zero);
-      if (here || halvings == kMostHalvings) return;
+      if (here || last) return;
     }
     const NetPair a_v = split(a, n_, true, 0.5), b_v = split(b, n_, true, 0.5);
     const double half = 0.5 * size;
@@ -349,6 +355,7 @@ class Search {
   std::size_t n_, count_;
   const PatchNet<double>&a_, &b_;
   double rounding_;
+  int fine_parts_ = 0;  // divided 2^-kFewHalvings and farther
   PatchZeros found_;
 };
 

@@ -39,7 +39,8 @@ class PatchZeros {
 /// Degree 1: one coordinate's elimination leaves a quadratic equation. Else: the domain is divided
 /// until Bernstein coefficients tell of every part that there is no zero in it, or that the map is
 /// one to one there (Newton's iteration then finds the zero, if there is one), down to parts of
-/// 2^-26, in which of pairs of zeros nothing is known. (The exclusion and uniqueness tests of
+/// 2^-26 (2^-12 where there are very many such, along curves of zeros), in which of pairs of zeros
+/// nothing is known. (The exclusion and uniqueness tests of
 /// Bernstein-subdivision solvers; B. Mourrain, J. P. Pavone, "Subdivision methods for solving
 /// polynomial equations", 2009.) Where what is found does not add up to `winding`, rounding has
 /// mistaken a zero near the border: that nearest to it is taken in or left out.
