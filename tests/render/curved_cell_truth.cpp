@@ -3,20 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/support/extended_vectors.hpp"
+
 namespace hiac::test {
 namespace {
 
 using Real = CurvedCellTruth::Real;
-using Vec = CurvedCellTruth::Vec;
-
-Vec operator-(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vec operator+(const Vec& a, const Vec& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-Vec operator*(Real s, const Vec& a) { return {s * a[0], s * a[1], s * a[2]}; }
-Real dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vec cross(const Vec& a, const Vec& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Real norm(const Vec& a) { return std::sqrt(dot(a, a)); }
+using Vec = ExtendedVec;
 
 // How far points are from a line, in two directions across it.
 struct Across {

@@ -23,6 +23,7 @@ void ErrorComparison::add(const ErrorComparison& other) {
   claims.insert(claims.end(), other.claims.begin(), other.claims.end());
   largest_error = std::max(largest_error, other.largest_error);
   if (other.worst.ratio() > worst.ratio()) worst = other.worst;
+  if (other.largest_claim.claimed > largest_claim.claimed) largest_claim = other.largest_claim;
   for (const PixelError& failure : other.failures)
     if (failures.size() < 20) failures.push_back(failure);
 }
@@ -60,6 +61,7 @@ ErrorComparison compare_error_channel(SceneCells cells, std::uint64_t seed, std:
       if (empty || scene.render.tolerance != Scene{}.render.tolerance) continue;
       ++result.at_default;
       result.claims.push_back(pixel[4]);
+      if (worst.claimed > result.largest_claim.claimed) result.largest_claim = worst;
     }
   return result;
 }

@@ -26,6 +26,7 @@ struct ErrorComparison {
   std::vector<double> claims;    ///< of those, every one
   double largest_error = 0;
   PixelError worst;                  ///< by ratio
+  PixelError largest_claim;          ///< at the default tolerance
   std::vector<PixelError> failures;  ///< ratio above 1: at most 20
 
   void add(const ErrorComparison& other);

@@ -32,6 +32,7 @@ void report(ErrorComparison& all, std::uint64_t scenes) {
   print("largest ratio", all.worst);
   for (const PixelError& failure : all.failures) print("TOO SMALL", failure);
   if (all.claims.empty()) return;
+  print("largest claim at the default tolerance", all.largest_claim);
   std::ranges::sort(all.claims);
   const auto quantile = [&](double q) {
     return all.claims[static_cast<std::size_t>(q * static_cast<double>(all.claims.size() - 1))];

@@ -7,24 +7,14 @@
 #include <string>
 
 #include "hiac/mesh/shape_functions.hpp"
+#include "tests/support/extended_vectors.hpp"
 #include "tests/support/phong.hpp"
 
 namespace hiac::test {
 namespace {
 
 using Real = SceneTruth::Real;
-using Vec = SceneTruth::Vec;
-
-Vec operator-(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vec operator+(const Vec& a, const Vec& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-Vec operator*(Real s, const Vec& a) { return {s * a[0], s * a[1], s * a[2]}; }
-Real dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vec cross(const Vec& a, const Vec& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Real norm(const Vec& a) { return std::sqrt(dot(a, a)); }
-Vec unit(const Vec& a) { return (1 / norm(a)) * a; }
-Vec vec(std::span<const double, 3> a) { return {a[0], a[1], a[2]}; }
+using Vec = ExtendedVec;
 
 constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
 // Of a field's values: Chebyshev coefficients below it are left out.

@@ -6,23 +6,14 @@
 #include <numbers>
 #include <vector>
 
+#include "tests/support/extended_vectors.hpp"
 #include "tests/support/phong.hpp"
 
 namespace hiac::test {
 namespace {
 
 using Real = long double;
-using Vec = std::array<Real, 3>;
-
-Vec operator-(const Vec& a, const Vec& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Vec operator+(const Vec& a, const Vec& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-Vec operator*(Real s, const Vec& a) { return {s * a[0], s * a[1], s * a[2]}; }
-Real dot(const Vec& a, const Vec& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vec cross(const Vec& a, const Vec& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Vec vec(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
-Vec vec(std::span<const double, 3> a) { return {a[0], a[1], a[2]}; }
+using Vec = ExtendedVec;
 
 struct Ray {
   Vec origin, direction;  // direction of unit length
