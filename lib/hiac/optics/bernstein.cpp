@@ -8,6 +8,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "hiac/base/binomial.hpp"
+
 namespace hiac {
 namespace {
 
@@ -67,13 +69,6 @@ void elevate(PolynomialCoefficients& c, std::size_t degree) {
     const double part = static_cast<double>(i) / n;
     c[i] = part * c[i - 1] + (1 - part) * c[i];
   }
-}
-
-double binomial(std::size_t n, std::size_t k) {
-  double value = 1;
-  for (std::size_t i = 1; i <= k; ++i)
-    value = value * static_cast<double>(n - k + i) / static_cast<double>(i);
-  return value;
 }
 
 /// Between the bases, for every degree n: from_chebyshev[n][k] are the Bernstein coefficients of

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "hiac/base/binomial.hpp"
 #include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/interpolant_range.hpp"
 #include "hiac/mesh/shape_functions.hpp"
@@ -43,13 +44,6 @@ void add_product(const Polynomial& a, const Polynomial& b, double sign, Polynomi
             for (std::size_t l = 0; l < b.size[0]; ++l) row[l] += factor * *of_b++;
           }
       }
-}
-
-double binomial(std::size_t n, std::size_t k) {
-  double result = 1;
-  for (std::size_t i = 1; i <= k; ++i)
-    result = result * static_cast<double>(n - k + i) / static_cast<double>(i);
-  return result;
 }
 
 // The coordinates of a part of a cell and a field on it, in Bernstein form on the cube.
