@@ -2,12 +2,6 @@
 
 namespace hiac {
 
-bool all_zero(const std::vector<std::uint8_t>& zero, IntervalRange range) {
-  return std::all_of(zero.begin() + static_cast<std::ptrdiff_t>(range.low),
-                     zero.begin() + static_cast<std::ptrdiff_t>(range.high) + 1,
-                     [](std::uint8_t z) { return z != 0; });
-}
-
 double doubtful_part(const BernsteinPolynomial& f, double value, double error,
                      std::vector<RootEnclosure>& roots) {
   roots.clear();

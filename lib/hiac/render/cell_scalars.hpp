@@ -9,14 +9,10 @@
 
 #include "hiac/optics/polynomial_roots.hpp"
 #include "hiac/render/cell_field.hpp"
+#include "hiac/render/interval_range.hpp"
 #include "hiac/render/transfer_table.hpp"
 
 namespace hiac {
-
-/// Intervals of a transfer table, inclusive.
-struct IntervalRange {
-  std::size_t low, high;
-};
 
 /// One field in one cell, and the intervals of its transfer function that it may meet there.
 struct CellScalars {
@@ -32,9 +28,6 @@ CellScalars cell_scalars(const ZooMesh& mesh, CellId cell, const FrameField& fie
   const CellField nodes = cell_field(mesh, cell, field);
   return {nodes, {classify_value(nodes.least, table).low, classify_value(nodes.most, table).high}};
 }
-
-/// Whether all of some intervals are marked as zero.
-bool all_zero(const std::vector<std::uint8_t>& zero, IntervalRange range);
 
 /// Whether a transfer function has one value in the whole cell.
 template <std::size_t N>

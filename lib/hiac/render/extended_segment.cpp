@@ -6,6 +6,7 @@
 
 #include "hiac/geometry/extended_vector.hpp"
 #include "hiac/render/face_value.hpp"
+#include "hiac/render/interval_range.hpp"
 
 namespace hiac {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 using Real = long double;
 using Vec = ExtendedVector;
 
-// A field at a tetrahedron's corners, and the intervals of its transfer function there.
+// A field at a tetrahedron's corners.
 CornerValues values_of(const Frame& frame, const FrameField& field, CellId cell,
                        const std::array<std::size_t, 4>& corners) {
   const auto nodes = frame.mesh.cell_nodes(cell);
@@ -24,25 +25,16 @@ CornerValues values_of(const Frame& frame, const FrameField& field, CellId cell,
   return values;
 }
 
-bool vanishes(const Frame& frame, const FrameField& field, const std::vector<std::uint8_t>& zero,
-              CellId cell) {
+// Between which intervals of its transfer function a field lies in a tetrahedron.
+IntervalRange intervals_of(const Frame& frame, const FrameField& field, CellId cell) {
   const auto nodes = frame.mesh.cell_nodes(cell);
-  std::size_t low = zero.size(), high = 0;
+  IntervalRange range{~std::size_t{0}, 0};
   for (std::size_t k = 0; k < 4; ++k) {
     const std::size_t at = field.index(cell, frame.mesh.elems[cell] + k, nodes[k]);
-    low = std::min<std::size_t>(low, field.intervals[at].low);
-    high = std::max<std::size_t>(high, field.intervals[at].high);
+    range.low = std::min<std::size_t>(range.low, field.intervals[at].low);
+    range.high = std::max<std::size_t>(range.high, field.intervals[at].high);
   }
-  for (std::size_t k = low; k <= high; ++k)
-    if (zero[k] == 0) return false;
-  return true;
-}
-
-// Whether the volume neither absorbs nor shines in a cell, as the kernel asks it.
-bool is_empty(const Frame& frame, CellId cell) {
-  const OpticsTables& optics = frame.optics;
-  return vanishes(frame, frame.extinction, optics.no_extinction, cell) &&
-         (!optics.emission || vanishes(frame, frame.color_field(), optics.no_color, cell));
+  return range;
 }
 
 // The direction of the gradient of a linear scalar, camera frame.
@@ -65,17 +57,6 @@ Vec normal_of(const Frame& frame, CellId cell, const std::array<std::size_t, 4>&
   return frame.projector.extended_camera_vector(unit(n));
 }
 
-// The bit of the face that lacks one of the corners among the faces of the cell.
-std::uint8_t face_bit(std::size_t lacking, const std::array<std::size_t, 4>& corners) {
-  const auto faces = topology_of(CellShape::tetrahedron).faces;
-  std::uint8_t bit = 0;
-  for (std::size_t k = 0; k < faces.size(); ++k)
-    if (std::ranges::find(faces[k].corners.begin(), faces[k].corners.begin() + 3,
-                          corners[lacking]) == faces[k].corners.begin() + 3)
-      bit = static_cast<std::uint8_t>(1U << k);
-  return bit;
-}
-
 // Where the ray enters or leaves by a face, the offset, kept to the sign that the whole face has.
 Real offset_on(const Frame& frame, CellId cell, const IsosurfaceCut& cut,
                const ExtendedTetrahedron& cell_met, const ExtendedTetrahedron::Place& place,
@@ -85,12 +66,13 @@ Real offset_on(const Frame& frame, CellId cell, const IsosurfaceCut& cut,
   FaceOffsets face;
   for (std::size_t k = 0; k < 4; ++k)
     if (k != place.face) face.add(nodes[corners[k]], static_cast<double>(offsets[k]));
-  if ((cut.closed_faces & face_bit(place.face, corners)) != 0) return -1e-200L;
+  if ((cut.closed_faces & (1U << tetrahedron_face_without(corners[place.face]))) != 0)
+    return kJustBelow;
   bool mixed = false;
   const double sign = face.sign(mixed);
   const Real offset = cell_met.at(place, offsets);
   if (mixed) return offset;
-  return sign < 0 ? std::min(offset, -1e-200L) : std::max<Real>(offset, 0);
+  return sign < 0 ? std::min<Real>(offset, kJustBelow) : std::max<Real>(offset, 0);
 }
 
 }  // namespace
@@ -196,7 +178,8 @@ SegmentDetails ExtendedSegments::describe(CellId cell, int x, int y, const Stret
 
 ExtendedSegments::Met ExtendedSegments::find(CellId cell, int x, int y, ExtendedSegment& segment) {
   const bool surfaces = !frame_.isosurfaces.in(cell).empty();
-  const bool empty = is_empty(frame_, cell);
+  const bool empty = is_empty_space(frame_.optics, intervals_of(frame_, frame_.color_field(), cell),
+                                    intervals_of(frame_, frame_.extinction, cell));
   if (empty && !surfaces) return Met::no;
   const ExtendedTetrahedron tetrahedron(frame_, cell);
   ExtendedTetrahedron::Crossing crossing;

@@ -8,6 +8,7 @@
 
 #include "hiac/geometry/extended_vector.hpp"
 #include "hiac/render/cell_scan.hpp"
+#include "hiac/render/face_value.hpp"
 
 namespace hiac {
 namespace {
@@ -108,10 +109,8 @@ ExtendedTetrahedron::Met ExtendedTetrahedron::cross_in_world(int x, int y,
 
 // False where the ray runs in the face, or the cell has no volume.
 bool ExtendedTetrahedron::place_in_world(std::uint8_t face, int x, int y, Place& place) const {
-  const auto& on_face = topology_of(CellShape::tetrahedron).faces[face].corners;
   std::size_t lacking = 0;
-  while (std::find(on_face.begin(), on_face.begin() + 3, corner_[lacking]) != on_face.begin() + 3)
-    ++lacking;
+  while (tetrahedron_face_without(corner_[lacking]) != face) ++lacking;
   const auto [base, one, two] = corners_of(lacking);
   const auto [a, b] = frame_.projector.extended_slopes(x + 0.5, y + 0.5);
   const Vec origin = perspective_ ? Vec{0, 0, 0} : Vec{a, b, 0};

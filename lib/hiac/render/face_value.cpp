@@ -149,6 +149,16 @@ double FaceOffsets::sign(bool& mixed) const {
   return most > 0 ? 1 : 0;
 }
 
+std::size_t tetrahedron_face_without(std::size_t corner) {
+  const auto faces = topology_of(CellShape::tetrahedron).faces;
+  std::size_t face = 0;
+  const auto has_corner = [&](const ShapeFace& f) {
+    return std::find(f.corners.begin(), f.corners.begin() + 3, corner) != f.corners.begin() + 3;
+  };
+  while (has_corner(faces[face])) ++face;
+  return face;
+}
+
 FaceOffsets face_offsets(CellKind kind, std::size_t face, std::span<const NodeId> nodes,
                          std::span<const double> offsets) {
   FaceOffsets result;

@@ -34,6 +34,12 @@ struct FaceOffsets {
   [[nodiscard]] double sign(bool& mixed) const;
 };
 
+/// An offset that is below the surface's value and not felt otherwise.
+inline constexpr double kJustBelow = -1e-200;
+
+/// Which of a tetrahedron's faces it is that lacks one of its corners.
+std::size_t tetrahedron_face_without(std::size_t corner);
+
 /// Face `face` of a cell. `nodes` and `offsets`: of the cell's nodes.
 FaceOffsets face_offsets(CellKind kind, std::size_t face, std::span<const NodeId> nodes,
                          std::span<const double> offsets);

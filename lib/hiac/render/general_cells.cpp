@@ -48,7 +48,7 @@ class GeneralCellRenderer {
 
   void render(CellId cell) {
     load(cell);
-    is_empty_ = empty_space();
+    is_empty_ = is_empty_space(optics_, color_.intervals, extinction_.intervals);
     if (frame_.with_error) displacement_ = ray_displacement(frame_, cell);
     is_cut_ = cuts_.enter(cell, displacement_);
     if (is_empty_ && !is_cut_) return;
@@ -94,12 +94,6 @@ class GeneralCellRenderer {
     extinction_.nodes.allowed = share / extinction;
     color_.nodes.allowed = share / color;
     if (optics_.same_field) extinction_.nodes.allowed = share / (extinction + color);
-  }
-
-  // Where nothing absorbs, chromaticity has nothing to colour.
-  [[nodiscard]] bool empty_space() const {
-    return all_zero(optics_.no_extinction, extinction_.intervals) &&
-           (!optics_.emission || all_zero(optics_.no_color, color_.intervals));
   }
 
   // Whether colour and extinction have one value in the whole cell.

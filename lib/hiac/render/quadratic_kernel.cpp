@@ -113,10 +113,7 @@ class QuadraticRenderer {
       color_ = extinction_;
     else
       color_.load(frame_.color, optics.color, cell, first_entry, nodes, corner);
-    // where nothing absorbs, chromaticity has nothing to colour
-    if (all_zero(optics.no_extinction, extinction_.intervals) &&
-        (!kEmission || all_zero(optics.no_color, color_.intervals)))
-      return false;
+    if (is_empty_space(optics, color_.intervals, extinction_.intervals)) return false;
     for (std::size_t k = 0; k < 4; ++k) {
       const ProjectedNode& node = frame_.nodes[nodes[corner[k]]];
       corners_.x[k] = node.x;

@@ -14,6 +14,7 @@
 #  include <hwy/highway.h>
 
 #  include "hiac/optics/linear_piece-inl.hpp"
+#  include "hiac/render/interval_range.hpp"
 #  include "hiac/render/transfer_table.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -26,18 +27,6 @@ template <class V>
 struct Radiance {
   V red, green, blue, transparency;
 };
-
-// Intervals of a transfer function between which a cell's scalars lie.
-struct IntervalRange {
-  std::size_t low, high;
-};
-
-// Whether a function vanishes on all of them. `zero`: on which of all.
-HWY_INLINE bool all_zero(const std::vector<std::uint8_t>& zero, IntervalRange range) {
-  for (std::size_t k = range.low; k <= range.high; ++k)
-    if (zero[k] == 0) return false;
-  return true;
-}
 
 // Reads one column of a transfer table at every lane's interval; where the whole cell lies in one
 // interval, without a gather.

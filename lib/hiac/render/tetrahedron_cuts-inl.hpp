@@ -54,23 +54,8 @@ struct TetrahedronCut {
   std::array<double, 4> least, most, doubt;
 };
 
-// An offset that is below the surface's value and not felt otherwise.
-inline constexpr double kJustBelow = -1e-200;
 // Of the largest offset on a face: smaller ones may have the wrong sign by rounding.
 inline constexpr double kOffsetDoubt = 0x1p-36;
-
-// The bit of a kernel's face among the faces of the cell: face f lacks corner 3 - f in the
-// ascending order.
-HWY_INLINE std::uint8_t face_bit(std::size_t f, const std::array<std::size_t, 4>& corner) {
-  const auto faces = topology_of(CellShape::tetrahedron).faces;
-  for (std::size_t k = 0; k < 4; ++k) {
-    const auto& c = faces[k].corners;
-    const std::size_t missing = corner[3 - f];
-    if (c[0] != missing && c[1] != missing && c[2] != missing)
-      return static_cast<std::uint8_t>(1U << k);
-  }
-  return 0;
-}
 
 // The cut of a cell whose corners are `corner` in ascending order of their nodes; `box` comes to
 // include it.
@@ -111,7 +96,8 @@ HWY_NOINLINE TetrahedronCut make_cut(const Frame& frame, CellId cell, const Isos
       largest = std::max(largest, std::abs(value[at]));
     }
     bool mixed = false;
-    const bool closed = (cut.closed_faces & face_bit(f, corner)) != 0;
+    // face f lacks corner 3 - f in the ascending order
+    const bool closed = (cut.closed_faces & (1U << tetrahedron_face_without(corner[3 - f]))) != 0;
     const double sign = closed ? -1 : face.sign(mixed);
     result.least[f] = mixed || sign < 0 ? -hwy::HighestValue<double>() : 0;
     result.most[f] = mixed || sign >= 0 ? hwy::HighestValue<double>() : kJustBelow;

@@ -111,10 +111,7 @@ class TetrahedronRenderer {
     if constexpr (kSeparateFields)
       scalars.color = load_field(frame_.color_field(), cell, first_entry, nodes, corner,
                                  corners_.color, scalars.least_color, scalars.most_color);
-    // where nothing absorbs, chromaticity has nothing to colour: the cell is empty space
-    const OpticsTables& optics = frame_.optics;
-    empty_ = all_zero(optics.no_extinction, scalars.extinction) &&
-             (!optics.emission || all_zero(optics.no_color, scalars.color));
+    empty_ = is_empty_space(frame_.optics, scalars.color, scalars.extinction);
     if (empty_ && frame_.isosurfaces.in(cell).empty()) return false;
     for (std::size_t k = 0; k < 4; ++k) {
       const ProjectedNode& node = frame_.nodes[nodes[corner[k]]];
