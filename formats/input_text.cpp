@@ -75,10 +75,18 @@ std::string unpacked(std::string_view packed, const std::string& path) {
 
 InputText::InputText(const std::string& path)
     : path_(path), file_(std::make_unique<MappedFile>(path)), text_(file_->text()) {
-  if (!is_gzip(text_)) return;
-  unpacked_ = unpacked(text_, path);
-  file_.reset();
-  text_ = unpacked_;
+  if (is_gzip(text_)) {
+    unpacked_ = unpacked(text_, path);
+    file_.reset();
+    text_ = unpacked_;
+  }
+  text_ = without_byte_order_mark(text_);
+}
+
+std::string_view without_byte_order_mark(std::string_view text) {
+  constexpr std::string_view kMark = "\xef\xbb\xbf";
+  if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
+  return text;
 }
 
 bool is_gzip(std::string_view head) { return head.starts_with("\x1f\x8b\x08"); }

@@ -9,7 +9,8 @@
 
 namespace hiac::formats {
 
-/// The bytes of a file, mapped into memory; those of a gzip file unpacked.
+/// The bytes of a file, mapped into memory; those of a gzip file unpacked. A mark before UTF-8 is
+/// passed over.
 class InputText {
  public:
   /// Throws InputError naming the file when it cannot be opened, is not a regular file, or is a
@@ -25,6 +26,9 @@ class InputText {
   std::string unpacked_;
   std::string_view text_;
 };
+
+/// The text without the mark that some editors put before UTF-8.
+std::string_view without_byte_order_mark(std::string_view text);
 
 /// Whether these are the first bytes of a gzip file.
 bool is_gzip(std::string_view head);

@@ -108,6 +108,7 @@ const Format& format_to_read(const std::string& path) {
   if (head.empty()) throw InputError(path, "is empty (a mesh expected)");
   const bool packed = is_gzip(head);
   if (packed) head = unpacked_head(head, kHeadBytes);
+  head = std::string(without_byte_order_mark(head));
   const auto readable = [packed](const Format& format) {
     return format.read && (format.gzip || !packed);
   };

@@ -22,7 +22,17 @@ namespace {
 /// Files may include files, not without end.
 constexpr int kMostIncludes = 10;
 
-bool is_comment(std::string_view line) { return line.starts_with("**"); }
+std::string_view without_blanks_before(std::string_view line) {
+  while (!line.empty() && TextCursor::is_space(line.front())) line.remove_prefix(1);
+  return line;
+}
+
+/// Blanks before stars do not count.
+bool is_comment(std::string_view line) { return without_blanks_before(line).starts_with("**"); }
+bool is_keyword(std::string_view line) {
+  const std::string_view rest = without_blanks_before(line);
+  return rest.starts_with('*') && !rest.starts_with("**");
+}
 
 /// A line `*KEYWORD, NAME=VALUE, ...` with the lines that continue it.
 struct Keyword {
@@ -62,8 +72,10 @@ Keyword read_keyword(TextCursor& cursor) {
   keyword.name = upper(trimmed(line.substr(0, comma)));
   if (comma == std::string_view::npos) return keyword;
   add_parameters(line.substr(comma + 1), keyword);
-  while (line.ends_with(',') && !cursor.at_end() && !cursor.peek_line().starts_with('*')) {
-    line = trimmed(cursor.line());
+  while (line.ends_with(',') && !cursor.at_end() && !is_keyword(cursor.peek_line())) {
+    const std::string_view next = cursor.line();
+    if (is_comment(next)) continue;
+    line = trimmed(next);
     add_parameters(line, keyword);
   }
   return keyword;
@@ -116,8 +128,7 @@ class DeckReader {
     TextCursor cursor(text.text(), path);
     if (keyword != nullptr) read_data(*keyword, cursor);
     while (!cursor.at_end()) {
-      const std::string_view line = cursor.peek_line();
-      if (line.starts_with('*') && !is_comment(line))
+      if (is_keyword(cursor.peek_line()))
         read_block(cursor, path);
       else
         cursor.line();
@@ -186,9 +197,9 @@ class DeckReader {
   static std::optional<std::string_view> data_line(TextCursor& cursor) {
     while (!cursor.at_end()) {
       const std::string_view line = cursor.peek_line();
-      if (line.starts_with('*') && !is_comment(line)) return std::nullopt;
+      if (is_keyword(line)) return std::nullopt;
       cursor.line();
-      if (!line.starts_with('*') && !trimmed(line).empty()) return line;
+      if (!is_comment(line) && !trimmed(line).empty()) return line;
     }
     return std::nullopt;
   }

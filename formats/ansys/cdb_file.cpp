@@ -52,13 +52,15 @@ class CdbReader {
     const std::string command = upper(fields.field());
     if (command == "ET") {
       const auto number = fields.integer();
-      const auto routine = fields.integer();
+      const auto routine = routine_in(fields.field());
       if (!number || !routine)
         cursor_.fail_at(start, fmt::format("ET: a number and an element type expected ({} found)",
                                            shown(line)));
       routines_[*number] = *routine;
       if (!fields.at_end()) shapes_[*number] = fields.integer().value_or(0);
-    } else if (command == "KEYOP" || command == "KEYOPT") {
+    } else if (command == "ETBLOCK") {
+      read_types();
+    } else if (command.starts_with("KEYO")) {
       const auto number = fields.integer();
       const auto key = fields.integer();
       const auto value = fields.integer();
@@ -73,6 +75,27 @@ class CdbReader {
         skip_elements();
     } else if (command == "CMBLOCK") {
       read_component(fields, start);
+    }
+  }
+
+  /// The number of an element routine, which a name may stand before (SOLID186).
+  static std::optional<std::int64_t> routine_in(std::string_view field) {
+    const std::size_t digit = field.find_first_of("0123456789");
+    return digit == std::string_view::npos ? std::nullopt : to_integer(field.substr(digit));
+  }
+
+  /// ETBLOCK: number, routine and options of every element type.
+  void read_types() {
+    const Layout layout = read_layout();
+    while (true) {
+      if (cursor_.at_end()) cursor_.fail("the file ends within ETBLOCK (a line -1 expected)");
+      const std::size_t start = cursor_.offset();
+      const std::string_view line = cursor_.line();
+      if (ends_block(line)) return;
+      const std::int64_t number = required_integer(line, 0, layout.integer_width, start);
+      routines_[number] = required_integer(line, 1, layout.integer_width, start);
+      if (const auto first = integer_in(line, 2, layout.integer_width, start))
+        shapes_[number] = *first;
     }
   }
 
@@ -138,7 +161,8 @@ class CdbReader {
 
   /// Whether a line ends a block: "-1", or "N,R5.3,LOC,-1" of blocks of nodes.
   static bool ends_block(std::string_view line) {
-    return trimmed(line) == "-1" || starts_with_upper(trimmed(line), "N,");
+    const std::string_view rest = trimmed(line);
+    return rest == "-1" || rest.starts_with("-1,") || starts_with_upper(rest, "N,");
   }
 
   void read_nodes(std::size_t block) {
@@ -170,7 +194,7 @@ class CdbReader {
   void skip_elements() {
     std::size_t skipped = 0;
     while (!cursor_.at_end()) {
-      if (trimmed(cursor_.line()) == "-1") {
+      if (ends_block(cursor_.line())) {
         mesh_.notes.push_back(
             fmt::format("left out an EBLOCK that is not of solids ({} lines)", skipped));
         return;
@@ -191,7 +215,7 @@ class CdbReader {
       if (cursor_.at_end()) cursor_.fail("the file ends within EBLOCK (a line -1 expected)");
       const std::size_t start = cursor_.offset();
       const std::string_view line = cursor_.line();
-      if (trimmed(line) == "-1") return;
+      if (ends_block(line)) return;
       read_element(line, start, layout);
     }
   }

@@ -101,11 +101,14 @@ class FrdReader {
   }
 
   Encoding encoding_of(std::string_view line, std::size_t start) const {
-    const auto number = to_integer(columns(line, 73, 2));
+    const std::string_view written = columns(line, 73, 2);
+    // programs other than CalculiX leave it out of what is long text
+    if (trimmed(written).empty()) return Encoding::long_text;
+    const auto number = to_integer(written);
     if (!number || *number < 0 || *number > 3)
       cursor_.fail_at(start, fmt::format("a format number 0 to 3 in columns 74 and 75 expected ({} "
                                          "found)",
-                                         shown(columns(line, 73, 2))));
+                                         shown(written)));
     return static_cast<Encoding>(*number);
   }
 

@@ -1,5 +1,6 @@
 #include "formats/calculix/frd_records.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cstring>
 #include <limits>
@@ -31,6 +32,21 @@ double value_in(std::string_view text, const TextCursor& cursor, std::size_t lin
     return std::numeric_limits<double>::quiet_NaN();
   cursor.fail_at(line_start, fmt::format("a value of {} columns expected ({} found)", kValueColumns,
                                          shown(text)));
+}
+
+/// Values of a line that is longer than its columns: exponents of three digits push what follows to
+/// the right. A value ends where its exponent's digits do.
+void values_in_long_line(std::string_view text, std::size_t count, double* values,
+                         const TextCursor& cursor, std::size_t line_start) {
+  for (std::size_t i = 0; i < count; ++i) {
+    text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+    std::size_t end = text.find_first_of("Ee ");
+    if (end != std::string_view::npos && text[end] != ' ')
+      end = text.find_first_not_of("0123456789", std::min(end + 2, text.size()));
+    end = std::min(end, text.size());
+    values[i] = value_in(text.substr(0, end), cursor, line_start);
+    text.remove_prefix(end);
+  }
 }
 
 }  // namespace
@@ -66,6 +82,7 @@ std::int64_t Records::read_text(std::size_t width, double* values) {
     cursor_.fail_at(
         start, fmt::format("a number in columns 4 to {} expected ({} found)", 3 + number_columns,
                            shown(columns(line, 3, number_columns))));
+  const std::size_t first = 3 + number_columns;
   for (std::size_t i = 0; i < width; ++i) {
     const std::size_t in_line = i % kValuesInLine;
     if (i > 0 && in_line == 0) {
@@ -75,8 +92,15 @@ std::int64_t Records::read_text(std::size_t width, double* values) {
         cursor_.fail_at(start,
                         fmt::format("a continuation ' -2' expected ({} found)", shown(line)));
     }
-    values[i] = value_in(columns(line, 3 + number_columns + in_line * kValueColumns, kValueColumns),
-                         cursor_, start);
+    if (const std::size_t count = std::min(kValuesInLine, width - i);
+        in_line == 0 && columns(line, first, line.size()).size() > count * kValueColumns &&
+        !trimmed(columns(line, first + count * kValueColumns, line.size())).empty()) {
+      values_in_long_line(line.substr(first), count, values + i, cursor_, start);
+      i += count - 1;
+      continue;
+    }
+    values[i] =
+        value_in(columns(line, first + in_line * kValueColumns, kValueColumns), cursor_, start);
   }
   return *number;
 }

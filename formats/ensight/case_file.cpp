@@ -100,17 +100,18 @@ class Parser {
       read_variable(key, value);
     } else if (section_ == "TIME") {
       read_time(key, value);
-    } else if (section_ == "FILE") {
-      fail("several steps in one file (one file a step expected)");
     }
   }
 
   void read_model(std::string_view value) {
+    // numbers of a time set and a file set, the file's name, how the geometry changes
     std::vector<std::string> words = words_of(value);
-    std::erase(words, "change_coords_only");
-    if (words.empty()) fail("the name of a file expected");
-    case_.geometry = words.back();
-    if (words.size() > 1) case_.geometry_time_set = std::atol(words[0].c_str());
+    const auto name = std::find_if(words.begin(), words.end(), [](const std::string& word) {
+      return !to_integer(word).has_value();
+    });
+    if (name == words.end()) fail("the name of a file expected");
+    case_.geometry = unquoted(*name);
+    if (name != words.begin()) case_.geometry_time_set = std::atol(words[0].c_str());
   }
 
   void read_variable(std::string_view key, std::string_view value) {
@@ -123,6 +124,7 @@ class Parser {
     std::vector<std::string> words = words_of(value);
     if (sort->files == 2 && words.size() > 3 && to_real(words.back())) words.pop_back();
     if (words.size() < sort->files + 1) fail("a name and its files expected");
+    for (std::string& word : words) word = unquoted(word);
     Variable variable;
     variable.files.assign(words.end() - static_cast<long>(sort->files), words.end());
     variable.name = words[words.size() - sort->files - 1];
@@ -141,6 +143,20 @@ class Parser {
       return;
     }
     case_.variables.push_back(std::move(variable));
+  }
+
+  static std::string unquoted(const std::string& word) {
+    return word.size() > 1 && word.front() == '"' && word.back() == '"'
+               ? word.substr(1, word.size() - 2)
+               : word;
+  }
+
+  /// Numbers that stand in a file of their own.
+  void add_numbers_of(std::string_view name) {
+    const InputText input(file_beside(text_.subject(), unquoted(std::string(name))));
+    add_numbers(input.text());
+    list_ = nullptr;
+    numbers_ = nullptr;
   }
 
   void read_time(std::string_view key, std::string_view value) {
@@ -163,6 +179,12 @@ class Parser {
     } else if (key == "filename numbers") {
       numbers_ = &set.file_numbers;
       if (!value.empty()) add_numbers(value);
+    } else if (key == "filename numbers file") {
+      numbers_ = &set.file_numbers;
+      add_numbers_of(value);
+    } else if (key == "time values file") {
+      list_ = &set.times;
+      add_numbers_of(value);
     } else if (key == "time values") {
       list_ = &set.times;
       if (!value.empty()) add_numbers(value);
@@ -181,10 +203,17 @@ class Parser {
 
 }  // namespace
 
-const TimeSet* CaseFile::time_set(std::optional<long> number) const {
+const TimeSet* CaseFile::time_set(std::optional<long> number, std::string_view file) const {
   for (const TimeSet& set : time_sets)
     if (number && set.number == *number) return &set;
-  return nullptr;
+  const bool stars = file.find('*') != std::string_view::npos;
+  return !number && stars && !time_sets.empty() ? &time_sets.front() : nullptr;
+}
+
+std::size_t TimeSet::step_at(double time) const {
+  std::size_t step = 0;
+  while (step + 1 < times.size() && times[step + 1] <= time) ++step;
+  return step;
 }
 
 CaseFile read_case_file(const std::string& path) {

@@ -14,6 +14,9 @@ struct TimeSet {
   long number = 1;
   std::vector<double> times;
   std::vector<long> file_numbers;
+
+  /// The last step whose time is not above the given one; the first where all are.
+  [[nodiscard]] std::size_t step_at(double time) const;
 };
 
 /// A variable: its files, one a part of a complex one.
@@ -32,8 +35,9 @@ struct CaseFile {
   std::vector<TimeSet> time_sets;
   std::vector<std::string> notes;
 
-  /// The time set with that number; nothing where there is none.
-  [[nodiscard]] const TimeSet* time_set(std::optional<long> number) const;
+  /// The time set with that number; without a number the first one for a file with stars in its
+  /// name. Nothing where there is none.
+  [[nodiscard]] const TimeSet* time_set(std::optional<long> number, std::string_view file) const;
 };
 
 /// Throws InputError naming the file and the line.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <optional>
 
 #include <fmt/format.h>
@@ -74,8 +75,11 @@ using Parts = std::map<std::int64_t, Part>;
 
 class Geometry {
  public:
-  Geometry(const std::string& path, ForeignMesh& mesh)
-      : file_(GoldFile::open_geometry(path)), mesh_(mesh) {}
+  /// Of a file that holds several steps the given one is read.
+  Geometry(const std::string& path, std::size_t step, ForeignMesh& mesh)
+      : file_(GoldFile::open_geometry(path)), mesh_(mesh) {
+    file_.select_step(step);
+  }
 
   Parts read() {
     file_.text();
@@ -93,8 +97,7 @@ class Geometry {
     }
     return std::move(parts_);
   }
-  [[nodiscard]] bool binary() const { return file_.binary(); }
-  [[nodiscard]] bool swapped() const { return file_.swapped(); }
+  [[nodiscard]] const ensight::Encoding& encoding() const { return file_.encoding(); }
 
  private:
   static bool has_ids(const std::string& line) {
@@ -135,22 +138,53 @@ class Geometry {
   }
 
   void read_block(const std::string& line, Part& part) {
-    if (line.find("uniform") != std::string::npos || line.find("rectilinear") != std::string::npos)
-      file_.fail(fmt::format("'{}' is not read (a curvilinear block expected)", line));
-    const bool blanked = line.find("iblanked") != std::string::npos;
+    const auto says = [&](const char* word) { return line.find(word) != std::string::npos; };
+    if (says("range") || says("with_ghost"))
+      file_.fail(
+          fmt::format("'{}' is not read (a block without ranges and ghosts expected)", line));
     const std::vector<std::int64_t> extents = file_.wholes(3);
-    const StructuredBlock block =
-        structured_block(extents, std::size_t{1} << 31, "a block of a part");
+    const bool listed = !says("uniform") && !says("rectilinear");
+    // of blocks that are told by their axes no more are believed than these
+    constexpr std::size_t kMostUnlisted = std::size_t{1} << 24;
+    const StructuredBlock block = structured_block(
+        extents, listed ? std::size_t{1} << 31 : kMostUnlisted, "a block of a part");
     const std::size_t count = block.point_count();
     std::array<std::vector<double>, 3> axes;
-    for (auto& axis : axes) axis = file_.reals(count);
+    if (listed)
+      for (auto& axis : axes) axis = file_.reals(count);
+    else
+      axes = axes_of(block, says("uniform"));
     std::vector<bool> hidden;
-    if (blanked)
+    if (says("iblanked"))
       for (const std::int64_t blank : file_.wholes(count)) hidden.push_back(blank == 0);
     add_points(axes, part);
     const std::size_t first = mesh_.cell_count();
     std::vector<std::size_t> kept = add_bricks(mesh_, block, part.first_point, hidden, "");
     part.sections.push_back({"block", first, block.cell_count(), std::move(kept)});
+  }
+
+  /// The points of a block that is told by its coordinates along three axes, or by an origin and a
+  /// spacing.
+  std::array<std::vector<double>, 3> axes_of(const StructuredBlock& block, bool uniform) {
+    std::array<std::vector<double>, 3> along;
+    if (uniform) {
+      const std::vector<double> origin = file_.reals(3);
+      const std::vector<double> spacing = file_.reals(3);
+      for (std::size_t d = 0; d < 3; ++d)
+        for (std::size_t i = 0; i < block.points[d]; ++i)
+          along[d].push_back(origin[d] + static_cast<double>(i) * spacing[d]);
+    } else {
+      for (std::size_t d = 0; d < 3; ++d) along[d] = file_.reals(block.points[d]);
+    }
+    std::array<std::vector<double>, 3> axes;
+    for (const double z : along[2])
+      for (const double y : along[1])
+        for (const double x : along[0]) {
+          axes[0].push_back(x);
+          axes[1].push_back(y);
+          axes[2].push_back(z);
+        }
+    return axes;
   }
 
   void read_section(const std::string& line, Part& part) {
@@ -222,14 +256,14 @@ class Geometry {
 /// What reads a variable's files.
 struct VariableReader {
   Parts parts;
-  bool binary = false;
-  bool swap = false;
+  ensight::Encoding encoding;
   std::size_t points = 0;
   std::size_t cells = 0;
 
-  [[nodiscard]] std::vector<double> read(const std::string& path, FieldLocation location,
-                                         std::size_t width) const {
-    GoldFile file(path, binary, swap);
+  [[nodiscard]] std::vector<double> read(const std::string& path, std::size_t step,
+                                         FieldLocation location, std::size_t width) const {
+    GoldFile file(path, encoding);
+    file.select_step(step);
     file.text();
     std::vector<double> values((location == FieldLocation::node ? points : cells) * width, kNaN);
     const Part* part = nullptr;
@@ -253,7 +287,6 @@ struct VariableReader {
                           FieldLocation location, std::size_t width, std::vector<double>& values) {
     const std::string name = line.substr(0, line.find(' '));
     const bool undefined = line.ends_with("undef");
-    if (line.ends_with("partial")) file.fail("partial values (whole ones expected)");
     const double absent = undefined ? file.reals(1).front() : kNaN;
     const Section* section = nullptr;
     if (location == FieldLocation::cell) {
@@ -264,56 +297,92 @@ struct VariableReader {
     } else if (name != "coordinates" && name != "block") {
       file.fail(fmt::format("'coordinates' or 'block' expected ({} found)", shown(line)));
     }
-    const std::size_t stored = section == nullptr ? part.points : section->count;
-    const std::size_t taken = section == nullptr ? part.points : section->cells();
+    const std::size_t count = section == nullptr ? part.points : section->count;
     const std::size_t first = section == nullptr ? part.first_point : section->first;
+    const std::vector<std::size_t> places = places_of(file, line, count, section);
     // the manual's order of a symmetric tensor is 11 22 33 12 13 23
     constexpr std::array<std::size_t, 6> kSymmetric{0, 1, 2, 3, 5, 4};
     for (std::size_t c = 0; c < width; ++c) {
-      const std::vector<double> column = file.reals(stored);
+      const std::vector<double> column = file.reals(places.size());
       const std::size_t place = width == 6 ? kSymmetric[c] : c;
-      for (std::size_t i = 0; i < taken; ++i) {
-        const bool chosen = section != nullptr && !section->kept.empty();
-        const double value = column[chosen ? section->kept[i] : i];
-        values[(first + i) * width + place] = undefined && value == absent ? kNaN : value;
-      }
+      for (std::size_t i = 0; i < places.size(); ++i)
+        if (places[i] != kHidden)
+          values[(first + places[i]) * width + place] =
+              undefined && column[i] == absent ? kNaN : column[i];
     }
   }
+
+  static constexpr std::size_t kHidden = static_cast<std::size_t>(-1);
+
+  /// For every value of a component the place of its node or cell, among those that were taken.
+  /// Partial values say which they are.
+  static std::vector<std::size_t> places_of(GoldFile& file, const std::string& line,
+                                            std::size_t count, const Section* section) {
+    std::vector<std::size_t> places(count, kHidden);
+    if (section != nullptr && !section->kept.empty())
+      for (std::size_t i = 0; i < section->kept.size(); ++i) places[section->kept[i]] = i;
+    else
+      std::iota(places.begin(), places.end(), std::size_t{0});
+    if (!line.ends_with("partial")) return places;
+    std::vector<std::size_t> chosen;
+    for (const std::int64_t number : file.wholes(file.count())) {
+      if (number < 1 || static_cast<std::uint64_t>(number) > count)
+        file.fail(
+            fmt::format("a place of partial values (1 to {} expected, {} found)", count, number));
+      chosen.push_back(places[static_cast<std::size_t>(number) - 1]);
+    }
+    return chosen;
+  }
 };
+
+/// The distinct times of all sets, rising.
+std::vector<double> times_of(const std::vector<ensight::TimeSet>& sets) {
+  std::vector<double> times;
+  for (const ensight::TimeSet& set : sets)
+    times.insert(times.end(), set.times.begin(), set.times.end());
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
 
 ForeignMesh foreign_mesh(const std::string& path, const ReadOptions& options) {
   ForeignMesh mesh;
   const ensight::CaseFile parsed = ensight::read_case_file(path);
   mesh.notes = parsed.notes;
-  const ensight::TimeSet* times = parsed.time_sets.empty() ? nullptr : &parsed.time_sets.front();
-  if (times != nullptr) mesh.times = times->times;
+  mesh.times = times_of(parsed.time_sets);
   const std::size_t last = mesh.times.empty() ? 0 : mesh.times.size() - 1;
   const std::size_t step = requested_step(options, mesh.times, path).value_or(last);
-  Geometry geometry(
-      ensight::file_of_step(path, parsed.geometry, parsed.time_set(parsed.geometry_time_set), step),
-      mesh);
+  // every set has its own steps: those that hold at the time
+  const auto step_of = [&](const ensight::TimeSet* set) {
+    return set == nullptr || mesh.times.empty() ? 0 : set->step_at(mesh.times[step]);
+  };
+  const ensight::TimeSet* geometry_set = parsed.time_set(parsed.geometry_time_set, parsed.geometry);
+  const std::size_t geometry_step = step_of(geometry_set);
+  Geometry geometry(ensight::file_of_step(path, parsed.geometry, geometry_set, geometry_step),
+                    geometry_step, mesh);
   const auto reader = std::make_shared<VariableReader>();
   reader->parts = geometry.read();
-  reader->binary = geometry.binary();
-  reader->swap = geometry.swapped();
+  reader->encoding = geometry.encoding();
   reader->points = mesh.point_count();
   reader->cells = mesh.cell_count();
   for (const ensight::Variable& variable : parsed.variables) {
-    const ensight::TimeSet* set = parsed.time_set(variable.time_set);
+    const ensight::TimeSet* set = parsed.time_set(variable.time_set, variable.files.front());
+    const std::size_t own = step_of(set);
     std::vector<std::string> files;
     for (const std::string& file : variable.files)
-      files.push_back(ensight::file_of_step(path, file, set, step));
+      files.push_back(ensight::file_of_step(path, file, set, own));
     ForeignField field;
     field.name = variable.name;
     field.location = variable.location;
     field.components = static_cast<std::uint32_t>(variable.components * files.size());
     if (set != nullptr && !mesh.times.empty()) field.step = step;
     field.type = "float";
-    field.values = [reader, variable, files] {
-      std::vector<double> values = reader->read(files[0], variable.location, variable.components);
+    field.values = [reader, variable, files, own] {
+      std::vector<double> values =
+          reader->read(files[0], own, variable.location, variable.components);
       if (files.size() == 1) return values;
       const std::vector<double> imaginary =
-          reader->read(files[1], variable.location, variable.components);
+          reader->read(files[1], own, variable.location, variable.components);
       std::vector<double> pairs;
       for (std::size_t i = 0; i < values.size(); ++i) {
         pairs.push_back(values[i]);

@@ -10,17 +10,26 @@
 
 namespace hiac::formats::ensight {
 
-/// A geometry or variable file, in ASCII or C binary: texts (80 bytes in binary, a line in ASCII),
-/// whole numbers and reals. Throws InputError with the line or the byte.
+/// How a file's numbers are stored.
+struct Encoding {
+  bool binary = false;
+  bool swap = false;    ///< the other byte order than this machine's
+  bool marked = false;  ///< Fortran's marks round every record of a binary file
+};
+
+/// A geometry or variable file, in ASCII, C binary or Fortran binary: texts (80 bytes in binary, a
+/// line in ASCII), whole numbers and reals. Throws InputError with the line or the byte.
 class GoldFile {
  public:
-  /// `geometry`: whether the file may say "C Binary"; variable files do not, and are of the sort
-  /// and byte order that the geometry is.
+  /// The geometry says "C Binary" or "Fortran Binary"; variable files do not, and are encoded as
+  /// the geometry is.
   static GoldFile open_geometry(const std::string& path);
-  GoldFile(const std::string& path, bool binary, bool swap);
+  GoldFile(const std::string& path, const Encoding& encoding);
 
-  [[nodiscard]] bool binary() const { return binary_; }
-  [[nodiscard]] bool swapped() const { return swap_; }
+  [[nodiscard]] const Encoding& encoding() const { return encoding_; }
+  /// Moves to the beginning of that step where the file holds several ("BEGIN TIME STEP").
+  void select_step(std::size_t step);
+  /// At the end of the file or of the step.
   [[nodiscard]] bool at_end();
   /// The next text without blanks at its ends; stays in front of it where `peek`.
   std::string text(bool peek = false);
@@ -38,9 +47,9 @@ class GoldFile {
   std::uint32_t word();
 
   std::shared_ptr<InputText> input_;
+  std::shared_ptr<const std::string> unmarked_;  ///< the bytes of a marked file without its marks
   TextCursor cursor_;
-  bool binary_;
-  bool swap_;
+  Encoding encoding_;
   bool order_known_ = false;
 };
 

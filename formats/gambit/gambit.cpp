@@ -74,6 +74,12 @@ class NeuReader {
     for (int i = 0; i < kTitleLines; ++i) cursor_.line();
     nodes_ = cursor_.count("the number of nodes", cursor_.left());
     cells_ = cursor_.count("the number of elements", cursor_.left());
+    // groups, boundary conditions; of a plane mesh nodes have two coordinates
+    cursor_.integer("the number of groups");
+    cursor_.integer("the number of sets of boundary conditions");
+    dimension_ = cursor_.integer("the number of coordinate directions");
+    if (dimension_ != 2 && dimension_ != 3)
+      cursor_.fail(fmt::format("2 or 3 coordinate directions expected ({} found)", dimension_));
     cursor_.line();
     expect_end();
   }
@@ -109,7 +115,8 @@ class NeuReader {
   void read_nodes() {
     for (std::size_t i = 0; i < nodes_; ++i) {
       mesh_.node_numbers.push_back(cursor_.integer("a node number"));
-      for (int c = 0; c < 3; ++c) mesh_.xyz.push_back(cursor_.real("a coordinate"));
+      for (int c = 0; c < 3; ++c)
+        mesh_.xyz.push_back(c < dimension_ ? cursor_.real("a coordinate") : 0.0);
     }
     node_index_ = NumberIndex(mesh_.node_numbers);
     boundary_of_.assign(nodes_, 0);
@@ -170,7 +177,7 @@ class NeuReader {
 
   /// A name, its type (0: nodes, 1: faces of elements), entries, values an entry, codes.
   void read_boundary() {
-    cursor_.word();
+    skip_name();
     const std::int64_t type = cursor_.integer("a type of boundary data");
     const std::size_t entries = cursor_.count("the number of entries", cursor_.left());
     cursor_.line();
@@ -182,10 +189,24 @@ class NeuReader {
     }
   }
 
+  /// A name has 32 columns and may hold blanks; in files that keep no columns it is a word.
+  void skip_name() {
+    constexpr std::size_t kColumns = 32;
+    const std::string_view line = cursor_.peek_line();
+    TextCursor numbers(line.size() > kColumns ? line.substr(kColumns) : std::string_view(), "");
+    bool all_numbers = true;
+    for (int i = 0; i < 3; ++i) all_numbers &= to_integer(numbers.word()).has_value();
+    if (all_numbers)
+      cursor_.bytes(kColumns, "a name");
+    else
+      cursor_.word();
+  }
+
   TextCursor cursor_;
   ForeignMesh mesh_;
   std::size_t nodes_ = 0;
   std::size_t cells_ = 0;
+  std::int64_t dimension_ = 3;
   NumberIndex node_index_;
   NumberIndex cell_index_;
   std::vector<double> materials_;

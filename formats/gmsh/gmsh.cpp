@@ -33,8 +33,14 @@ Format gmsh_format() {
   format.fields = "node, cell, corner";
   format.time_steps = "many";
   format.recognizes = [](std::string_view head) {
-    return head.starts_with("$MeshFormat") || head.starts_with("$NOD") ||
-           head.starts_with("$Comments");
+    // Gmsh passes over lines before a section; other formats have dollar signs of their own
+    TextCursor cursor(head, "");
+    while (!cursor.at_end()) {
+      const std::string_view line = trimmed(cursor.line());
+      if (line == "$MeshFormat" || line == "$NOD" || line == "$Comments") return true;
+      if (!line.empty() && !line.starts_with('#') && !line.starts_with("//")) return false;
+    }
+    return false;
   };
   format.gzip = true;
   read_through(format, [](const std::string& path, const ReadOptions&) { return read_file(path); });

@@ -64,8 +64,17 @@ void reserve_cells(MshStream& stream, ForeignMesh& mesh, std::size_t count) {
   reserve_large(mesh.cell_nodes, std::min(stream.cursor().left() / kLeastBytes, kNodes * count));
 }
 
+/// The entity of a node of version 2 that has parameters: its dimension and tag, and the parameters
+/// of a curve's or a surface's.
+void skip_parametric_place(MshStream& stream) {
+  const std::int64_t dimension = stream.integer("an entity's dimension");
+  stream.integer("an entity's tag");
+  const std::int64_t parameters = dimension == 1 || dimension == 2 ? dimension : 0;
+  for (std::int64_t c = 0; c < parameters; ++c) stream.real("a parametric coordinate");
+}
+
 /// Versions 1 and 2: a list of number and coordinates.
-void read_nodes_2(MshStream& stream, MshContents& contents) {
+void read_nodes_2(MshStream& stream, MshContents& contents, bool parametric) {
   ForeignMesh& mesh = contents.mesh;
   const std::size_t count = stream.cursor().count("the number of nodes", stream.cursor().left());
   if (stream.binary()) stream.cursor().line();
@@ -77,6 +86,7 @@ void read_nodes_2(MshStream& stream, MshContents& contents) {
   for (std::size_t i = 0; i < count; ++i) {
     mesh.node_numbers.push_back(stream.integer("a node number"));
     read_point(stream, mesh);
+    if (parametric) skip_parametric_place(stream);
   }
 }
 
@@ -236,9 +246,14 @@ void read_elements_4(MshStream& stream, MshContents& contents) {
 void read_nodes(MshStream& stream, MshContents& contents) {
   if (!contents.mesh.node_numbers.empty()) stream.fail("a second section of nodes");
   if (contents.version < 4)
-    read_nodes_2(stream, contents);
+    read_nodes_2(stream, contents, false);
   else
     read_nodes_4(stream, contents);
+}
+
+void read_parametric_nodes(MshStream& stream, MshContents& contents) {
+  if (!contents.mesh.node_numbers.empty()) stream.fail("a second section of nodes");
+  read_nodes_2(stream, contents, true);
 }
 
 void read_elements(MshStream& stream, MshContents& contents) {

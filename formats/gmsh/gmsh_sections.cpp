@@ -43,17 +43,14 @@ class SectionReader {
   }
 
  private:
-  /// Moves behind the next line that begins a section and keeps its name.
+  /// Moves behind the next line that begins a section and keeps its name; other lines between
+  /// sections are passed over, as Gmsh does.
   bool next_section() {
     TextCursor& cursor = stream_.cursor();
     while (!cursor.at_end()) {
       section_start_ = cursor.offset();
       const std::string_view line = trimmed(cursor.line());
-      if (line.empty()) continue;
-      if (!line.starts_with('$'))
-        cursor.fail_at(
-            section_start_,
-            fmt::format("not understood (a section '$...' expected, {} found)", shown(line)));
+      if (!line.starts_with('$')) continue;
       section_ = line.substr(1);
       return true;
     }
@@ -128,6 +125,9 @@ class SectionReader {
   void read_section() {
     if (section_ == "Nodes" || section_ == "NOD") {
       read_nodes(stream_, contents_);
+      have_nodes_ = true;
+    } else if (section_ == "ParametricNodes" && contents_.version < 4) {
+      read_parametric_nodes(stream_, contents_);
       have_nodes_ = true;
     } else if (section_ == "Elements" || section_ == "ELM") {
       read_elements(stream_, contents_);

@@ -41,6 +41,7 @@ MshContents read_sections(MshStream stream);
 
 // The sections that hold the mesh; the stream stands behind the section's first line.
 void read_nodes(MshStream& stream, MshContents& contents);
+void read_parametric_nodes(MshStream& stream, MshContents& contents);
 void read_elements(MshStream& stream, MshContents& contents);
 void read_entities(MshStream& stream, MshContents& contents);
 

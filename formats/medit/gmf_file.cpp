@@ -105,13 +105,9 @@ class TextReader {
   /// The next word that is not a number, over comments and numbers of keywords that are left out.
   std::string_view next_keyword() {
     while (true) {
-      cursor_.skip_space();
+      skip_comments();
       if (cursor_.at_end()) return {};
-      const char first = cursor_.peek_line().front();
-      if (first == '#') {
-        cursor_.line();
-        continue;
-      }
+      const char first = cursor_.text()[cursor_.offset()];
       start_ = cursor_.offset();
       const std::string_view word = cursor_.word();
       if (std::isalpha(static_cast<unsigned char>(first)) != 0) return word;
@@ -121,8 +117,17 @@ class TextReader {
     }
   }
 
+  void skip_comments() {
+    cursor_.skip_space();
+    while (!cursor_.at_end() && cursor_.text()[cursor_.offset()] == '#') {
+      cursor_.line();
+      cursor_.skip_space();
+    }
+  }
+
   void read(std::string_view keyword) {
     skipping_ = false;
+    skip_comments();
     if (keyword == "MeshVersionFormatted") {
       cursor_.integer("a version");
     } else if (keyword == "Dimension") {
@@ -142,6 +147,7 @@ class TextReader {
   void read_vertices() {
     const std::size_t count = cursor_.count("the number of vertices", cursor_.left());
     for (std::size_t i = 0; i < count; ++i) {
+      skip_comments();
       std::array<double, 3> point{};
       for (double& x : point) x = cursor_.real("a coordinate");
       builder_.add_vertex(point, cursor_.integer("a reference"));
@@ -152,6 +158,7 @@ class TextReader {
     const std::uint16_t type = builder_.type_place(keyword);
     const std::size_t count = cursor_.count("the number of cells", cursor_.left());
     for (std::size_t i = 0; i < count; ++i) {
+      skip_comments();
       for (std::size_t n = 0; n < keyword.nodes; ++n)
         builder_.add_node(cursor_.integer("a vertex"));
       builder_.add_cell(type, cursor_.integer("a reference"));

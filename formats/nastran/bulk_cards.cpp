@@ -16,16 +16,25 @@ bool is_free(std::string_view line) {
 }
 
 bool is_blank_or_comment(std::string_view line) {
-  return line.starts_with('$') || trimmed(line).empty();
+  const std::string_view rest = trimmed(line);
+  return rest.empty() || rest.starts_with('$');
 }
 
+/// What stands before a dollar sign, which begins a comment anywhere.
+std::string_view without_comment(std::string_view line) { return line.substr(0, line.find('$')); }
+
 bool continues(std::string_view line) {
-  if (line.starts_with('+') || line.starts_with('*') || line.starts_with(',')) return true;
+  if (line.starts_with('+') || line.starts_with('*')) return true;
+  // the first field is blank, whether a comma ends it or its eighth column
+  const std::size_t comma = line.substr(0, kSmall + 2).find(',');
+  if (comma != std::string_view::npos) return trimmed(line.substr(0, comma)).empty();
   return line.size() > kSmall && trimmed(line.substr(0, kSmall)).empty();
 }
 
-/// The name of the entry: letters, digits and a star for large fields.
+/// The name of the entry: letters, digits and a star for large fields; "=" of a replicated one.
 std::string_view name_of(std::string_view line) {
+  line = trimmed(line);
+  if (line.starts_with('=')) return line.substr(0, 1);
   const std::size_t end = line.find_first_of(", \t=");
   return line.substr(0, std::min(end, kSmall));
 }
@@ -40,17 +49,17 @@ const Card* CardReader::next() {
     card_.offset = cursor_.offset();
     const std::string_view line = cursor_.line();
     if (is_blank_or_comment(line)) continue;
-    if (starts_with_upper(line, "ENDDATA")) return nullptr;
     card_.name = name_of(line);
-    add_fields(line);
+    if (starts_with_upper(card_.name, "ENDDATA")) return nullptr;
+    add_fields(without_comment(line));
     break;
   }
   if (card_.name.ends_with('*')) card_.name.remove_suffix(1);
   while (!cursor_.at_end()) {
     const std::string_view line = cursor_.peek_line();
-    if (!is_blank_or_comment(line) && !continues(line)) break;
+    if (!is_blank_or_comment(line) && !continues(without_comment(line))) break;
     cursor_.line();
-    if (continues(line) && !line.starts_with('$')) add_fields(line);
+    if (!is_blank_or_comment(line)) add_fields(without_comment(line));
   }
   return &card_;
 }

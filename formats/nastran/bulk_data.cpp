@@ -29,9 +29,14 @@ struct Solid {
   CellKind quadratic;
 };
 
-// Node orders: Nastran's Quick Reference Guide, CHEXA, CPENTA, CPYRAM, CTETRA.
-constexpr std::array<Solid, 5> kSolids{
-    {{"CHEXA", CellKind::brick8, CellKind::brick20},
+// Node orders: Nastran's Quick Reference Guide, CHEXA, CPENTA, CPYRAM, CTETRA; the NASTRAN User's
+// Manual of NASA, CIHEX1, CHEXA1, CHEXA2, CWEDGE.
+constexpr std::array<Solid, 9> kSolids{
+    {{"CIHEX1", CellKind::brick8, CellKind::brick8},
+     {"CHEXA1", CellKind::brick8, CellKind::brick8},
+     {"CHEXA2", CellKind::brick8, CellKind::brick8},
+     {"CWEDGE", CellKind::prism6, CellKind::prism6},
+     {"CHEXA", CellKind::brick8, CellKind::brick20},
      {"CPENTA", CellKind::prism6, CellKind::prism15},
      {"CPYRAM", CellKind::pyramid5, CellKind::pyramid13},
      {"CPYRA", CellKind::pyramid5, CellKind::pyramid13},
@@ -90,6 +95,8 @@ class BulkReader {
       include(card, cursor, path);
     } else if (name.starts_with('=')) {
       cursor.fail_at(card.offset, "replicated entries ('=') are not supported");
+    } else if (name == "CIHEX2" || name == "CIHEX3") {
+      begin_cell(type_place(name, 0, {}), integer_or(card, 0, 0, cursor));
     } else if (kFlat.contains(name)) {
       begin_cell(type_place(name, 0, kNoVolume), integer_or(card, 0, 0, cursor));
     }
@@ -190,16 +197,19 @@ class BulkReader {
   }
 
   void include(const Card& card, const TextCursor& cursor, const std::string& path) {
-    // the name may hold commas and blanks: it is taken from the line itself
+    // the name may hold commas and blanks: it is taken from the line itself; in quotes it may go on
+    // in the next lines
     TextCursor again = cursor;
     again.move_to(card.offset);
-    std::string_view name =
-        trimmed(trimmed(again.line()).substr(std::string_view("INCLUDE").size()));
-    if (name.size() >= 2 && (name.front() == '\'' || name.front() == '"') &&
-        name.back() == name.front())
-      name = name.substr(1, name.size() - 2);
+    std::string name(trimmed(trimmed(again.line()).substr(std::string_view("INCLUDE").size())));
+    if (name.starts_with('\'') || name.starts_with('"')) {
+      const char quote = name.front();
+      while (name.find(quote, 1) == std::string::npos && !again.at_end())
+        name += trimmed(again.line());
+      name = name.substr(1, name.find(quote, 1) - 1);
+    }
     try {
-      read_file(file_beside(path, std::string(name)));
+      read_file(file_beside(path, name));
     } catch (const InputError& error) {
       cursor.fail_at(card.offset, fmt::format("in the included file: {}", error.what()));
     }

@@ -21,6 +21,21 @@ bool has_deck_line(std::string_view head) {
   return false;
 }
 
+/// Whether the first line is a comment or a statement of the sections before the bulk data, which
+/// may be longer than what is looked at.
+bool begins_deck(std::string_view head) {
+  TextCursor cursor(head, "");
+  cursor.skip_space();
+  const std::string_view line = cursor.line();
+  if (line.starts_with('$')) return true;
+  for (const std::string_view word : {"SOL", "ID", "INCLUDE", "TITLE", "SUBTITLE", "NASTRAN",
+                                      "ASSIGN", "INIT", "TIME", "DIAG", "ECHO"})
+    if (starts_with_upper(line, word) &&
+        (line.size() == word.size() || line.find_first_of(" =,(", word.size()) == word.size()))
+      return true;
+  return false;
+}
+
 }  // namespace
 
 Format nastran_format() {
@@ -31,10 +46,7 @@ Format nastran_format() {
   format.fields = "none";
   format.time_steps = "none";
   format.recognizes = has_deck_line;
-  format.plausible = [](std::string_view head) {
-    return head.starts_with('$') || starts_with_upper(head, "SOL ") ||
-           starts_with_upper(head, "ID ") || starts_with_upper(head, "INCLUDE");
-  };
+  format.plausible = begins_deck;
   format.gzip = true;
   read_through(format, [](const std::string& path, const ReadOptions&) {
     return nastran::read_bulk_data(path);

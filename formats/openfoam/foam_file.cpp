@@ -137,11 +137,31 @@ std::string_view FoamFile::raw(std::size_t bytes) {
   return part;
 }
 
+bool FoamFile::is_one(const std::string& path) {
+  const InputText input(existing(path));
+  constexpr std::size_t kHead = 4096;
+  const std::string_view head = input.text().substr(0, kHead);
+  return head.find("FoamFile") != std::string_view::npos && head.find('\0') > head.find("FoamFile");
+}
+
+void FoamFile::skip_dictionary() {
+  expect('{');
+  for (int depth = 1; depth > 0; ++at_) {
+    if (peek() == '\0') fail("ended within a dictionary");
+    if (text_[at_] == '{') ++depth;
+    if (text_[at_] == '}') --depth;
+  }
+}
+
 void FoamFile::read_header() {
   if (word() != "FoamFile") fail("'FoamFile' expected");
   expect('{');
   while (peek() != '}') {
     const std::string_view key = word();
+    if (!key.empty() && peek() == '{') {
+      skip_dictionary();
+      continue;
+    }
     const std::string_view value = word();
     if (key.empty() || value.empty()) fail("an entry of the header expected");
     if (key == "format") binary_ = value == "binary";
@@ -152,32 +172,46 @@ void FoamFile::read_header() {
       if (value.find("label=64") != std::string_view::npos) label_bytes_ = 8;
       if (value.find("scalar=32") != std::string_view::npos) scalar_bytes_ = 4;
     }
+    while (peek() != ';' && !word().empty()) {
+    }
     expect(';');
   }
   expect('}');
   body_ = at_;
 }
 
-std::vector<std::int64_t> FoamFile::labels() {
-  const std::size_t amount = count(binary_ ? label_bytes_ : 2);
+std::optional<std::size_t> FoamFile::list_size(std::size_t bytes_each, std::size_t most_equal) {
+  if (peek() == '(') return std::nullopt;
+  const std::int64_t value = whole();
+  // equal entries are written once
+  const std::size_t most = peek() == '{' ? most_equal : (text_.size() - at_) / bytes_each;
+  if (value < 0 || static_cast<std::uint64_t>(value) > most)
+    fail(fmt::format("a count that fits the file expected (at most {}; {} found)", most, value));
+  return static_cast<std::size_t>(value);
+}
+
+std::vector<std::int64_t> FoamFile::labels(std::size_t most_equal) {
+  const std::optional<std::size_t> amount = list_size(binary_ ? label_bytes_ : 2, most_equal);
   std::vector<std::int64_t> values;
-  if (amount == 0) {
-    if (peek() == '(') {
-      expect('(');
-      expect(')');
-    }
+  if (amount && peek() == '{') {
+    expect('{');
+    values.assign(*amount, whole());
+    expect('}');
     return values;
   }
-  values.reserve(amount);
+  if (amount == std::size_t{0} && peek() != '(') return values;
   expect('(');
-  if (binary_) {
-    const std::string_view bytes = raw(amount * label_bytes_);
+  if (!amount) {
+    while (peek() != ')') values.push_back(whole());
+  } else if (binary_) {
+    const std::string_view bytes = raw(*amount * label_bytes_);
     if (label_bytes_ == 8)
       append<std::int64_t>(bytes, values);
     else
       append<std::int32_t>(bytes, values);
   } else {
-    for (std::size_t i = 0; i < amount; ++i) values.push_back(whole());
+    values.reserve(*amount);
+    for (std::size_t i = 0; i < *amount; ++i) values.push_back(whole());
   }
   expect(')');
   return values;
@@ -186,8 +220,8 @@ std::vector<std::int64_t> FoamFile::labels() {
 void FoamFile::faces(std::vector<std::size_t>& starts, std::vector<std::int64_t>& nodes) {
   starts.assign(1, 0);
   if (class_ == "faceCompactList") {
-    const std::vector<std::int64_t> offsets = labels();
-    nodes = labels();
+    const std::vector<std::int64_t> offsets = labels(0);
+    nodes = labels(0);
     for (std::size_t i = 1; i < offsets.size(); ++i) {
       if (offsets[i] < offsets[i - 1] || static_cast<std::uint64_t>(offsets[i]) > nodes.size())
         fail("offsets of faces that rise within their list expected");
@@ -196,9 +230,9 @@ void FoamFile::faces(std::vector<std::size_t>& starts, std::vector<std::int64_t>
     return;
   }
   if (binary_) fail(fmt::format("a faceCompactList expected ('{}' found)", class_));
-  const std::size_t amount = count(4);
+  const std::optional<std::size_t> amount = list_size(4, 0);
   expect('(');
-  for (std::size_t f = 0; f < amount; ++f) {
+  for (std::size_t f = 0; amount ? f < *amount : peek() != ')'; ++f) {
     const std::size_t corners = count(2);
     expect('(');
     for (std::size_t i = 0; i < corners; ++i) nodes.push_back(whole());
@@ -208,34 +242,71 @@ void FoamFile::faces(std::vector<std::size_t>& starts, std::vector<std::int64_t>
   expect(')');
 }
 
-std::vector<double> FoamFile::reals(std::size_t amount, std::size_t width) {
+void FoamFile::read_tuple(std::size_t width, std::vector<double>& values) {
+  if (width > 1) expect('(');
+  for (std::size_t c = 0; c < width; ++c) values.push_back(real());
+  if (width > 1) expect(')');
+}
+
+std::vector<double> FoamFile::reals(std::size_t width, std::size_t most_equal) {
+  const std::optional<std::size_t> amount =
+      list_size(binary_ ? width * scalar_bytes_ : 2, most_equal);
   std::vector<double> values;
-  values.reserve(amount * width);
+  if (amount && peek() == '{') {
+    expect('{');
+    std::vector<double> tuple;
+    read_tuple(width, tuple);
+    expect('}');
+    values.reserve(*amount * width);
+    for (std::size_t i = 0; i < *amount; ++i)
+      values.insert(values.end(), tuple.begin(), tuple.end());
+    return values;
+  }
+  if (amount == std::size_t{0} && peek() != '(') return values;
   expect('(');
-  if (binary_) {
-    const std::string_view bytes = raw(amount * width * scalar_bytes_);
+  if (!amount) {
+    while (peek() != ')') read_tuple(width, values);
+  } else if (binary_) {
+    const std::string_view bytes = raw(*amount * width * scalar_bytes_);
     if (scalar_bytes_ == 4)
       append<float>(bytes, values);
     else
       append<double>(bytes, values);
   } else {
-    for (std::size_t i = 0; i < amount; ++i) {
-      if (width > 1) expect('(');
-      for (std::size_t c = 0; c < width; ++c) values.push_back(real());
-      if (width > 1) expect(')');
-    }
+    values.reserve(*amount * width);
+    for (std::size_t i = 0; i < *amount; ++i) read_tuple(width, values);
   }
   expect(')');
   return values;
 }
 
-std::vector<double> FoamFile::points() { return reals(count(binary_ ? 3 * scalar_bytes_ : 8), 3); }
+std::vector<double> FoamFile::points() { return reals(3, 0); }
+
+std::vector<double> FoamFile::uniform_value() {
+  std::vector<double> value;
+  const auto begins_number = [this] {
+    const char c = peek();
+    return (c >= '0' && c <= '9') || c == '-' || c == '.' || c == 'n' || c == 'i';
+  };
+  if (begins_number()) return {real()};
+  if (peek() != '(') return value;
+  expect('(');
+  while (begins_number()) value.push_back(real());
+  if (peek() != ')') return {};  // macros between the brackets
+  expect(')');
+  return value;
+}
 
 bool FoamFile::find_entry(std::string_view keyword) {
   at_ = body_;
   while (peek() != '\0') {
     const std::string_view found = word();
     if (found == keyword) return true;
+    // directives (#include) have no end but the line's
+    if (found.starts_with('#')) {
+      at_ = std::min(text_.find('\n', at_), text_.size());
+      continue;
+    }
     // over the entry: to its end, or over a dictionary
     int depth = 0;
     while (at_ < text_.size() && !(depth == 0 && text_[at_] == ';')) {
@@ -248,21 +319,21 @@ bool FoamFile::find_entry(std::string_view keyword) {
   return false;
 }
 
-FieldValues FoamFile::internal_field(std::size_t amount) {
+std::optional<FieldValues> FoamFile::internal_field(std::size_t amount) {
   if (!find_entry("internalField")) fail("has no internalField");
   FieldValues field;
-  const std::string_view sort = word();
+  std::string_view sort = word();
+  if (sort.starts_with('$') || sort.starts_with('#')) return std::nullopt;
   if (sort == "uniform") {
-    std::vector<double> value;
-    if (peek() == '(') {
-      expect('(');
-      while (peek() != ')') value.push_back(real());
-      expect(')');
-    } else {
-      value.push_back(real());
+    if (peek() == '$') {
+      const std::string_view macro = word();
+      if (!find_entry(macro.substr(1))) return std::nullopt;
+      if (peek() == 'u') word();
     }
+    const std::vector<double> value = uniform_value();
+    if (value.empty()) return std::nullopt;
     field.components = value.size();
-    if (value.empty() || value.size() > 9) fail("1 to 9 components expected");
+    if (value.size() > 9) fail("1 to 9 components expected");
     for (std::size_t i = 0; i < amount; ++i)
       field.values.insert(field.values.end(), value.begin(), value.end());
     return field;
@@ -274,9 +345,9 @@ FieldValues FoamFile::internal_field(std::size_t amount) {
   type = type.substr(5, type.size() - 6);
   field.components = components_of(type);
   if (field.components == 0) fail(fmt::format("'{}' is no type that is read", type));
-  const std::size_t found = count(binary_ ? field.components * scalar_bytes_ : 2);
-  if (found != amount) fail(fmt::format("{} values expected ({} found)", amount, found));
-  field.values = reals(found, field.components);
+  field.values = reals(field.components, amount);
+  if (const std::size_t found = field.values.size() / field.components; found != amount)
+    fail(fmt::format("{} values expected ({} found)", amount, found));
   return field;
 }
 

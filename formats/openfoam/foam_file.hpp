@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,19 +25,22 @@ class FoamFile {
 
   [[nodiscard]] const std::string& class_name() const { return class_; }
 
-  /// A list of whole numbers.
-  std::vector<std::int64_t> labels();
+  /// A list of whole numbers. Of equal ones, which are written once, `most_equal` are believed.
+  std::vector<std::int64_t> labels(std::size_t most_equal);
   /// A list of lists of whole numbers: for every face where it begins in `nodes`, and the end.
   void faces(std::vector<std::size_t>& starts, std::vector<std::int64_t>& nodes);
   /// A list of points.
   std::vector<double> points();
-  /// The values of `internalField` for `count` cells or points.
-  FieldValues internal_field(std::size_t count);
+  /// The values of `internalField` for `count` cells or points; none where it is told by a macro
+  /// that the file does not define ($pressure of an included file) or by code.
+  std::optional<FieldValues> internal_field(std::size_t count);
   /// The exponents of `dimensions` as a unit: "m s^-1"; empty when there are none.
   std::string unit();
 
   /// Whether there is such a file, packed or not.
   static bool exists(const std::string& path);
+  /// Whether the file begins as OpenFOAM's files do, with comments and "FoamFile".
+  static bool is_one(const std::string& path);
 
  private:
   [[noreturn]] void fail(const std::string& problem) const;
@@ -49,9 +53,17 @@ class FoamFile {
   std::size_t count(std::size_t bytes_each);
   /// Moves behind the keyword at the beginning of an entry; false where there is none.
   bool find_entry(std::string_view keyword);
+  /// Over the dictionary that begins here.
+  void skip_dictionary();
   void read_header();
-  /// `amount` numbers between brackets, each tuple in brackets where `width` is above 1.
-  std::vector<double> reals(std::size_t amount, std::size_t width);
+  /// The number of entries of a list; none where the list has no number before it.
+  std::optional<std::size_t> list_size(std::size_t bytes_each, std::size_t most_equal);
+  /// A list of tuples, each in brackets where `width` is above 1: between brackets, or, of equal
+  /// ones, once between braces.
+  std::vector<double> reals(std::size_t width, std::size_t most_equal);
+  void read_tuple(std::size_t width, std::vector<double>& values);
+  /// A number or a tuple of them; empty where there is something else.
+  std::vector<double> uniform_value();
   std::string_view raw(std::size_t bytes);
 
   InputText input_;

@@ -60,30 +60,56 @@ class Reader {
  public:
   Reader(const std::string& path, const ReadOptions& options)
       : subject_(path), options_(options), root_(fs::path(path).parent_path()) {
-    if (fs::path(path).filename() == "controlDict") root_ = root_.parent_path();
     if (root_.empty()) root_ = ".";
+    // a file of the case may be in one of its folders
+    std::error_code failed;
+    fs::path above = fs::absolute(root_, failed);
+    for (int i = 0; i < kDeepestFile; ++i, above = above.parent_path())
+      if (fs::is_directory(above / "constant" / "polyMesh", failed)) {
+        if (i > 0) root_ = above;
+        return;
+      }
   }
 
   ForeignMesh read() {
     const fs::path folder = root_ / "constant" / "polyMesh";
     std::error_code failed;
-    if (!fs::is_directory(folder, failed))
+    if (!fs::is_directory(folder, failed)) {
+      const bool parts = fs::is_directory(root_ / "processor0", failed);
       throw InputError(subject_,
-                       fmt::format("its case has no mesh ({} expected)", folder.string()));
-    mesh_.xyz = FoamFile((folder / "points").string()).points();
-    read_cells(folder);
+                       fmt::format("its case has no mesh ({} expected{})", folder.string(),
+                                   parts ? ", found parts of one: reconstructPar" : ""));
+    }
+    folders_ = time_folders(root_);
+    for (const TimeFolder& time : folders_) mesh_.times.push_back(time.time);
+    if (!folders_.empty())
+      step_ = requested_step(options_, mesh_.times, subject_).value_or(folders_.size() - 1);
+    mesh_.xyz = FoamFile(mesh_file("points")).points();
+    read_cells();
     read_fields();
     return std::move(mesh_);
   }
 
  private:
-  void read_cells(const fs::path& folder) {
-    FoamFile((folder / "faces").string()).faces(starts_, nodes_);
-    const std::vector<std::int64_t> owner = FoamFile((folder / "owner").string()).labels();
-    const std::vector<std::int64_t> neighbour = FoamFile((folder / "neighbour").string()).labels();
+  static constexpr int kDeepestFile = 4;
+
+  /// A file of the mesh: the last one up to the step's time where the mesh moves or changes.
+  [[nodiscard]] std::string mesh_file(const std::string& name) const {
+    for (std::size_t i = folders_.empty() ? 0 : step_ + 1; i-- > 0;) {
+      const fs::path moved = folders_[i].path / "polyMesh" / name;
+      if (FoamFile::exists(moved.string())) return moved.string();
+    }
+    return (root_ / "constant" / "polyMesh" / name).string();
+  }
+
+  void read_cells() {
+    FoamFile(mesh_file("faces")).faces(starts_, nodes_);
+    const std::string owner_file = mesh_file("owner");
     const std::size_t faces = starts_.size() - 1;
+    const std::vector<std::int64_t> owner = FoamFile(owner_file).labels(faces);
+    const std::vector<std::int64_t> neighbour = FoamFile(mesh_file("neighbour")).labels(faces);
     if (owner.size() != faces || neighbour.size() > faces)
-      throw InputError((folder / "owner").string(),
+      throw InputError(owner_file,
                        fmt::format("does not fit the faces ({} entries expected, {} found)", faces,
                                    owner.size()));
     std::int64_t last = -1;
@@ -91,7 +117,7 @@ class Reader {
     for (const std::int64_t cell : neighbour) last = std::max(last, cell);
     // a cell has faces, and so there are fewer cells than faces
     if (last >= static_cast<std::int64_t>(faces))
-      throw InputError((folder / "owner").string(),
+      throw InputError(owner_file,
                        fmt::format("names cell {} (fewer than {} expected)", last, faces));
     std::vector<std::vector<std::size_t>> faces_of(static_cast<std::size_t>(last + 1));
     const auto note = [&](std::int64_t cell, std::size_t face) {
@@ -124,16 +150,16 @@ class Reader {
   }
 
   void read_fields() {
-    const std::vector<TimeFolder> folders = time_folders(root_);
-    for (const TimeFolder& folder : folders) mesh_.times.push_back(folder.time);
-    if (folders.empty()) return;
-    const std::size_t step =
-        requested_step(options_, mesh_.times, subject_).value_or(folders.size() - 1);
-    for (const std::string& name : files_in(folders[step].path))
-      read_field((folders[step].path / name).string(), name, step);
+    if (folders_.empty()) return;
+    for (const std::string& name : files_in(folders_[step_].path))
+      read_field((folders_[step_].path / name).string(), name);
   }
 
-  void read_field(const std::string& path, const std::string& name, std::size_t step) {
+  void read_field(const std::string& path, const std::string& name) {
+    if (!FoamFile::is_one(path)) {
+      mesh_.notes.push_back(fmt::format("left out '{}', which is no file of OpenFOAM's", name));
+      return;
+    }
     const auto file = std::make_shared<FoamFile>(path);
     const bool on_cells =
         file->class_name().starts_with("vol") && file->class_name().ends_with("Field");
@@ -145,13 +171,19 @@ class Reader {
       return;
     }
     const std::size_t count = on_cells ? mesh_.cell_count() : mesh_.point_count();
-    const auto values = std::make_shared<openfoam::FieldValues>(file->internal_field(count));
+    auto found = file->internal_field(count);
+    if (!found) {
+      mesh_.notes.push_back(
+          fmt::format("left out '{}', whose internalField its file does not tell", name));
+      return;
+    }
+    const auto values = std::make_shared<openfoam::FieldValues>(std::move(*found));
     ForeignField field;
     field.name = name;
     field.unit = file->unit();
     field.location = on_cells ? FieldLocation::cell : FieldLocation::node;
     field.components = static_cast<std::uint32_t>(values->components);
-    field.step = step;
+    field.step = step_;
     field.values = [values] { return values->values; };
     mesh_.fields.push_back(std::move(field));
   }
@@ -159,6 +191,8 @@ class Reader {
   std::string subject_;
   ReadOptions options_;
   fs::path root_;
+  std::vector<TimeFolder> folders_;
+  std::size_t step_ = 0;
   ForeignMesh mesh_;
   std::vector<std::size_t> starts_;
   std::vector<std::int64_t> nodes_;
@@ -174,8 +208,9 @@ Format openfoam_format() {
   format.fields = "node, cell";
   format.time_steps = "several";
   format.recognizes = [](std::string_view head) {
-    return head.find("FoamFile") != std::string_view::npos &&
-           head.find("controlDict") != std::string_view::npos;
+    const std::size_t header = head.find("FoamFile");
+    return header != std::string_view::npos &&
+           head.find('{', header) == head.find_first_not_of(" \t\r\n", header + 8);
   };
   // a .foam file is there for its name alone
   format.contains = [](const std::string& path) {

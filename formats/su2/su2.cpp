@@ -23,10 +23,13 @@ class Su2Reader {
       const std::string_view line = trimmed(cursor_.line());
       if (line.empty() || line.starts_with('%')) continue;
       const std::size_t equals = line.find('=');
+      // lines of what is left out: corners of free-form deformation boxes, periodic markers
+      if (equals == std::string_view::npos && skipping_) continue;
       if (equals == std::string_view::npos)
         cursor_.fail_at(start, fmt::format("a keyword NAME= expected ({} found)", shown(line)));
       read(upper(trimmed(line.substr(0, equals))), trimmed(line.substr(equals + 1)), start);
     }
+    end_zone();
     if (mesh_.xyz.empty() || mesh_.cell_types.empty())
       cursor_.fail(fmt::format("the file ends too early ({}= expected)",
                                mesh_.xyz.empty() ? "NPOIN" : "NELEM"));
@@ -45,11 +48,48 @@ class Su2Reader {
   void read(const std::string& keyword, std::string_view value, std::size_t start) {
     if (keyword == "NDIME" && count_in(value, start) != 3)
       cursor_.fail_at(start, fmt::format("NDIME= 3 expected ({} found)", shown(value)));
-    if (keyword == "NZONE" && count_in(value, start) != 1)
-      cursor_.fail_at(start, fmt::format("NZONE= 1 expected ({} found)", shown(value)));
-    if (keyword == "NELEM") read_elements(count_in(value, start));
-    if (keyword == "NPOIN") read_points(count_in(value, start));
-    if (keyword == "MARKER_ELEMS") skip_markers(count_in(value, start));
+    skipping_ = false;
+    if (keyword == "IZONE") {
+      begin_zone(value);
+    } else if (keyword == "NELEM") {
+      read_elements(count_in(value, start));
+    } else if (keyword == "NPOIN") {
+      read_points(count_in(value, start));
+    } else if (keyword == "MARKER_ELEMS") {
+      skip_markers(count_in(value, start));
+    } else {
+      skipping_ = !keyword.starts_with("ND") && keyword != "NZONE" && keyword != "NMARK";
+    }
+  }
+
+  /// Every zone counts its points from 0.
+  void begin_zone(std::string_view number) {
+    end_zone();
+    zone_ = fmt::format("zone {}", number);
+    first_point_ = mesh_.point_count();
+    first_node_place_ = mesh_.cell_nodes.size();
+    first_cell_ = mesh_.cell_count();
+  }
+  void end_zone() {
+    if (zone_.empty()) return;
+    mesh_.blocks.push_back({zone_, {{first_cell_, mesh_.cell_count()}}});
+    const auto points = static_cast<std::int64_t>(mesh_.point_count() - first_point_);
+    for (std::size_t i = first_node_place_; i < mesh_.cell_nodes.size(); ++i) {
+      std::int64_t& node = mesh_.cell_nodes[i];
+      if (node < 0 || node >= points)
+        cursor_.fail(
+            fmt::format("{}: there is no point {} (0 to {} expected)", zone_, node, points - 1));
+      node += static_cast<std::int64_t>(first_point_);
+    }
+  }
+
+  /// Moves to the next row, over comments.
+  void begin_row() {
+    cursor_.skip_space();
+    while (!cursor_.at_end() && cursor_.peek_line().starts_with('%')) {
+      cursor_.line();
+      cursor_.skip_space();
+    }
   }
 
   void read_elements(std::size_t count) {
@@ -62,7 +102,7 @@ class Su2Reader {
         {13, {"prism", 6, solid_conversion(CellKind::prism6)}},
         {14, {"pyramid", 5, solid_conversion(CellKind::pyramid5)}}};
     for (std::size_t i = 0; i < count; ++i) {
-      cursor_.skip_space();
+      begin_row();
       const std::size_t start = cursor_.offset();
       const std::int64_t number = cursor_.integer("an element type");
       const auto type = kTypes.find(number);
@@ -78,6 +118,7 @@ class Su2Reader {
 
   void read_points(std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
+      begin_row();
       for (int c = 0; c < 3; ++c) mesh_.xyz.push_back(cursor_.real("a coordinate"));
       cursor_.line();
     }
@@ -85,6 +126,7 @@ class Su2Reader {
 
   void skip_markers(std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
+      begin_row();
       if (cursor_.at_end()) cursor_.fail("the file ends within a marker's elements");
       cursor_.line();
     }
@@ -92,6 +134,11 @@ class Su2Reader {
 
   TextCursor cursor_;
   ForeignMesh mesh_;
+  bool skipping_ = false;  ///< behind a keyword that is left out
+  std::string zone_;       ///< the zone that is read, where the file has several
+  std::size_t first_point_ = 0;
+  std::size_t first_node_place_ = 0;
+  std::size_t first_cell_ = 0;
 };
 
 }  // namespace
@@ -108,8 +155,8 @@ Format su2_format() {
     while (!cursor.at_end()) {
       const std::string_view line = trimmed(cursor.line());
       if (line.empty() || line.starts_with('%')) continue;
-      return starts_with_upper(line, "NDIME") || starts_with_upper(line, "NZONE") ||
-             starts_with_upper(line, "NELEM=") || starts_with_upper(line, "NPOIN=");
+      const std::string keyword = upper(trimmed(line.substr(0, line.find('='))));
+      return keyword == "NDIME" || keyword == "NZONE" || keyword == "NELEM" || keyword == "NPOIN";
     }
     return false;
   };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <limits>
 
 #include <fmt/format.h>
@@ -159,6 +160,25 @@ ForeignMesh mesh_of(TecplotFile&& file, const ReadOptions& options, const std::s
   return mesh;
 }
 
+/// Whether the first line that is no comment begins one of the records that come first. A title
+/// alone does not do: solvers' decks have titles too.
+bool begins_with_record(std::string_view head) {
+  TextCursor cursor(head, "");
+  bool title = false;
+  while (!cursor.at_end()) {
+    const std::string_view line = trimmed(cursor.line());
+    if (line.empty() || line.starts_with('#')) continue;
+    for (const std::string_view word : {"VARIABLES", "ZONE", "FILETYPE"})
+      if (starts_with_upper(line, word) &&
+          (line.size() == word.size() ||
+           std::isalpha(static_cast<unsigned char>(line[word.size()])) == 0))
+        return true;
+    if (!title && !starts_with_upper(line, "TITLE")) return false;
+    title = true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Format tecplot_format() {
@@ -170,15 +190,7 @@ Format tecplot_format() {
   format.time_steps = "many";
   format.recognizes = [](std::string_view head) {
     if (tecplot::is_tecplot_binary(head)) return true;
-    TextCursor cursor(head, "");
-    while (!cursor.at_end()) {
-      const std::string_view line = trimmed(cursor.line());
-      if (line.empty() || line.starts_with('#')) continue;
-      for (const std::string_view word : {"TITLE", "VARIABLES", "ZONE", "FILETYPE"})
-        if (starts_with_upper(line, word) && line.find('=') != std::string_view::npos) return true;
-      return false;
-    }
-    return false;
+    return begins_with_record(head);
   };
   format.gzip = true;
   read_through(format, [](const std::string& path, const ReadOptions& options) {

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -114,8 +115,7 @@ class Reader {
       const std::size_t start = cursor_.offset();
       const std::string keyword = upper(tokens_.next());
       if (keyword == "TITLE") {
-        tokens_.take('=');
-        if (tokens_.skip()) file_.title = tokens_.next();
+        read_title();
       } else if (keyword == "VARIABLES") {
         read_variables();
       } else if (keyword == "ZONE") {
@@ -135,6 +135,16 @@ class Reader {
   }
 
  private:
+  /// In quotes, or the rest of the line.
+  void read_title() {
+    tokens_.take('=');
+    const std::string_view rest = trimmed(cursor_.peek_line());
+    if (!rest.starts_with('"') && !rest.starts_with('\''))
+      file_.title = trimmed(cursor_.line());
+    else if (tokens_.skip())
+      file_.title = tokens_.next();
+  }
+
   void skip_record() {
     while (!cursor_.at_end()) {
       const std::string_view line = trimmed(cursor_.peek_line());
@@ -180,6 +190,11 @@ class Reader {
         break;
       const std::size_t start = cursor_.offset();
       const std::string name = upper(tokens_.next());
+      // what is no number is data too
+      if (name == "NAN" || name == "INF" || name == "INFINITY") {
+        cursor_.move_to(start);
+        break;
+      }
       if (name == "ZONE") {
         cursor_.move_to(start);
         break;
@@ -315,6 +330,7 @@ class Reader {
         given.insert(variable);
       }
     }
+    duplicate(header, start, zone, given);
     const std::string* shared = value(header, "VARSHARELIST");
     if (shared == nullptr) return given;
     const std::string_view text = *shared;
@@ -334,6 +350,31 @@ class Reader {
       }
     }
     return given;
+  }
+
+  /// D=(1,2,FECONNECT): variables, and with that word the elements, of the zone before.
+  void duplicate(const Header& header, std::size_t start, Zone& zone,
+                 std::set<std::size_t>& given) const {
+    const std::string* list = value(header, "D");
+    if (list == nullptr) return;
+    for (const std::size_t variable : number_list(*list)) {
+      if (file_.zones.empty() || variable >= zone.values.size() ||
+          file_.zones.back().values[variable].size() != tuples(zone, variable))
+        cursor_.fail_at(start, "D=: there is no zone before, or it has another size");
+      zone.values[variable] = file_.zones.back().values[variable];
+      given.insert(variable);
+    }
+  }
+
+  /// The place of the zone whose elements the zone shares, if it shares any.
+  std::optional<std::size_t> shared_elements(const Header& header) const {
+    if (const std::string* shared = value(header, "CONNECTIVITYSHAREZONE")) {
+      const std::vector<std::size_t> from = number_list(*shared);
+      return from.empty() ? file_.zones.size() : from.front();
+    }
+    const std::string* list = value(header, "D");
+    if (list == nullptr || upper(*list).find("FECONNECT") == std::string::npos) return std::nullopt;
+    return file_.zones.empty() ? 0 : file_.zones.size() - 1;
   }
 
   static std::size_t tuples(const Zone& zone, std::size_t variable) {
@@ -392,14 +433,13 @@ class Reader {
 
   void read_connectivity(const Header& header, std::size_t start, Zone& zone) {
     if (zone.ordered) return;
-    if (const std::string* shared = value(header, "CONNECTIVITYSHAREZONE")) {
-      const std::vector<std::size_t> from = number_list(*shared);
-      if (from.empty() || from.front() >= file_.zones.size() ||
-          file_.zones[from.front()].element != zone.element ||
-          file_.zones[from.front()].elements != zone.elements)
-        cursor_.fail_at(start, "CONNECTIVITYSHAREZONE: there is no such zone, or it is another");
-      zone.connectivity = file_.zones[from.front()].connectivity;
-      zone.polyhedra = file_.zones[from.front()].polyhedra;
+    if (const std::optional<std::size_t> from = shared_elements(header)) {
+      if (*from >= file_.zones.size() || file_.zones[*from].element != zone.element ||
+          file_.zones[*from].elements != zone.elements)
+        cursor_.fail_at(start,
+                        "the zone whose elements it shares is not there, or has other elements");
+      zone.connectivity = file_.zones[*from].connectivity;
+      zone.polyhedra = file_.zones[*from].polyhedra;
       return;
     }
     if (zone.elements > cursor_.left())
@@ -409,6 +449,14 @@ class Reader {
       skip_to_number();
       zone.connectivity.push_back(cursor_.integer("a node number"));
     }
+    if (value(header, "FACENEIGHBORCONNECTIONS") != nullptr) skip_numbers();
+  }
+
+  /// Moves over the neighbours of faces, to the next word that is no number.
+  void skip_numbers() {
+    while (tokens_.skip() && (std::isdigit(static_cast<unsigned char>(tokens_.front())) != 0 ||
+                              tokens_.front() == '-'))
+      cursor_.word();
   }
 
   std::int64_t next_integer(std::string_view what) {

@@ -35,6 +35,11 @@ class WordLines {
     skip_comments();
     return cursor_.count(what, cursor_.left());
   }
+  /// A count at the end of a file's first line, which some leave out: none.
+  std::size_t count_in_line(std::string_view what) {
+    const std::string_view rest = trimmed(cursor_.peek_line());
+    return rest.empty() || rest.starts_with('#') ? 0 : count(what);
+  }
   TextCursor& cursor() { return cursor_; }
 
  private:
@@ -61,8 +66,8 @@ void read_nodes(const std::string& path, ForeignMesh& mesh) {
   WordLines lines(text);
   const std::size_t count = lines.count("the number of points");
   if (lines.integer("a dimension") != 3) lines.cursor().fail("dimension 3 expected");
-  const std::size_t attributes = lines.count("the number of attributes");
-  const std::size_t markers = lines.count("0 or 1 boundary markers");
+  const std::size_t attributes = lines.count_in_line("the number of attributes");
+  const std::size_t markers = lines.count_in_line("0 or 1 boundary markers");
   if (count > 0 && attributes > lines.cursor().left() / count)
     lines.cursor().fail("more attributes announced than the file can hold");
   std::vector<std::vector<double>> columns(attributes);
@@ -84,7 +89,7 @@ void read_elements(const std::string& path, ForeignMesh& mesh) {
   const std::int64_t nodes = lines.integer("the number of nodes of a tetrahedron");
   if (nodes != 4 && nodes != 10)
     lines.cursor().fail(fmt::format("4 or 10 nodes of a tetrahedron expected ({} found)", nodes));
-  const std::size_t attributes = lines.count("the number of attributes");
+  const std::size_t attributes = lines.count_in_line("the number of attributes");
   if (count > 0 && attributes > lines.cursor().left() / count)
     lines.cursor().fail("more attributes announced than the file can hold");
   mesh.types = {{fmt::format("tetrahedron{}", nodes), static_cast<std::size_t>(nodes),

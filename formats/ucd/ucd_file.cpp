@@ -52,6 +52,20 @@ const std::array<UcdType, 8>& types() {
   return table;
 }
 
+/// A name in a text: some write it in capitals or shorten it to three letters.
+bool names(std::string_view word, const UcdType& type) {
+  const std::string wanted = upper(type.name);
+  const std::string found = upper(word);
+  return found == wanted || (found.size() == 3 && wanted.starts_with(found));
+}
+
+/// Moves over blank lines and comments before the counts.
+void skip_preamble(TextCursor& cursor) {
+  while (!cursor.at_end() &&
+         (trimmed(cursor.peek_line()).empty() || trimmed(cursor.peek_line()).starts_with('#')))
+    cursor.line();
+}
+
 /// What both encodings begin with.
 struct Counts {
   std::size_t nodes = 0;
@@ -120,7 +134,7 @@ class TextReader {
 
   ForeignMesh run() {
     begin_mesh(mesh_);
-    while (cursor_.peek_line().starts_with('#')) cursor_.line();
+    skip_preamble(cursor_);
     read_counts();
     read_nodes();
     read_cells();
@@ -156,7 +170,7 @@ class TextReader {
       const std::size_t at = cursor_.offset();
       const std::string_view name = cursor_.word();
       const auto type = std::find_if(types().begin(), types().end(),
-                                     [&](const UcdType& known) { return known.name == name; });
+                                     [&](const UcdType& known) { return names(name, known); });
       if (type == types().end())
         cursor_.fail_at(at,
                         fmt::format("unknown cell type (pt, line, tri, quad, tet, pyr, prism or "
@@ -369,7 +383,7 @@ class BinaryReader {
 bool looks_like_ucd(std::string_view head) {
   if (head.starts_with(kBinaryMark)) return true;
   TextCursor cursor(head, "");
-  while (!cursor.at_end() && cursor.peek_line().starts_with('#')) cursor.line();
+  skip_preamble(cursor);
   TextCursor counts(cursor.line(), "");
   for (int i = 0; i < 5; ++i)
     if (!to_integer(counts.word())) return false;

@@ -145,8 +145,8 @@ class UnvReader {
       const std::size_t start = cursor_.offset();
       const std::string_view line = cursor_.line();
       const std::int64_t number = integer_at(line, 0, start);
-      const UnvElement& element = element_of(integer_at(line, 1, start), start);
       const std::int64_t nodes = integer_at(line, nodes_field, start);
+      const UnvElement& element = element_of(integer_at(line, 1, start), nodes, start);
       if (nodes != static_cast<std::int64_t>(element.type.nodes))
         cursor_.fail_at(start, fmt::format("element {}: a {} has {} nodes ({} found)", number,
                                            element.type.name, element.type.nodes, nodes));
@@ -170,16 +170,22 @@ class UnvReader {
     }
   }
 
-  const UnvElement& element_of(std::int64_t descriptor, std::size_t start) {
+  const UnvElement& element_of(std::int64_t descriptor, std::int64_t nodes, std::size_t start) {
     const auto known = elements_.find(descriptor);
-    if (known != elements_.end()) return known->second;
+    if (known != elements_.end() && !open_.contains(descriptor)) return known->second;
     auto element = unv_element(descriptor);
-    if (!element)
-      cursor_.fail_at(start,
-                      fmt::format("unknown element type (FE descriptor {} found)", descriptor));
+    if (!element) {
+      // springs, dampers, gaps, rigid bodies: as many nodes as the file says
+      if (nodes < 0 || static_cast<std::uint64_t>(nodes) > cursor_.left())
+        cursor_.fail_at(start, fmt::format("{} nodes of an element announced", nodes));
+      element = UnvElement{
+          {fmt::format("descriptor {}", descriptor), static_cast<std::size_t>(nodes), kNoVolume},
+          false};
+      open_.insert(descriptor);
+    }
     types_[descriptor] =
         mesh_.type_place(element->type.name, element->type.nodes, element->type.conversion);
-    return elements_.emplace(descriptor, std::move(*element)).first->second;
+    return elements_.insert_or_assign(descriptor, std::move(*element)).first->second;
   }
 
   void read_units() {
@@ -240,6 +246,7 @@ class UnvReader {
   std::size_t end_ = 0;  ///< where the dataset's last line begins
   std::map<std::int64_t, UnvElement> elements_;
   std::map<std::int64_t, std::uint16_t> types_;
+  std::set<std::int64_t> open_;  ///< descriptors whose number of nodes is the file's
   std::vector<std::pair<std::string, std::vector<std::int64_t>>> groups_;
   std::vector<UnvResult> results_;
   std::set<std::int64_t> left_out_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cctype>
 #include <charconv>
 #include <cstring>
 #include <type_traits>
@@ -36,6 +37,29 @@ bool parse_all(std::string_view text, std::vector<T>& values) {
     values.push_back(value);
     at = next;
   }
+}
+
+/// An entity that a document declares: "&NAME;" and what stands for it.
+struct Entity {
+  std::string reference;
+  std::string value;
+};
+
+std::vector<Entity> entities_of(std::string_view document) {
+  constexpr std::string_view kDeclaration = "<!ENTITY";
+  std::vector<Entity> entities;
+  for (std::size_t at = document.find(kDeclaration); at != std::string_view::npos;
+       at = document.find(kDeclaration, at + 1)) {
+    const std::string_view rest = document.substr(at + kDeclaration.size());
+    const std::size_t open = rest.find_first_of("\"'>");
+    if (open == std::string_view::npos || rest[open] == '>') continue;
+    const std::size_t close = rest.find(rest[open], open + 1);
+    if (close == std::string_view::npos) continue;
+    const std::string name = stripped(std::string(rest.substr(0, open)).c_str());
+    entities.push_back(
+        {fmt::format("&{};", name), std::string(rest.substr(open + 1, close - open - 1))});
+  }
+  return entities;
 }
 
 /// A value stored in another type and byte order, as T.
@@ -72,6 +96,34 @@ std::string stripped(const char* text) {
   while (!view.empty() && is_blank(view.front())) view.remove_prefix(1);
   while (!view.empty() && is_blank(view.back())) view.remove_suffix(1);
   return std::string(view);
+}
+
+bool same_word(std::string_view a, std::string_view b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char c, unsigned char d) {
+    return std::tolower(c) == std::tolower(d);
+  });
+}
+
+std::string with_entities(std::string_view document, const std::string& subject) {
+  const std::vector<Entity> entities = entities_of(document);
+  std::string result;
+  for (std::size_t at = 0; at < document.size();) {
+    const std::string_view rest = document.substr(at);
+    const auto used = std::find_if(entities.begin(), entities.end(), [&](const Entity& entity) {
+      return rest.front() == '&' && rest.starts_with(entity.reference);
+    });
+    if (used != entities.end()) {
+      result.append(used->value);
+      at += used->reference.size();
+    } else {
+      const std::size_t next = std::min(rest.find('&', 1), rest.size());
+      result.append(rest.substr(0, next));
+      at += next;
+    }
+    if (result.size() / 10 > document.size())
+      throw InputError(subject, "its entities make it more than ten times as large");
+  }
+  return result;
 }
 
 DataItems::DataItems(const pugi::xml_document& document, std::string path)
@@ -115,13 +167,13 @@ std::vector<std::uint64_t> DataItems::shape(const pugi::xml_node& item) const {
 std::string DataItems::type(const pugi::xml_node& item) const {
   const char* name = item.attribute("NumberType").as_string();
   if (*name == '\0') name = item.attribute("DataType").as_string("Float");
-  const std::string kind = name;
+  const std::string_view kind = name;
   const std::string precision = item.attribute("Precision").as_string("4");
-  if (kind == "Float") return precision == "8" ? "double" : "float";
-  if (kind == "Char") return "int8";
-  if (kind == "UChar") return "uint8";
+  if (same_word(kind, "Float")) return precision == "8" ? "double" : "float";
+  if (same_word(kind, "Char")) return "int8";
+  if (same_word(kind, "UChar")) return "uint8";
   const int bytes = std::atoi(precision.c_str());
-  return fmt::format("{}int{}", kind == "UInt" ? "u" : "", 8 * bytes);
+  return fmt::format("{}int{}", same_word(kind, "UInt") ? "u" : "", 8 * bytes);
 }
 
 std::vector<double> DataItems::reals(const pugi::xml_node& item) { return numbers<double>(item); }
@@ -136,15 +188,17 @@ std::vector<T> DataItems::numbers(const pugi::xml_node& item) {
   const std::string sort = item.attribute("ItemType").as_string("Uniform");
   const std::string format = item.attribute("Format").as_string("XML");
   std::vector<T> values;
-  if (sort == "HyperSlab")
+  if (same_word(sort, "HyperSlab"))
     values = selected<T>(item);
-  else if (sort != "Uniform")
-    fail(item, fmt::format("is of the type '{}' (Uniform or HyperSlab expected)", sort));
-  else if (format == "HDF")
+  else if (same_word(sort, "Function"))
+    values = joined<T>(item);
+  else if (!same_word(sort, "Uniform"))
+    fail(item, fmt::format("is of the type '{}' (Uniform, HyperSlab or Function expected)", sort));
+  else if (same_word(format, "HDF") || same_word(format, "H5"))
     values = from_hdf5<T>(item);
-  else if (format == "Binary")
+  else if (same_word(format, "Binary"))
     values = from_binary<T>(item);
-  else if (format == "XML")
+  else if (same_word(format, "XML"))
     values = from_text<T>(item);
   else
     fail(item, fmt::format("is in the format '{}' (XML, HDF or Binary expected)", format));
@@ -185,6 +239,39 @@ std::vector<T> DataItems::selected(const pugi::xml_node& item) {
   }
 }
 
+/// JOIN($0, $1, $2): tuples of what other items hold; of one item alone what it holds.
+template <typename T>
+std::vector<T> DataItems::joined(const pugi::xml_node& item) {
+  const std::string function = item.attribute("Function").as_string();
+  std::string_view rest = function;
+  rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
+  const bool join = rest.size() >= 4 && same_word(rest.substr(0, 4), "JOIN");
+  if (join) rest.remove_prefix(4);
+  std::vector<std::vector<T>> columns;
+  while (!rest.empty()) {
+    const char c = rest.front();
+    rest.remove_prefix(1);
+    if (c != '$') {
+      if (is_blank(c) || c == '(' || c == ')' || (join && c == ';')) continue;
+      fail(item, fmt::format("the function '{}' is not computed (JOIN expected)", function));
+    }
+    std::size_t number = 0;
+    const auto [next, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
+    if (error != std::errc()) fail(item, fmt::format("'{}' is no function", function));
+    rest.remove_prefix(static_cast<std::size_t>(next - rest.data()));
+    columns.push_back(numbers<T>(item_in(item, number)));
+  }
+  if (columns.empty() || (!join && columns.size() > 1))
+    fail(item, fmt::format("the function '{}' is not computed (JOIN expected)", function));
+  for (const std::vector<T>& column : columns)
+    if (column.size() != columns.front().size())
+      fail(item, "joins items of different numbers of values");
+  std::vector<T> values;
+  for (std::size_t i = 0; i < columns.front().size(); ++i)
+    for (const std::vector<T>& column : columns) values.push_back(column[i]);
+  return values;
+}
+
 template <typename T>
 std::vector<T> DataItems::from_text(const pugi::xml_node& item) const {
   std::vector<T> values;
@@ -200,7 +287,7 @@ std::vector<T> DataItems::from_hdf5(const pugi::xml_node& item) {
   const std::string place = stripped(item.child_value());
   const std::size_t colon = place.rfind(':');
   if (colon == std::string::npos) fail(item, fmt::format("'{}' names no FILE:/DATASET", place));
-  const std::string name = beside(place.substr(0, colon));
+  const std::string name = beside(stripped(place.substr(0, colon).c_str()));
   auto& file = files_[name];
   if (!file) file = std::make_shared<hdf5::File>(name);
   std::string dataset = place.substr(colon + 1);
@@ -228,7 +315,7 @@ std::vector<T> DataItems::from_binary(const pugi::xml_node& item) const {
                            "bytes found)",
                            count, seek, file.text().size()));
   const std::string endian = item.attribute("Endian").as_string("Native");
-  const bool swap = endian == "Big";
+  const bool swap = same_word(endian, "Big");
   std::vector<T> values(count);
   for (std::uint64_t i = 0; i < count; ++i)
     values[i] = convert(file.text().data() + seek + i * size, swap);

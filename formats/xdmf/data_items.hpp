@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <pugixml.hpp>
@@ -39,6 +40,8 @@ class DataItems {
   template <typename T>
   std::vector<T> selected(const pugi::xml_node& item);
   template <typename T>
+  std::vector<T> joined(const pugi::xml_node& item);
+  template <typename T>
   std::vector<T> from_text(const pugi::xml_node& item) const;
   template <typename T>
   std::vector<T> from_hdf5(const pugi::xml_node& item);
@@ -54,5 +57,13 @@ class DataItems {
 
 /// The text without blanks at either end.
 std::string stripped(const char* text);
+
+/// Whether two words are the same but for the case of their letters, which XDMF 3 does not look at.
+bool same_word(std::string_view a, std::string_view b);
+
+/// The document with the entities that it declares itself (<!ENTITY HeavyData "mesh.h5">) in the
+/// places of their references (&HeavyData;). Throws InputError(subject, ...) where that makes it
+/// larger than ten times its size.
+std::string with_entities(std::string_view document, const std::string& subject);
 
 }  // namespace hiac::formats::xdmf

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <limits>
 #include <memory>
 
@@ -10,6 +11,7 @@
 #include "formats/assemble.hpp"
 #include "formats/foreign_mesh.hpp"
 #include "formats/isolated.hpp"
+#include "formats/mapped_file.hpp"
 #include "formats/sorted_tetrahedra.hpp"
 #include "formats/steps.hpp"
 #include "formats/structured.hpp"
@@ -54,7 +56,9 @@ class Reader {
  public:
   Reader(const std::string& path, const ReadOptions& options)
       : document_(std::make_shared<Document>()), options_(options), path_(path) {
-    const auto parsed = document_->xml.load_file(path.c_str(), pugi::parse_default);
+    const MappedFile file(path);
+    const std::string text = xdmf::with_entities(file.text(), path);
+    const auto parsed = document_->xml.load_buffer(text.data(), text.size(), pugi::parse_default);
     if (!parsed)
       throw InputError(
           path, fmt::format("byte {}: is no whole XML ({})", parsed.offset, parsed.description()));
@@ -82,12 +86,12 @@ class Reader {
   DataItems& items() { return *document_->items; }
 
   static bool is_temporal(const pugi::xml_node& grid) {
-    return std::string_view(grid.attribute("GridType").as_string()) == "Collection" &&
-           std::string_view(grid.attribute("CollectionType").as_string()) == "Temporal";
+    return xdmf::same_word(grid.attribute("GridType").as_string(), "Collection") &&
+           xdmf::same_word(grid.attribute("CollectionType").as_string(), "Temporal");
   }
   static bool is_group(const pugi::xml_node& grid) {
     const std::string_view type = grid.attribute("GridType").as_string("Uniform");
-    return type == "Collection" || type == "Tree";
+    return xdmf::same_word(type, "Collection") || xdmf::same_word(type, "Tree");
   }
 
   /// The times of a temporal collection's grids.
@@ -98,7 +102,7 @@ class Reader {
     const std::string_view sort = time.attribute("TimeType").as_string();
     if (time && time.child("DataItem")) {
       listed = items().reals(items().item_in(time));
-      if (sort == "HyperSlab" && listed.size() == 3) {
+      if (xdmf::same_word(sort, "HyperSlab") && listed.size() == 3) {
         const auto [start, stride, count] = std::tuple(listed[0], listed[1], listed[2]);
         listed.clear();
         for (double i = 0; i < std::min(count, 1e6); ++i) listed.push_back(start + i * stride);
@@ -143,7 +147,7 @@ class Reader {
       return;
     }
     const std::string_view type = grid.attribute("GridType").as_string("Uniform");
-    if (type != "Uniform")
+    if (!xdmf::same_word(type, "Uniform"))
       items().fail(grid,
                    fmt::format("is of the type '{}' (Uniform, Collection or Tree expected)", type));
     add_grid(grid);
@@ -196,7 +200,7 @@ class Reader {
     const std::size_t first_cell = mesh_.cell_count();
     std::string type = leaf.topology.attribute("TopologyType").as_string();
     if (type.empty()) type = leaf.topology.attribute("Type").as_string();
-    if (type.ends_with("Mesh"))
+    if (type.size() > 4 && xdmf::same_word(std::string_view(type).substr(type.size() - 4), "Mesh"))
       add_structured(leaf, type);
     else
       add_unstructured(leaf, type);
@@ -214,7 +218,7 @@ class Reader {
     std::vector<std::int64_t> numbers = items().integers(item);
     // Fortran programs count from 1
     const std::int64_t offset = leaf.topology.attribute("BaseOffset").as_llong(0);
-    if (type == "Mixed") {
+    if (xdmf::same_word(type, "Mixed")) {
       if (offset != 0) items().fail(leaf.topology, "is mixed and has a BaseOffset");
       xdmf::add_mixed_cells(numbers, first_point, path_, mesh_);
       return;
@@ -232,6 +236,7 @@ class Reader {
   void add_points(const pugi::xml_node& geometry) {
     std::string type = geometry.attribute("GeometryType").as_string();
     if (type.empty()) type = geometry.attribute("Type").as_string("XYZ");
+    for (char& c : type) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     if (type == "XYZ" || type == "XY") {
       const std::vector<double> values = items().reals(items().item_in(geometry));
       const std::size_t width = type.size();
@@ -263,7 +268,7 @@ class Reader {
       items().fail(leaf.topology, "does not have three Dimensions");
     const std::size_t first_point = mesh_.point_count();
     const std::array<std::int64_t, 3> xyz{zyx[2], zyx[1], zyx[0]};
-    if (type == "3DSMesh") {
+    if (xdmf::same_word(type, "3DSMesh")) {
       add_points(leaf.geometry);
       const StructuredBlock block = structured_block(xyz, mesh_.point_count() - first_point, path_);
       if (block.point_count() != mesh_.point_count() - first_point)
@@ -292,10 +297,10 @@ class Reader {
   std::array<std::vector<double>, 3> axes_of(const Leaf& leaf, const std::string& type,
                                              const std::array<std::int64_t, 3>& counts) {
     std::array<std::vector<double>, 3> axes;
-    if (type == "3DRectMesh") {
+    if (xdmf::same_word(type, "3DRectMesh")) {
       for (std::size_t d = 0; d < 3; ++d)
         axes[d] = items().reals(items().item_in(leaf.geometry, d));
-    } else if (type == "3DCoRectMesh") {
+    } else if (xdmf::same_word(type, "3DCoRectMesh")) {
       const std::vector<double> origin = items().reals(items().item_in(leaf.geometry, 0));
       const std::vector<double> spacing = items().reals(items().item_in(leaf.geometry, 1));
       if (origin.size() != 3 || spacing.size() != 3)
@@ -314,7 +319,9 @@ class Reader {
   }
 
   void note_attribute(std::size_t leaf, const pugi::xml_node& attribute) {
-    const std::string center = attribute.attribute("Center").as_string("Node");
+    std::string center = attribute.attribute("Center").as_string("Node");
+    for (const std::string_view known : {"Node", "Cell"})
+      if (xdmf::same_word(center, known)) center = known;
     const std::string name = attribute.attribute("Name").as_string("attribute");
     if (std::string_view(attribute.attribute("ItemType").as_string()) == "FiniteElementFunction" ||
         (center != "Node" && center != "Cell")) {

@@ -9,6 +9,7 @@
 
 #include "tests/formats/cell_volumes.hpp"
 #include "tests/formats/files.hpp"
+#include "tests/formats/unit_tetrahedron.hpp"
 
 namespace hiac::formats {
 namespace {
@@ -43,16 +44,6 @@ class Bytes {
 };
 
 constexpr std::array kOrders{std::endian::little, std::endian::big};
-
-/// The unit tetrahedron's nodes, as every file below has them.
-void expect_unit_tetrahedron(const ZooMesh& mesh) {
-  ASSERT_EQ(mesh.cell_count(), 1U);
-  ASSERT_EQ(mesh.kinds[0], CellKind::tetrahedron4);
-  const std::array<std::array<double, 3>, 4> expected{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-  for (std::size_t n = 0; n < 4; ++n)
-    for (std::size_t c = 0; c < 3; ++c)
-      EXPECT_EQ(mesh.position(mesh.nodes[n])[c], expected[n][c]) << n;
-}
 
 const std::string kAbaqusPart =
     "*Heading\n*Part, name=P\n*Node\n5,0,0,0\n6,1,0,0\n7,0,1,0\n8,0,0,1\n*Element, type=C3D4\n"
