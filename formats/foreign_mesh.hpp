@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -24,6 +25,9 @@ struct ForeignType {
   std::string name;
   std::size_t nodes = 0;
   CellConversion conversion;
+  /// Of a type that the zoo has not: where its nodes are in a cell of their own, evenly spaced,
+  /// where the format tells; empty: it is found from where the cells' nodes lie.
+  std::vector<std::array<double, 3>> places = {};
 };
 
 /// Some of the file's cells under a name: a part, a set, a material. Sets may overlap.

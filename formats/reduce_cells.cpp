@@ -124,7 +124,9 @@ class Reducer {
       samples[type].push_back(std::move(positions));
     }
     for (auto& [type, rich] : rich_) {
-      if (complete[type]) rich.cell = recognized_cell(mesh_.types[type].conversion, samples[type]);
+      const ForeignType& foreign = mesh_.types[type];
+      if (!foreign.places.empty()) samples[type] = {foreign.places};
+      if (complete[type]) rich.cell = recognized_cell(foreign.conversion, samples[type]);
       rich.errors.resize(values_.size(), 0.0);
     }
   }

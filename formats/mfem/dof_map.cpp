@@ -1,11 +1,9 @@
 #include "formats/mfem/dof_map.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cstdlib>
 #include <map>
 #include <span>
-
-#include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
 #include "hiac/mesh/cell_kind.hpp"
@@ -13,8 +11,12 @@
 namespace hiac::formats::mfem {
 namespace {
 
+constexpr int kHighestOrder = 8;
+
 using Edge = std::array<std::uint8_t, 2>;
-using Face = std::array<std::uint8_t, 3>;
+/// Corners of a face; a triangle has its last one twice.
+using Corners = std::array<std::uint8_t, 4>;
+using Place = std::array<int, 3>;
 
 // The edges and faces of MFEM's geometries, in its order
 constexpr std::array<Edge, 6> kTetrahedron{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
@@ -34,39 +36,139 @@ constexpr std::array<Edge, 9> kPrism{
     {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}}};
 constexpr std::array<Edge, 8> kPyramid{
     {{0, 1}, {1, 2}, {3, 2}, {0, 3}, {0, 4}, {1, 4}, {2, 4}, {3, 4}}};
-constexpr std::array<Face, 4> kTetrahedronFaces{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+constexpr std::array<Corners, 4> kTetrahedronFaces{
+    {{1, 2, 3, 3}, {0, 3, 2, 2}, {0, 1, 3, 3}, {0, 2, 1, 1}}};
+constexpr std::array<Corners, 6> kCubeFaces{
+    {{3, 2, 1, 0}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}, {4, 5, 6, 7}}};
+constexpr std::array<Corners, 5> kPrismFaces{
+    {{0, 2, 1, 1}, {3, 4, 5, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}};
+constexpr std::array<Corners, 5> kPyramidFaces{
+    {{3, 2, 1, 0}, {0, 1, 4, 4}, {1, 2, 4, 4}, {2, 3, 4, 4}, {3, 0, 4, 4}}};
 /// The place of the zoo's face f among MFEM's.
 constexpr std::array<std::size_t, 4> kZooFaces{2, 0, 1, 3};
 
-std::span<const Edge> edges_of(Geometry geometry) {
+// The corners' places, in units of the order
+constexpr std::array<Place, 4> kTetrahedronCorners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+constexpr std::array<Place, 8> kCubeCorners{
+    {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
+constexpr std::array<Place, 6> kPrismCorners{
+    {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}}};
+constexpr std::array<Place, 5> kPyramidCorners{
+    {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}}};
+
+struct Shape {
+  std::span<const Place> corners;
+  std::span<const Edge> edges;
+  std::span<const Corners> faces;
+};
+
+Shape shape_of_geometry(Geometry geometry) {
   switch (geometry) {
     case Geometry::tetrahedron:
-      return kTetrahedron;
+      return {kTetrahedronCorners, kTetrahedron, kTetrahedronFaces};
     case Geometry::cube:
-      return kCube;
+      return {kCubeCorners, kCube, kCubeFaces};
     case Geometry::prism:
-      return kPrism;
+      return {kPrismCorners, kPrism, kPrismFaces};
     case Geometry::pyramid:
-      return kPyramid;
+      return {kPyramidCorners, kPyramid, kPyramidFaces};
     default:
       return {};
   }
 }
 
+bool is_triangle(const Corners& face) { return face[2] == face[3]; }
+
+/// corner + (s (a - corner) + t (b - corner)), all in units of the order but s and t.
+Place at(const Place& corner, const Place& a, int s, const Place& b, int t, int order) {
+  Place place{};
+  for (std::size_t c = 0; c < 3; ++c)
+    place[c] = order * corner[c] + s * (a[c] - corner[c]) + t * (b[c] - corner[c]);
+  return place;
+}
+
+using Part = LatticePoint::Part;
+
+void add_edge(const Shape& shape, std::size_t edge, bool forward, int order,
+              std::vector<LatticePoint>& points) {
+  const auto [a, b] = shape.edges[edge];
+  const Place& from = shape.corners[forward ? a : b];
+  const Place& to = shape.corners[forward ? b : a];
+  for (int t = 1; t < order; ++t)
+    points.push_back({at(from, to, t, from, 0, order), Part::edge, edge});
+}
+
+void add_face(const Shape& shape, std::size_t number, int order,
+              std::vector<LatticePoint>& points) {
+  const Corners& face = shape.faces[number];
+  const Place& corner = shape.corners[face[0]];
+  const bool triangle = is_triangle(face);
+  const Place& a = shape.corners[face[1]];
+  const Place& b = shape.corners[triangle ? face[2] : face[3]];
+  for (int t = 1; t < order; ++t)
+    for (int s = 1; s < (triangle ? order - t : order); ++s)
+      points.push_back({at(corner, a, s, b, t, order), Part::face, number});
+}
+
+/// Points inside, as MFEM counts them: i fastest.
+void add_inside(Geometry geometry, int order, std::vector<LatticePoint>& points) {
+  std::size_t number = 0;
+  for (int k = 1; k < order; ++k)
+    for (int j = 1; j < order; ++j)
+      for (int i = 1; i < order; ++i) {
+        if (geometry == Geometry::tetrahedron && i + j + k >= order) continue;
+        if (geometry == Geometry::prism && i + j >= order) continue;
+        if (geometry == Geometry::pyramid && std::max(i, j) + k >= order) continue;
+        points.push_back({{i, j, k}, Part::inside, number++});
+      }
+}
+
 }  // namespace
 
-Space space_named(const std::string& collection, const std::string& subject) {
-  if (collection == "Linear") return {1, false};
-  if (collection == "Quadratic") return {2, false};
-  if (collection == "Cubic") return {3, false};
-  const std::size_t order_at = collection.rfind("_P");
-  if (collection.starts_with("H1_3D_P") && order_at != std::string::npos) {
-    const int order = std::atoi(collection.c_str() + order_at + 2);
-    if (order >= 1 && order <= 3) return {order, order == 3};
+std::vector<LatticePoint> lattice_points(Geometry geometry, int order) {
+  const Shape shape = shape_of_geometry(geometry);
+  std::vector<LatticePoint> points;
+  for (std::size_t v = 0; v < shape.corners.size(); ++v)
+    points.push_back({at(shape.corners[v], {}, 0, {}, 0, order), Part::corner, v});
+  if (geometry == Geometry::tetrahedron) {
+    for (const ShapeEdge& edge : topology_of(CellShape::tetrahedron).edges) {
+      std::size_t local = 0;
+      while (kTetrahedron[local] != Edge{std::min(edge[0], edge[1]), std::max(edge[0], edge[1])})
+        ++local;
+      add_edge(shape, local, edge[0] < edge[1], order, points);
+    }
+    for (const std::size_t face : kZooFaces) add_face(shape, face, order, points);
+  } else {
+    for (std::size_t e = 0; e < shape.edges.size(); ++e) add_edge(shape, e, true, order, points);
+    for (std::size_t f = 0; f < shape.faces.size(); ++f) add_face(shape, f, order, points);
   }
-  throw InputError(subject, fmt::format("the space '{}' cannot be held (H1_3D_P1 to H1_3D_P3, "
-                                        "Linear, Quadratic or Cubic expected)",
-                                        collection));
+  add_inside(geometry, order, points);
+  return points;
+}
+
+bool can_be_of_order(Geometry geometry, int order) {
+  switch (geometry) {
+    case Geometry::cube:
+      return order <= kHighestOrder;
+    case Geometry::tetrahedron:
+    case Geometry::prism:
+      return order <= 3;
+    case Geometry::pyramid:
+      return order <= 2;
+    default:
+      return order == 1;
+  }
+}
+
+std::optional<Space> space_named(const std::string& collection) {
+  if (collection == "Linear") return Space{1, false};
+  if (collection == "Quadratic") return Space{2, false};
+  if (collection == "Cubic") return Space{3, false};
+  constexpr std::string_view kContinuous = "H1_3D_P";
+  if (!collection.starts_with(kContinuous)) return std::nullopt;
+  const int order = std::atoi(collection.c_str() + kContinuous.size());
+  if (order < 1 || order > kHighestOrder) return std::nullopt;
+  return Space{order, order >= 3};
 }
 
 bool is_piecewise_constant(const std::string& collection) {
@@ -74,48 +176,104 @@ bool is_piecewise_constant(const std::string& collection) {
 }
 
 DofMap::DofMap(const MeshFile& mesh, const Space& space)
-    : mesh_(mesh), space_(space), size_(mesh.vertex_count), first_edge_(mesh.vertex_count) {
+    : mesh_(mesh), order_(space.order), first_edge_(mesh.vertex_count) {
+  const auto along = static_cast<std::size_t>(order_ - 1);
   std::map<std::array<std::int64_t, 2>, std::size_t> edges;
-  std::map<std::array<std::int64_t, 3>, std::size_t> faces;
+  std::map<std::array<std::int64_t, 4>, std::size_t> faces;
   for (const Element& element : mesh.elements) {
-    const bool tetrahedron = element.geometry == Geometry::tetrahedron;
-    for (const Edge& edge : edges_of(element.geometry)) {
-      std::array<std::int64_t, 2> key{element.vertices[edge[0]], element.vertices[edge[1]]};
+    const Shape shape = shape_of_geometry(element.geometry);
+    edges_.emplace_back();
+    for (std::size_t e = 0; e < shape.edges.size(); ++e) {
+      std::array<std::int64_t, 2> key{element.vertices[shape.edges[e][0]],
+                                      element.vertices[shape.edges[e][1]]};
       std::sort(key.begin(), key.end());
-      const std::size_t number = edges.try_emplace(key, edges.size()).first->second;
-      if (tetrahedron) edges_.push_back(number);
+      edges_.back()[e] = edges.try_emplace(key, edges.size()).first->second;
     }
-    if (!tetrahedron) edges_.resize(edges_.size() + kTetrahedron.size());
-    for (const Face& face : kTetrahedronFaces) {
-      std::array<std::int64_t, 3> key{element.vertices[face[0]], element.vertices[face[1]],
-                                      element.vertices[face[2]]};
+    faces_.emplace_back();
+    for (std::size_t f = 0; f < shape.faces.size(); ++f) {
+      const Corners& face = shape.faces[f];
+      Face found{};
+      for (std::size_t v = 0; v < face.size(); ++v) found.vertices[v] = element.vertices[face[v]];
+      // as many as a triangle or a quadrilateral of the order has inside
+      found.first = is_triangle(face) ? along * (along > 0 ? along - 1 : 0) / 2 : along * along;
+      std::array<std::int64_t, 4> key = found.vertices;
+      if (is_triangle(face)) key[3] = -1;
       std::sort(key.begin(), key.end());
-      faces_.push_back(tetrahedron ? faces.try_emplace(key, faces.size()).first->second : 0);
+      const auto [place, added] = faces.try_emplace(key, all_faces_.size());
+      if (added) all_faces_.push_back(found);
+      faces_.back()[f] = place->second;
     }
   }
-  const auto inside = static_cast<std::size_t>(space.order - 1);
-  first_face_ = first_edge_ + inside * edges.size();
-  size_ = first_face_ + (space.order == 3 ? faces.size() : 0);
+  size_ = first_edge_ + along * edges.size();
+  for (Face& face : all_faces_) {
+    const std::size_t dofs = face.first;
+    face.first = size_;
+    size_ += dofs;
+  }
+  for (const Element& element : mesh.elements) {
+    std::vector<LatticePoint>& points = points_[static_cast<std::size_t>(element.geometry)];
+    if (points.empty()) points = lattice_points(element.geometry, order_);
+    inside_.push_back(size_);
+    size_ += static_cast<std::size_t>(
+        std::count_if(points.begin(), points.end(),
+                      [](const LatticePoint& point) { return point.part == Part::inside; }));
+  }
+}
+
+std::size_t DofMap::on_edge(const Element& element, std::size_t edge, const LatticePoint& point,
+                            const std::array<std::size_t, 12>& edges) const {
+  const Shape shape = shape_of_geometry(element.geometry);
+  // an edge goes from its vertex of the lower number to the other
+  auto [a, b] = shape.edges[edge];
+  if (element.vertices[a] > element.vertices[b]) std::swap(a, b);
+  int t = 1;
+  while (t < order_ &&
+         at(shape.corners[a], shape.corners[b], t, shape.corners[a], 0, order_) != point.place)
+    ++t;
+  return first_edge_ + static_cast<std::size_t>(order_ - 1) * edges[edge] +
+         static_cast<std::size_t>(t - 1);
+}
+
+/// Points inside a face are counted from its first vertex towards its second, row by row towards
+/// its last.
+std::size_t DofMap::on_face(const Element& element, const Face& face,
+                            const LatticePoint& point) const {
+  const Shape shape = shape_of_geometry(element.geometry);
+  const auto corner = [&](std::size_t v) -> const Place& {
+    const auto count = static_cast<std::ptrdiff_t>(shape.corners.size());
+    const auto found =
+        std::find(element.vertices.begin(), element.vertices.begin() + count, face.vertices[v]);
+    return shape
+        .corners[static_cast<std::size_t>(found - element.vertices.begin()) % shape.corners.size()];
+  };
+  const bool triangle = face.vertices[2] == face.vertices[3];
+  std::size_t number = 0;
+  for (int t = 1; t < order_; ++t)
+    for (int s = 1; s < (triangle ? order_ - t : order_); ++s, ++number)
+      if (at(corner(0), corner(1), s, corner(triangle ? 2 : 3), t, order_) == point.place)
+        return face.first + number;
+  throw InputError("mesh", "an element has one vertex twice");
 }
 
 std::vector<std::size_t> DofMap::of(std::size_t element) const {
   const Element& cell = mesh_.elements[element];
   std::vector<std::size_t> dofs;
-  for (std::size_t v = 0; v < 4; ++v) dofs.push_back(static_cast<std::size_t>(cell.vertices[v]));
-  if (space_.order == 1) return dofs;
-  const auto inside = static_cast<std::size_t>(space_.order - 1);
-  for (const ShapeEdge& edge : topology_of(CellShape::tetrahedron).edges) {
-    std::size_t local = 0;
-    while (kTetrahedron[local] != Edge{std::min(edge[0], edge[1]), std::max(edge[0], edge[1])})
-      ++local;
-    const std::size_t first = first_edge_ + inside * edges_[6 * element + local];
-    // an edge goes from its vertex of the lower number to the other
-    const bool along = cell.vertices[edge[0]] < cell.vertices[edge[1]];
-    for (std::size_t k = 0; k < inside; ++k) dofs.push_back(first + (along ? k : inside - 1 - k));
+  for (const LatticePoint& point : points_[static_cast<std::size_t>(cell.geometry)]) {
+    switch (point.part) {
+      case Part::corner:
+        dofs.push_back(static_cast<std::size_t>(cell.vertices[point.number]));
+        break;
+      case Part::edge:
+        dofs.push_back(on_edge(cell, point.number, point, edges_[element]));
+        break;
+      case Part::face:
+        dofs.push_back(on_face(cell, all_faces_[faces_[element][point.number]], point));
+        break;
+      case Part::inside:
+        dofs.push_back(inside_[element] + point.number);
+        break;
+    }
   }
-  if (space_.order == 3)
-    for (const std::size_t face : kZooFaces)
-      dofs.push_back(first_face_ + faces_[4 * element + face]);
   return dofs;
 }
 

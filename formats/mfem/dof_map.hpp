@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,35 +14,65 @@ namespace hiac::formats::mfem {
 /// A continuous space of some order: "H1_3D_P2", "Quadratic" ...
 struct Space {
   int order = 0;
-  /// Degrees of freedom inside edges are at Gauss-Lobatto points, not evenly spaced (of order 3).
+  /// Degrees of freedom are at Gauss-Lobatto points, not evenly spaced (they are the same up to
+  /// order 2).
   bool lobatto = false;
 };
 
-/// The H1 space that a collection's name says. Throws InputError(subject, ...) for other spaces
-/// and orders above 3.
-Space space_named(const std::string& collection, const std::string& subject);
+/// The H1 space that a collection's name says; none for other spaces and orders above 8.
+std::optional<Space> space_named(const std::string& collection);
 
 /// Whether the name is of a space of values constant in every element.
 bool is_piecewise_constant(const std::string& collection);
 
-/// The degrees of freedom of every tetrahedron of a mesh, of a space of order 1 to 3.
+/// A point of an element: its places along the element's axes, from 0 to the order, and the part
+/// of the element that it is inside of.
+struct LatticePoint {
+  enum class Part : std::uint8_t { corner, edge, face, inside };
+  std::array<int, 3> place;
+  Part part;
+  std::size_t number;  ///< of the corner, edge or face in the element; of points inside their own
+};
+
+/// The points of an element of that order: its corners in MFEM's order, the edges', the faces',
+/// those inside. Of a tetrahedron edges and faces are in the zoo's order.
+std::vector<LatticePoint> lattice_points(Geometry geometry, int order);
+
+/// Whether elements of a geometry can be of an order: cubes of all up to 8, tetrahedra and prisms
+/// up to 3, pyramids up to 2.
+bool can_be_of_order(Geometry geometry, int order);
+
+/// The degrees of freedom of every element of a mesh, of a continuous space.
 class DofMap {
  public:
+  /// Elements are of geometries that can be of that order.
   DofMap(const MeshFile& mesh, const Space& space);
 
   [[nodiscard]] std::size_t size() const { return size_; }
-  /// Of the element with that number: its vertices; two or one a zoo edge, from its first corner to
-  /// its second; the faces' in the zoo's order.
+  /// Of the element with that number, at its lattice_points.
   [[nodiscard]] std::vector<std::size_t> of(std::size_t element) const;
 
  private:
+  /// A face: the vertices of the element that it is first a face of, and its degrees of freedom.
+  struct Face {
+    std::array<std::int64_t, 4> vertices;
+    std::size_t first;
+  };
+  [[nodiscard]] std::size_t on_edge(const Element& element, std::size_t edge,
+                                    const LatticePoint& point,
+                                    const std::array<std::size_t, 12>& edges) const;
+  [[nodiscard]] std::size_t on_face(const Element& element, const Face& face,
+                                    const LatticePoint& point) const;
+
   const MeshFile& mesh_;
-  Space space_;
+  int order_;
   std::size_t size_ = 0;
-  std::vector<std::size_t> edges_;  ///< by element, six each
-  std::vector<std::size_t> faces_;  ///< by element, four each
+  std::vector<std::array<std::size_t, 12>> edges_;  ///< by element
+  std::vector<std::array<std::size_t, 6>> faces_;   ///< by element, places in all_faces_
+  std::vector<Face> all_faces_;
+  std::vector<std::size_t> inside_;  ///< by element, the first inside
   std::size_t first_edge_ = 0;
-  std::size_t first_face_ = 0;
+  std::array<std::vector<LatticePoint>, 8> points_;  ///< by geometry
 };
 
 }  // namespace hiac::formats::mfem

@@ -64,6 +64,22 @@ void skip_elements(TextCursor& text) {
   }
 }
 
+/// Names, in quotes where they hold blanks, each with the number of its attributes and these.
+void skip_attribute_sets(TextCursor& text) {
+  for (std::size_t left = next_count(text, "the number of sets"); left > 0; --left) {
+    text.skip_space();
+    if (!text.at_end() && text.text()[text.offset()] == '"') {
+      const std::size_t end = text.text().find('"', text.offset() + 1);
+      if (end == std::string_view::npos) text.fail("a name without its end");
+      text.move_to(end + 1);
+    } else {
+      text.word();
+    }
+    for (std::size_t n = next_count(text, "the number of attributes"); n > 0; --n)
+      text.integer("an attribute");
+  }
+}
+
 /// Coordinates, or "nodes" where a grid function has them.
 void read_vertices(TextCursor& text, MeshFile& mesh) {
   mesh.vertex_count = next_count(text, "the number of vertices");
@@ -128,6 +144,117 @@ void place_middles(const TextCursor& text, std::vector<Middle> middles, MeshFile
   mesh.vertex_count = count;
 }
 
+/// A box in cells, told by their kind, how many there are along each side, and the sides' lengths.
+struct Box {
+  std::string type;
+  std::array<std::size_t, 3> cells{};
+  std::array<double, 3> lengths{1, 1, 1};
+};
+
+Box read_box(TextCursor& text) {
+  Box box;
+  constexpr std::size_t kMostAlong = 1000;
+  for (std::string_view key = next_word(text); !key.empty(); key = next_word(text)) {
+    // "nx = 4" or "nx=4"
+    std::string_view value;
+    if (const std::size_t equals = key.find('='); equals != std::string_view::npos) {
+      value = key.substr(equals + 1);
+      key = key.substr(0, equals);
+    } else if (text.word() != "=") {
+      text.fail("NAME = VALUE expected");
+    }
+    if (value.empty()) value = text.word();
+    const std::size_t axis = key.size() == 2 ? std::string_view("xyz").find(key[1]) : 3;
+    if (key == "type") {
+      box.type = value;
+    } else if (axis < 3 && key[0] == 'n') {
+      const auto count = to_integer(value);
+      if (!count || *count < 1 || *count > static_cast<std::int64_t>(kMostAlong))
+        text.fail(
+            fmt::format("{}: 1 to {} cells expected ({} found)", key, kMostAlong, shown(value)));
+      box.cells[axis] = static_cast<std::size_t>(*count);
+    } else if (axis < 3 && key[0] == 's') {
+      const auto length = to_real(value);
+      if (!length) text.fail(fmt::format("{}: a length expected ({} found)", key, shown(value)));
+      box.lengths[axis] = *length;
+    }
+  }
+  return box;
+}
+
+/// The vertices of the elements that a brick is divided into; 8 is its centre.
+struct Division {
+  Geometry geometry;
+  std::vector<std::array<std::int64_t, 8>> elements;
+};
+
+// MFEM's Mesh::AddHexAsTets, AddHexAsWedges, AddHexAsPyramids
+Division division_of(const std::string& type, const TextCursor& text) {
+  if (type == "hex") return {Geometry::cube, {{0, 1, 2, 3, 4, 5, 6, 7}}};
+  if (type == "tet")
+    return {Geometry::tetrahedron,
+            {{0, 1, 2, 6}, {0, 5, 1, 6}, {0, 4, 5, 6}, {0, 2, 3, 6}, {0, 3, 7, 6}, {0, 7, 4, 6}}};
+  if (type == "wedge") return {Geometry::prism, {{0, 1, 2, 4, 5, 6}, {0, 2, 3, 4, 6, 7}}};
+  if (type == "pyramid")
+    return {Geometry::pyramid,
+            {{0, 1, 2, 3, 8},
+             {0, 4, 5, 1, 8},
+             {1, 5, 6, 2, 8},
+             {2, 6, 7, 3, 8},
+             {3, 7, 4, 0, 8},
+             {7, 6, 5, 4, 8}}};
+  text.fail(fmt::format("type hex, tet, wedge or pyramid expected ({} found)", shown(type)));
+}
+
+/// A box that the file tells by the numbers of its cells.
+MeshFile read_inline_mesh(TextCursor& text) {
+  const Box box = read_box(text);
+  const Division division = division_of(box.type, text);
+  const auto [nx, ny, nz] = box.cells;
+  constexpr std::size_t kMostBricks = 1'000'000;
+  if (nx == 0 || ny == 0 || nz == 0) text.fail("nx, ny and nz expected");
+  if (nx * ny * nz > kMostBricks)
+    text.fail(fmt::format("{} bricks are made ({} at most expected)", nx * ny * nz, kMostBricks));
+  MeshFile mesh;
+  for (std::size_t k = 0; k <= nz; ++k)
+    for (std::size_t j = 0; j <= ny; ++j)
+      for (std::size_t i = 0; i <= nx; ++i)
+        mesh.vertices.push_back(
+            {box.lengths[0] * static_cast<double>(i) / static_cast<double>(nx),
+             box.lengths[1] * static_cast<double>(j) / static_cast<double>(ny),
+             box.lengths[2] * static_cast<double>(k) / static_cast<double>(nz)});
+  for (std::size_t k = 0; k < nz; ++k)
+    for (std::size_t j = 0; j < ny; ++j)
+      for (std::size_t i = 0; i < nx; ++i) {
+        const std::size_t corner = (k * (ny + 1) + j) * (nx + 1) + i;
+        const std::size_t up = (nx + 1) * (ny + 1);
+        const std::array<std::size_t, 9> brick{corner,
+                                               corner + 1,
+                                               corner + nx + 2,
+                                               corner + nx + 1,
+                                               corner + up,
+                                               corner + up + 1,
+                                               corner + up + nx + 2,
+                                               corner + up + nx + 1,
+                                               mesh.vertices.size()};
+        if (division.geometry == Geometry::pyramid) {
+          std::array<double, 3> centre{};
+          for (std::size_t d = 0; d < 3; ++d)
+            centre[d] = (mesh.vertices[brick[0]][d] + mesh.vertices[brick[6]][d]) / 2;
+          mesh.vertices.push_back(centre);
+        }
+        for (const auto& local : division.elements) {
+          Element element{division.geometry, 1, {}};
+          for (std::size_t v = 0; v < vertex_count(division.geometry); ++v)
+            element.vertices[v] =
+                static_cast<std::int64_t>(brick[static_cast<std::size_t>(local[v])]);
+          mesh.elements.push_back(element);
+        }
+      }
+  mesh.vertex_count = mesh.vertices.size();
+  return mesh;
+}
+
 }  // namespace
 
 std::size_t vertex_count(Geometry geometry) {
@@ -141,18 +268,23 @@ std::string_view geometry_name(Geometry geometry) {
 MeshFile read_mesh_file(TextCursor& text) {
   const std::string_view title = text.line();
   const bool refined = title.starts_with("MFEM NC mesh v1");
+  if (title.starts_with("MFEM INLINE mesh v1")) return read_inline_mesh(text);
   if (!refined && !title.starts_with("MFEM mesh v1"))
-    text.fail_at(
-        0, fmt::format("'MFEM mesh v1.x' or 'MFEM NC mesh v1.x' expected ('{}' found)", title));
+    text.fail_at(0, fmt::format("'MFEM mesh v1.x', 'MFEM NC mesh v1.x' or 'MFEM INLINE mesh v1.x' "
+                                "expected ('{}' found)",
+                                trimmed(title)));
   MeshFile mesh;
+  mesh.refined = refined;
   std::vector<Middle> middles;
   for (std::string_view word = next_word(text); !word.empty(); word = next_word(text)) {
     if (word == "dimension") {
       text.integer("the dimension");
     } else if (word == "elements") {
       read_elements(text, refined, mesh);
-    } else if (word == "boundary") {
+    } else if (word == "boundary" || word == "coarse_elements") {
       skip_elements(text);
+    } else if (word == "attribute_sets" || word == "bdr_attribute_sets") {
+      skip_attribute_sets(text);
     } else if (word == "root_state") {
       for (std::size_t left = next_count(text, "a count"); left > 0; --left)
         text.integer("a state");
@@ -160,9 +292,10 @@ MeshFile read_mesh_file(TextCursor& text) {
       read_vertices(text, mesh);
     } else if (word == "vertex_parents") {
       middles = read_parents(text);
+      mesh.refined = true;
     } else if (word == "nodes") {
       mesh.nodes = read_grid_function(text);
-    } else if (word == "mfem_mesh_end") {
+    } else if (word == "mfem_mesh_end" || word == "mfem_serial_mesh_end") {
       break;
     } else {
       text.fail(fmt::format("a section of an MFEM mesh expected ({} found)", shown(word)));

@@ -44,7 +44,8 @@ struct MeshFile {
   std::vector<Element> elements;
   std::vector<std::array<double, 3>> vertices;  ///< empty where the nodes say it all
   std::size_t vertex_count = 0;
-  GridFunction nodes;  ///< without values where the mesh is straight
+  bool refined = false;  ///< it may have hanging nodes
+  GridFunction nodes;    ///< without values where the mesh is straight
 };
 
 std::size_t vertex_count(Geometry geometry);

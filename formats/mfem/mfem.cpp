@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -14,9 +13,9 @@
 #include "formats/foreign_mesh.hpp"
 #include "formats/input_text.hpp"
 #include "formats/mfem/dof_map.hpp"
+#include "formats/mfem/interpolation.hpp"
 #include "formats/mfem/mesh_file.hpp"
 #include "hiac/base/error.hpp"
-#include "hiac/mesh/shape_functions.hpp"
 
 namespace hiac::formats {
 namespace {
@@ -48,34 +47,6 @@ CellConversion conversion_of(Geometry geometry, int order) {
   }
 }
 
-/// The values of a tetrahedron's nodes, evenly spaced, component by component.
-///
-/// Of Gauss-Lobatto points: a cubic is told along an edge by its values at 0, g, 1-g and 1 with
-/// g = (1 - 1/sqrt(5))/2, and so at the thirds. Vertices and middles of faces are in their places.
-std::vector<double> even_values(const GridFunction& function, const Space& space,
-                                const std::vector<std::size_t>& dofs, std::size_t component) {
-  std::vector<double> values;
-  for (const std::size_t dof : dofs) values.push_back(function.value(dof, component));
-  if (!space.lobatto) return values;
-  const double g = (1 - 1 / std::sqrt(5.0)) / 2;
-  const std::array<double, 4> places{0, g, 1 - g, 1};
-  std::size_t at = 4;
-  for (const ShapeEdge& edge : topology_of(CellShape::tetrahedron).edges) {
-    const std::array<double, 4> known{values[edge[0]], values[at], values[at + 1], values[edge[1]]};
-    for (const double t : {1.0 / 3, 2.0 / 3}) {
-      double sum = 0;
-      for (std::size_t i = 0; i < 4; ++i) {
-        double weight = 1;
-        for (std::size_t j = 0; j < 4; ++j)
-          if (j != i) weight *= (t - places[j]) / (places[i] - places[j]);
-        sum += weight * known[i];
-      }
-      values[at++] = sum;
-    }
-  }
-  return values;
-}
-
 /// A function named by its file, and its space.
 struct NamedFunction {
   std::string name;
@@ -95,8 +66,15 @@ class Reader {
     all_tetrahedra_ = std::all_of(file_.elements.begin(), file_.elements.end(), [](const auto& e) {
       return e.geometry == Geometry::tetrahedron;
     });
-    if (!file_.nodes.values.empty())
-      nodes_space_ = mfem::space_named(file_.nodes.collection, path_);
+    if (!file_.nodes.values.empty()) {
+      const auto space = mfem::space_named(file_.nodes.collection);
+      if (!space)
+        throw InputError(path_, fmt::format("its nodes are in the space '{}', which cannot be held "
+                                            "(H1_3D_P1 to H1_3D_P8, Linear, Quadratic or Cubic "
+                                            "expected)",
+                                            file_.nodes.collection));
+      nodes_space_ = *space;
+    }
     choose_order();
     check_vertices();
     add_cells();
@@ -121,19 +99,24 @@ class Reader {
     }
   }
 
-  /// The order of the cells: the highest of the nodes' and the functions', on tetrahedra.
+  /// The order of the cells: that of the nodes; of tetrahedra the highest of the nodes' and the
+  /// functions'.
   void choose_order() {
     order_ = nodes_space_.order;
-    if (!all_tetrahedra_) {
-      if (order_ == 3)
-        throw InputError(path_,
-                         "has nodes of order 3 on cells other than "
-                         "tetrahedra (order 1 or 2 expected)");
-      return;
+    for (const Element& element : file_.elements)
+      if (!mfem::can_be_of_order(element.geometry, order_))
+        throw InputError(path_, fmt::format("has nodes of order {} on {}s, which are not read",
+                                            order_, mfem::geometry_name(element.geometry)));
+    if (order_ > 1 && file_.refined)
+      throw InputError(path_, fmt::format("has nodes of order {} and hanging nodes, which are not "
+                                          "read together",
+                                          order_));
+    if (!all_tetrahedra_) return;
+    for (const NamedFunction& function : functions_) {
+      const auto space = mfem::space_named(function.values.collection);
+      if (space && mfem::can_be_of_order(Geometry::tetrahedron, space->order))
+        order_ = std::max(order_, space->order);
     }
-    for (const NamedFunction& function : functions_)
-      if (!mfem::is_piecewise_constant(function.values.collection))
-        order_ = std::max(order_, mfem::space_named(function.values.collection, path_).order);
   }
 
   void check_vertices() const {
@@ -154,23 +137,29 @@ class Reader {
       const CellConversion conversion = conversion_of(element.geometry, order_);
       std::string name(mfem::geometry_name(element.geometry));
       if (conversion.fate == CellFate::unsupported) name += fmt::format(" of order {}", order_);
-      std::vector<std::size_t> nodes;
-      if (element.geometry == Geometry::tetrahedron)
-        nodes = cells_->of(e);
-      else
-        nodes.assign(
-            element.vertices.begin(),
-            element.vertices.begin() + static_cast<long>(mfem::vertex_count(element.geometry)));
-      mesh_.cell_types.push_back(mesh_.type_place(name, nodes.size(), conversion));
+      const std::vector<std::size_t> nodes = cells_->of(e);
+      const std::uint16_t type = mesh_.type_place(name, nodes.size(), conversion);
+      if (conversion.fate == CellFate::unsupported && mesh_.types[type].places.empty())
+        mesh_.types[type].places = places_of(element.geometry);
+      mesh_.cell_types.push_back(type);
       mesh_.cell_nodes.insert(mesh_.cell_nodes.end(), nodes.begin(), nodes.end());
     }
+  }
+
+  [[nodiscard]] std::vector<std::array<double, 3>> places_of(Geometry geometry) const {
+    std::vector<std::array<double, 3>> places;
+    for (const mfem::LatticePoint& point : mfem::lattice_points(geometry, order_)) {
+      places.emplace_back();
+      for (std::size_t c = 0; c < 3; ++c)
+        places.back()[c] = static_cast<double>(point.place[c]) / order_;
+    }
+    return places;
   }
 
   /// A continuous function's values at the points of the cells.
   std::vector<double> at_points(const GridFunction& function, const Space& space) const {
     const mfem::DofMap map(file_, space);
-    // faces and insides of cells other than tetrahedra have degrees of freedom too
-    if (function.dofs() < map.size() || (all_tetrahedra_ && function.dofs() != map.size()))
+    if (function.dofs() != map.size())
       throw InputError(path_, fmt::format("a function of the space '{}' does not fit the mesh ({} "
                                           "degrees of freedom expected, {} found)",
                                           function.collection, map.size(), function.dofs()));
@@ -179,25 +168,20 @@ class Reader {
     for (std::size_t v = 0; v < file_.vertex_count; ++v)
       for (std::size_t c = 0; c < width; ++c) values[v * width + c] = function.value(v, c);
     if (order_ == 1) return values;
-    const CellKind kind = tetrahedron_of(order_);
-    std::vector<double> shape(kMaxNodesPerCell);
+    std::map<Geometry, std::vector<std::vector<double>>> weights;
     for (std::size_t e = 0; e < file_.elements.size(); ++e) {
-      if (file_.elements[e].geometry != Geometry::tetrahedron) continue;
+      const Geometry geometry = file_.elements[e].geometry;
+      std::vector<std::vector<double>>& rows = weights[geometry];
+      if (rows.empty()) rows = mfem::interpolation(geometry, space, order_);
       const std::vector<std::size_t> points = cells_->of(e);
       const std::vector<std::size_t> dofs = map.of(e);
-      for (std::size_t c = 0; c < width; ++c) {
-        const std::vector<double> known = even_values(function, space, dofs, c);
-        for (std::size_t p = 0; p < points.size(); ++p) {
-          if (space.order == order_) {
-            values[points[p] * width + c] = known[p];
-            continue;
-          }
-          shape_functions<double>(tetrahedron_of(space.order), reference_nodes(kind)[p], shape);
+      for (std::size_t p = 0; p < points.size(); ++p)
+        for (std::size_t c = 0; c < width; ++c) {
           double sum = 0;
-          for (std::size_t i = 0; i < known.size(); ++i) sum += shape[i] * known[i];
+          for (std::size_t i = 0; i < dofs.size(); ++i)
+            if (rows[p][i] != 0) sum += rows[p][i] * function.value(dofs[i], c);
           values[points[p] * width + c] = sum;
         }
-      }
     }
     return values;
   }
@@ -249,13 +233,20 @@ class Reader {
                 "double");
       return;
     }
-    const Space space = mfem::space_named(values.collection, path_);
-    if (space.order > order_) {
-      mesh_.notes.push_back(fmt::format("left out '{}' of order {} on cells of order {}",
-                                        function.name, space.order, order_));
+    const auto space = mfem::space_named(values.collection);
+    if (!space) {
+      mesh_.notes.push_back(
+          fmt::format("left out '{}' of the space '{}' (H1_3D_P1 to H1_3D_P8, "
+                      "Linear, Quadratic, Cubic or L2 of order 0 are read)",
+                      function.name, values.collection));
       return;
     }
-    add_field(function.name, FieldLocation::node, values.components, at_points(values, space),
+    if (space->order > order_) {
+      mesh_.notes.push_back(fmt::format("left out '{}' of order {} on cells of order {}",
+                                        function.name, space->order, order_));
+      return;
+    }
+    add_field(function.name, FieldLocation::node, values.components, at_points(values, *space),
               "double");
   }
 
@@ -292,7 +283,8 @@ Format mfem_format() {
   format.fields = "node, cell";
   format.time_steps = "one";
   format.recognizes = [](std::string_view head) {
-    return head.starts_with("MFEM mesh v") || head.starts_with("MFEM NC mesh v");
+    return head.starts_with("MFEM ") &&
+           head.substr(0, head.find('\n')).find(" mesh v") < head.size();
   };
   read_through(format,
                [](const std::string& path, const ReadOptions&) { return Reader(path).read(); });

@@ -306,13 +306,20 @@ const Nodes kUcdPyramid{{5, 5}, {1, 1}, {2, 2}, {3, 3}, {4, 4}};
 // AFLR3: the base of a pyramid is 1 4 5 2, its apex 3.
 const Nodes kUgridPyramid{{1, 1}, {4, 4}, {5, 5}, {2, 2}, {3, 3}};
 
-// Netgen's cells are left-handed; edges as its MeshTopology has them.
+// Netgen's cells are left-handed; edges as its Refinement::MakeSecondOrder has them.
 const Nodes kNetgenTet4{{1, 1}, {3, 3}, {2, 2}, {4, 4}};
 const Nodes kNetgenTet10{{1, 1}, {3, 3}, {2, 2}, {4, 4}, {1, 3},
                          {1, 2}, {1, 4}, {3, 2}, {3, 4}, {2, 4}};
 const Nodes kNetgenPyramid{{1, 1}, {4, 4}, {3, 3}, {2, 2}, {5, 5}};
 const Nodes kNetgenPrism{{1, 1}, {3, 3}, {2, 2}, {4, 4}, {6, 6}, {5, 5}};
 const Nodes kNetgenBrick{{1, 1}, {4, 4}, {3, 3}, {2, 2}, {5, 5}, {8, 8}, {7, 7}, {6, 6}};
+const Nodes kNetgenPyramid13{{1, 1}, {4, 4}, {3, 3}, {2, 2}, {5, 5}, {1, 4}, {2, 3},
+                             {2, 1}, {4, 3}, {1, 5}, {4, 5}, {3, 5}, {2, 5}};
+const Nodes kNetgenPrism15{{1, 1}, {3, 3}, {2, 2}, {4, 4}, {6, 6}, {5, 5}, {1, 3}, {1, 2},
+                           {3, 2}, {1, 4}, {3, 6}, {2, 5}, {4, 6}, {4, 5}, {6, 5}};
+const Nodes kNetgenBrick20{{1, 1}, {4, 4}, {3, 3}, {2, 2}, {5, 5}, {8, 8}, {7, 7},
+                           {6, 6}, {1, 4}, {3, 2}, {2, 1}, {4, 3}, {5, 8}, {7, 6},
+                           {6, 5}, {8, 7}, {1, 5}, {4, 8}, {3, 7}, {2, 6}};
 
 // Gambit's user guide: nodes row by row, middles among them.
 const Nodes kGambitBrick8{{1, 1}, {2, 2}, {4, 4}, {3, 3}, {5, 5}, {6, 6}, {8, 8}, {7, 7}};
@@ -421,7 +428,10 @@ std::vector<Described> descriptions() {
         {"5", K::pyramid5, kNetgenPyramid},
         {"6", K::prism6, kNetgenPrism},
         {"8", K::brick8, kNetgenBrick},
-        {"10", K::tetrahedron10, kNetgenTet10}}},
+        {"10", K::tetrahedron10, kNetgenTet10},
+        {"13", K::pyramid13, kNetgenPyramid13},
+        {"15", K::prism15, kNetgenPrism15},
+        {"20", K::brick20, kNetgenBrick20}}},
       {"gambit",
        ".neu",
        gambit_text,
