@@ -36,6 +36,18 @@ struct FunctionBounds {
 };
 
 template <std::size_t N>
+double step_at(const TransferTable<N>& table, std::size_t k) {
+  double step = 0;
+  for (std::size_t c = 0; c < N; ++c) {
+    const auto value = [&](std::size_t i) {
+      return table.value[c][i] + table.slope[c][i] * (table.lower[k] - table.anchor[i]);
+    };
+    step = std::max(step, std::abs(value(k) - value(k - 1)));
+  }
+  return step;
+}
+
+template <std::size_t N>
 FunctionBounds function_bounds(const TransferTable<N>& table, ValueRange range,
                                const Arithmetic& numbers) {
   FunctionBounds f;
@@ -49,32 +61,31 @@ FunctionBounds function_bounds(const TransferTable<N>& table, ValueRange range,
     f.pieces += 1;
     const double reach =
         std::max(std::abs(low - table.anchor[k]), std::abs(high - table.anchor[k]));
-    double step = 0;
     for (std::size_t c = 0; c < N; ++c) {
       const double slope = std::abs(table.slope[c][k]);
       f.most = std::max({f.most, std::abs(value(c, k, low)), std::abs(value(c, k, high))});
       f.slope = std::max(f.slope, slope);
       f.rounding =
           std::max(f.rounding, numbers.function * (std::abs(table.value[c][k]) + slope * reach));
-      if (k > 0 && table.lower[k] >= range.least)
-        step = std::max(step, std::abs(value(c, k, low) - value(c, k - 1, table.lower[k])));
     }
-    if (step > 2 * f.rounding) f.jump += step;
   }
+  for (std::size_t k = 1; k < table.intervals(); ++k)
+    if (range.least <= table.lower[k] && table.lower[k] <= range.most)
+      f.jump += jump_at(table, k, f.rounding);
   f.most += f.rounding;
   return f;
 }
 
-// On how much of a segment a linear field is within its error of a value.
+// On how much of a segment that takes a value a linear field is within its error of it, at most.
 double doubtful_length(double length, double error, double change) {
   if (error == 0) return 0;
   return 2 * error < change ? length * 2 * error / change : length;
 }
 
 // What a linear field is wrong by along a segment whose ends are off by `along`.
-double moved_by(const SegmentFacts& s, double change) {
-  if (s.along == 0) return 0;
-  return 4 * s.along < s.length ? 2 * change * s.along / s.length : change;
+double moved_by(double length, double along, double change) {
+  if (along == 0) return 0;
+  return 4 * along < length ? 2 * change * along / length : change;
 }
 
 // Not less than e^x - 1.
@@ -126,22 +137,46 @@ double field_error(ValueRange range, double gradient, const RayDisplacement& mov
                                                   rounding.of_range * moved.spread * difference));
 }
 
+template <std::size_t N>
+double jump_at(const TransferTable<N>& function, std::size_t k, double rounding) {
+  const double step = step_at(function, k);
+  return step > 2 * rounding ? step : 0;
+}
+
+template double jump_at(const TransferTable<1>&, std::size_t, double);
+template double jump_at(const TransferTable<3>&, std::size_t, double);
+
+template <std::size_t N>
+FieldDoubt linear_doubt(const TransferTable<N>& function, double rounding,
+                        const std::array<long double, 2>& ends, double length, double along,
+                        double error) {
+  const auto [least, most] = std::minmax(ends[0], ends[1]);
+  const auto change = static_cast<double>(most - least);
+  FieldDoubt doubt{error + moved_by(length, along, change), 0};
+  if (doubt.error == 0) return doubt;
+  double jumps = 0;
+  for (std::size_t k = 1; k < function.intervals(); ++k)
+    if (least - doubt.error <= function.lower[k] && function.lower[k] <= most + doubt.error)
+      jumps += jump_at(function, k, rounding);
+  if (jumps > 0) doubt.jumped = jumps * doubtful_length(length, doubt.error, change);
+  return doubt;
+}
+
+template FieldDoubt linear_doubt(const TransferTable<1>&, double, const std::array<long double, 2>&,
+                                 double, double, double);
+template FieldDoubt linear_doubt(const TransferTable<3>&, double, const std::array<long double, 2>&,
+                                 double, double, double);
+
 ErrorBound segment_bound(const CellOptics& cell, bool emission, const SegmentFacts& s,
                          const Arithmetic& numbers) {
-  const double extinction_off = s.extinction_error + moved_by(s, s.extinction_change);
-  const double color_off = s.color_error + moved_by(s, s.color_change);
   const double tau_error =
-      cell.tau_slope * extinction_off + cell.tau_rounding + 8 * numbers.unit * cell.tau_most;
-  double jumped_depth = 0;
-  if (cell.tau_jump > 0)
-    jumped_depth = cell.tau_jump * doubtful_length(s.length, extinction_off, s.extinction_change);
+      cell.tau_slope * s.extinction.error + cell.tau_rounding + 8 * numbers.unit * cell.tau_most;
+  const double jumped_depth = s.extinction.jumped;
   const double depth = s.length * tau_error + jumped_depth;
   const double relative = cell.pieces * numbers.piece;
   const double color_error =
-      cell.color_slope * color_off + cell.color_rounding + 8 * numbers.unit * cell.color_most;
-  double jumped = 0;
-  if (cell.color_jump > 0)
-    jumped = cell.color_jump * doubtful_length(s.length, color_off, s.color_change);
+      cell.color_slope * s.color.error + cell.color_rounding + 8 * numbers.unit * cell.color_most;
+  const double jumped = s.color.jumped;
   const double zeta = s.transparency;
   ErrorBound bound;
   bound.transparency =

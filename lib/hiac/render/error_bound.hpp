@@ -38,9 +38,9 @@ namespace hiac {
 ///   at most; not at all where it is constant.
 /// - Optics (segment_bound): what that does to extinction and colour, by their steepest slopes on
 ///   the cell's values, and 8 u of all that their evaluation adds up; where they jump, on the
-///   stretch of the ray on which the field is in doubt about the jump; 2e-14 for each piece's
-///   weights (linear_piece.hpp), their evaluation and their products, or the bound of the
-///   quadrature (polynomial_piece.hpp).
+///   stretch of the ray on which the field is in doubt about the jump, if there is one; 2e-14 for
+///   each piece's weights (linear_piece.hpp), their evaluation and their products, or the bound of
+///   the quadrature (polynomial_piece.hpp).
 /// - Ends (edge_bound): where a ray enters or leaves a mesh, or fields jump from cell to cell, what
 ///   the displacement moves the ends of its part inside the cell by (EndDoubts) is volume gained or
 ///   lost.
@@ -92,14 +92,30 @@ inline constexpr FieldRounding kTetrahedronRounding{3, 16}, kAlongRayRounding{64
 double field_error(ValueRange range, double gradient, const RayDisplacement& moved,
                    const FieldRounding& rounding, const Arithmetic& numbers = kDoubles);
 
+/// What one of a segment's fields is wrong by; and where its transfer function jumps, by how much,
+/// times the length of the segment on which the field is in doubt about it, in sum.
+struct FieldDoubt {
+  double error = 0, jumped = 0;
+};
+
+/// Of a field that is linear along a segment, with these values at its ends, which are off by
+/// `along` (RayDisplacement) in places and the field by `error` in values. `function`: its transfer
+/// function, with `rounding` as its values have it in the cell.
+template <std::size_t N>
+FieldDoubt linear_doubt(const TransferTable<N>& function, double rounding,
+                        const std::array<long double, 2>& ends, double length, double along,
+                        double error);
+
+/// What a transfer function jumps by at the lower end of interval k > 0, any channel; 0 where that
+/// is no more than rounding.
+template <std::size_t N>
+double jump_at(const TransferTable<N>& function, std::size_t k, double rounding);
+
 /// One segment: its length, how much of it is seen from its front (not less than the integral of
-/// the transparency in front along it), what the fields are wrong by, and how much they change
-/// along it where they are linear (0 where not).
+/// the transparency in front along it), and what is wrong with its fields.
 struct SegmentFacts {
   double length = 0, seen = 0;
-  double along = 0;  ///< RayDisplacement: with it, fields are linear
-  double color_error = 0, extinction_error = 0;
-  double color_change = 0, extinction_change = 0;
+  FieldDoubt color{}, extinction{};
   double opacity = 0, transparency = 1;  ///< not smaller than what they are
 };
 ErrorBound segment_bound(const CellOptics& cell, bool emission, const SegmentFacts& segment,

@@ -148,23 +148,19 @@ ExtendedLight ExtendedSegments::light_of(const Stretch& stretch, const std::vect
 SegmentDetails ExtendedSegments::describe(CellId cell, int x, int y, const Stretch& stretch,
                                           const std::vector<Cut>& cuts,
                                           const ExtendedLight& light) {
-  const auto rounded = [](const ExtendedEnds& e) {
-    return std::array<double, 2>{static_cast<double>(e.front), static_cast<double>(e.back)};
-  };
   std::vector<CutOffsets> offsets;
-  for (const Cut& cut : cuts) {
-    const auto [front, back] = rounded(cut.offset);
-    offsets.push_back({front, back, cut.u <= 1});
-  }
-  TetrahedronSegment drawn{
+  for (const Cut& cut : cuts)
+    offsets.push_back(
+        {static_cast<double>(cut.offset.front), static_cast<double>(cut.offset.back), cut.u <= 1});
+  BasicTetrahedronSegment<Real> drawn{
       .x = x,
       .y = y,
       .front = static_cast<double>(stretch.from),
       .back = static_cast<double>(stretch.to),
       .length = static_cast<double>(stretch.length),
       .seen = cuts.empty() ? static_cast<double>(light.seen) : static_cast<double>(stretch.length),
-      .color = rounded(stretch.color),
-      .extinction = rounded(stretch.extinction),
+      .color = {stretch.color.front, stretch.color.back},
+      .extinction = {stretch.extinction.front, stretch.extinction.back},
       .rgb = {},
       .transparency = static_cast<double>(light.transparency),
       .first = static_cast<double>(stretch.from),

@@ -326,20 +326,22 @@ class GeneralCellRenderer {
     extinction_error_ = error(extinction_);
   }
 
-  // The change of a linear field that is as long in doubt about a value as this one is about the
-  // breakpoints of its function, whichever it is longest: no error where nothing jumps.
+  // What a field is wrong by, and what its function jumps by where it is in doubt about that.
+  // `which`: of the fields in pieces_.
   template <std::size_t N>
-  [[nodiscard]] double change_of(const TransferTable<N>& table, IntervalRange intervals,
-                                 std::size_t which, double error) {
-    double longest = 0;
-    for (std::size_t k = std::max<std::size_t>(intervals.low, 1); k <= intervals.high; ++k) {
-      double sum = 0;
+  [[nodiscard]] FieldDoubt field_doubt(const TransferTable<N>& table, double rounding,
+                                       const CellScalars& scalars, std::size_t which, double error,
+                                       double length) {
+    FieldDoubt doubt{error, 0};
+    for (std::size_t k = std::max<std::size_t>(scalars.intervals.low, 1);
+         k <= scalars.intervals.high; ++k) {
+      const double jump = table.lower[k] < scalars.nodes.least ? 0 : jump_at(table, k, rounding);
+      if (jump == 0) continue;
       for (const FieldAlongRay::Piece& piece : pieces_)
-        sum += (piece.end - piece.begin) *
-               doubtful_part(piece.fields[which], table.lower[k], error, roots_);
-      longest = std::max(longest, sum);
+        doubt.jumped += jump * length * (piece.end - piece.begin) *
+                        doubtful_part(piece.fields[which], table.lower[k], error, roots_);
     }
-    return longest > 0 ? 2 * error / longest : std::numeric_limits<double>::infinity();
+    return doubt;
   }
 
   // Completes details_ and tells the pixel, or the group.
@@ -359,21 +361,19 @@ class GeneralCellRenderer {
                   const RayStretch& stretch, double scale) {
     const bool emission = optics_.emission;
     const double length = (stretch.back - stretch.front) * scale;
-    double color_change = 0, extinction_change = 0;
+    FieldDoubt color{color_error_, 0}, extinction{extinction_error_, 0};
     if (optics_here_.color_jump > 0 || optics_here_.tau_jump > 0) {
       field.along(stretch, pieces_);
-      color_change =
-          change_of(optics_.color, color_.intervals, optics_.same_field ? 0 : 1, color_error_);
-      extinction_change =
-          change_of(optics_.extinction, extinction_.intervals, 0, extinction_error_);
+      color = field_doubt(optics_.color, optics_here_.color_rounding, color_,
+                          optics_.same_field ? 0 : 1, color_error_, length);
+      extinction = field_doubt(optics_.extinction, optics_here_.tau_rounding, extinction_, 0,
+                               extinction_error_, length);
     }
     ErrorBound sum = segment_bound(optics_here_, emission,
                                    {.length = length,
                                     .seen = length,
-                                    .color_error = color_error_,
-                                    .extinction_error = extinction_error_,
-                                    .color_change = color_change,
-                                    .extinction_change = extinction_change,
+                                    .color = color,
+                                    .extinction = extinction,
                                     .opacity = 1 - details_.transparency,
                                     .transparency = is_cut_ ? 1 : details_.transparency});
     const double largest = frame_.isosurfaces.largest_light;

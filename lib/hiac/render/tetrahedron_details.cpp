@@ -93,7 +93,7 @@ void BasicTetrahedronDetails<Real>::enter(CellId cell) {
 
 template <class Real>
 typename BasicTetrahedronDetails<Real>::Ends BasicTetrahedronDetails<Real>::end_doubts(
-    const TetrahedronSegment& segment) const {
+    const Segment& segment) const {
   const Projector& projector = frame_.projector;
   const double x = segment.x + 0.5, y = segment.y + 0.5;
   Ends doubts;
@@ -112,7 +112,7 @@ typename BasicTetrahedronDetails<Real>::Ends BasicTetrahedronDetails<Real>::end_
 }
 
 template <class Real>
-ErrorBound BasicTetrahedronDetails<Real>::cuts_bound(const TetrahedronSegment& segment,
+ErrorBound BasicTetrahedronDetails<Real>::cuts_bound(const Segment& segment,
                                                      const Ends& ends) const {
   const bool emission = frame_.optics.emission;
   const double largest = frame_.isosurfaces.largest_light;
@@ -171,7 +171,7 @@ ErrorBound BasicTetrahedronDetails<Real>::cuts_bound(const TetrahedronSegment& s
 }
 
 template <class Real>
-SegmentDetails BasicTetrahedronDetails<Real>::describe(const TetrahedronSegment& segment) const {
+SegmentDetails BasicTetrahedronDetails<Real>::describe(const Segment& segment) const {
   SegmentDetails details;
   details.front = segment.front;
   details.back = segment.back;
@@ -182,15 +182,17 @@ SegmentDetails BasicTetrahedronDetails<Real>::describe(const TetrahedronSegment&
   details.out_of_order = segment.out_of_order;
   if (!frame_.with_error) return details;
   const bool emission = frame_.optics.emission;
+  const double along = displacement_.along;
   ErrorBound sum =
       segment_bound(optics_, emission,
                     {.length = segment.length,
                      .seen = segment.seen,
-                     .along = displacement_.along,
-                     .color_error = color_error_,
-                     .extinction_error = extinction_error_,
-                     .color_change = std::abs(segment.color[1] - segment.color[0]),
-                     .extinction_change = std::abs(segment.extinction[1] - segment.extinction[0]),
+                     .color = linear_doubt(frame_.optics.color, optics_.color_rounding,
+                                           {segment.color[0], segment.color[1]}, segment.length,
+                                           along, color_error_),
+                     .extinction = linear_doubt(frame_.optics.extinction, optics_.tau_rounding,
+                                                {segment.extinction[0], segment.extinction[1]},
+                                                segment.length, along, extinction_error_),
                      .opacity = 1 - segment.transparency,
                      // of the volume alone where surfaces are crossed
                      .transparency = segment.cuts.empty() ? segment.transparency : 1},

@@ -18,13 +18,14 @@ struct CutOffsets {
   bool crossed;
 };
 
-/// A segment through a linear tetrahedron, as it was drawn.
-struct TetrahedronSegment {
+/// A segment through a linear tetrahedron, as it was drawn. `Real`: what fields were computed with.
+template <class Real>
+struct BasicTetrahedronSegment {
   int x, y;
   double front, back;  ///< ray parameters
   double length;       ///< world units
   double seen;         ///< not less than the integral of its transparency along it
-  std::array<double, 2> color, extinction;  ///< the fields where it begins and ends
+  std::array<Real, 2> color, extinction;  ///< the fields where it begins and ends
   std::array<double, 3> rgb;
   double transparency;
   double first, mean;  ///< SegmentDetails
@@ -32,16 +33,20 @@ struct TetrahedronSegment {
   std::span<const CutOffsets> cuts;  ///< of Isosurfaces::in(cell), or none where none is near
 };
 
+using TetrahedronSegment = BasicTetrahedronSegment<double>;
+
 /// Details of segments through linear tetrahedra; where errors are asked for, with their bounds:
 /// found over the screen those of the kernel's cells, others in the world. `Real`: what the
 /// segments are computed with, double or long double.
 template <class Real>
 class BasicTetrahedronDetails {
  public:
+  using Segment = BasicTetrahedronSegment<Real>;
+
   explicit BasicTetrahedronDetails(const Frame& frame) : frame_(frame) {}
 
   void enter(CellId cell);
-  [[nodiscard]] SegmentDetails describe(const TetrahedronSegment& segment) const;
+  [[nodiscard]] SegmentDetails describe(const Segment& segment) const;
 
  private:
   static constexpr Arithmetic kNumbers = std::is_same_v<Real, double> ? kDoubles : kExtended;
@@ -60,8 +65,8 @@ class BasicTetrahedronDetails {
   std::array<double, 4> values_of(const FrameField& field, double from, ValueRange& range) const;
   [[nodiscard]] double error_of(const std::array<double, 4>& values, ValueRange range,
                                 const RayDisplacement& moved) const;
-  [[nodiscard]] Ends end_doubts(const TetrahedronSegment& segment) const;
-  [[nodiscard]] ErrorBound cuts_bound(const TetrahedronSegment& segment, const Ends& ends) const;
+  [[nodiscard]] Ends end_doubts(const Segment& segment) const;
+  [[nodiscard]] ErrorBound cuts_bound(const Segment& segment, const Ends& ends) const;
 
   const Frame& frame_;
   // of the cell at hand
