@@ -67,6 +67,38 @@ TEST(ErrorBound, StaysBelowATenthOfTheTolerance) {
   }
 }
 
+// Transfer functions that jump somewhere in a cell whose field hardly changes along a ray.
+TEST(ErrorBound, DoesNotCountJumpsThatTheRayIsFarFrom) {
+  for (const std::uint64_t seed : {3232, 3276, 3414}) {
+    const ErrorComparison all = compared(SceneCells::tetrahedra, seed, seed, 80);
+    EXPECT_LT(std::ranges::max(all.claims), 1e-10) << seed;
+  }
+}
+
+// A field from 0 to 1e-9 and its function's jump of 3 at a value; both known to 1e-15.
+TEST(LinearDoubt, IsAboutJumpsWithinTheFieldsError) {
+  constexpr double kChange = 1e-9, kError = 1e-15, kLength = 2;
+  const auto doubt_about = [](double value) {
+    Volume volume;
+    volume.extinction = ExtinctionTransfer{"f", {{value, {1}}, {value, {4}}}};
+    const OpticsTables optics = make_optics_tables(volume, Integration::exact);
+    return linear_doubt(optics.extinction, 1e-16, {0, kChange}, kLength, 0, kError);
+  };
+  for (const double value : {-1.0, -2 * kError, kChange + 2 * kError, 1.0}) {
+    EXPECT_EQ(doubt_about(value).error, kError);
+    EXPECT_EQ(doubt_about(value).jumped, 0) << value;
+  }
+  for (const double value : {-0.5 * kError, 0.0, 0.3 * kChange, kChange})
+    EXPECT_DOUBLE_EQ(doubt_about(value).jumped, 3 * kLength * 2 * kError / kChange) << value;
+}
+
+// The ends of a segment, off in places, move a field that changes along it.
+TEST(LinearDoubt, GrowsWithTheDoubtAboutTheEnds) {
+  const OpticsTables optics = make_optics_tables({}, Integration::exact);
+  EXPECT_DOUBLE_EQ(linear_doubt(optics.color, 0, {1, 4}, 2, 1e-10, 1e-15).error, 1e-15 + 3e-10);
+  EXPECT_DOUBLE_EQ(linear_doubt(optics.color, 0, {4, 1}, 2, 1, 0).error, 3);
+}
+
 // Fields are constant to the bit where all values are the same.
 TEST(FieldError, IsNoneWhereTheFieldIsConstant) {
   const RayDisplacement moved{.aside = 1e-12};
