@@ -53,6 +53,26 @@ TEST(ChebyshevPolynomial, IsTheSameFunctionAsItsBernsteinForm) {
   }
 }
 
+TEST(ChebyshevPolynomial, InterpolatesInExtendedPrecision) {
+  for (std::size_t degree = 1; degree <= kMaxFieldDegree; ++degree) {
+    BasicCoefficients<long double> values{};
+    const auto f = [](long double t) { return std::exp(t / 8); };
+    for (std::size_t j = 0; j <= degree; ++j)
+      values[j] = f(chebyshev_point<long double>(j, degree));
+    const auto g = chebyshev_interpolant(values, degree);
+    const ExtendedBernstein b =
+        bernstein_from_chebyshev(std::span<const long double>(g.c).first(degree + 1));
+    // the remainder of interpolation, f^(n+1) / (n+1)! 4^-n, and more
+    long double bound = 2;
+    for (std::size_t k = 1; k <= degree + 1; ++k) bound *= 1 / (32 * static_cast<long double>(k));
+    bound = bound * 4 + 1e-18L;
+    for (long double t = 0; t <= 1; t += 0.0625L) {
+      EXPECT_LT(std::abs(evaluate(g, 2 * t - 1) - f(t)), bound) << degree;
+      EXPECT_LT(std::abs(evaluate(b, t) - f(t)), bound) << degree;
+    }
+  }
+}
+
 TEST(ChebyshevPolynomial, RestrictionIsTheSameFunctionOnAPart) {
   std::mt19937_64 engine(3);
   for (std::size_t degree = 0; degree <= kMaxFieldDegree; ++degree) {

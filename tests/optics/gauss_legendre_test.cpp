@@ -22,6 +22,18 @@ TEST(GaussLegendre, IntegratesPowersUpToItsDegree) {
   }
 }
 
+TEST(GaussLegendre, IntegratesPowersToExtendedPrecision) {
+  for (std::size_t n = 1; n <= kMaxGaussNodes; ++n) {
+    const auto rule = extended_gauss_legendre(n);
+    for (std::size_t power = 0; power < 2 * n; power += 2) {
+      long double error = -2.0L / static_cast<long double>(power + 1);
+      for (std::size_t i = 0; i < n; ++i)
+        error += rule.weights[i] * std::pow(rule.nodes[i], static_cast<long double>(power));
+      EXPECT_LT(std::abs(error), 0x1p-60L) << n << ' ' << power;
+    }
+  }
+}
+
 TEST(GaussLegendre, NodesIncreaseAndAreSymmetric) {
   for (std::size_t n = 1; n <= kMaxGaussNodes; ++n) {
     const GaussRule rule = gauss_legendre(n);

@@ -221,6 +221,36 @@ class Random {
   std::mt19937_64 engine_;
 };
 
+// In extended precision: the same numbers to within the bounds of those in doubles, with bounds
+// that rounding leaves far lower.
+TEST(PolynomialPiece, IsFinerInExtendedPrecision) {
+  Random random(12);
+  const auto extended = [](const BernsteinPolynomial& f) {
+    std::vector<Real> c(f.c.begin(), f.c.begin() + static_cast<std::ptrdiff_t>(f.degree + 1));
+    return ExtendedBernstein(c);
+  };
+  for (int trial = 0; trial < 60; ++trial) {
+    const auto degree = static_cast<std::size_t>(1 + trial % 6);
+    const PolynomialSegment segment =
+        segment_of(random.field(degree, -0.5, 1.5), random.field(degree, -0.5, 1.5), 1);
+    const auto color = random.color(2 + trial % 5);
+    const auto extinction = random.extinction(2 + trial % 4, 4);
+    for (const Glow glow : {Glow::chromaticity, Glow::emission}) {
+      const SegmentRadiance r = integrate_segment(segment, color, extinction, glow, 1e-16);
+      const auto fine = integrate_segment(
+          BasicPolynomialSegment<Real>{extended(segment.color_field),
+                                       extended(segment.extinction_field), segment.length},
+          color, extinction, glow, 1e-16);
+      for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_LE(std::abs(fine.rgb[c] - r.rgb[c]), r.error + fine.error);
+      EXPECT_LE(std::abs(fine.transparency - r.transparency),
+                r.transparency_error + fine.transparency_error);
+      EXPECT_LE(fine.error, r.error / 8);
+      EXPECT_LE(fine.transparency_error, r.transparency_error / 8);
+    }
+  }
+}
+
 TEST(PolynomialPiece, ErrorsStayWithinTheirBounds) {
   for (const double tolerance : {1e-4, 1e-9, 1e-13}) {
     Random random(11);

@@ -22,9 +22,10 @@ constexpr std::size_t kCount = kMaxFieldDegree + 1;
 
 /// For every degree n: the points cos(pi j / n), j = 0..n, and the matrix that turns the values
 /// there into Chebyshev coefficients.
+template <class Real>
 struct InterpolationTables {
-  std::array<std::array<double, kCount>, kCount> points{};
-  std::array<std::array<std::array<double, kCount>, kCount>, kCount> transform{};
+  std::array<std::array<Real, kCount>, kCount> points{};
+  std::array<std::array<std::array<Real, kCount>, kCount>, kCount> transform{};
 
   InterpolationTables() {
     transform[0][0][0] = 1;
@@ -32,49 +33,42 @@ struct InterpolationTables {
       for (std::size_t j = 0; j <= n; ++j) {
         points[n][j] = cosine(j, n);
         for (std::size_t k = 0; k <= n; ++k) {
-          const double ends = (k == 0 || k == n ? 0.5 : 1) * (j == 0 || j == n ? 0.5 : 1);
-          transform[n][k][j] = 2 * ends * cosine(j * k, n) / static_cast<double>(n);
+          const Real ends = (k == 0 || k == n ? 0.5 : 1) * (j == 0 || j == n ? 0.5 : 1);
+          transform[n][k][j] = 2 * ends * cosine(j * k, n) / static_cast<Real>(n);
         }
       }
   }
 
   /// cos(pi i / n), about the nearest quarter turn, so that symmetric points are symmetric in
   /// rounding too.
-  static double cosine(std::size_t i, std::size_t n) {
-    const auto steps = static_cast<double>(n) - 2.0 * static_cast<double>(i % (2 * n));
-    return std::sin(std::numbers::pi / 2 * steps / static_cast<double>(n));
+  static Real cosine(std::size_t i, std::size_t n) {
+    const auto steps = static_cast<Real>(n) - 2.0 * static_cast<Real>(i % (2 * n));
+    return std::sin(std::numbers::pi_v<Real> / 2 * steps / static_cast<Real>(n));
   }
 };
 
-const InterpolationTables& tables() {
-  static const InterpolationTables t;
+template <class Real>
+const InterpolationTables<Real>& tables() {
+  static const InterpolationTables<Real> t;
   return t;
 }
 
-/// The polynomial of degree n with the values f(cos(pi j / n)), j = 0..n.
-ChebyshevPolynomial interpolant(const PolynomialCoefficients& values, std::size_t n) {
-  ChebyshevPolynomial p;
-  p.degree = n;
-  const auto& transform = tables().transform[n];
-  for (std::size_t k = 0; k <= n; ++k)
-    for (std::size_t j = 0; j <= n; ++j) p.c[k] += transform[k][j] * values[j];
-  return p;
-}
-
 /// One degree more for the same function.
-void elevate(PolynomialCoefficients& c, std::size_t degree) {
-  const auto n = static_cast<double>(degree + 1);
+template <class Real>
+void elevate(BasicCoefficients<Real>& c, std::size_t degree) {
+  const auto n = static_cast<Real>(degree + 1);
   c[degree + 1] = c[degree];
   for (std::size_t i = degree; i > 0; --i) {
-    const double part = static_cast<double>(i) / n;
+    const Real part = static_cast<Real>(i) / n;
     c[i] = part * c[i - 1] + (1 - part) * c[i];
   }
 }
 
 /// Between the bases, for every degree n: from_chebyshev[n][k] are the Bernstein coefficients of
 /// T_k, to_chebyshev[n][i] the Chebyshev coefficients of the i-th Bernstein polynomial.
+template <class Real>
 struct ConversionTables {
-  using Matrix = std::array<std::array<double, kCount>, kCount>;
+  using Matrix = std::array<std::array<Real, kCount>, kCount>;
   std::array<Matrix, kCount> from_chebyshev{}, to_chebyshev{};
 
   ConversionTables() {
@@ -87,9 +81,10 @@ struct ConversionTables {
 
  private:
   void set_from(std::size_t n, std::size_t k) {
-    PolynomialCoefficients c{};  // of T_k, whose Bernstein coefficients are ratios of binomials
+    BasicCoefficients<Real> c{};  // of T_k, whose Bernstein coefficients are ratios of binomials
     for (std::size_t j = 0; j <= k; ++j)
-      c[j] = ((k - j) % 2 == 0 ? 1 : -1) * binomial(2 * k, 2 * j) / binomial(k, j);
+      c[j] = ((k - j) % 2 == 0 ? 1 : -1) * static_cast<Real>(binomial(2 * k, 2 * j)) /
+             static_cast<Real>(binomial(k, j));
     for (std::size_t degree = k; degree < n; ++degree) elevate(c, degree);
     std::copy_n(c.begin(), n + 1, from_chebyshev[n][k].begin());
   }
@@ -110,106 +105,167 @@ struct ConversionTables {
         sum += (j == 0 || j == n ? 0.5L : 1) * value * at(j * k % (2 * n));
       }
       to_chebyshev[n][i][k] =
-          static_cast<double>((k == 0 || k == n ? 1 : 2) * sum / static_cast<long double>(n));
+          static_cast<Real>((k == 0 || k == n ? 1 : 2) * sum / static_cast<long double>(n));
     }
   }
 };
 
-const ConversionTables& conversions() {
-  static const ConversionTables t;
+template <class Real>
+const ConversionTables<Real>& conversions() {
+  static const ConversionTables<Real> t;
   return t;
 }
 
 }  // namespace
 
-BernsteinPolynomial::BernsteinPolynomial(std::span<const double> coefficients) {
+template <class Real>
+BasicBernstein<Real>::BasicBernstein(std::span<const Real> coefficients) {
   check_count(coefficients.size());
   std::copy(coefficients.begin(), coefficients.end(), c.begin());
   degree = coefficients.size() - 1;
 }
 
-double evaluate(const BernsteinPolynomial& f, double t) {
-  PolynomialCoefficients c = f.c;
-  const double s = 1 - t;
+template <class Real>
+Real evaluate(const BasicBernstein<Real>& f, std::type_identity_t<Real> t) {
+  BasicCoefficients<Real> c = f.c;
+  const Real s = 1 - t;
   for (std::size_t n = f.degree; n > 0; --n)
     for (std::size_t i = 0; i < n; ++i) c[i] = s * c[i] + t * c[i + 1];
   return c[0];
 }
 
-BernsteinHalves halves(const BernsteinPolynomial& f) {
-  BernsteinHalves h;
+template <class Real>
+BernsteinHalves<Real> halves(const BasicBernstein<Real>& f) {
+  BernsteinHalves<Real> h;
   h.front.degree = f.degree;
   h.back.degree = f.degree;
-  PolynomialCoefficients c = f.c;
+  BasicCoefficients<Real> c = f.c;
   for (std::size_t n = f.degree;; --n) {
     h.front.c[f.degree - n] = c[0];
     h.back.c[n] = c[n];
     if (n == 0) return h;
-    for (std::size_t i = 0; i < n; ++i) c[i] = 0.5 * (c[i] + c[i + 1]);
+    for (std::size_t i = 0; i < n; ++i) c[i] = static_cast<Real>(0.5) * (c[i] + c[i + 1]);
   }
 }
 
-BernsteinPolynomial derivative(const BernsteinPolynomial& f) {
-  BernsteinPolynomial d;
+template <class Real>
+BasicBernstein<Real> derivative(const BasicBernstein<Real>& f) {
+  BasicBernstein<Real> d;
   if (f.degree == 0) return d;
   d.degree = f.degree - 1;
   for (std::size_t i = 0; i < f.degree; ++i)
-    d.c[i] = static_cast<double>(f.degree) * (f.c[i + 1] - f.c[i]);
+    d.c[i] = static_cast<Real>(f.degree) * (f.c[i + 1] - f.c[i]);
   return d;
 }
 
-double evaluate(const ChebyshevPolynomial& f, double x) {
-  double following = 0;
-  double current = 0;
+template <class Real>
+Real evaluate(const BasicChebyshev<Real>& f, std::type_identity_t<Real> x) {
+  Real following = 0;
+  Real current = 0;
   for (std::size_t k = f.degree; k > 0; --k) {
-    const double previous = 2 * x * current - following + f.c[k];
+    const Real previous = 2 * x * current - following + f.c[k];
     following = current;
     current = previous;
   }
   return x * current - following + f.c[0];
 }
 
-double ellipse_bound(const ChebyshevPolynomial& f, double rho, std::size_t first) {
+template <class Real>
+Real ellipse_bound(const BasicChebyshev<Real>& f, double rho, std::size_t first) {
   const double inverse = 1 / rho;
-  double sum = 0;
-  double power = 1;
-  double inverse_power = 1;
+  Real sum = 0;
+  Real power = 1;
+  Real inverse_power = 1;
   for (std::size_t k = 0; k <= f.degree; ++k) {
-    if (k >= first) sum += std::abs(f.c[k]) * 0.5 * (power + inverse_power);
+    if (k >= first) sum += std::abs(f.c[k]) * static_cast<Real>(0.5) * (power + inverse_power);
     power *= rho;
     inverse_power *= inverse;
   }
   return sum;
 }
 
-ChebyshevPolynomial chebyshev_from_bernstein(const BernsteinPolynomial& f) {
-  ChebyshevPolynomial p;
+template <class Real>
+BasicChebyshev<Real> chebyshev_from_bernstein(const BasicBernstein<Real>& f) {
+  BasicChebyshev<Real> p;
   p.degree = f.degree;
-  const auto& matrix = conversions().to_chebyshev[f.degree];
+  const auto& matrix = conversions<Real>().to_chebyshev[f.degree];
   for (std::size_t i = 0; i <= f.degree; ++i)
     for (std::size_t k = 0; k <= f.degree; ++k) p.c[k] += f.c[i] * matrix[i][k];
   return p;
 }
 
-BernsteinPolynomial bernstein_from_chebyshev(std::span<const double> coefficients) {
+namespace {
+
+template <class Real>
+BasicBernstein<Real> from_chebyshev(std::span<const Real> coefficients) {
   check_count(coefficients.size());
-  BernsteinPolynomial f;
+  BasicBernstein<Real> f;
   f.degree = coefficients.size() - 1;
-  const auto& matrix = conversions().from_chebyshev[f.degree];
+  const auto& matrix = conversions<Real>().from_chebyshev[f.degree];
   for (std::size_t k = 0; k <= f.degree; ++k)
     for (std::size_t j = 0; j <= f.degree; ++j) f.c[j] += coefficients[k] * matrix[k][j];
   return f;
 }
 
-ChebyshevPolynomial restricted(const ChebyshevPolynomial& f, double t0, double t1) {
-  if (t0 == 0 && t1 == 1) return f;
-  PolynomialCoefficients values{};
-  const std::size_t n = f.degree;
-  const double middle = t0 + t1 - 1;  // in x of f
-  const double half = t1 - t0;
-  const auto& points = tables().points[n];
-  for (std::size_t j = 0; j <= n; ++j) values[j] = evaluate(f, middle + half * points[j]);
-  return interpolant(values, n);
+}  // namespace
+
+BernsteinPolynomial bernstein_from_chebyshev(std::span<const double> coefficients) {
+  return from_chebyshev(coefficients);
 }
+ExtendedBernstein bernstein_from_chebyshev(std::span<const long double> coefficients) {
+  return from_chebyshev(coefficients);
+}
+
+template <class Real>
+BasicChebyshev<Real> chebyshev_interpolant(const BasicCoefficients<Real>& values, std::size_t n) {
+  BasicChebyshev<Real> p;
+  p.degree = n;
+  const auto& transform = tables<Real>().transform[n];
+  for (std::size_t k = 0; k <= n; ++k)
+    for (std::size_t j = 0; j <= n; ++j) p.c[k] += transform[k][j] * values[j];
+  return p;
+}
+
+template <class Real>
+Real chebyshev_point(std::size_t j, std::size_t n) {
+  return (1 + tables<Real>().points[n][j]) / 2;
+}
+
+template <class Real>
+BasicChebyshev<Real> restricted(const BasicChebyshev<Real>& f, std::type_identity_t<Real> t0,
+                                std::type_identity_t<Real> t1) {
+  if (t0 == 0 && t1 == 1) return f;
+  BasicCoefficients<Real> values{};
+  const std::size_t n = f.degree;
+  const Real middle = t0 + t1 - 1;  // in x of f
+  const Real half = t1 - t0;
+  const auto& points = tables<Real>().points[n];
+  for (std::size_t j = 0; j <= n; ++j) values[j] = evaluate(f, middle + half * points[j]);
+  return chebyshev_interpolant(values, n);
+}
+
+template struct BasicBernstein<double>;
+template double evaluate(const BernsteinPolynomial&, double);
+template BernsteinHalves<double> halves(const BernsteinPolynomial&);
+template BernsteinPolynomial derivative(const BernsteinPolynomial&);
+template double evaluate(const ChebyshevPolynomial&, double);
+template double ellipse_bound(const ChebyshevPolynomial&, double, std::size_t);
+template ChebyshevPolynomial chebyshev_from_bernstein(const BernsteinPolynomial&);
+template ChebyshevPolynomial chebyshev_interpolant(const BasicCoefficients<double>&, std::size_t);
+template double chebyshev_point(std::size_t, std::size_t);
+template ChebyshevPolynomial restricted(const ChebyshevPolynomial&, double, double);
+
+template struct BasicBernstein<long double>;
+template long double evaluate(const ExtendedBernstein&, long double);
+template BernsteinHalves<long double> halves(const ExtendedBernstein&);
+template ExtendedBernstein derivative(const ExtendedBernstein&);
+template long double evaluate(const BasicChebyshev<long double>&, long double);
+template long double ellipse_bound(const BasicChebyshev<long double>&, double, std::size_t);
+template BasicChebyshev<long double> chebyshev_from_bernstein(const ExtendedBernstein&);
+template BasicChebyshev<long double> chebyshev_interpolant(const BasicCoefficients<long double>&,
+                                                           std::size_t);
+template long double chebyshev_point(std::size_t, std::size_t);
+template BasicChebyshev<long double> restricted(const BasicChebyshev<long double>&, long double,
+                                                long double);
 
 }  // namespace hiac

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <type_traits>
 
 namespace hiac {
 
@@ -10,57 +11,81 @@ namespace hiac {
 inline constexpr std::size_t kMaxFieldDegree = 16;
 
 /// Coefficients of a polynomial of degree `degree`, entries beyond it unused; there is room for the
-/// integral of a field.
-using PolynomialCoefficients = std::array<double, kMaxFieldDegree + 2>;
+/// integral of a field. `Real`, here and below: double or long double, in which all is computed.
+template <class Real>
+using BasicCoefficients = std::array<Real, kMaxFieldDegree + 2>;
 
 /// f(t) = sum_i c[i] binomial(n, i) t^i (1 - t)^(n-i) on [0, 1]. f lies between the smallest and
 /// the largest coefficient, c[0] = f(0), c[n] = f(1).
-struct BernsteinPolynomial {
-  PolynomialCoefficients c{};
+template <class Real>
+struct BasicBernstein {
+  BasicCoefficients<Real> c{};
   std::size_t degree = 0;
 
-  BernsteinPolynomial() = default;
+  BasicBernstein() = default;
   /// Throws std::invalid_argument when there is no coefficient or more than kMaxFieldDegree + 1.
-  explicit BernsteinPolynomial(std::span<const double> coefficients);
+  explicit BasicBernstein(std::span<const Real> coefficients);
 
-  [[nodiscard]] std::span<const double> coefficients() const { return {c.data(), degree + 1}; }
+  [[nodiscard]] std::span<const Real> coefficients() const { return {c.data(), degree + 1}; }
 };
+using BernsteinPolynomial = BasicBernstein<double>;
+using ExtendedBernstein = BasicBernstein<long double>;
 
 /// f(t), by de Casteljau's algorithm.
-double evaluate(const BernsteinPolynomial& f, double t);
+template <class Real>
+Real evaluate(const BasicBernstein<Real>& f, std::type_identity_t<Real> t);
 
 /// f on [0, 1/2] and on [1/2, 1], each as a polynomial on [0, 1].
+template <class Real>
 struct BernsteinHalves {
-  BernsteinPolynomial front;
-  BernsteinPolynomial back;
+  BasicBernstein<Real> front;
+  BasicBernstein<Real> back;
 };
-BernsteinHalves halves(const BernsteinPolynomial& f);
+template <class Real>
+BernsteinHalves<Real> halves(const BasicBernstein<Real>& f);
 
 /// f'.
-BernsteinPolynomial derivative(const BernsteinPolynomial& f);
+template <class Real>
+BasicBernstein<Real> derivative(const BasicBernstein<Real>& f);
 
 /// f(x) = sum_k c[k] T_k(x) on [-1, 1].
-struct ChebyshevPolynomial {
-  PolynomialCoefficients c{};
+template <class Real>
+struct BasicChebyshev {
+  BasicCoefficients<Real> c{};
   std::size_t degree = 0;
 };
+using ChebyshevPolynomial = BasicChebyshev<double>;
 
 /// f(x), by Clenshaw's recurrence.
-double evaluate(const ChebyshevPolynomial& f, double x);
+template <class Real>
+Real evaluate(const BasicChebyshev<Real>& f, std::type_identity_t<Real> x);
 
 /// sum_{k >= first} |c[k]| (rho^k + rho^-k) / 2: with first = 0 a bound of |f| on the Bernstein
 /// ellipse of parameter rho >= 1 (foci -1 and 1, semi-axes summing to rho).
-double ellipse_bound(const ChebyshevPolynomial& f, double rho, std::size_t first);
+template <class Real>
+Real ellipse_bound(const BasicChebyshev<Real>& f, double rho, std::size_t first);
 
 /// The same function, with t = (1 + x) / 2.
-ChebyshevPolynomial chebyshev_from_bernstein(const BernsteinPolynomial& f);
+template <class Real>
+BasicChebyshev<Real> chebyshev_from_bernstein(const BasicBernstein<Real>& f);
 
 /// The same function, with t = (1 + x) / 2. A coefficient of degree k enters with factors up to
 /// about 2^k, so rounding errors grow with coefficients that do not fall off.
 /// Throws std::invalid_argument when there is no coefficient or more than kMaxFieldDegree + 1.
 BernsteinPolynomial bernstein_from_chebyshev(std::span<const double> coefficients);
+ExtendedBernstein bernstein_from_chebyshev(std::span<const long double> coefficients);
+
+/// The polynomial of degree n < `values`' size with these values at the Chebyshev points
+/// x = cos(pi j / n), j = 0..n.
+template <class Real>
+BasicChebyshev<Real> chebyshev_interpolant(const BasicCoefficients<Real>& values, std::size_t n);
+/// (1 + cos(pi j / n)) / 2: such a point in t.
+template <class Real>
+Real chebyshev_point(std::size_t j, std::size_t n);
 
 /// f, given on [0, 1] by t = (1 + x) / 2, on [t0, t1] alone: x = -1 at t0, x = 1 at t1.
-ChebyshevPolynomial restricted(const ChebyshevPolynomial& f, double t0, double t1);
+template <class Real>
+BasicChebyshev<Real> restricted(const BasicChebyshev<Real>& f, std::type_identity_t<Real> t0,
+                                std::type_identity_t<Real> t1);
 
 }  // namespace hiac

@@ -7,9 +7,10 @@
 namespace hiac {
 namespace {
 
+template <class Real>
 struct Tables {
-  std::array<std::array<double, kMaxGaussNodes>, kMaxGaussNodes + 1> nodes{};
-  std::array<std::array<double, kMaxGaussNodes>, kMaxGaussNodes + 1> weights{};
+  std::array<std::array<Real, kMaxGaussNodes>, kMaxGaussNodes + 1> nodes{};
+  std::array<std::array<Real, kMaxGaussNodes>, kMaxGaussNodes + 1> weights{};
 };
 
 struct LegendreValue {
@@ -42,23 +43,29 @@ long double node(std::size_t n, std::size_t i) {
   return x;
 }
 
-Tables build_tables() {
-  Tables t;
+template <class Real>
+Tables<Real> build_tables() {
+  Tables<Real> t;
   for (std::size_t n = 1; n <= kMaxGaussNodes; ++n)
     for (std::size_t i = 0; i < n; ++i) {
       const long double x = node(n, i);
       const long double slope = legendre(n, x).derivative;
-      t.nodes[n][n - 1 - i] = static_cast<double>(x);
-      t.weights[n][n - 1 - i] = static_cast<double>(2 / ((1 - x * x) * slope * slope));
+      t.nodes[n][n - 1 - i] = static_cast<Real>(x);
+      t.weights[n][n - 1 - i] = static_cast<Real>(2 / ((1 - x * x) * slope * slope));
     }
   return t;
 }
 
-}  // namespace
-
-GaussRule gauss_legendre(std::size_t n) {
-  static const Tables tables = build_tables();
+template <class Real>
+BasicGaussRule<Real> rule(std::size_t n) {
+  static const Tables<Real> tables = build_tables<Real>();
   return {std::span(tables.nodes[n]).first(n), std::span(tables.weights[n]).first(n)};
 }
+
+}  // namespace
+
+GaussRule gauss_legendre(std::size_t n) { return rule<double>(n); }
+
+BasicGaussRule<long double> extended_gauss_legendre(std::size_t n) { return rule<long double>(n); }
 
 }  // namespace hiac

@@ -9,12 +9,16 @@ namespace hiac {
 inline constexpr std::size_t kMaxGaussNodes = 24;
 
 /// Nodes in (-1, 1), increasing, and positive weights that sum to 2, each correct to an ulp.
-struct GaussRule {
-  std::span<const double> nodes;
-  std::span<const double> weights;
+template <class Real>
+struct BasicGaussRule {
+  std::span<const Real> nodes;
+  std::span<const Real> weights;
 };
+using GaussRule = BasicGaussRule<double>;
 
 /// The Gauss-Legendre rule with 1 <= n <= kMaxGaussNodes nodes; it lives as long as the process.
 GaussRule gauss_legendre(std::size_t n);
+/// The same in extended precision, correct to some 2^-60.
+BasicGaussRule<long double> extended_gauss_legendre(std::size_t n);
 
 }  // namespace hiac

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 #include "hiac/optics/gauss_legendre.hpp"
@@ -16,34 +17,61 @@
 namespace hiac {
 namespace {
 
-constexpr double kUnit = std::numeric_limits<double>::epsilon() / 2;
+// Unit roundoff; in extended precision nodes, weights and cosines are found with it, too, and are
+// off by a few of these.
+template <class Real>
+constexpr Real kUnit = std::is_same_v<Real, double> ? 0x1p-53 : 0x1p-58;
 constexpr double kLargestCoefficient = 1e150;  // differences and slopes of such do not overflow
 constexpr int kDeepestBisection = 60;
 
+template <class Real>
+BasicGaussRule<Real> gauss_rule(std::size_t n) {
+  if constexpr (std::is_same_v<Real, double>)
+    return gauss_legendre(n);
+  else
+    return extended_gauss_legendre(n);
+}
+
 /// At least exp(x) - 1, x >= 0, at no cost where x is small.
-double growth(double x) { return x < 0.5 ? x + x * x : std::expm1(x); }
+template <class Real>
+Real growth(Real x) {
+  return x < 0.5 ? x + x * x : std::expm1(x);
+}
 
 /// Where the segment is cut, and what doubts about the places cost: integrals over t of the bound
 /// of what each transfer function's value is wrong by.
+template <class Real>
 struct Cuts {
-  std::vector<double> places;
-  double color_doubt = 0;
-  double extinction_doubt = 0;
+  std::vector<Real> places;
+  Real color_doubt = 0;
+  Real extinction_doubt = 0;
+};
+
+/// A transfer function on one of its intervals: value + slope (s - anchor).
+template <std::size_t N, class Real>
+struct FunctionPiece {
+  Real anchor;
+  std::array<Real, N> value;
+  std::array<Real, N> slope;
+
+  [[nodiscard]] Real channel(std::size_t c, Real s) const {
+    return value[c] + slope[c] * (s - anchor);
+  }
 };
 
 /// A transfer function along a segment. Fields are measured from their value at the segment's
 /// front, so that a small variation of large numbers keeps its digits.
-template <std::size_t N>
+template <std::size_t N, class Real>
 struct Course {
-  const BernsteinPolynomial& field;
+  const BasicBernstein<Real>& field;
   const PiecewiseLinear<N>& function;
-  ChebyshevPolynomial variation;  ///< field - field(0)
-  double field_error = 0;         ///< bound of the rounding error of `variation` on a piece
+  BasicChebyshev<Real> variation;  ///< field - field(0)
+  Real field_error = 0;            ///< bound of the rounding error of `variation` on a piece
 
-  Course(const BernsteinPolynomial& f, const PiecewiseLinear<N>& transfer_function)
+  Course(const BasicBernstein<Real>& f, const PiecewiseLinear<N>& transfer_function)
       : field(f), function(transfer_function) {
-    BernsteinPolynomial shifted = f;
-    double largest = 0;
+    BasicBernstein<Real> shifted = f;
+    Real largest = 0;
     for (std::size_t i = 0; i <= f.degree; ++i) {
       if (!(std::abs(f.c[i]) <= kLargestCoefficient))
         throw std::invalid_argument("a field along a ray must be finite and at most 1e150");
@@ -54,14 +82,16 @@ struct Course {
     // ample for a change of basis (n + 1 terms, whose factors add up to 2 at most), a transform
     // (n + 1 terms, n + 1 coefficients) and Clenshaw's recurrence twice (errors up to n times 4 n),
     // each relative to `largest`
-    const auto n = static_cast<double>(f.degree);
-    field_error = (1 + 3 * n + 4 * (n + 1) * (n + 1) + 8 * n * n) * kUnit * largest;
+    const auto n = static_cast<Real>(f.degree);
+    field_error = (1 + 3 * n + 4 * (n + 1) * (n + 1) + 8 * n * n) * kUnit<Real> * largest;
   }
 
   /// The function on interval k, as a function of the variation.
-  [[nodiscard]] typename PiecewiseLinear<N>::Piece shifted_piece(std::size_t k) const {
-    typename PiecewiseLinear<N>::Piece p = function.piece(k);
-    p.anchor -= field.c[0];
+  [[nodiscard]] FunctionPiece<N, Real> shifted_piece(std::size_t k) const {
+    const auto& given = function.piece(k);
+    FunctionPiece<N, Real> p{given.anchor - field.c[0], {}, {}};
+    std::copy(given.value.begin(), given.value.end(), p.value.begin());
+    std::copy(given.slope.begin(), given.slope.end(), p.slope.begin());
     return p;
   }
 };
@@ -86,19 +116,19 @@ Break break_at(const PiecewiseLinear<N>& f, std::size_t k) {
 }
 
 /// Adds the places where the field crosses breakpoints; returns the doubt about them.
-template <std::size_t N>
-double add_cuts(const Course<N>& course, std::vector<double>& places) {
+template <std::size_t N, class Real>
+Real add_cuts(const Course<N, Real>& course, std::vector<Real>& places) {
   const auto breakpoints = course.function.breakpoints();
   const auto [smallest, largest] = std::ranges::minmax(course.field.coefficients());
-  double doubt = 0;
-  std::vector<RootEnclosure> roots;
+  Real doubt = 0;
+  std::vector<BasicRootEnclosure<Real>> roots;
   const auto first = std::ranges::lower_bound(breakpoints, smallest);
   for (auto s = first; s != breakpoints.end() && *s <= largest; ++s) {
     roots.clear();
     append_roots(course.field, *s, roots);
     const Break b = break_at(course.function, static_cast<std::size_t>(s - breakpoints.begin()));
-    for (const RootEnclosure& root : roots) {
-      places.push_back(0.5 * (root.low + root.high));
+    for (const BasicRootEnclosure<Real>& root : roots) {
+      places.push_back(static_cast<Real>(0.5) * (root.low + root.high));
       doubt += (root.high - root.low) * (b.jump + b.bend * root.deviation);
     }
   }
@@ -106,20 +136,24 @@ double add_cuts(const Course<N>& course, std::vector<double>& places) {
 }
 
 /// f(t) < s, told from differences of coefficients, which keep their sign however small they are.
-bool certainly_below(const BernsteinPolynomial& f, double t, double s) {
-  BernsteinPolynomial difference = f;
+template <class Real>
+bool certainly_below(const BasicBernstein<Real>& f, Real t, double s) {
+  BasicBernstein<Real> difference = f;
   for (std::size_t i = 0; i <= f.degree; ++i) difference.c[i] -= s;
   return evaluate(difference, t) < 0;
 }
 
 /// The interval of the transfer function on a piece around t.
-template <std::size_t N>
-std::size_t interval_around(const Course<N>& course, double t) {
+template <std::size_t N, class Real>
+std::size_t interval_around(const Course<N, Real>& course, Real t) {
   const auto breakpoints = course.function.breakpoints();
+  const auto interval_of = [&](Real s) {
+    return static_cast<std::size_t>(std::ranges::upper_bound(breakpoints, s) - breakpoints.begin());
+  };
   const auto [smallest, largest] = std::ranges::minmax(course.field.coefficients());
-  std::size_t k = course.function.interval_of(smallest);
-  if (k == course.function.interval_of(largest)) return k;
-  k = course.function.interval_of(evaluate(course.field, t));
+  std::size_t k = interval_of(smallest);
+  if (k == interval_of(largest)) return k;
+  k = interval_of(evaluate(course.field, t));
   while (k > 0 && certainly_below(course.field, t, breakpoints[k - 1])) --k;
   while (k < breakpoints.size() && !certainly_below(course.field, t, breakpoints[k])) ++k;
   return k;
@@ -127,50 +161,50 @@ std::size_t interval_around(const Course<N>& course, double t) {
 
 /// Optics on a piece [t0, t1] of the segment, x in [-1, 1] running over it. `half_length` is half
 /// its length in the world.
+template <class Real>
 struct Piece {
-  double t0;
-  double t1;
-  double half_length;
-  const PiecewiseLinear<3>::Piece* color;
-  ChebyshevPolynomial color_field;
-  ChebyshevPolynomial tau;
-  ChebyshevPolynomial depth;  ///< A(x), with A(-1) = 0
-  double total_depth;         ///< A(1)
-  double largest_color;       ///< bounds of |colour| and
-  double largest_tau;         ///< |tau| on the piece
-  double color_error;         ///< rounding bound of colour values
-  double tau_error;           ///< of extinction values
-  double depth_error;         ///< of A
+  Real t0;
+  Real t1;
+  Real half_length;
+  const FunctionPiece<3, Real>* color;
+  BasicChebyshev<Real> color_field;
+  BasicChebyshev<Real> tau;
+  BasicChebyshev<Real> depth;  ///< A(x), with A(-1) = 0
+  Real total_depth;            ///< A(1)
+  Real largest_color;          ///< bounds of |colour| and
+  Real largest_tau;            ///< |tau| on the piece
+  Real color_error;            ///< rounding bound of colour values
+  Real tau_error;              ///< of extinction values
+  Real depth_error;            ///< of A
 
   /// Colour of channel c as coefficients: its constant term; the others are slope times field's.
-  [[nodiscard]] double mean_color(std::size_t c) const {
-    return color->channel(c, color_field.c[0]);
-  }
-  [[nodiscard]] double steepest_color() const {
-    double steepest = 0;
-    for (const double s : color->slope) steepest = std::max(steepest, std::abs(s));
+  [[nodiscard]] Real mean_color(std::size_t c) const { return color->channel(c, color_field.c[0]); }
+  [[nodiscard]] Real steepest_color() const {
+    Real steepest = 0;
+    for (const Real s : color->slope) steepest = std::max(steepest, std::abs(s));
     return steepest;
   }
-  [[nodiscard]] double largest_mean_color() const {
-    double largest = 0;
+  [[nodiscard]] Real largest_mean_color() const {
+    Real largest = 0;
     for (std::size_t c = 0; c < 3; ++c) largest = std::max(largest, std::abs(mean_color(c)));
     return largest;
   }
   /// Bound of |colour| on the ellipse of parameter rho.
-  [[nodiscard]] double color_bound(double rho) const {
+  [[nodiscard]] Real color_bound(double rho) const {
     return largest_mean_color() + steepest_color() * ellipse_bound(color_field, rho, 1);
   }
 };
 
 /// A(x) = half_length int_{-1}^x tau, term by term.
-ChebyshevPolynomial optical_depth(const ChebyshevPolynomial& tau, double half_length) {
-  ChebyshevPolynomial a;
+template <class Real>
+BasicChebyshev<Real> optical_depth(const BasicChebyshev<Real>& tau, Real half_length) {
+  BasicChebyshev<Real> a;
   a.degree = tau.degree + 1;
-  double at_front = 0;
+  Real at_front = 0;
   for (std::size_t k = 1; k <= a.degree; ++k) {
-    const double below = (k == 1 ? 2 : 1) * tau.c[k - 1];
-    const double above = k + 1 <= tau.degree ? tau.c[k + 1] : 0;
-    a.c[k] = half_length * (below - above) / (2 * static_cast<double>(k));
+    const Real below = (k == 1 ? 2 : 1) * tau.c[k - 1];
+    const Real above = k + 1 <= tau.degree ? tau.c[k + 1] : 0;
+    a.c[k] = half_length * (below - above) / (2 * static_cast<Real>(k));
     at_front += k % 2 == 0 ? a.c[k] : -a.c[k];
   }
   a.c[0] = -at_front;
@@ -179,9 +213,10 @@ ChebyshevPolynomial optical_depth(const ChebyshevPolynomial& tau, double half_le
 
 /// The rule for a piece: its number of nodes and the bound of its error; 0 nodes when even the
 /// largest rule does not meet what is allowed.
+template <class Real>
 struct Rule {
   std::size_t nodes;
-  double bound;
+  Real bound;
 };
 
 /// Bernstein ellipses to choose from, largest first: rho, 2 log(rho), log(64/15 / (1 - rho^-2)).
@@ -201,19 +236,20 @@ std::array<Ellipse, 9> build_ellipses() {
 
 /// Chooses the ellipse that needs the fewest nodes. `allowed` > 0. The number needed falls and then
 /// rises with rho: the logarithm of the integrand's bound is convex in log(rho).
-Rule choose_rule(const Piece& piece, Glow glow, double allowed) {
+template <class Real>
+Rule<Real> choose_rule(const Piece<Real>& piece, Glow glow, Real allowed) {
   static const std::array<Ellipse, 9> ellipses = build_ellipses();
-  const double log_allowed = std::log(allowed);
-  Rule best{0, 0};
-  double fewest = kMaxGaussNodes + 1;
-  double previous = std::numeric_limits<double>::infinity();
+  const Real log_allowed = std::log(allowed);
+  Rule<Real> best{0, 0};
+  Real fewest = kMaxGaussNodes + 1;
+  Real previous = std::numeric_limits<Real>::infinity();
   for (const Ellipse& e : ellipses) {
-    double largest = piece.half_length * piece.color_bound(e.rho);
+    Real largest = piece.half_length * piece.color_bound(e.rho);
     if (glow == Glow::chromaticity) largest *= ellipse_bound(piece.tau, e.rho, 0);
     if (largest == 0) return {2, 0};
-    const double exponent = ellipse_bound(piece.depth, e.rho, 1) - piece.depth.c[0];
-    const double log_front = e.log_factor + std::log(largest) + exponent;
-    const double needed = std::max(2.0, std::ceil((log_front - log_allowed) / e.log_rate));
+    const Real exponent = ellipse_bound(piece.depth, e.rho, 1) - piece.depth.c[0];
+    const Real log_front = e.log_factor + std::log(largest) + exponent;
+    const Real needed = std::max<Real>(2, std::ceil((log_front - log_allowed) / e.log_rate));
     if (needed < fewest) {
       fewest = needed;
       best = {static_cast<std::size_t>(needed), std::exp(log_front - needed * e.log_rate)};
@@ -225,10 +261,11 @@ Rule choose_rule(const Piece& piece, Glow glow, double allowed) {
 }
 
 /// Integrates a segment piece by piece, front to back.
+template <class Real>
 class Walk {
  public:
-  Walk(const PolynomialSegment& segment, const PiecewiseLinear<3>& color,
-       const PiecewiseLinear<1>& extinction, Glow glow, double tolerance)
+  Walk(const BasicPolynomialSegment<Real>& segment, const PiecewiseLinear<3>& color,
+       const PiecewiseLinear<1>& extinction, Glow glow, Real tolerance)
       : color_(segment.color_field, color),
         extinction_(segment.extinction_field, extinction),
         length_(segment.length),
@@ -239,15 +276,15 @@ class Walk {
     if (!(tolerance > 0)) throw std::invalid_argument("the tolerance must be positive");
   }
 
-  SegmentRadiance run() {
-    Cuts cuts;
+  BasicSegmentRadiance<Real> run() {
+    Cuts<Real> cuts;
     cuts.color_doubt = add_cuts(color_, cuts.places);
     cuts.extinction_doubt = add_cuts(extinction_, cuts.places);
     std::ranges::sort(cuts.places);
     cuts.places.push_back(1);
     depth_error_ = length_ * cuts.extinction_doubt;
-    double t = 0;
-    for (const double next : cuts.places) {
+    Real t = 0;
+    for (const Real next : cuts.places) {
       if (next <= t) continue;
       integrate_between_cuts(t, next);
       t = next;
@@ -256,30 +293,30 @@ class Walk {
   }
 
  private:
-  void integrate_between_cuts(double t0, double t1) {
-    const double middle = 0.5 * (t0 + t1);
+  void integrate_between_cuts(Real t0, Real t1) {
+    const Real middle = static_cast<Real>(0.5) * (t0 + t1);
     color_piece_ = color_.shifted_piece(interval_around(color_, middle));
     extinction_piece_ = extinction_.shifted_piece(interval_around(extinction_, middle));
     integrate(t0, t1, 0);
   }
 
-  void integrate(double t0, double t1, int bisections) {
-    const Piece piece = piece_on(t0, t1);
+  void integrate(Real t0, Real t1, int bisections) {
+    const Piece<Real> piece = piece_on(t0, t1);
     if (integrate_whole(piece, bisections >= kDeepestBisection)) return;
-    const double middle = 0.5 * (t0 + t1);
+    const Real middle = static_cast<Real>(0.5) * (t0 + t1);
     integrate(t0, middle, bisections + 1);
     integrate(middle, t1, bisections + 1);
   }
 
-  [[nodiscard]] Piece piece_on(double t0, double t1) const {
-    Piece p;
+  [[nodiscard]] Piece<Real> piece_on(Real t0, Real t1) const {
+    Piece<Real> p;
     p.t0 = t0;
     p.t1 = t1;
-    p.half_length = 0.5 * (t1 - t0) * length_;
+    p.half_length = static_cast<Real>(0.5) * (t1 - t0) * length_;
     p.color = &color_piece_;
     p.color_field = restricted(color_.variation, t0, t1);
     p.tau = restricted(extinction_.variation, t0, t1);
-    const double slope = extinction_piece_.slope[0];
+    const Real slope = extinction_piece_.slope[0];
     p.tau.c[0] = extinction_piece_.channel(0, p.tau.c[0]);
     for (std::size_t k = 1; k <= p.tau.degree; ++k) p.tau.c[k] *= slope;
     p.depth = optical_depth(p.tau, p.half_length);
@@ -291,97 +328,100 @@ class Walk {
     return p;
   }
 
-  void set_rounding_bounds(Piece& p, double tau_slope) const {
+  void set_rounding_bounds(Piece<Real>& p, Real tau_slope) const {
     p.color_error =
-        p.steepest_color() * (color_.field_error + 4 * kUnit * std::abs(p.color->anchor)) +
-        4 * kUnit * p.largest_color;
-    p.tau_error =
-        tau_slope * (extinction_.field_error + 4 * kUnit * std::abs(extinction_piece_.anchor)) +
-        4 * kUnit * p.largest_tau;
-    const auto terms = static_cast<double>(p.depth.degree + 1);
-    p.depth_error = 2 * p.half_length * (p.tau_error + 4 * terms * terms * kUnit * p.largest_tau);
+        p.steepest_color() * (color_.field_error + 4 * kUnit<Real> * std::abs(p.color->anchor)) +
+        4 * kUnit<Real> * p.largest_color;
+    p.tau_error = tau_slope * (extinction_.field_error +
+                               4 * kUnit<Real> * std::abs(extinction_piece_.anchor)) +
+                  4 * kUnit<Real> * p.largest_tau;
+    const auto terms = static_cast<Real>(p.depth.degree + 1);
+    p.depth_error =
+        2 * p.half_length * (p.tau_error + 4 * terms * terms * kUnit<Real> * p.largest_tau);
   }
 
-  void check(const Piece& p) const {
+  void check(const Piece<Real>& p) const {
     if (!std::isfinite(p.total_depth) || !std::isfinite(crude_bound(p)) ||
         !std::isfinite(p.depth_error))
       throw std::invalid_argument("the optical depth or colour along a ray is not finite");
-    if (p.total_depth < -2 * p.depth_error)
+    // slopes are rounded, and functions not below zero may be so by that
+    const Real slack = 0x1p-50 * p.half_length * std::abs(extinction_piece_.value[0]);
+    if (p.total_depth < -2 * p.depth_error - slack)
       throw std::invalid_argument("the extinction must not be negative");
   }
 
   /// Adds the piece when a rule meets its share of the tolerance; `at_last`: with any rule.
-  bool integrate_whole(const Piece& piece, bool at_last) {
-    const double front = std::exp(-depth_);
-    const double opacity = -std::expm1(-piece.total_depth);
-    const double share = tolerance_ * (piece.t1 - piece.t0);
-    const double spread = piece.steepest_color() * ellipse_bound(piece.color_field, 1, 1);
+  bool integrate_whole(const Piece<Real>& piece, bool at_last) {
+    const Real front = std::exp(-depth_);
+    const Real opacity = -std::expm1(-piece.total_depth);
+    const Real share = tolerance_ * (piece.t1 - piece.t0);
+    const Real spread = piece.steepest_color() * ellipse_bound(piece.color_field, 1, 1);
     if (glow_ == Glow::chromaticity && front * spread * opacity <= share) {
       add_mean_color(piece, front, opacity, spread * opacity);
       return true;
     }
-    const double rounding = rounding_bound(piece, opacity);
-    const double largest_error = crude_bound(piece);
+    const Real rounding = rounding_bound(piece, opacity);
+    const Real largest_error = crude_bound(piece);
     if (front * largest_error <= share || at_last) {
       add_by_rule(piece, front, {2, largest_error}, rounding);
       return true;
     }
-    const Rule rule = choose_rule(piece, glow_, std::max(share / front, rounding));
+    const Rule<Real> rule = choose_rule(piece, glow_, std::max(share / front, rounding));
     if (rule.nodes == 0) return false;
     add_by_rule(piece, front, rule, rounding);
     return true;
   }
 
   /// Both the integral and a rule with positive weights are at most half of this in magnitude.
-  [[nodiscard]] double crude_bound(const Piece& piece) const {
-    const double largest = piece.largest_color * 4 * piece.half_length;
+  [[nodiscard]] Real crude_bound(const Piece<Real>& piece) const {
+    const Real largest = piece.largest_color * 4 * piece.half_length;
     return glow_ == Glow::emission ? largest : largest * piece.largest_tau;
   }
 
   /// Bound of the rounding error of a rule's sum: colour, extinction and depth wrong by their
   /// errors, the rest relative to the sum.
-  [[nodiscard]] double rounding_bound(const Piece& piece, double opacity) const {
-    const double color = piece.largest_color;
-    const double relative = growth(piece.depth_error) + 2 * (kMaxGaussNodes + 16) * kUnit;
-    const double length = 2 * piece.half_length;
-    const double tau = piece.largest_tau;
-    const double nodes = kUnit * steepness(piece, tau);  // each node is off by a unit at most
+  [[nodiscard]] Real rounding_bound(const Piece<Real>& piece, Real opacity) const {
+    const Real color = piece.largest_color;
+    const Real relative = growth(piece.depth_error) + 2 * (kMaxGaussNodes + 16) * kUnit<Real>;
+    const Real length = 2 * piece.half_length;
+    const Real tau = piece.largest_tau;
+    const Real nodes = kUnit<Real> * steepness(piece, tau);  // each node is off by a unit at most
     if (glow_ == Glow::emission) return length * (piece.color_error + color * (relative + nodes));
-    const double weight = std::min(1.0, opacity + piece.depth_error);
+    const Real weight = std::min<Real>(1, opacity + piece.depth_error);
     return weight * (piece.color_error + color * relative) +
            color * length * (piece.tau_error * (1 + relative) + tau * nodes);
   }
 
   /// Bound of the integrand's derivative in x, relative to its own bound (Markov's inequality).
-  static double steepness(const Piece& piece, double tau) {
-    const auto color_degree = static_cast<double>(piece.color_field.degree);
-    const auto tau_degree = static_cast<double>(piece.tau.degree);
+  static Real steepness(const Piece<Real>& piece, Real tau) {
+    const auto color_degree = static_cast<Real>(piece.color_field.degree);
+    const auto tau_degree = static_cast<Real>(piece.tau.degree);
     return color_degree * color_degree + tau_degree * tau_degree + piece.half_length * tau;
   }
 
   /// Chromaticity with a constant colour is that colour times the opacity, exactly.
-  void add_mean_color(const Piece& piece, double front, double opacity, double bound) {
+  void add_mean_color(const Piece<Real>& piece, Real front, Real opacity, Real bound) {
     for (std::size_t c = 0; c < 3; ++c) rgb_[c] += front * opacity * piece.mean_color(c);
-    const double largest = piece.largest_color;
-    const double depth_effect = std::min(1.0, (1 - opacity) * growth(piece.depth_error));
+    const Real largest = piece.largest_color;
+    const Real depth_effect = std::min<Real>(1, (1 - opacity) * growth(piece.depth_error));
     add_errors(
         piece, front, largest * opacity,
-        bound + opacity * piece.color_error + largest * (depth_effect + 8 * kUnit * opacity));
+        bound + opacity * piece.color_error + largest * (depth_effect + 8 * kUnit<Real> * opacity));
   }
 
-  void add_by_rule(const Piece& piece, double front, const Rule& rule, double rounding) {
-    const GaussRule gauss = gauss_legendre(rule.nodes);
-    std::array<double, 3> sum{};
+  void add_by_rule(const Piece<Real>& piece, Real front, const Rule<Real>& rule, Real rounding) {
+    const BasicGaussRule<Real> gauss = gauss_rule<Real>(rule.nodes);
+    std::array<Real, 3> sum{};
     for (std::size_t i = 0; i < rule.nodes; ++i) {
-      const double x = gauss.nodes[i];
-      double weight = gauss.weights[i] * std::exp(-evaluate(piece.depth, x));
+      const Real x = gauss.nodes[i];
+      Real weight = gauss.weights[i] * std::exp(-evaluate(piece.depth, x));
       if (glow_ == Glow::chromaticity) weight *= evaluate(piece.tau, x);
-      const double field = evaluate(piece.color_field, x);
+      const Real field = evaluate(piece.color_field, x);
       for (std::size_t c = 0; c < 3; ++c) sum[c] += weight * piece.color->channel(c, field);
     }
-    double largest = 0;
+    Real largest = 0;
     for (std::size_t c = 0; c < 3; ++c) {
-      const double radiance = piece.half_length * sum[c];
+      const Real radiance = piece.half_length * sum[c];
       largest = std::max(largest, std::abs(radiance));
       rgb_[c] += front * radiance;
     }
@@ -390,41 +430,43 @@ class Walk {
 
   /// `error`: of this piece's own radiance, `largest`: its magnitude, which the error of the
   /// transparency in front scales.
-  void add_errors(const Piece& piece, double front, double largest, double error) {
-    const double front_error = front * growth(depth_error_ + 4 * kUnit);
+  void add_errors(const Piece<Real>& piece, Real front, Real largest, Real error) {
+    const Real front_error = front * growth(depth_error_ + 4 * kUnit<Real>);
     error_ += (front + front_error) * error + front_error * largest;
-    error_ += 4 * kUnit * (std::abs(rgb_[0]) + std::abs(rgb_[1]) + std::abs(rgb_[2]));
+    error_ += 4 * kUnit<Real> * (std::abs(rgb_[0]) + std::abs(rgb_[1]) + std::abs(rgb_[2]));
     depth_ += piece.total_depth;
-    depth_error_ += piece.depth_error + kUnit * depth_;
+    depth_error_ += piece.depth_error + kUnit<Real> * depth_;
     largest_color_ = std::max(largest_color_, piece.largest_color);
     largest_tau_ = std::max(largest_tau_, piece.largest_tau);
   }
 
-  [[nodiscard]] SegmentRadiance result(const Cuts& cuts) const {
+  [[nodiscard]] BasicSegmentRadiance<Real> result(const Cuts<Real>& cuts) const {
     const bool emits = glow_ == Glow::emission;
-    const double color_weight = length_ * (emits ? 1 : largest_tau_);
-    const double direct = emits ? 0 : largest_color_ * length_ * cuts.extinction_doubt;
-    const double transparency = std::exp(-depth_);
-    return {rgb_, transparency, error_ + color_weight * cuts.color_doubt + direct,
-            std::min(1.0, transparency * growth(depth_error_ + 4 * kUnit) +
-                              std::numeric_limits<double>::denorm_min())};
+    const Real color_weight = length_ * (emits ? 1 : largest_tau_);
+    const Real direct = emits ? 0 : largest_color_ * length_ * cuts.extinction_doubt;
+    const Real transparency = std::exp(-depth_);
+    return {rgb_, transparency,
+            static_cast<double>(error_ + color_weight * cuts.color_doubt + direct),
+            static_cast<double>(
+                std::min<Real>(1, transparency * growth(depth_error_ + 4 * kUnit<Real>) +
+                                      std::numeric_limits<double>::denorm_min()))};
   }
 
-  Course<3> color_;
-  Course<1> extinction_;
-  double length_;
+  Course<3, Real> color_;
+  Course<1, Real> extinction_;
+  Real length_;
   Glow glow_;
-  double tolerance_;
+  Real tolerance_;
 
-  PiecewiseLinear<3>::Piece color_piece_{};  ///< between the cuts at hand
-  PiecewiseLinear<1>::Piece extinction_piece_{};
+  FunctionPiece<3, Real> color_piece_{};  ///< between the cuts at hand
+  FunctionPiece<1, Real> extinction_piece_{};
 
-  std::array<double, 3> rgb_{};
-  double depth_ = 0;
-  double error_ = 0;
-  double depth_error_ = 0;  ///< bound of the error of depth_
-  double largest_color_ = 0;
-  double largest_tau_ = 0;
+  std::array<Real, 3> rgb_{};
+  Real depth_ = 0;
+  Real error_ = 0;
+  Real depth_error_ = 0;  ///< bound of the error of depth_
+  Real largest_color_ = 0;
+  Real largest_tau_ = 0;
 };
 
 }  // namespace
@@ -432,7 +474,13 @@ class Walk {
 SegmentRadiance integrate_segment(const PolynomialSegment& segment, const PiecewiseLinear<3>& color,
                                   const PiecewiseLinear<1>& extinction, Glow glow,
                                   double tolerance) {
-  return Walk(segment, color, extinction, glow, tolerance).run();
+  return Walk<double>(segment, color, extinction, glow, tolerance).run();
+}
+
+BasicSegmentRadiance<long double> integrate_segment(
+    const BasicPolynomialSegment<long double>& segment, const PiecewiseLinear<3>& color,
+    const PiecewiseLinear<1>& extinction, Glow glow, double tolerance) {
+  return Walk<long double>(segment, color, extinction, glow, tolerance).run();
 }
 
 }  // namespace hiac

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <type_traits>
 #include <vector>
 
 #include "hiac/optics/bernstein.hpp"
@@ -7,16 +8,20 @@
 namespace hiac {
 
 /// A part of [0, 1] where f may take a value s.
-struct RootEnclosure {
-  double low;
-  double high;
-  double deviation;  ///< |f - s| is at most this in [low, high]
+template <class Real>
+struct BasicRootEnclosure {
+  Real low;
+  Real high;
+  Real deviation;  ///< |f - s| is at most this in [low, high]
 };
+using RootEnclosure = BasicRootEnclosure<double>;
 
 /// Appends enclosures of all t in [0, 1] with f(t) = s: outside them f(t) - s has a certain sign,
 /// rounding errors included. A simple root's enclosure is a few units of rounding divided by the
 /// slope wide; around a multiple root, or where f comes closer to s than can be resolved, it is as
 /// wide as the doubt. A constant f has no roots (it is compared with s exactly).
-void append_roots(const BernsteinPolynomial& f, double s, std::vector<RootEnclosure>& roots);
+template <class Real>
+void append_roots(const BasicBernstein<Real>& f, std::type_identity_t<Real> s,
+                  std::vector<BasicRootEnclosure<Real>>& roots);
 
 }  // namespace hiac
