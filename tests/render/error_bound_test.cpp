@@ -67,6 +67,16 @@ TEST(ErrorBound, StaysBelowATenthOfTheTolerance) {
   }
 }
 
+// The same of other cells: steep functions of fields far from zero, jumps, isosurfaces, corner
+// fields; bricks, prisms, pyramids and wedges.
+TEST(ErrorBound, StaysBelowATenthOfTheToleranceInOtherKinds) {
+  for (const std::uint64_t seed : {1929, 1955, 1961, 1974, 1984, 2963, 2976}) {
+    const ErrorComparison all = compared(SceneCells::other_kinds, seed, seed, 9);
+    ASSERT_FALSE(all.claims.empty()) << seed;
+    EXPECT_LT(std::ranges::max(all.claims), 1e-10) << seed;
+  }
+}
+
 // Transfer functions that jump somewhere in a cell whose field hardly changes along a ray.
 TEST(ErrorBound, DoesNotCountJumpsThatTheRayIsFarFrom) {
   for (const std::uint64_t seed : {3232, 3276, 3414}) {

@@ -5,10 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "hiac/optics/polynomial_roots.hpp"
 #include "hiac/render/cell_field.hpp"
+#include "hiac/render/error_bound.hpp"
 #include "hiac/render/interval_range.hpp"
 #include "hiac/render/transfer_table.hpp"
 
@@ -58,8 +60,37 @@ double steepest_slope(const TransferTable<N>& table, IntervalRange range) {
   return steepest;
 }
 
-/// On how much of [0, 1] a polynomial is within `error` of a value. `roots`: scratch.
-double doubtful_part(const BernsteinPolynomial& f, double value, double error,
-                     std::vector<RootEnclosure>& roots);
+/// Sets what both fields' polynomials may be wrong by in a cell (CellField::allowed): so little
+/// that a pixel is wrong by `share` at most. `length`: of the longest ray through the mesh.
+void set_allowed_errors(const Frame& frame, double length, double share, CellScalars& color,
+                        CellScalars& extinction);
+
+/// On how much of [0, 1] a polynomial is within `error` of a value. `roots`: scratch. `Real`:
+/// double or long double.
+template <class Real>
+Real doubtful_part(const BasicBernstein<Real>& f, std::type_identity_t<Real> value,
+                   std::type_identity_t<Real> error, std::vector<BasicRootEnclosure<Real>>& roots);
+
+/// What a field that is these polynomials along a segment is wrong by, `error`, and its function's
+/// jumps in the cell, each times the length on which the field is in doubt about it. `which`: of
+/// the fields of a piece; `rounding`: of the function's values in the cell.
+template <std::size_t N, class Piece, class Real>
+FieldDoubt polynomial_doubt(const TransferTable<N>& table, double rounding,
+                            const CellScalars& scalars, const std::vector<Piece>& pieces,
+                            std::size_t which, double error, double length,
+                            std::vector<BasicRootEnclosure<Real>>& roots) {
+  FieldDoubt doubt{error, 0};
+  for (std::size_t k = std::max<std::size_t>(scalars.intervals.low, 1); k <= scalars.intervals.high;
+       ++k) {
+    const double jump = table.lower[k] < scalars.nodes.least ? 0 : jump_at(table, k, rounding);
+    if (jump == 0) continue;
+    for (const Piece& piece : pieces)
+      doubt.jumped +=
+          jump * length *
+          static_cast<double>((piece.end - piece.begin) *
+                              doubtful_part(piece.fields[which], table.lower[k], error, roots));
+  }
+  return doubt;
+}
 
 }  // namespace hiac

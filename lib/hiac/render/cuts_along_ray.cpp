@@ -8,6 +8,7 @@
 #include "hiac/mesh/shape_functions.hpp"
 #include "hiac/render/gradient_bound.hpp"
 #include "hiac/render/gradient_direction.hpp"
+#include "hiac/render/sign_changes.hpp"
 
 namespace hiac {
 namespace {
@@ -17,48 +18,6 @@ constexpr double kDoubt = 1e-9;
 
 // Normals are wrong by this times the condition of the gradient.
 constexpr double kAngleUnit = 16 * 0x1p-53;
-
-// Follows the sign of an offset along [0, 1] and notes where it changes.
-class SignChanges {
- public:
-  SignChanges(std::optional<bool> below, std::vector<double>& places)
-      : below_(below), places_(places) {}
-
-  // The sign is certain on [begin, end], and was not between there and where it was last.
-  void certain(bool below, double begin, double end) {
-    if (below_ && *below_ != below) places_.push_back(0.5 * (reached_ + begin));
-    below_ = below;
-    reached_ = end;
-  }
-
- private:
-  std::optional<bool> below_;
-  double reached_ = 0;
-  std::vector<double>& places_;
-};
-
-// The polynomial's sign is that of the offset where it is larger than `rounding`. `roots`: scratch.
-void follow(const FieldAlongRay::Piece& piece, double rounding, std::vector<RootEnclosure>& roots,
-            SignChanges& changes) {
-  const BernsteinPolynomial& offset = piece.fields[0];
-  roots.clear();
-  append_roots(offset, 0, roots);
-  std::ranges::sort(roots, {}, &RootEnclosure::low);
-  roots.push_back({1, 1, 0});
-  const auto at = [&](double t) { return piece.begin + t * (piece.end - piece.begin); };
-  double from = 0;
-  for (const RootEnclosure& root : roots) {
-    if (root.low > from) {
-      double largest = 0;
-      for (const double u : {0.25, 0.5, 0.75}) {
-        const double value = evaluate(offset, from + u * (root.low - from));
-        if (std::abs(value) > std::abs(largest)) largest = value;
-      }
-      if (std::abs(largest) > rounding) changes.certain(largest < 0, at(from), at(root.low));
-    }
-    from = std::max(from, root.high);
-  }
-}
 
 // Whether rounding may have changed the order of surfaces of different fields or values.
 bool order_doubtful(const std::vector<IsosurfaceCrossing>& found) {
@@ -118,10 +77,10 @@ void CutsAlongRay::add_doubts(const RayStretch& stretch, const Cut& cut, double 
   moved_.assign(places_.size(), 0);
   const auto count_at = [&](double level) {
     shifted_.clear();
-    SignChanges changes(std::nullopt, shifted_);
+    SignChanges<double> changes(std::nullopt, shifted_);
     for (FieldAlongRay::Piece piece : pieces_) {
       for (std::size_t i = 0; i <= piece.fields[0].degree; ++i) piece.fields[0].c[i] -= level;
-      follow(piece, 0, roots_, changes);
+      changes.follow(piece.fields[0], piece.begin, piece.end, 0, roots_);
     }
     if (shifted_.size() != places_.size()) {
       doubtful_ = true;
@@ -151,8 +110,9 @@ void CutsAlongRay::add_places(const CellMap& map, const CellCrossing& crossing,
     below = below_at_face(cut, crossing, crossing.front_face, crossing.front,
                           pieces_.empty() ? 0 : end_value(pieces_.front(), 0));
   const double rounding = 2 * field.rounding(stretch, cut.offsets);
-  SignChanges changes(below, places_);
-  for (const FieldAlongRay::Piece& piece : pieces_) follow(piece, rounding, roots_, changes);
+  SignChanges<double> changes(below, places_);
+  for (const FieldAlongRay::Piece& piece : pieces_)
+    changes.follow(piece.fields[0], piece.begin, piece.end, rounding, roots_);
   if (stretch.back == crossing.back)
     changes.certain(below_at_face(cut, crossing, crossing.back_face, crossing.back,
                                   pieces_.empty() ? 0 : end_value(pieces_.back(), 1)),

@@ -75,25 +75,8 @@ class GeneralCellRenderer {
     extinction_ = cell_scalars(frame_.mesh, cell, frame_.extinction, optics_.extinction);
     color_ = optics_.same_field ? extinction_
                                 : cell_scalars(frame_.mesh, cell, frame_.color, optics_.color);
-    set_allowed_errors();
-  }
-
-  // An error e of a field changes the optical depth of a whole ray by e times slope times length at
-  // most; that changes alpha by as much, and radiance by twice the largest colour (chromaticity) or
-  // the light of a whole ray (emission) times that. The colour's own error is weighted by at most
-  // 1, or the length.
-  void set_allowed_errors() {
-    const double share = kFieldShare * frame_.tolerance;
-    const double length = frame_.depth * longest_unit_;
-    const double light = std::max(optics_.largest_color * (optics_.emission ? length : 2),
-                                  2 * frame_.isosurfaces.largest_light);
-    const double extinction =
-        steepest_slope(optics_.extinction, extinction_.intervals) * length * std::max(1.0, light);
-    const double color =
-        steepest_slope(optics_.color, color_.intervals) * (optics_.emission ? length : 1);
-    extinction_.nodes.allowed = share / extinction;
-    color_.nodes.allowed = share / color;
-    if (optics_.same_field) extinction_.nodes.allowed = share / (extinction + color);
+    set_allowed_errors(frame_, frame_.depth * longest_unit_, kFieldShare * frame_.tolerance, color_,
+                       extinction_);
   }
 
   // Whether colour and extinction have one value in the whole cell.
@@ -326,24 +309,6 @@ class GeneralCellRenderer {
     extinction_error_ = error(extinction_);
   }
 
-  // What a field is wrong by, and what its function jumps by where it is in doubt about that.
-  // `which`: of the fields in pieces_.
-  template <std::size_t N>
-  [[nodiscard]] FieldDoubt field_doubt(const TransferTable<N>& table, double rounding,
-                                       const CellScalars& scalars, std::size_t which, double error,
-                                       double length) {
-    FieldDoubt doubt{error, 0};
-    for (std::size_t k = std::max<std::size_t>(scalars.intervals.low, 1);
-         k <= scalars.intervals.high; ++k) {
-      const double jump = table.lower[k] < scalars.nodes.least ? 0 : jump_at(table, k, rounding);
-      if (jump == 0) continue;
-      for (const FieldAlongRay::Piece& piece : pieces_)
-        doubt.jumped += jump * length * (piece.end - piece.begin) *
-                        doubtful_part(piece.fields[which], table.lower[k], error, roots_);
-    }
-    return doubt;
-  }
-
   // Completes details_ and tells the pixel, or the group.
   void describe(std::size_t at, const CellCrossing& crossing, const FieldAlongRay& field,
                 const RayStretch& stretch, double scale, const PlainRadiance& radiance) {
@@ -364,10 +329,10 @@ class GeneralCellRenderer {
     FieldDoubt color{color_error_, 0}, extinction{extinction_error_, 0};
     if (optics_here_.color_jump > 0 || optics_here_.tau_jump > 0) {
       field.along(stretch, pieces_);
-      color = field_doubt(optics_.color, optics_here_.color_rounding, color_,
-                          optics_.same_field ? 0 : 1, color_error_, length);
-      extinction = field_doubt(optics_.extinction, optics_here_.tau_rounding, extinction_, 0,
-                               extinction_error_, length);
+      color = polynomial_doubt(optics_.color, optics_here_.color_rounding, color_, pieces_,
+                               optics_.same_field ? 0 : 1, color_error_, length, roots_);
+      extinction = polynomial_doubt(optics_.extinction, optics_here_.tau_rounding, extinction_,
+                                    pieces_, 0, extinction_error_, length, roots_);
     }
     ErrorBound sum = segment_bound(optics_here_, emission,
                                    {.length = length,

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "hiac/render/cell_groups.hpp"
-#include "hiac/render/cell_scan.hpp"
 #include "hiac/render/error_bound.hpp"
 
 namespace hiac {
@@ -25,7 +24,12 @@ constexpr double kEndSooner = 0x1p-10;
 
 PixelRefinement::PixelRefinement(const Frame& frame, const VisibilityOrder& order,
                                  const TileRect& tile, std::span<const std::uint32_t> ranks)
-    : frame_(frame), order_(order), tile_(tile), ranks_(ranks), segments_(frame) {}
+    : frame_(frame),
+      order_(order),
+      tile_(tile),
+      ranks_(ranks),
+      segments_(frame),
+      cell_segments_(frame) {}
 
 void PixelRefinement::set_boxes() {
   boxes_.reserve(ranks_.size());
@@ -54,10 +58,8 @@ bool PixelRefinement::may_meet(std::size_t i, int x, int y) const {
 PixelRefinement::Met PixelRefinement::find(CellId cell, int x, int y, ExtendedSegment& segment) {
   const CellKind kind = frame_.mesh.kinds[cell];
   if (kind == CellKind::tetrahedron4) return segments_.find(cell, x, y, segment);
-  if (order_of(kind) != CellOrder::linear) return Met::doubtful;
-  std::vector<CellCrossing> crossings;
-  scan_cell(frame_, cell, {x, y, x + 1, y + 1}, crossings);
-  return crossings.empty() ? Met::no : Met::doubtful;
+  return order_of(kind) == CellOrder::linear ? cell_segments_.find(cell, x, y, segment)
+                                             : Met::doubtful;
 }
 
 void PixelRefinement::composite(const ExtendedSegment& segment, Again& pixel) const {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hiac/order/visibility_order.hpp"
+#include "hiac/render/extended_cell_segment.hpp"
 #include "hiac/render/extended_segment.hpp"
 #include "hiac/render/frame.hpp"
 #include "hiac/render/pixel_details.hpp"
@@ -22,8 +23,8 @@ namespace hiac {
 /// unit (Arithmetic): what differs between the two and that bound together bound the error. The
 /// picture stays as it is.
 ///
-/// This is done of rays that meet linear tetrahedra alone, each at most once (ExtendedSegments);
-/// other pixels keep their bound.
+/// This is done of rays that meet linear cells with planar faces alone, each at most once
+/// (ExtendedSegments, ExtendedCellSegments); other pixels keep their bound.
 class PixelRefinement {
  public:
   /// `ranks`: positions in the order of the cells that the tile may meet. The arguments must
@@ -63,8 +64,9 @@ class PixelRefinement {
   const VisibilityOrder& order_;
   TileRect tile_;
   std::span<const std::uint32_t> ranks_;
-  ExtendedSegments segments_;
-  std::vector<Box> boxes_;  // of `ranks`; empty until the first pixel is computed again
+  ExtendedSegments segments_;           // of tetrahedra
+  ExtendedCellSegments cell_segments_;  // of other cells
+  std::vector<Box> boxes_;              // of `ranks`; empty until the first pixel is computed again
 };
 
 }  // namespace hiac

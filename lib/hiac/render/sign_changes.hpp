@@ -1,0 +1,57 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "hiac/optics/polynomial_roots.hpp"
+
+namespace hiac {
+
+/// Follows the sign of an offset along [0, 1] and notes where it changes. `Real`: double or long
+/// double.
+template <class Real>
+class SignChanges {
+ public:
+  /// `below`: the sign at 0, where it is known.
+  SignChanges(std::optional<bool> below, std::vector<Real>& places)
+      : below_(below), places_(places) {}
+
+  /// The sign is certain on [begin, end], and was not between there and where it was last.
+  void certain(bool below, Real begin, Real end) {
+    if (below_ && *below_ != below) places_.push_back((reached_ + begin) / 2);
+    below_ = below;
+    reached_ = end;
+  }
+
+  /// A polynomial on [begin, end], the offset where that is larger than `rounding`. `roots`:
+  /// scratch.
+  void follow(const BasicBernstein<Real>& offset, Real begin, Real end, Real rounding,
+              std::vector<BasicRootEnclosure<Real>>& roots) {
+    roots.clear();
+    append_roots(offset, 0, roots);
+    std::ranges::sort(roots, {}, &BasicRootEnclosure<Real>::low);
+    roots.push_back({1, 1, 0});
+    const auto at = [&](Real t) { return begin + t * (end - begin); };
+    Real from = 0;
+    for (const BasicRootEnclosure<Real>& root : roots) {
+      if (root.low > from) {
+        Real largest = 0;
+        for (const double u : {0.25, 0.5, 0.75}) {
+          const Real value = evaluate(offset, from + u * (root.low - from));
+          if (std::abs(value) > std::abs(largest)) largest = value;
+        }
+        if (std::abs(largest) > rounding) certain(largest < 0, at(from), at(root.low));
+      }
+      from = std::max(from, root.high);
+    }
+  }
+
+ private:
+  std::optional<bool> below_;
+  Real reached_ = 0;
+  std::vector<Real>& places_;
+};
+
+}  // namespace hiac
