@@ -92,8 +92,10 @@ class Parser {
     list_ = nullptr;
     numbers_ = nullptr;
     if (section_ == "FORMAT") {
-      if (key == "type" && value != "ensight gold")
-        fail(fmt::format("'ensight gold' expected ({} found)", shown(value)));
+      if (key != "type") return;
+      if (value != "ensight gold" && value != "ensight")
+        fail(fmt::format("'ensight gold' or 'ensight' expected ({} found)", shown(value)));
+      case_.version_6 = value == "ensight";
     } else if (section_ == "GEOMETRY") {
       if (key == "model") read_model(value);
     } else if (section_ == "VARIABLE") {

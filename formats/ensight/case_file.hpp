@@ -29,6 +29,7 @@ struct Variable {
 };
 
 struct CaseFile {
+  bool version_6 = false;  ///< not Gold
   std::string geometry;
   std::optional<long> geometry_time_set;
   std::vector<Variable> variables;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -11,51 +12,24 @@
 #include <fmt/format.h>
 
 #include "formats/assemble.hpp"
-#include "formats/edge_order.hpp"
 #include "formats/ensight/case_file.hpp"
+#include "formats/ensight/element_types.hpp"
 #include "formats/ensight/gold_file.hpp"
+#include "formats/ensight/six_file.hpp"
 #include "formats/foreign_mesh.hpp"
 #include "formats/steps.hpp"
 #include "formats/structured.hpp"
+#include "formats/text_cursor.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats {
 namespace {
 
+using ensight::Element;
+using ensight::elements;
 using ensight::GoldFile;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-struct Element {
-  std::size_t nodes;
-  CellConversion conversion;
-};
-
-/// Elements by name. Mid-edge nodes: round the bottom, round the top, up the sides, as in the zoo;
-/// the pentahedra are right-handed.
-const std::map<std::string, Element>& elements() {
-  static const std::vector<std::uint8_t> penta15 = permutation_by_edges(
-      CellKind::prism15, kRightHandedPrism,
-      std::array<ShapeEdge, 9>{
-          {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}}});
-  static const std::map<std::string, Element> all{
-      {"point", {1, kNoVolume}},
-      {"bar2", {2, kNoVolume}},
-      {"bar3", {3, kNoVolume}},
-      {"tria3", {3, kNoVolume}},
-      {"tria6", {6, kNoVolume}},
-      {"quad4", {4, kNoVolume}},
-      {"quad8", {8, kNoVolume}},
-      {"tetra4", {4, converted_to(CellKind::tetrahedron4)}},
-      {"tetra10", {10, converted_to(CellKind::tetrahedron10)}},
-      {"pyramid5", {5, converted_to(CellKind::pyramid5)}},
-      {"pyramid13", {13, converted_to(CellKind::pyramid13)}},
-      {"penta6", {6, converted_to(CellKind::prism6, kRightHandedPrism)}},
-      {"penta15", {15, converted_to(CellKind::prism15, penta15)}},
-      {"hexa8", {8, converted_to(CellKind::brick8)}},
-      {"hexa20", {20, converted_to(CellKind::brick20)}}};
-  return all;
-}
 
 /// The cells of one part that stand under one element's name.
 struct Section {
@@ -300,11 +274,9 @@ struct VariableReader {
     const std::size_t count = section == nullptr ? part.points : section->count;
     const std::size_t first = section == nullptr ? part.first_point : section->first;
     const std::vector<std::size_t> places = places_of(file, line, count, section);
-    // the manual's order of a symmetric tensor is 11 22 33 12 13 23
-    constexpr std::array<std::size_t, 6> kSymmetric{0, 1, 2, 3, 5, 4};
     for (std::size_t c = 0; c < width; ++c) {
       const std::vector<double> column = file.reals(places.size());
-      const std::size_t place = width == 6 ? kSymmetric[c] : c;
+      const std::size_t place = ensight::component_place(c, width);
       for (std::size_t i = 0; i < places.size(); ++i)
         if (places[i] != kHidden)
           values[(first + places[i]) * width + place] =
@@ -345,6 +317,30 @@ std::vector<double> times_of(const std::vector<ensight::TimeSet>& sets) {
   return times;
 }
 
+/// What reads a variable's file at a step.
+using ReadVariable = std::function<std::vector<double>(const std::string& path, std::size_t step,
+                                                       FieldLocation location, std::size_t width)>;
+
+/// Adds the geometry to the mesh.
+ReadVariable read_geometry(const ensight::CaseFile& parsed, const std::string& path,
+                           std::size_t step, ForeignMesh& mesh) {
+  if (parsed.version_6) {
+    const auto six = std::make_shared<ensight::SixMesh>();
+    six->read(path, mesh);
+    return [six](const std::string& file, std::size_t, FieldLocation location, std::size_t width) {
+      return six->values(file, location, width);
+    };
+  }
+  Geometry geometry(path, step, mesh);
+  const auto reader = std::make_shared<VariableReader>();
+  reader->parts = geometry.read();
+  reader->encoding = geometry.encoding();
+  reader->points = mesh.point_count();
+  reader->cells = mesh.cell_count();
+  return [reader](const std::string& file, std::size_t at, FieldLocation location,
+                  std::size_t width) { return reader->read(file, at, location, width); };
+}
+
 ForeignMesh foreign_mesh(const std::string& path, const ReadOptions& options) {
   ForeignMesh mesh;
   const ensight::CaseFile parsed = ensight::read_case_file(path);
@@ -358,13 +354,9 @@ ForeignMesh foreign_mesh(const std::string& path, const ReadOptions& options) {
   };
   const ensight::TimeSet* geometry_set = parsed.time_set(parsed.geometry_time_set, parsed.geometry);
   const std::size_t geometry_step = step_of(geometry_set);
-  Geometry geometry(ensight::file_of_step(path, parsed.geometry, geometry_set, geometry_step),
-                    geometry_step, mesh);
-  const auto reader = std::make_shared<VariableReader>();
-  reader->parts = geometry.read();
-  reader->encoding = geometry.encoding();
-  reader->points = mesh.point_count();
-  reader->cells = mesh.cell_count();
+  const ReadVariable read = read_geometry(
+      parsed, ensight::file_of_step(path, parsed.geometry, geometry_set, geometry_step),
+      geometry_step, mesh);
   for (const ensight::Variable& variable : parsed.variables) {
     const ensight::TimeSet* set = parsed.time_set(variable.time_set, variable.files.front());
     const std::size_t own = step_of(set);
@@ -377,12 +369,11 @@ ForeignMesh foreign_mesh(const std::string& path, const ReadOptions& options) {
     field.components = static_cast<std::uint32_t>(variable.components * files.size());
     if (set != nullptr && !mesh.times.empty()) field.step = step;
     field.type = "float";
-    field.values = [reader, variable, files, own] {
-      std::vector<double> values =
-          reader->read(files[0], own, variable.location, variable.components);
+    field.values = [read, variable, files, own] {
+      std::vector<double> values = read(files[0], own, variable.location, variable.components);
       if (files.size() == 1) return values;
       const std::vector<double> imaginary =
-          reader->read(files[1], own, variable.location, variable.components);
+          read(files[1], own, variable.location, variable.components);
       std::vector<double> pairs;
       for (std::size_t i = 0; i < values.size(); ++i) {
         pairs.push_back(values[i]);
@@ -395,6 +386,18 @@ ForeignMesh foreign_mesh(const std::string& path, const ReadOptions& options) {
   return mesh;
 }
 
+/// Whether a section FORMAT says that the type is EnSight's, and a section GEOMETRY follows.
+bool begins_case(std::string_view head) {
+  TextCursor cursor(head, "");
+  bool type = false;
+  while (!cursor.at_end()) {
+    const std::string_view line = trimmed(cursor.line());
+    if (line == "GEOMETRY") return type;
+    if (line.starts_with("type:")) type = trimmed(line.substr(5)).starts_with("ensight");
+  }
+  return false;
+}
+
 }  // namespace
 
 Format ensight_format() {
@@ -404,10 +407,7 @@ Format ensight_format() {
   format.kinds = "tet4,10 pyr5,13 prism6,15 brick8,20";
   format.fields = "node, cell";
   format.time_steps = "several";
-  format.recognizes = [](std::string_view head) {
-    return head.find("ensight gold") != std::string_view::npos &&
-           head.find("GEOMETRY") != std::string_view::npos;
-  };
+  format.recognizes = [](std::string_view head) { return begins_case(head); };
   read_through(format, foreign_mesh);
   return format;
 }

@@ -213,6 +213,38 @@ TEST(EnSightHabits, FortranBinaryOfBothByteOrders) {
   }
 }
 
+TEST(EnSightHabits, Version6HasNumbersInColumnsAndOneListOfNodes) {
+  const ScratchFolder folder;
+  std::string text =
+      "a\nb\nnode id given\nelement id given\ncoordinates\n" + fmt::format("{:8}\n", 5);
+  const std::array<std::array<double, 3>, 5> points{
+      {{0, 0, -1}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  for (std::size_t i = 0; i < points.size(); ++i)
+    text += fmt::format("{:8}{:12.5e}{:12.5e}{:12.5e}\n", 10 * i + 1, points[i][0], points[i][1],
+                        points[i][2]);
+  text += "part 1\nskin\ntria3\n" + fmt::format("{:8}\n{:8}{:8}{:8}{:8}\n", 1, 1, 11, 21, 31);
+  text +=
+      "part 2\ncore\ntetra4\n" + fmt::format("{:8}\n{:8}{:8}{:8}{:8}{:8}\n", 1, 2, 11, 21, 31, 41);
+  static_cast<void>(folder.write("g.geo", text));
+  // negative reals leave no blanks between them
+  text = "v\n";
+  for (int i = 0; i < 15; ++i)
+    text += fmt::format("{:12.5e}{}", -1.0 - i, i % 6 == 5 || i == 14 ? "\n" : "");
+  static_cast<void>(folder.write("v.vec", text));
+  static_cast<void>(folder.write("c.scl", "c\npart 2\ntetra4\n-7.50000e+00\n"));
+  const std::string path = folder.write(
+      "c.case",
+      "# 6\nFORMAT\n\ntype:   ensight\n\nGEOMETRY\nmodel: g.geo\nVARIABLE\n"
+      "constant per case: Cden .8\nvector per node: v v.vec\nscalar per element: c c.scl\n");
+  const ZooMesh mesh = read_any(path).mesh;
+  expect_unit_tetrahedron(mesh);
+  EXPECT_EQ(mesh.fields.at(0).values[3 * mesh.nodes[3] + 2], -15);
+  EXPECT_EQ(mesh.fields.at(1).values[0], -7.5);
+  EXPECT_THAT(format_named("ensight").inspect(path).blocks, ElementsAre("skin", "core"));
+  static_cast<void>(folder.write("g.geo", "C Binary"));
+  EXPECT_THAT(refusal(path), HasSubstr("is a binary file of EnSight 6"));
+}
+
 // ---- MFEM
 
 const std::string kMfemTetrahedron =
