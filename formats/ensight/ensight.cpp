@@ -386,14 +386,15 @@ ForeignMesh foreign_mesh(const std::string& path, const ReadOptions& options) {
   return mesh;
 }
 
-/// Whether a section FORMAT says that the type is EnSight's, and a section GEOMETRY follows.
+/// Whether a section FORMAT says that the type is EnSight's; other sections may be long, and the
+/// geometry's the last.
 bool begins_case(std::string_view head) {
   TextCursor cursor(head, "");
-  bool type = false;
+  bool format = false;
   while (!cursor.at_end()) {
     const std::string_view line = trimmed(cursor.line());
-    if (line == "GEOMETRY") return type;
-    if (line.starts_with("type:")) type = trimmed(line.substr(5)).starts_with("ensight");
+    if (line.starts_with("type:")) return format && trimmed(line.substr(5)).starts_with("ensight");
+    if (line == "FORMAT") format = true;
   }
   return false;
 }

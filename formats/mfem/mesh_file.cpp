@@ -211,7 +211,7 @@ MeshFile read_inline_mesh(TextCursor& text) {
   const Box box = read_box(text);
   const Division division = division_of(box.type, text);
   const auto [nx, ny, nz] = box.cells;
-  constexpr std::size_t kMostBricks = 1'000'000;
+  constexpr std::size_t kMostBricks = 250'000;
   if (nx == 0 || ny == 0 || nz == 0) text.fail("nx, ny and nz expected");
   if (nx * ny * nz > kMostBricks)
     text.fail(fmt::format("{} bricks are made ({} at most expected)", nx * ny * nz, kMostBricks));

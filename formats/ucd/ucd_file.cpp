@@ -52,11 +52,16 @@ const std::array<UcdType, 8>& types() {
   return table;
 }
 
-/// A name in a text: some write it in capitals or shorten it to three letters.
-bool names(std::string_view word, const UcdType& type) {
-  const std::string wanted = upper(type.name);
+/// The type of that name in a text; some write it in capitals or shorten it to three letters.
+const UcdType* type_named(std::string_view word) {
+  for (const UcdType& type : types())
+    if (type.name == word) return &type;
   const std::string found = upper(word);
-  return found == wanted || (found.size() == 3 && wanted.starts_with(found));
+  for (const UcdType& type : types()) {
+    const std::string wanted = upper(type.name);
+    if (found == wanted || (found.size() == 3 && wanted.starts_with(found))) return &type;
+  }
+  return nullptr;
 }
 
 /// Moves over blank lines and comments before the counts.
@@ -169,14 +174,13 @@ class TextReader {
       cursor_.skip_space();
       const std::size_t at = cursor_.offset();
       const std::string_view name = cursor_.word();
-      const auto type = std::find_if(types().begin(), types().end(),
-                                     [&](const UcdType& known) { return names(name, known); });
-      if (type == types().end())
+      const UcdType* type = type_named(name);
+      if (type == nullptr)
         cursor_.fail_at(at,
                         fmt::format("unknown cell type (pt, line, tri, quad, tet, pyr, prism or "
                                     "hex expected, {} found)",
                                     shown(name)));
-      mesh_.cell_types.push_back(static_cast<std::uint16_t>(type - types().begin()));
+      mesh_.cell_types.push_back(static_cast<std::uint16_t>(type - types().data()));
       for (std::size_t n = 0; n < type->nodes; ++n)
         mesh_.cell_nodes.push_back(cursor_.integer("a node number"));
     }

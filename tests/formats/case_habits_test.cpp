@@ -117,6 +117,10 @@ TEST(EnSightHabits, SeveralStepsInOneFileAndTimeSetsOfTheirOwn) {
                     "scalar per node: 1 1 p p.var\nTIME\ntime set: 2\nnumber of steps: 1\n"
                     "time values: 0\ntime set: 1\nnumber of steps: 2\ntime values:\n0.0\n0.5\n"
                     "FILE\nfile set: 2\nnumber of steps: 1\nfile set: 1\nnumber of steps: 2\n");
+  const std::string late =
+      folder.write("late.case", "FORMAT\ntype: ensight gold\n" + std::string(5000, '\n') +
+                                    "GEOMETRY\nmodel: g.geo\n");
+  expect_unit_tetrahedron(read_any(late).mesh);
   const ZooMesh last = read_any(path).mesh;
   expect_unit_tetrahedron(last);
   EXPECT_THAT(last.fields.at(0).values.view(), ElementsAre(11, 12, 13, 14));
