@@ -45,11 +45,10 @@ class SegmentIntegrator {
     allowed_ = at(s.allowed);
     active_ = hn::Gt(length_, hn::Zero(d));
     const M wanted = active_;
-    for (std::size_t f = 0; f < cell_.field_count; ++f)
-      negligible_[f] = hn::Max(rays.rounding(cell_.fields[f]), hn::Set(d, cell_.fields[f].allowed));
+    set_negligible(rays);
     sum_ = {hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Set(d, 1.0)};
     if (cell_.exact_degree > 0) {
-      rays.sample(0, 1, cell_.exact_degree, active_);
+      rays.sample(cell_.exact_degree, active_);
       for (std::size_t f = 0; f < cell_.field_count; ++f) transform(f, cell_.exact_degree);
       add(0, 1, cell_.exact_degree);
     } else {
@@ -98,6 +97,20 @@ class SegmentIntegrator {
       origin[a] = perspective ? from : hn::Add(from, aside);
       direction[a] = perspective ? hn::Add(forward, aside) : forward;
     }
+  }
+
+  // What of the fields' polynomials is, and so how exact coordinates in the cell have to be: of the
+  // reference cell they change a field by a few times its spread.
+  HWY_INLINE void set_negligible(CellRays<D>& rays) {
+    const D d;
+    V accuracy = hn::Set(d, 1.0);
+    for (std::size_t f = 0; f < cell_.field_count; ++f) {
+      const CellPolynomials::Field& field = cell_.fields[f];
+      negligible_[f] = hn::Max(rays.rounding(field), hn::Set(d, field.allowed));
+      const double spread = 0x1p4 * (field.most - field.least);
+      if (spread > 0) accuracy = hn::Min(accuracy, hn::Div(negligible_[f], hn::Set(d, spread)));
+    }
+    rays.set_accuracy(accuracy);
   }
 
   // Chebyshev coefficients of field f from its values at the points that are sampled.
@@ -166,17 +179,15 @@ class SegmentIntegrator {
     Effort& effort = efforts_[static_cast<std::size_t>(halvings)];
     std::size_t degree = effort.degree;
     M resolved = active_;
-    // in other cells the halves are found from the whole
-    const bool halve = cell_.affine && effort.halve > 0;
-    if (halve) --effort.halve;
+    bool halve = !rays_->open(begin, end, active_) && halvings < kMostHalvings;
+    if (cell_.affine && effort.halve > 0) {
+      halve = true;
+      --effort.halve;
+    }
     // points of 8 are points of 16 as well
     const std::size_t more = cell_.affine ? 4 : 8;
-    for (std::size_t known = 0; !halve; degree = std::min(degree + more, kMostChebyshevDegree)) {
-      if (known == 0)
-        rays_->sample(begin, end, degree, active_);
-      else
-        rays_->sample_again(begin, end, known, degree, active_);
-      known = degree;
+    for (; !halve; degree = std::min(degree + more, kMostChebyshevDegree)) {
+      rays_->sample(degree, active_);
       resolved = active_;
       M hopeless = hn::Lt(hn::Set(d, 1.0), hn::Zero(d));
       for (std::size_t f = 0; f < cell_.field_count; ++f) {
@@ -210,10 +221,11 @@ class SegmentIntegrator {
       interpolate(begin, middle, halvings + 1);
       return interpolate(middle, end, halvings + 1);
     }
-    const RayStarts<V> whole = rays_->starts(0, degree), back = rays_->starts(degree / 2, degree);
-    starts_ = {whole.front, back.front};
+    const RayStarts<V> whole = starts_;
+    const auto halves = rays_->halves();
+    starts_ = halves.front;
     interpolate(begin, middle, halvings + 1);
-    starts_ = back;
+    starts_ = halves.back;
     interpolate(middle, end, halvings + 1);
     starts_ = whole;
   }

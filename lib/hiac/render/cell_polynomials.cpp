@@ -64,7 +64,8 @@ CellPolynomials::CellPolynomials(CellKind kind, std::span<const CellMap::Point> 
       origin(nodes[0]),
       affine(map.affine()),
       inverse(map.inverse_in_middle()),
-      middle(collapsed(shape, map.middle())),
+      of_reference(shape == CellShape::prism && map.straight()),
+      middle(of_reference ? map.middle() : collapsed(shape, map.middle())),
       steepness(map.steepness()),
       field_count(cell_fields.size()) {
   for (std::size_t f = 0; f < field_count; ++f) fields[f] = field_polynomial(kind, cell_fields[f]);
@@ -74,6 +75,8 @@ CellPolynomials::CellPolynomials(CellKind kind, std::span<const CellMap::Point> 
     std::array<double, kMaxNodesPerCell> coordinate;
     for (std::size_t k = 0; k < node_count(map_kind); ++k) coordinate[k] = nodes[k][a] - origin[a];
     position[a] = cube_polynomial(map_kind, coordinate);
+    // x = u - u v: what has u v and u v w is -x and -x w
+    if (of_reference) position[a].c[3] = position[a].c[7] = 0;
   }
 }
 

@@ -32,8 +32,11 @@ struct CellPolynomials {
   std::array<double, 3> origin;                  ///< what positions are from
   bool affine;                                   ///< the map: then `inverse` is it, else `position`
   std::array<std::array<double, 3>, 3> inverse;  ///< rows; to reference coordinates
+  /// Of u, v, w, or of reference coordinates: in these, too, are maps of prisms with straight edges
+  /// trilinear, and have no singularity where the cell tapers.
   std::array<CubePolynomial, 3> position;
-  std::array<double, 3> middle;  ///< of the cell, u, v, w
+  bool of_reference;             ///< what `position` is of
+  std::array<double, 3> middle;  ///< of the cell, what `position` is of
   double steepness;              ///< CellMap::steepness
   std::size_t field_count;
   std::array<Field, 2> fields;

@@ -12,83 +12,12 @@
 
 #  include "hiac/render/cell_polynomials.hpp"
 #  include "hiac/render/chebyshev_points.hpp"
-#  include "hiac/render/polynomial_walk-inl.hpp"
+#  include "hiac/render/cube_polynomial-inl.hpp"
+#  include "hiac/render/inverse_series-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-template <class V>
-struct LanePoint {
-  V c[3];
-};
-
-// A cube polynomial, of degree P, by Horner's rule.
-template <std::size_t P, class D, class V = hn::Vec<D>>
-HWY_INLINE V value_of(D d, const CubePolynomial& f, const LanePoint<V>& at) {
-  constexpr std::size_t kN = P + 1;
-  V sum = hn::Zero(d);
-  for (std::size_t k = kN; k-- > 0;) {
-    V plane = hn::Zero(d);
-    for (std::size_t j = kN; j-- > 0;) {
-      const double* c = f.c.data() + (k * kN + j) * kN;
-      V line = hn::Set(d, c[P]);
-      for (std::size_t i = P; i-- > 0;) line = hn::MulAdd(line, at.c[0], hn::Set(d, c[i]));
-      plane = j == P ? line : hn::MulAdd(plane, at.c[1], line);
-    }
-    sum = k == P ? plane : hn::MulAdd(sum, at.c[2], plane);
-  }
-  return sum;
-}
-
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE V value_of(D d, const CubePolynomial& f, const LanePoint<V>& at) {
-  return f.degree == 1   ? value_of<1>(d, f, at)
-         : f.degree == 2 ? value_of<2>(d, f, at)
-                         : value_of<3>(d, f, at);
-}
-
-// The same with its gradient.
-template <std::size_t P, class D, class V = hn::Vec<D>>
-HWY_INLINE void value_and_gradient(D d, const CubePolynomial& f, const LanePoint<V>& at, V& value,
-                                   V (&gradient)[3]) {
-  constexpr std::size_t kN = P + 1;
-  const auto& [u, v, w] = at.c;
-  if constexpr (P == 1) {  // as most maps are
-    const auto along_u = [&](std::size_t k) {
-      return hn::MulAdd(hn::Set(d, f.c[k + 1]), u, hn::Set(d, f.c[k]));
-    };
-    const auto slope = [&](std::size_t k) {
-      return hn::MulAdd(hn::Set(d, f.c[k + 5]), w, hn::Set(d, f.c[k + 1]));
-    };
-    const V by_vw = along_u(6), by_w = along_u(4);
-    gradient[0] = hn::MulAdd(slope(2), v, slope(0));
-    gradient[1] = hn::MulAdd(by_vw, w, along_u(2));
-    gradient[2] = hn::MulAdd(by_vw, v, by_w);
-    value = hn::MulAdd(gradient[1], v, hn::MulAdd(by_w, w, along_u(0)));
-    return;
-  }
-  const V zero = hn::Zero(d);
-  value = gradient[0] = gradient[1] = gradient[2] = zero;
-  for (std::size_t k = kN; k-- > 0;) {
-    V plane = zero, by_u = zero, by_v = zero;
-    for (std::size_t j = kN; j-- > 0;) {
-      const double* c = f.c.data() + (k * kN + j) * kN;
-      V line = hn::Set(d, c[P]), slope = zero;
-      for (std::size_t i = P; i-- > 0;) {
-        slope = i + 1 == P ? line : hn::MulAdd(slope, u, line);
-        line = hn::MulAdd(line, u, hn::Set(d, c[i]));
-      }
-      by_v = hn::MulAdd(by_v, v, plane);
-      plane = hn::MulAdd(plane, v, line);
-      by_u = hn::MulAdd(by_u, v, slope);
-    }
-    gradient[2] = hn::MulAdd(gradient[2], w, value);
-    value = hn::MulAdd(value, w, plane);
-    gradient[0] = hn::MulAdd(gradient[0], w, by_u);
-    gradient[1] = hn::MulAdd(gradient[1], w, by_v);
-  }
-}
 
 // Collapsed coordinates from which those where rays enter and leave the cell may be found.
 template <class V>
@@ -106,7 +35,12 @@ class CellRays {
   // Relative to the cell's origin. `starts` come to be those for the next segments.
   CellRays(D d, const CellPolynomials& cell, const V (&origin)[3], const V (&direction)[3], V front,
            V back, RayStarts<V>& starts)
-      : d_(d), cell_(cell), front_(front), back_(back), starts_(starts) {
+      : d_(d),
+        cell_(cell),
+        front_(front),
+        back_(back),
+        starts_(starts),
+        by_series_(!cell.affine && cell.position[0].degree == 1) {
     for (std::size_t a = 0; a < 3; ++a) {
       origin_[a] = origin[a];
       direction_[a] = direction[a];
@@ -124,52 +58,62 @@ class CellRays {
     }
   }
 
+  // How exact coordinates need be where only their decay says how exact a series is.
+  void set_accuracy(V accuracy) { accuracy_ = accuracy; }
+
   // Where the rays are known to be near the front, or near the back.
-  void start_at(const LanePoint<V>& known) { starts_ = {known, known}; }
-
-  // Collapsed coordinates at the Chebyshev points of [begin, end]; an even `degree` where the cell
-  // is not affine. Lanes for which they are not found are taken off `active`.
-  HWY_NOINLINE void sample(double begin, double end, std::size_t degree, M& active) {
-    const ChebyshevPoints& points = chebyshev_points(degree);
-    const auto u = [&](std::size_t j) { return begin + (end - begin) * points.place(j); };
-    if (cell_.affine) {
-      for (std::size_t j = 0; j <= degree; ++j) {
-        const V part = hn::Set(d_, u(j));
-        LanePoint<V> xi;
-        for (std::size_t a = 0; a < 3; ++a)
-          xi.c[a] = hn::MulAdd(part, xi_change_.c[a], xi_front_.c[a]);
-        at_[j] = collapsed_in(xi);
-      }
-      return;
-    }
-    at_[0] = starts_.front;
-    at_[degree] = starts_.back;
-    find_at(u(0), at_[0], active);
-    find_at(u(degree), at_[degree], active);
-    starts_ = {at_[0], at_[degree]};
-    for (const PointPrediction& p : points_in_turn(degree)) {
-      at_[p.point] = predicted(p, at_);
-      find_at(u(p.point), at_[p.point], active);
-    }
+  void start_at(const LanePoint<V>& known) {
+    LanePoint<V> at = known;
+    if (cell_.of_reference) at.c[0] = hn::NegMulAdd(at.c[0], at.c[1], at.c[0]);
+    starts_ = {at, at};
   }
 
-  // The same where they are known at the points of another degree.
-  HWY_NOINLINE void sample_again(double begin, double end, std::size_t known, std::size_t degree,
-                                 M& active) {
-    if (cell_.affine) return sample(begin, end, degree, active);
-    LanePoint<V> before[kMostChebyshevDegree + 1];
-    for (std::size_t j = 0; j <= known; ++j) before[j] = at_[j];
-    const ChebyshevPoints& points = chebyshev_points(degree);
-    for (const PointPrediction& p : points_from(known, degree)) {
-      at_[p.point] = predicted(p, before);
-      if (p.from.size() == 1) continue;
-      find_at(begin + (end - begin) * points.place(p.point), at_[p.point], active);
+  // Turns to the part [begin, end] of the rays. False where halves of it are to be taken: fields on
+  // the whole of it would need too many points.
+  HWY_INLINE bool open(double begin, double end, M& active) {
+    begin_ = begin;
+    end_ = end;
+    sampled_ = 0;
+    if (!by_series_) return true;
+    LanePoint<V> middle;
+    V step[3];
+    const V half = hn::Mul(hn::Set(d_, 0.5 * (end - begin)), hn::Sub(back_, front_));
+    for (std::size_t a = 0; a < 3; ++a) {
+      middle.c[a] = hn::Mul(hn::Set(d_, 0.5), hn::Add(starts_.front.c[a], starts_.back.c[a]));
+      step[a] = hn::Mul(half, direction_[a]);
     }
+    find_at(0.5, middle, active);
+    starts_ = {middle, middle};
+    outcome_ = series_.expand(d_, cell_.position, middle, widths(middle), step, accuracy_, active);
+    return outcome_ != Outcome::hopeless;
   }
 
-  // What the ends of the next part are found from: of the points of `degree`.
-  [[nodiscard]] RayStarts<V> starts(std::size_t front, std::size_t back) const {
-    return {at_[front], at_[back]};
+  // Collapsed coordinates at the Chebyshev points of that part; an even `degree` where the cell is
+  // not affine. Lanes for which they are not found are taken off `active`.
+  HWY_NOINLINE void sample(std::size_t degree, M& active) {
+    if (cell_.affine)
+      sample_line(degree);
+    else if (by_series_)
+      sample_series(degree, active);
+    else if (sampled_ == 0)
+      sample_map(degree, active);
+    else
+      sample_map_again(degree, active);
+    sampled_ = degree;
+  }
+
+  // From where the halves of the part are found.
+  struct Halves {
+    RayStarts<V> front, back;
+  };
+  [[nodiscard]] HWY_INLINE Halves halves() const {
+    if (!by_series_) {
+      const LanePoint<V>& middle = at_[sampled_ / 2];
+      return {{at_[0], middle}, {middle, at_[sampled_]}};
+    }
+    LanePoint<V> front, back;
+    series_.at(d_, 0.5, front, back);
+    return {{front, front}, {back, back}};
   }
 
   // A field's values at the points of sample(), front to back, in its bounds.
@@ -196,12 +140,73 @@ class CellRays {
   }
 
  private:
+  using Outcome = typename InverseSeries<D>::Outcome;
+
   static constexpr double kMargin = 1e-3;  // outside the cell roots belong to other branches
   static constexpr int kMostSteps = 10;
   // the next step would be as short as this one squared
   static constexpr double kLastStep = 0x1p26;  // its inverse
 
-  HWY_INLINE void find_at(double u, LanePoint<V>& at, M& active) const {
+  // sample() in affine cells.
+  HWY_INLINE void sample_line(std::size_t degree) {
+    const ChebyshevPoints& points = chebyshev_points(degree);
+    for (std::size_t j = 0; j <= degree; ++j) {
+      const V part = hn::Set(d_, begin_ + (end_ - begin_) * points.place(j));
+      LanePoint<V> xi;
+      for (std::size_t a = 0; a < 3; ++a)
+        xi.c[a] = hn::MulAdd(part, xi_change_.c[a], xi_front_.c[a]);
+      at_[j] = collapsed_in(xi);
+    }
+  }
+
+  // By the series, or from where it has them.
+  HWY_INLINE void sample_series(std::size_t degree, M& active) {
+    const ChebyshevPoints& points = chebyshev_points(degree);
+    for (std::size_t j = 0; 2 * j <= degree; ++j)
+      series_.at(d_, 1 - 2 * points.place(j), at_[j], at_[degree - j]);
+    if (outcome_ == Outcome::converged)
+      active = hn::And(active, hn::And(inside(at_[0]), inside(at_[degree])));
+    else
+      for (std::size_t j = 0; j <= degree; ++j) find_at(points.place(j), at_[j], active);
+    if (cell_.of_reference)
+      for (std::size_t j = 0; j <= degree; ++j) at_[j] = collapsed_in(at_[j]);
+  }
+
+  HWY_INLINE void sample_map(std::size_t degree, M& active) {
+    const ChebyshevPoints& points = chebyshev_points(degree);
+    at_[0] = starts_.front;
+    at_[degree] = starts_.back;
+    find_at(points.place(0), at_[0], active);
+    find_at(points.place(degree), at_[degree], active);
+    starts_ = {at_[0], at_[degree]};
+    for (const PointPrediction& p : points_in_turn(degree)) {
+      at_[p.point] = predicted(p, at_);
+      find_at(points.place(p.point), at_[p.point], active);
+    }
+  }
+
+  // The same where they are known at the points of another degree.
+  HWY_INLINE void sample_map_again(std::size_t degree, M& active) {
+    LanePoint<V> before[kMostChebyshevDegree + 1];
+    for (std::size_t j = 0; j <= sampled_; ++j) before[j] = at_[j];
+    const ChebyshevPoints& points = chebyshev_points(degree);
+    for (const PointPrediction& p : points_from(sampled_, degree)) {
+      at_[p.point] = predicted(p, before);
+      if (p.from.size() == 1) continue;
+      find_at(points.place(p.point), at_[p.point], active);
+    }
+  }
+
+  // In the cell to within kMargin.
+  [[nodiscard]] HWY_INLINE M inside(const LanePoint<V>& at) const {
+    const V low = hn::Set(d_, -kMargin), high = hn::Set(d_, 1 + kMargin);
+    const auto holds = [&](V x) { return hn::And(hn::Ge(x, low), hn::Le(x, high)); };
+    return hn::And(holds(at.c[0]), hn::And(holds(at.c[1]), holds(at.c[2])));
+  }
+
+  // `part`: of the part at hand.
+  HWY_INLINE void find_at(double part, LanePoint<V>& at, M& active) const {
+    const double u = begin_ + (end_ - begin_) * part;
     const V t = hn::MulAdd(hn::Set(d_, u), hn::Sub(back_, front_), front_);
     active = hn::And(active, find(place(t), at, active));
   }
@@ -264,37 +269,24 @@ class CellRays {
   HWY_NOINLINE M find_by(const LanePoint<V>& target, LanePoint<V>& at, M active) const {
     M found = hn::Lt(hn::Set(d_, 1.0), hn::Zero(d_));
     for (int step = 0; step < kMostSteps; ++step) {
-      V off[3], g[3][3];
+      JacobianSolver<V> jacobian;
+      V off[3];
       for (std::size_t a = 0; a < 3; ++a) {
         V value;
-        value_and_gradient<P>(d_, cell_.position[a], at, value, g[a]);
+        value_and_gradient<P>(d_, cell_.position[a], at, value, jacobian.row[a]);
         off[a] = hn::Sub(target.c[a], value);
       }
-      // Cramer's rule: columns b_0, b_1, b_2 of g, change_k = det(.. off ..) / det
-      const auto minor = [&](std::size_t a, std::size_t b, std::size_t i, std::size_t j) {
-        return hn::MulSub(g[a][i], g[b][j], hn::Mul(g[a][j], g[b][i]));
-      };
-      V inverse[3][3];  // adjugate
-      for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t a = 0; a < 3; ++a)
-          inverse[i][a] = minor((a + 1) % 3, (a + 2) % 3, (i + 1) % 3, (i + 2) % 3);
-      const V det = hn::MulAdd(g[0][0], inverse[0][0],
-                               hn::MulAdd(g[1][0], inverse[0][1], hn::Mul(g[2][0], inverse[0][2])));
-      const V scale = hn::Div(hn::Set(d_, 1.0), det);
+      jacobian.prepare(d_);
+      const LanePoint<V> change = jacobian.solve(off);
       V largest = hn::Zero(d_);
-      for (std::size_t i = 0; i < 3; ++i) {
-        const V sum = hn::MulAdd(inverse[i][0], off[0],
-                                 hn::MulAdd(inverse[i][1], off[1], hn::Mul(inverse[i][2], off[2])));
-        const V change = hn::Mul(sum, scale);
-        at.c[i] = hn::Add(at.c[i], change);
-        largest = hn::Max(largest, hn::Abs(change));
+      for (std::size_t a = 0; a < 3; ++a) {
+        at.c[a] = hn::Add(at.c[a], change.c[a]);
+        largest = hn::Max(largest, hn::Abs(change.c[a]));
       }
       found = hn::Le(hn::Mul(largest, hn::Set(d_, kLastStep)), nearness(at));
       if (hn::AllTrue(d_, hn::Or(hn::Not(active), found))) break;
     }
-    for (std::size_t a = 0; a < 3; ++a)
-      found = hn::And(found, hn::And(hn::Ge(at.c[a], hn::Set(d_, -kMargin)),
-                                     hn::Le(at.c[a], hn::Set(d_, 1 + kMargin))));
+    found = hn::And(found, inside(at));
     for (std::size_t a = 0; a < 3; ++a)
       at.c[a] = hn::IfThenElse(found, at.c[a], hn::Set(d_, cell_.middle[a]));
     return found;
@@ -302,21 +294,27 @@ class CellRays {
 
   // Over what distance the Jacobian changes: it vanishes where the cell tapers.
   [[nodiscard]] HWY_INLINE V nearness(const LanePoint<V>& at) const {
+    return hn::Min(hn::Abs(widths(at).c[0]), hn::Set(d_, 1.0));
+  }
+
+  // How wide the reference cell is along collapsed coordinates.
+  [[nodiscard]] HWY_INLINE LanePoint<V> widths(const LanePoint<V>& at) const {
     const V one = hn::Set(d_, 1.0);
+    if (cell_.of_reference) return {{one, one, one}};
     const V v = hn::Sub(one, at.c[1]), w = hn::Sub(one, at.c[2]);
     switch (cell_.shape) {
       case CellShape::tetrahedron:
-        return hn::Mul(hn::Abs(v), hn::Abs(w));
+        return {{hn::Mul(v, w), w, one}};
       case CellShape::pyramid:
-        return hn::Abs(w);
+        return {{w, w, one}};
       case CellShape::prism:
-        return hn::Abs(v);
+        return {{v, one, one}};
       case CellShape::wedge:
-        return hn::Min(hn::Abs(hn::Add(v, w)), one);
+        return {{hn::Add(v, w), one, one}};
       case CellShape::brick:
         break;
     }
-    return one;
+    return {{one, one, one}};
   }
 
   D d_;
@@ -324,7 +322,13 @@ class CellRays {
   V front_, back_;
   RayStarts<V>& starts_;
   V origin_[3], direction_[3];
-  LanePoint<V> xi_front_, xi_change_;          // of affine cells
+  LanePoint<V> xi_front_, xi_change_;  // of affine cells
+  InverseSeries<D> series_;            // of cells with straight edges
+  Outcome outcome_ = Outcome::hopeless;
+  bool by_series_;
+  double begin_ = 0, end_ = 1;  // of the part at hand
+  std::size_t sampled_ = 0;     // the degree of the points known on it; 0: none
+  V accuracy_ = hn::Zero(d_);
   LanePoint<V> at_[kMostChebyshevDegree + 1];  // what is sampled
 };
 
