@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hiac/mesh/shape_functions.hpp"
 #include "hiac/optics/polynomial_piece.hpp"
 #include "hiac/render/cell_scan.hpp"
 #include "hiac/render/chebyshev_points.hpp"
@@ -82,6 +83,7 @@ class Comparison {
     std::vector<CellCrossing> crossings;
     scan_cell(frame_, cell, tile_, crossings);
     CellSegments together;
+    together.start(crossings.size(), true);
     for (const CellCrossing& c : crossings) add(c, kind, map, allowed, together);
     const auto of = [](const CellField& field, const auto& table) {
       return std::array{classify_value(field.least, table).low,
@@ -110,16 +112,17 @@ class Comparison {
   void add(const CellCrossing& c, CellKind kind, const CellMap& map, double allowed,
            CellSegments& list) const {
     const double x = c.x + 0.5, y = c.y + 0.5;
-    list.x.push_back(x);
-    list.y.push_back(y);
-    list.front.push_back(c.front);
-    list.back.push_back(c.back);
+    const std::size_t k = list.count++;
+    list.x[k] = x;
+    list.y[k] = y;
+    list.front[k] = c.front;
+    list.back[k] = c.back;
     const auto known = collapsed(shape_of(kind), stretch_of(c).guess(map));
-    list.known_u.push_back(known[0]);
-    list.known_v.push_back(known[1]);
-    list.known_w.push_back(known[2]);
-    list.length.push_back((c.back - c.front) * projector_.ray_scale(x, y));
-    list.allowed.push_back(allowed);
+    list.known_u[k] = known[0];
+    list.known_v[k] = known[1];
+    list.known_w[k] = known[2];
+    list.length[k] = (c.back - c.front) * projector_.ray_scale(x, y);
+    list.allowed[k] = allowed;
   }
 
   [[nodiscard]] RayStretch stretch_of(const CellCrossing& c) const {
@@ -198,6 +201,38 @@ INSTANTIATE_TEST_SUITE_P(Orders, CellIntegrals,
                          [](const auto& instance) {
                            return "Order" + std::to_string(static_cast<int>(instance.param));
                          });
+
+// Differences of one order more than a polynomial's degree vanish, of fewer factors of the width
+// they do not.
+TEST(LineQuotients, AreThoseOfShapeFunctions) {
+  for (const CellShape shape : {CellShape::pyramid, CellShape::wedge})
+    for (const CellOrder order : {CellOrder::linear, CellOrder::quadratic, CellOrder::cubic}) {
+      const CellKind kind = kind_of(shape, order);
+      const auto [degree, pole_order] = quotient_along_lines(kind);
+      const std::array<double, 3> from{0.11, 0.23, 0.07}, step{0.036, 0.021, 0.055};
+      const auto difference = [&](std::size_t factors, std::size_t node) {
+        const std::size_t n = degree + 1;
+        double sum = 0, binomial = 1;
+        for (std::size_t j = 0; j <= n; ++j) {
+          std::array<double, 3> xi;
+          for (std::size_t a = 0; a < 3; ++a) xi[a] = from[a] + static_cast<double>(j) * step[a];
+          std::array<double, kMaxNodesPerCell> value;
+          shape_functions<double>(kind, xi, value);
+          const double width = shape == CellShape::pyramid ? 1 - xi[2] : 2 - xi[1] - xi[2];
+          sum += binomial * value[node] * std::pow(width, static_cast<double>(factors));
+          binomial *= -static_cast<double>(n - j) / static_cast<double>(j + 1);
+        }
+        return std::abs(sum);
+      };
+      double with_all = 0, with_fewer = 0;
+      for (std::size_t node = 0; node < node_count(kind); ++node) {
+        with_all = std::max(with_all, difference(pole_order, node));
+        with_fewer = std::max(with_fewer, difference(pole_order - 1, node));
+      }
+      EXPECT_LE(with_all, 1e-13) << kind_name(kind);
+      EXPECT_GE(with_fewer, 1e-10) << kind_name(kind);
+    }
+}
 
 // A polynomial through all that a point is predicted from is met there.
 TEST(PointPredictions, ReproducePolynomials) {

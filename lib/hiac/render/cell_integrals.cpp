@@ -11,6 +11,7 @@
 #include <hwy/highway.h>
 
 #include "hiac/render/cell_rays-inl.hpp"
+#include "hiac/render/chebyshev_quotient-inl.hpp"
 #include "hiac/render/polynomial_walk-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -28,6 +29,7 @@ class SegmentIntegrator {
               walk_field(cell.fields[cell.field_count - 1],
                          {intervals.color_low, intervals.color_high}),
               walk_field(cell.fields[0], {intervals.extinction_low, intervals.extinction_high})) {
+    efforts_.fill(kFirstDegree);
     for (std::size_t a = 0; a < 3; ++a)
       starts_.front.c[a] = starts_.back.c[a] = hn::Set(D(), cell.middle[a]);
   }
@@ -39,7 +41,7 @@ class SegmentIntegrator {
     V origin[3], direction[3];
     set_rays(d, first, s, origin, direction);
     CellRays<D> rays(d, cell_, origin, direction, at(s.front), at(s.back), starts_);
-    if (!s.known_u.empty()) rays.start_at({{at(s.known_u), at(s.known_v), at(s.known_w)}});
+    if (s.known) rays.start_at({{at(s.known_u), at(s.known_v), at(s.known_w)}});
     rays_ = &rays;
     length_ = at(s.length);
     allowed_ = at(s.allowed);
@@ -47,13 +49,12 @@ class SegmentIntegrator {
     const M wanted = active_;
     set_negligible(rays);
     sum_ = {hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Set(d, 1.0)};
-    if (cell_.exact_degree > 0) {
-      rays.sample(cell_.exact_degree, active_);
-      for (std::size_t f = 0; f < cell_.field_count; ++f) transform(f, cell_.exact_degree);
-      add(0, 1, cell_.exact_degree);
-    } else {
+    if (!cell_.affine)
       interpolate(0, 1, 0);
-    }
+    else if (cell_.along_lines.pole_order > 0)
+      expand_quotient(0, 1, 0);
+    else
+      add_polynomial(cell_.along_lines.degree);
     hn::StoreU(sum_.red, d, s.red.data() + first);
     hn::StoreU(sum_.green, d, s.green.data() + first);
     hn::StoreU(sum_.blue, d, s.blue.data() + first);
@@ -68,13 +69,7 @@ class SegmentIntegrator {
   using V = hn::Vec<D>;
   using M = hn::Mask<D>;
   static constexpr int kMostHalvings = 8;
-  static constexpr std::size_t kLeastDegree = 4;
-
-  // What interpolation took for the segments before, by the number of halvings.
-  struct Effort {
-    std::size_t degree = 8;
-    int halve = 0;  // for how many parts nothing but halves shall be tried
-  };
+  static constexpr std::size_t kLeastDegree = 4, kFirstDegree = 8;
 
   static WalkField walk_field(const CellPolynomials::Field& field, IntervalRange intervals) {
     return {intervals, field.base,
@@ -113,13 +108,17 @@ class SegmentIntegrator {
     rays.set_accuracy(accuracy);
   }
 
-  // Chebyshev coefficients of field f from its values at the points that are sampled.
+  // Values of field f at the points that are sampled.
+  HWY_INLINE void field_values(std::size_t f, std::size_t degree) {
+    rays_->values(cell_.fields[f], degree, values_);
+    for (std::size_t j = 0; j <= degree; ++j) values_[j] = hn::IfThenElseZero(active_, values_[j]);
+  }
+
+  // Chebyshev coefficients of field f from these.
   HWY_NOINLINE void transform(std::size_t f, std::size_t degree) {
     const D d;
     const ChebyshevPoints& points = chebyshev_points(degree);
-    V value[kMostChebyshevDegree + 1];
-    rays_->values(cell_.fields[f], degree, value);
-    for (std::size_t j = 0; j <= degree; ++j) value[j] = hn::IfThenElseZero(active_, value[j]);
+    V(&value)[kMostChebyshevDegree + 1] = values_;
     // cosines are even and odd in turn
     const std::size_t half = degree / 2;
     for (std::size_t j = 0; j < degree - half; ++j) {
@@ -172,25 +171,63 @@ class SegmentIntegrator {
     return std::max(extinction.degree, color.degree);
   }
 
+  // Fields that are polynomials.
+  HWY_INLINE void add_polynomial(std::size_t degree) {
+    rays_->sample(degree, active_);
+    for (std::size_t f = 0; f < cell_.field_count; ++f) {
+      field_values(f, degree);
+      transform(f, degree);
+    }
+    add(0, 1, degree);
+  }
+
+  // Fields that are polynomials over powers of the width to which the cell tapers, on a part of the
+  // segments: from the polynomials' values at a few points, as long a Chebyshev series as there is,
+  // or on halves.
+  HWY_NOINLINE void expand_quotient(double begin, double end, int halvings) {
+    const D d;
+    const auto [degree, pole_order] = cell_.along_lines;
+    rays_->open(begin, end, active_);
+    rays_->sample(degree, active_);
+    const V h = rays_->taper();
+    const ChebyshevPoints& points = chebyshev_points(degree);
+    M resolved = active_;
+    for (std::size_t f = 0; f < cell_.field_count; ++f) {
+      field_values(f, degree);
+      for (std::size_t j = 0; j <= degree; ++j) {
+        const V width = hn::MulAdd(h, hn::Set(d, 2 * points.place(j) - 1), hn::Set(d, 1.0));
+        for (std::size_t k = 0; k < pole_order; ++k) values_[j] = hn::Mul(values_[j], width);
+      }
+      transform(f, degree);
+      divide_by_width(d, h, pole_order, degree, coefficients_[f]);
+      resolved = hn::And(resolved, hn::Le(last_two(f, kMostChebyshevDegree), negligible_[f]));
+    }
+    if (halvings == kMostHalvings) active_ = resolved;
+    if (hn::AllFalse(d, active_)) return;
+    if (hn::AllTrue(d, hn::Or(hn::Not(active_), resolved))) {
+      add(begin, end, kMostChebyshevDegree);
+      return;
+    }
+    const double middle = 0.5 * (begin + end);
+    expand_quotient(begin, middle, halvings + 1);
+    expand_quotient(middle, end, halvings + 1);
+  }
+
   // Fields that are not polynomials, on a part of the segments: of the degree that was enough for
   // such a part the last time, or of higher ones, or on halves.
   HWY_NOINLINE void interpolate(double begin, double end, int halvings) {
     const D d;
-    Effort& effort = efforts_[static_cast<std::size_t>(halvings)];
-    std::size_t degree = effort.degree;
+    std::size_t& effort = efforts_[static_cast<std::size_t>(halvings)];
+    std::size_t degree = effort;
     M resolved = active_;
-    bool halve = !rays_->open(begin, end, active_) && halvings < kMostHalvings;
-    if (cell_.affine && effort.halve > 0) {
-      halve = true;
-      --effort.halve;
-    }
+    const bool halve = !rays_->open(begin, end, active_) && halvings < kMostHalvings;
     // points of 8 are points of 16 as well
-    const std::size_t more = cell_.affine ? 4 : 8;
-    for (; !halve; degree = std::min(degree + more, kMostChebyshevDegree)) {
+    for (; !halve; degree = std::min(degree + 8, kMostChebyshevDegree)) {
       rays_->sample(degree, active_);
       resolved = active_;
       M hopeless = hn::Lt(hn::Set(d, 1.0), hn::Zero(d));
       for (std::size_t f = 0; f < cell_.field_count; ++f) {
+        field_values(f, degree);
         transform(f, degree);
         const V last = last_two(f, degree);
         resolved = hn::And(resolved, hn::Le(last, negligible_[f]));
@@ -201,26 +238,22 @@ class SegmentIntegrator {
       if (hn::AllTrue(d, hn::Or(hn::Not(active_), resolved))) {
         // the last two coefficients shall be negligible again, and a few more rays
         const std::size_t enough = add(begin, end, degree) + 3;
-        effort.degree = std::clamp((enough + 1) / 2 * 2, std::max(degree - 2, kLeastDegree),
-                                   kMostChebyshevDegree);
+        effort = std::clamp((enough + 1) / 2 * 2, std::max(degree - 2, kLeastDegree),
+                            kMostChebyshevDegree);
         return;
       }
       hopeless = hn::And(hopeless, hn::AndNot(resolved, active_));
-      effort.degree = std::min(degree + 2, kMostChebyshevDegree);
+      effort = std::min(degree + 2, kMostChebyshevDegree);
       if (degree == kMostChebyshevDegree) break;
       if (halvings < kMostHalvings && !hn::AllFalse(d, hopeless)) break;
     }
-    if (!halve) effort = {8, 3};
+    if (!halve) effort = kFirstDegree;
     if (halvings == kMostHalvings) {
       active_ = resolved;
       if (!hn::AllFalse(d, active_)) add(begin, end, kMostChebyshevDegree);
       return;
     }
     const double middle = 0.5 * (begin + end);
-    if (cell_.affine) {
-      interpolate(begin, middle, halvings + 1);
-      return interpolate(middle, end, halvings + 1);
-    }
     const RayStarts<V> whole = starts_;
     const auto halves = rays_->halves();
     starts_ = halves.front;
@@ -247,12 +280,13 @@ class SegmentIntegrator {
   const Frame& frame_;
   const CellPolynomials& cell_;
   PolynomialWalk<kEmission> walk_;
-  std::array<Effort, kMostHalvings + 1> efforts_;
+  // what degree was enough for the segments before, by the number of halvings
+  std::array<std::size_t, kMostHalvings + 1> efforts_;
   // of the segments at hand
   CellRays<D>* rays_ = nullptr;
   RayStarts<V> starts_;  // of the segments before
   V length_, allowed_, negligible_[2];
-  V coefficients_[2][kMostChebyshevDegree + 1];
+  V values_[kMostChebyshevDegree + 1], coefficients_[2][kMostChebyshevDegree + 1];
   M active_;
   Radiance<V> sum_;
 };
@@ -262,7 +296,7 @@ HWY_NOINLINE void integrate_all(const Frame& frame, const CellPolynomials& cell,
                                 const CellIntervals& intervals, CellSegments& segments) {
   SegmentIntegrator<kEmission> integrator(frame, cell, intervals);
   const std::size_t lanes = hn::Lanes(hn::CappedTag<double, 8>());
-  for (std::size_t first = 0; first + CellSegments::kPadding < segments.size(); first += lanes)
+  for (std::size_t first = 0; first < segments.count; first += lanes)
     integrator.integrate(first, segments);
 }
 
@@ -280,27 +314,35 @@ namespace hiac {
 
 HWY_EXPORT(integrate_segments_here);
 
-void CellSegments::clear() {
-  for (std::vector<double>* plane : {&x, &y, &front, &back, &known_u, &known_v, &known_w, &length,
-                                     &allowed, &red, &green, &blue, &transparency})
-    plane->clear();
-  done.clear();
+void CellSegments::start(std::size_t most, bool with_known) {
+  count = 0;
+  known = with_known;
+  const std::size_t places = most + kPadding;
+  if (done.size() < places) {
+    for (std::vector<double>* plane :
+         {&x, &y, &front, &back, &length, &allowed, &red, &green, &blue, &transparency})
+      plane->resize(places);
+    done.resize(places);
+  }
+  if (known && known_u.size() < places)
+    for (std::vector<double>* plane : {&known_u, &known_v, &known_w}) plane->resize(places);
 }
 
 void integrate_cell_segments(const Frame& frame, const CellPolynomials& cell,
                              const CellIntervals& intervals, CellSegments& segments) {
-  const std::size_t count = segments.size(), padded = count + CellSegments::kPadding;
-  if (count == 0) return;
+  if (segments.count == 0) return;
   // what a vector has beyond the end is the last segment again, without length
+  const auto first = static_cast<std::ptrdiff_t>(segments.count);
+  const auto pad = [&](std::vector<double>& plane, double value) {
+    std::fill_n(plane.begin() + first, CellSegments::kPadding, value);
+  };
   for (std::vector<double>* plane :
-       {&segments.x, &segments.y, &segments.front, &segments.back, &segments.known_u,
-        &segments.known_v, &segments.known_w, &segments.allowed})
-    if (!plane->empty()) plane->resize(padded, plane->back());
-  segments.length.resize(padded, 0);
-  for (std::vector<double>* plane :
-       {&segments.red, &segments.green, &segments.blue, &segments.transparency})
-    plane->resize(padded);
-  segments.done.resize(padded);
+       {&segments.x, &segments.y, &segments.front, &segments.back, &segments.allowed})
+    pad(*plane, (*plane)[segments.count - 1]);
+  if (segments.known)
+    for (std::vector<double>* plane : {&segments.known_u, &segments.known_v, &segments.known_w})
+      pad(*plane, (*plane)[segments.count - 1]);
+  pad(segments.length, 0);
   HWY_DYNAMIC_DISPATCH(integrate_segments_here)(frame, cell, intervals, segments);
 }
 

@@ -13,24 +13,25 @@ struct CellIntervals {
   std::size_t color_low, color_high, extinction_low, extinction_high;
 };
 
-/// Segments of rays in one cell: structure of arrays.
+/// Segments of rays in one cell: structure of arrays, of `count` and more places.
 struct CellSegments {
   static constexpr std::size_t kPadding = 7;  ///< most places of a vector behind the last one
 
-  std::vector<double> x, y;         ///< of pixels' centres
-  std::vector<double> front, back;  ///< ray parameters
-  std::vector<double> known_u, known_v,
-      known_w;                  ///< collapsed coordinates near the front; or empty
-  std::vector<double> length;   ///< world units
-  std::vector<double> allowed;  ///< absolute error of colours and transparency
+  std::size_t count = 0;
+  std::vector<double> x, y;                       ///< of pixels' centres
+  std::vector<double> front, back;                ///< ray parameters
+  bool known = false;                             ///< whether there are known_u, known_v, known_w
+  std::vector<double> known_u, known_v, known_w;  ///< collapsed coordinates near the front
+  std::vector<double> length;                     ///< world units
+  std::vector<double> allowed;                    ///< absolute error of colours and transparency
   std::vector<double> red, green, blue, transparency;  ///< results
   std::vector<std::uint8_t> done;                      ///< whether there are results
 
-  void clear();
-  [[nodiscard]] std::size_t size() const { return x.size(); }
+  /// Makes place for `most` segments and their padding; there are none yet.
+  void start(std::size_t most, bool with_known);
 };
 
-/// Integrates segments, behind which it appends kPadding without meaning, of a cell of any kind
+/// Integrates segments, behind which it writes kPadding without meaning, of a cell of any kind
 /// many at a time: fields along rays as in field_along_ray.hpp, radiance as in
 /// polynomial_piece.hpp, both without bounds of rounding. `intervals`: of the transfer functions,
 /// in which the fields are in the cell. Segments whose places in the cell Newton's iteration does

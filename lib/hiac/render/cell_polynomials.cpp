@@ -37,7 +37,41 @@ CellPolynomials::Field field_polynomial(CellKind kind, const CellField& field) {
   return {cube_polynomial(kind, values), field.values[0], field.least, field.most, field.allowed};
 }
 
+using Vector = std::array<double, 3>;
+
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+// Of a pyramid's map, which has x, y and z by u, v and w, and q by u v.
+void untwist(const std::array<CubePolynomial, 3>& position, std::array<Vector, 3>& inverse,
+             Vector& twist) {
+  const auto column = [&](std::size_t k) {
+    return Vector{position[0].c[k], position[1].c[k], position[2].c[k]};
+  };
+  const Vector x = column(1), y = column(2), z = column(4), q = column(3);
+  const double determinant = dot(x, cross(y, z));
+  inverse = {cross(y, z), cross(z, x), cross(x, y)};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (double& entry : inverse[i]) entry /= determinant;
+    twist[i] = dot(inverse[i], q);
+  }
+}
+
 }  // namespace
+
+// Degrees and pole orders by order. Shape functions have as many factors x y / (1 - z), or
+// x (1 - y) / (2 - y - z), as those of an edge on a triangle have (shape_functions.cpp).
+LineQuotient quotient_along_lines(CellKind kind) {
+  constexpr std::array<LineQuotient, 3> kPyramids{{{2, 1}, {3, 1}, {5, 2}}};
+  constexpr std::array<LineQuotient, 3> kWedges{{{3, 1}, {5, 2}, {7, 3}}};
+  const auto order = static_cast<std::size_t>(order_of(kind)) - 1;
+  if (shape_of(kind) == CellShape::pyramid) return kPyramids[order];
+  if (shape_of(kind) == CellShape::wedge) return kWedges[order];
+  return {degree_along_lines(kind), 0};
+}
 
 std::array<double, 3> collapsed(CellShape shape, const std::array<double, 3>& xi) {
   const auto& [x, y, z] = xi;
@@ -60,10 +94,12 @@ std::array<double, 3> collapsed(CellShape shape, const std::array<double, 3>& xi
 CellPolynomials::CellPolynomials(CellKind kind, std::span<const CellMap::Point> nodes,
                                  const CellMap& map, std::span<const CellField> cell_fields)
     : shape(shape_of(kind)),
-      exact_degree(map.affine() ? degree_along_lines(kind) : 0),
+      along_lines(map.affine() ? quotient_along_lines(kind) : LineQuotient{0, 0}),
       origin(nodes[0]),
       affine(map.affine()),
+      twisted_pyramid(!affine && map.straight() && shape == CellShape::pyramid),
       inverse(map.inverse_in_middle()),
+      twist{},
       of_reference(shape == CellShape::prism && map.straight()),
       middle(of_reference ? map.middle() : collapsed(shape, map.middle())),
       steepness(map.steepness()),
@@ -78,6 +114,7 @@ CellPolynomials::CellPolynomials(CellKind kind, std::span<const CellMap::Point> 
     // x = u - u v: what has u v and u v w is -x and -x w
     if (of_reference) position[a].c[3] = position[a].c[7] = 0;
   }
+  if (twisted_pyramid) untwist(position, inverse, twist);
 }
 
 }  // namespace hiac

@@ -17,6 +17,14 @@ struct CubePolynomial {
   std::array<double, InterpolantCoefficients::kMost> c{};
 };
 
+/// Along lines through the reference cell fields of a kind are polynomials of `degree` over a
+/// power, the `pole_order`, of the width to which the cell tapers: 1 - z in pyramids, 2 - y - z in
+/// wedges.
+struct LineQuotient {
+  std::size_t degree, pole_order;
+};
+LineQuotient quotient_along_lines(CellKind kind);
+
 /// A cell's map and fields as polynomials of the collapsed coordinates u, v, w of
 /// interpolant_range.hpp. In these all kinds are alike, the rational ones too.
 struct CellPolynomials {
@@ -28,10 +36,14 @@ struct CellPolynomials {
   };
 
   CellShape shape;
-  std::size_t exact_degree;                      ///< of fields along rays; 0: not polynomials
-  std::array<double, 3> origin;                  ///< what positions are from
-  bool affine;                                   ///< the map: then `inverse` is it, else `position`
+  LineQuotient along_lines;      ///< of fields along rays; 0 where not affine
+  std::array<double, 3> origin;  ///< what positions are from
+  bool affine;                   ///< the map: then `inverse` is it, else `position`
+  /// Straight edges over a parallelogram make a pyramid affine. Others have the map A (xi + twist
+  /// q), q = x y / (1 - z), with `inverse` that of A: a quadratic equation gives q of a point.
+  bool twisted_pyramid;
   std::array<std::array<double, 3>, 3> inverse;  ///< rows; to reference coordinates
+  std::array<double, 3> twist;
   /// Of u, v, w, or of reference coordinates: in these, too, are maps of prisms with straight edges
   /// trilinear, and have no singularity where the cell tapers.
   std::array<CubePolynomial, 3> position;

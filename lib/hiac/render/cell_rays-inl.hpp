@@ -40,12 +40,12 @@ class CellRays {
         front_(front),
         back_(back),
         starts_(starts),
-        by_series_(!cell.affine && cell.position[0].degree == 1) {
+        by_series_(!cell.affine && !cell.twisted_pyramid && cell.position[0].degree == 1) {
     for (std::size_t a = 0; a < 3; ++a) {
       origin_[a] = origin[a];
       direction_[a] = direction[a];
     }
-    if (!cell.affine) return;
+    if (!cell.affine && !cell.twisted_pyramid) return;
     const LanePoint<V> from = place(front_), to = place(back_);
     for (std::size_t a = 0; a < 3; ++a) {
       const auto along = [&](const LanePoint<V>& p) {
@@ -93,6 +93,8 @@ class CellRays {
   HWY_NOINLINE void sample(std::size_t degree, M& active) {
     if (cell_.affine)
       sample_line(degree);
+    else if (cell_.twisted_pyramid)
+      sample_twisted(degree, active);
     else if (by_series_)
       sample_series(degree, active);
     else if (sampled_ == 0)
@@ -100,6 +102,13 @@ class CellRays {
     else
       sample_map_again(degree, active);
     sampled_ = degree;
+  }
+
+  // In affine cells, along the part, z from -1 to 1, the width to which the cell tapers is in
+  // proportion to 1 + h z. Returns h.
+  [[nodiscard]] HWY_INLINE V taper() const {
+    const V front = widths(on_line(0)).c[0], back = widths(on_line(1)).c[0];
+    return hn::Div(hn::Sub(back, front), hn::Add(back, front));
   }
 
   // From where the halves of the part are found.
@@ -119,10 +128,14 @@ class CellRays {
   // A field's values at the points of sample(), front to back, in its bounds.
   HWY_NOINLINE void values(const CellPolynomials::Field& field, std::size_t degree,
                            V* value) const {
-    const V least = hn::Set(d_, field.least - field.base);
-    const V most = hn::Set(d_, field.most - field.base);
-    for (std::size_t j = 0; j <= degree; ++j)
-      value[j] = hn::Min(hn::Max(value_of(d_, field.f, at_[j]), least), most);
+    switch (cell_.shape) {
+      case CellShape::prism:
+        return values_of_terms<CubeTerms::prism>(field, degree, value);
+      case CellShape::brick:
+        return values_of_terms<CubeTerms::serendipity>(field, degree, value);
+      default:
+        return values_of_terms<CubeTerms::all>(field, degree, value);
+    }
   }
 
   // What of a field's values is rounding (FieldAlongRay::rounding).
@@ -140,6 +153,23 @@ class CellRays {
   }
 
  private:
+  template <CubeTerms kTerms>
+  HWY_INLINE void values_of_terms(const CellPolynomials::Field& field, std::size_t degree,
+                                  V* value) const {
+    if (field.f.degree == 1) return values_of_order<1, CubeTerms::all>(field, degree, value);
+    if (field.f.degree == 2) return values_of_order<2, kTerms>(field, degree, value);
+    return values_of_order<3, kTerms>(field, degree, value);
+  }
+
+  template <std::size_t P, CubeTerms kTerms>
+  HWY_INLINE void values_of_order(const CellPolynomials::Field& field, std::size_t degree,
+                                  V* value) const {
+    const V least = hn::Set(d_, field.least - field.base);
+    const V most = hn::Set(d_, field.most - field.base);
+    for (std::size_t j = 0; j <= degree; ++j)
+      value[j] = hn::Min(hn::Max(value_of<P, kTerms>(d_, field.f, at_[j]), least), most);
+  }
+
   using Outcome = typename InverseSeries<D>::Outcome;
 
   static constexpr double kMargin = 1e-3;  // outside the cell roots belong to other branches
@@ -147,15 +177,45 @@ class CellRays {
   // the next step would be as short as this one squared
   static constexpr double kLastStep = 0x1p26;  // its inverse
 
+  // Reference coordinates at a point of the part, by `inverse` alone.
+  [[nodiscard]] HWY_INLINE LanePoint<V> on_line(double part) const {
+    const V at = hn::Set(d_, begin_ + (end_ - begin_) * part);
+    LanePoint<V> xi;
+    for (std::size_t a = 0; a < 3; ++a) xi.c[a] = hn::MulAdd(at, xi_change_.c[a], xi_front_.c[a]);
+    return xi;
+  }
+
   // sample() in affine cells.
   HWY_INLINE void sample_line(std::size_t degree) {
     const ChebyshevPoints& points = chebyshev_points(degree);
+    for (std::size_t j = 0; j <= degree; ++j) at_[j] = collapsed_in(on_line(points.place(j)));
+  }
+
+  // In twisted pyramids: with p what `inverse` gives, xi = p - twist q makes q (1 - z) = x y
+  //     alpha q^2 + beta q - p_0 p_1 = 0,  alpha = twist_2 - twist_0 twist_1,
+  //     beta = 1 - p_2 + twist_0 p_1 + twist_1 p_0.
+  // 2 alpha q + beta is the Jacobian's determinant by that of A and 1 - z: positive, so that q is
+  // the root in which the square root is added.
+  HWY_INLINE void sample_twisted(std::size_t degree, M& active) {
+    const ChebyshevPoints& points = chebyshev_points(degree);
+    const V one = hn::Set(d_, 1.0), zero = hn::Zero(d_);
+    const V t[3] = {hn::Set(d_, cell_.twist[0]), hn::Set(d_, cell_.twist[1]),
+                    hn::Set(d_, cell_.twist[2])};
+    const V two_alpha = hn::Mul(hn::Set(d_, 2.0), hn::NegMulAdd(t[0], t[1], t[2]));
     for (std::size_t j = 0; j <= degree; ++j) {
-      const V part = hn::Set(d_, begin_ + (end_ - begin_) * points.place(j));
-      LanePoint<V> xi;
-      for (std::size_t a = 0; a < 3; ++a)
-        xi.c[a] = hn::MulAdd(part, xi_change_.c[a], xi_front_.c[a]);
+      LanePoint<V> xi = on_line(points.place(j));
+      const V beta = hn::MulAdd(t[0], xi.c[1], hn::MulAdd(t[1], xi.c[0], hn::Sub(one, xi.c[2])));
+      const V product = hn::Mul(hn::Set(d_, 2.0), hn::Mul(xi.c[0], xi.c[1]));
+      const V square = hn::MulAdd(two_alpha, product, hn::Mul(beta, beta));
+      active = hn::And(active, hn::Ge(square, zero));
+      const V root = hn::Sqrt(hn::Max(square, zero));
+      // without cancellation
+      const M plus = hn::Ge(beta, zero);
+      const V q = hn::Div(hn::IfThenElse(plus, product, hn::Sub(root, beta)),
+                          hn::IfThenElse(plus, hn::Add(root, beta), two_alpha));
+      for (std::size_t a = 0; a < 3; ++a) xi.c[a] = hn::NegMulAdd(t[a], q, xi.c[a]);
       at_[j] = collapsed_in(xi);
+      active = hn::And(active, inside(at_[j]));
     }
   }
 
@@ -322,7 +382,7 @@ class CellRays {
   V front_, back_;
   RayStarts<V>& starts_;
   V origin_[3], direction_[3];
-  LanePoint<V> xi_front_, xi_change_;  // of affine cells
+  LanePoint<V> xi_front_, xi_change_;  // by `inverse`: of affine cells, twisted pyramids
   InverseSeries<D> series_;            // of cells with straight edges
   Outcome outcome_ = Outcome::hopeless;
   bool by_series_;

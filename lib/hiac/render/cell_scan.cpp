@@ -196,14 +196,30 @@ class ScreenScan {
       const auto pixels = static_cast<std::size_t>(to - from);
       depth_.along_row(k, edges[e], edges[f], from + 0.5, y + 0.5, pixels, depths.data());
       const auto offset = static_cast<std::size_t>(from - first);
+      if (perspective_)
+        for (std::size_t j = 0; j < pixels; ++j) depths[j] = -1 / depths[j];
       for (std::size_t j = 0; j < pixels; ++j) {
         const std::size_t slot = count[offset + j]++;
-        places[slot][offset + j] = perspective_ ? -1 / depths[j] : depths[j];
+        places[slot][offset + j] = depths[j];
         faces[slot][offset + j] = surface_.triangles[k].face;
       }
     }
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    constexpr CellCrossing kPlain{
+        0, 0, 0, 0, 0, 0, {kNone, kNone, kNone}, {kNone, kNone, kNone}, kNone, kNone};
     for (int x = first; x < last; ++x) {
       const auto at = static_cast<std::size_t>(x - first);
+      if (count[at] == 2) {  // as it mostly is
+        const std::size_t front = places[1][at] < places[0][at] ? 1 : 0, back = 1 - front;
+        CellCrossing& crossing = crossings.emplace_back(kPlain);
+        crossing.x = x;
+        crossing.y = y;
+        crossing.front = places[front][at];
+        crossing.back = places[back][at];
+        crossing.front_face = faces[front][at];
+        crossing.back_face = faces[back][at];
+        continue;
+      }
       RayCrossings ray;
       for (std::size_t k = 0; k < count[at]; ++k) ray.add(places[k][at], faces[k][at]);
       ray.append_to(crossings, nullptr, x, y);

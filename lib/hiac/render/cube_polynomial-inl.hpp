@@ -9,6 +9,8 @@
 #    define HIAC_RENDER_CUBE_POLYNOMIAL_INL
 #  endif
 
+#  include <type_traits>
+
 #  include <hwy/highway.h>
 
 #  include "hiac/render/cell_polynomials.hpp"
@@ -22,29 +24,49 @@ struct LanePoint {
   V c[3];
 };
 
-// A cube polynomial, of degree P, by Horner's rule.
-template <std::size_t P, class D, class V = hn::Vec<D>>
-HWY_INLINE V value_of(D d, const CubePolynomial& f, const LanePoint<V>& at) {
-  constexpr std::size_t kN = P + 1;
-  V sum = hn::Zero(d);
-  for (std::size_t k = kN; k-- > 0;) {
-    V plane = hn::Zero(d);
-    for (std::size_t j = kN; j-- > 0;) {
-      const double* c = f.c.data() + (k * kN + j) * kN;
-      V line = hn::Set(d, c[P]);
-      for (std::size_t i = P; i-- > 0;) line = hn::MulAdd(line, at.c[0], hn::Set(d, c[i]));
-      plane = j == P ? line : hn::MulAdd(plane, at.c[1], line);
-    }
-    sum = k == P ? plane : hn::MulAdd(sum, at.c[2], plane);
-  }
-  return sum;
+// Which coefficients there are: all; those of u^i v^j w^k of which one exponent at most is above 1;
+// those of which neither k and i, nor k and j, are above 1.
+enum class CubeTerms { all, serendipity, prism };
+
+// One more than the highest power of u that v^j w^k has.
+template <std::size_t P, CubeTerms kTerms>
+constexpr std::size_t terms_of_u(std::size_t j, std::size_t k) {
+  if (kTerms == CubeTerms::all || k < 2)
+    return kTerms == CubeTerms::serendipity && j > 1 ? 2 : P + 1;
+  return j < 2 ? 2 : 0;
 }
 
-template <class D, class V = hn::Vec<D>>
+// A polynomial of kTerms coefficients, by Horner's rule.
+template <std::size_t kTerms, class D, class V = hn::Vec<D>>
+HWY_INLINE V line_of(D d, const double* c, V u) {
+  V line = hn::Set(d, c[kTerms - 1]);
+  for (std::size_t i = kTerms - 1; i-- > 0;) line = hn::MulAdd(line, u, hn::Set(d, c[i]));
+  return line;
+}
+
+// What w^K has in a cube polynomial of degree P.
+template <std::size_t P, CubeTerms kTerms, std::size_t K, class D, class V = hn::Vec<D>>
+HWY_INLINE V plane_of(D d, const CubePolynomial& f, const LanePoint<V>& at) {
+  constexpr std::size_t kTop = terms_of_u<P, kTerms>(P, K) > 0 ? P : 1;
+  const double* c = f.c.data() + K * (P + 1) * (P + 1);
+  V plane = line_of<terms_of_u<P, kTerms>(kTop, K)>(d, c + kTop * (P + 1), at.c[0]);
+  const auto add = [&]<std::size_t J>(std::integral_constant<std::size_t, J>) {
+    const V line = line_of<terms_of_u<P, kTerms>(J, K)>(d, c + J * (P + 1), at.c[0]);
+    plane = hn::MulAdd(plane, at.c[1], line);
+  };
+  if constexpr (kTop > 2) add(std::integral_constant<std::size_t, 2>());
+  if constexpr (kTop > 1) add(std::integral_constant<std::size_t, 1>());
+  add(std::integral_constant<std::size_t, 0>());
+  return plane;
+}
+
+// A cube polynomial, of degree P, by Horner's rule.
+template <std::size_t P, CubeTerms kTerms, class D, class V = hn::Vec<D>>
 HWY_INLINE V value_of(D d, const CubePolynomial& f, const LanePoint<V>& at) {
-  return f.degree == 1   ? value_of<1>(d, f, at)
-         : f.degree == 2 ? value_of<2>(d, f, at)
-                         : value_of<3>(d, f, at);
+  V sum = plane_of<P, kTerms, P>(d, f, at);
+  if constexpr (P > 2) sum = hn::MulAdd(sum, at.c[2], plane_of<P, kTerms, 2>(d, f, at));
+  if constexpr (P > 1) sum = hn::MulAdd(sum, at.c[2], plane_of<P, kTerms, 1>(d, f, at));
+  return hn::MulAdd(sum, at.c[2], plane_of<P, kTerms, 0>(d, f, at));
 }
 
 // The same with its gradient.

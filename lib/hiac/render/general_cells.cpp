@@ -104,16 +104,14 @@ class GeneralCellRenderer {
   // Segments of the cell many at a time.
   void render_together(const CellMap& map, const FieldAlongRay& field,
                        std::span<const CellField> fields) {
-    segments_.clear();
-    kept_.clear();
-    for (const CellCrossing& crossing : crossings_) add_segment(crossing, map);
-    if (kept_.empty()) return;
+    collect_segments(map);
+    if (segments_.count == 0) return;
     const CellPolynomials polynomials(kind_, nodes_, map, fields);
     integrate_cell_segments(frame_, polynomials,
                             {color_.intervals.low, color_.intervals.high, extinction_.intervals.low,
                              extinction_.intervals.high},
                             segments_);
-    for (std::size_t k = 0; k < kept_.size(); ++k) {
+    for (std::size_t k = 0; k < segments_.count; ++k) {
       const PlainRadiance radiance{{segments_.red[k], segments_.green[k], segments_.blue[k]},
                                    segments_.transparency[k]};
       if (segments_.done[k] != 0 && !frame_.with_details)
@@ -123,27 +121,36 @@ class GeneralCellRenderer {
     }
   }
 
-  void add_segment(const CellCrossing& crossing, const CellMap& map) {
-    const std::size_t at = index_of(crossing);
-    const double front = std::max(crossing.front, frame_.projector.near());
-    const double back = std::min(crossing.back, frame_.projector.far());
-    if (buffer_.transparency[at] <= frame_.least_transparency || !(front < back)) return;
-    kept_.push_back(static_cast<std::size_t>(&crossing - crossings_.data()));
-    segments_.x.push_back(crossing.x + 0.5);
-    segments_.y.push_back(crossing.y + 0.5);
-    segments_.front.push_back(front);
-    segments_.back.push_back(back);
-    if (curved_) {
-      const auto reference = place_of(crossing);
-      const auto known =
-          collapsed(shape_of(kind_), std::isnan(reference[0]) ? map.middle() : reference);
-      segments_.known_u.push_back(known[0]);
-      segments_.known_v.push_back(known[1]);
-      segments_.known_w.push_back(known[2]);
+  void collect_segments(const CellMap& map) {
+    segments_.start(crossings_.size(), curved_);
+    kept_.resize(std::max(kept_.size(), crossings_.size()));
+    const double near = frame_.projector.near(), far = frame_.projector.far();
+    const double allowed = allowed_error(0, 1, 1);
+    for (std::size_t i = 0; i < crossings_.size(); ++i) {
+      const CellCrossing& crossing = crossings_[i];
+      const std::size_t at = index_of(crossing);
+      const double front = std::max(crossing.front, near), back = std::min(crossing.back, far);
+      const double seen = buffer_.transparency[at];
+      if (seen <= frame_.least_transparency || !(front < back)) continue;
+      const std::size_t k = segments_.count++;
+      kept_[k] = i;
+      segments_.x[k] = crossing.x + 0.5;
+      segments_.y[k] = crossing.y + 0.5;
+      segments_.front[k] = front;
+      segments_.back[k] = back;
+      segments_.length[k] = (back - front) * buffer_.ray_scale[at];
+      segments_.allowed[k] = allowed * (back - front) / (group_ != nullptr ? 1 : seen);
+      if (curved_) set_known(crossing, map, k);
     }
-    segments_.length.push_back((back - front) * buffer_.ray_scale[at]);
-    segments_.allowed.push_back(
-        allowed_error(front, back, group_ != nullptr ? 1 : buffer_.transparency[at]));
+  }
+
+  void set_known(const CellCrossing& crossing, const CellMap& map, std::size_t k) {
+    const auto reference = place_of(crossing);
+    const auto known =
+        collapsed(shape_of(kind_), std::isnan(reference[0]) ? map.middle() : reference);
+    segments_.known_u[k] = known[0];
+    segments_.known_v[k] = known[1];
+    segments_.known_w[k] = known[2];
   }
 
   void add_seen(std::size_t at, double front, double back, const PlainRadiance& radiance) {

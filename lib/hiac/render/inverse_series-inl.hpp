@@ -115,7 +115,6 @@ class InverseSeries {
   // The coefficient of z^n.
   HWY_INLINE void append(D d, std::size_t n) {
     V uv = hn::Zero(d), uw = uv, vw = uv, uvw = uv;
-#  pragma GCC unroll 4
     for (std::size_t k = 1; k < n; ++k) {
       const LanePoint<V>&x = x_[k], &rest = x_[n - k];
       uv = hn::MulAdd(x.c[0], rest.c[1], uv);

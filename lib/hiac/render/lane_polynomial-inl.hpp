@@ -32,12 +32,32 @@ struct LanePolynomial {
   }
 };
 
+// Some steps of Horner's scheme for coefficients about another point, from step `r` on: each adds
+// `by` times the next coefficient to those of r and above, the highest first. Together they load
+// and store every coefficient once.
+template <std::size_t kSteps, class V>
+HWY_INLINE void shift_steps(V by, V* c, std::size_t degree, std::size_t r) {
+  V next[kSteps];
+  for (V& v : next) v = c[degree];
+  for (std::size_t k = degree; k-- > r + kSteps - 1;) {
+    V v = c[k];
+    for (std::size_t i = 0; i < kSteps; ++i) next[i] = v = hn::MulAdd(by, next[i], v);
+    c[k] = v;
+  }
+  for (std::size_t left = kSteps - 1; left > 0; --left) {
+    V v = c[r + left - 1];
+    for (std::size_t i = 0; i < left; ++i) next[i] = v = hn::MulAdd(by, next[i], v);
+    c[r + left - 1] = v;
+  }
+}
+
 // What is left of a polynomial on [middle - half, middle + half], as one on [-1, 1].
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE void keep_part(D, LanePolynomial<V>& f, V middle, V half) {
   const std::size_t n = f.degree;
-  for (std::size_t r = 0; r < n; ++r)
-    for (std::size_t k = n; k-- > r;) f.c[k] = hn::MulAdd(middle, f.c[k + 1], f.c[k]);
+  std::size_t r = 0;
+  for (; r + 4 <= n; r += 4) shift_steps<4>(middle, f.c, n, r);
+  for (; r < n; ++r) shift_steps<1>(middle, f.c, n, r);
   V scale = half;
   for (std::size_t k = 1; k <= n; ++k) {
     f.c[k] = hn::Mul(f.c[k], scale);
@@ -50,14 +70,13 @@ template <class V>
 struct EvenAndOdd {
   V even, odd;
 };
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE EvenAndOdd<V> even_and_odd(D d, const V* c, std::size_t degree, V square) {
-  std::size_t k = degree & ~std::size_t{1};
-  EvenAndOdd<V> at{c[k], k < degree ? c[k + 1] : hn::Zero(d)};
-  while (k > 0) {
-    k -= 2;
-    at.even = hn::MulAdd(at.even, square, c[k]);
-    at.odd = hn::MulAdd(at.odd, square, c[k + 1]);
+// Coefficients up to that of z^(2 kTop + 1); those that are not there are zero.
+template <std::size_t kTop, class V>
+HWY_INLINE EvenAndOdd<V> even_and_odd(const V* c, V square) {
+  EvenAndOdd<V> at{c[2 * kTop], c[2 * kTop + 1]};
+  for (std::size_t k = kTop; k-- > 0;) {
+    at.even = hn::MulAdd(at.even, square, c[2 * k]);
+    at.odd = hn::MulAdd(at.odd, square, c[2 * k + 1]);
   }
   return at;
 }

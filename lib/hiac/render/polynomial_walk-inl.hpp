@@ -8,6 +8,7 @@
 #    define HIAC_RENDER_POLYNOMIAL_WALK_INL
 #  endif
 
+#  include <algorithm>
 #  include <array>
 #  include <cmath>
 #  include <vector>
@@ -145,7 +146,7 @@ class PolynomialWalk {
     V odd = f.c[1], odd_size = hn::Abs(f.c[1]), bend = zero;
     for (std::size_t k = 2; k <= f.degree; ++k) {
       const V size = hn::Abs(f.c[k]);
-      bend = hn::MulAdd(hn::Set(d, static_cast<double>(k)), size, bend);
+      bend = hn::MulAdd(hn::Set(d, kTwice[k]), size, bend);
       if (k % 2 == 0) {
         even = hn::Add(even, f.c[k]);
         even_least = hn::Add(even_least, hn::Min(f.c[k], zero));
@@ -156,7 +157,7 @@ class PolynomialWalk {
       }
     }
     const V front = hn::Sub(even, odd), back = hn::Add(even, odd);
-    const auto monotone = hn::Ge(hn::Abs(f.c[1]), bend);
+    const auto monotone = hn::Ge(hn::Abs(hn::Add(f.c[1], f.c[1])), bend);
     const V least = hn::IfThenElse(monotone, hn::Min(front, back), hn::Sub(even_least, odd_size));
     const V most = hn::IfThenElse(monotone, hn::Max(front, back), hn::Add(even_most, odd_size));
     // a piece that ends at a breakpoint does so to within rounding
@@ -256,13 +257,24 @@ class PolynomialWalk {
     return c;
   }
 
+  // Sums over coefficients are compiled for every number of them: up to those of z^(2 top + 1), a
+  // factor's (below) up to those of z^(2 top + 1 - kFactorBelow).
+  static constexpr std::size_t kMostTop = (kMaxFieldDegree + 1) / 2;
+  static constexpr std::size_t kMostCoefficients = 2 * kMostTop + 2;
+  static constexpr std::size_t kFactorBelow = kEmission ? 0 : 2;
+
   // The optical depth along a piece in powers of z, and at its end.
   template <class V>
   struct Depth {
     std::size_t degree;
-    V alpha[kMaxFieldDegree + 2];
+    V alpha[kMostCoefficients];
     V total;
   };
+
+  template <class V>
+  static HWY_INLINE void pad(const V& zero, V* c, std::size_t degree, std::size_t top) {
+    for (std::size_t k = degree + 1; k <= 2 * top + 1; ++k) c[k] = zero;
+  }
 
   // Of an extinction offset + slope f.
   template <class D, class V = hn::Vec<D>>
@@ -290,6 +302,30 @@ class PolynomialWalk {
     return depth;
   }
 
+  template <class F>
+  static HWY_INLINE auto with_top(std::size_t top, F&& f) {
+    static_assert(kMostTop == 8);
+    switch (top) {
+      case 0:
+      case 1:
+        return f.template operator()<1>();
+      case 2:
+        return f.template operator()<2>();
+      case 3:
+        return f.template operator()<3>();
+      case 4:
+        return f.template operator()<4>();
+      case 5:
+        return f.template operator()<5>();
+      case 6:
+        return f.template operator()<6>();
+      case 7:
+        return f.template operator()<7>();
+      default:
+        return f.template operator()<8>();
+    }
+  }
+
   // False when no rule meets what is allowed and the piece `may_refuse`.
   template <class D, class V = hn::Vec<D>>
   HWY_NOINLINE bool add_piece(D d, const LanePolynomial<V>& tau_field,
@@ -303,9 +339,9 @@ class PolynomialWalk {
     const V slope = extinction(optics_.extinction.slope[0]);
     const V anchor = hn::Sub(extinction(optics_.extinction.anchor), hn::Set(d, extinction_.base));
     const V offset = hn::NegMulAdd(slope, anchor, extinction(optics_.extinction.value[0]));
-    const Depth<V> depth = depth_of(d, tau_field, offset, slope, length);
+    Depth<V> depth = depth_of(d, tau_field, offset, slope, length);
     // the field less the anchor for emission, else its derivative over the length of a piece
-    V factor[kMaxFieldDegree + 1];
+    V factor[kMostCoefficients];
     std::size_t degree = field.degree;
     if constexpr (kEmission) {
       factor[0] = hn::Sub(field.c[0], channels.anchor);
@@ -313,17 +349,24 @@ class PolynomialWalk {
     } else {
       factor[0] = hn::Zero(d);
       for (std::size_t k = 1; k <= degree; ++k)
-        factor[k - 1] = hn::Mul(hn::Set(d, 2 * static_cast<double>(k)), field.c[k]);
+        factor[k - 1] = hn::Mul(hn::Set(d, kTwice[k]), field.c[k]);
       if (degree > 0) --degree;
     }
+    const std::size_t top =
+        std::max<std::size_t>(std::max(depth.degree, degree + kFactorBelow) / 2, 1);
+    pad(hn::Zero(d), depth.alpha, depth.degree, top);
+    pad(hn::Zero(d), factor, degree, top - kFactorBelow / 2);
     const V weight = hn::IfThenElseZero(active, hn::Div(sum.transparency, allowed));
-    const std::size_t nodes = nodes_for(d, depth, factor, degree, channels, length, weight);
+    const std::size_t nodes = with_top(top, [&]<std::size_t kTop>() {
+      return nodes_for<kTop>(d, depth, factor, channels, length, weight);
+    });
     if (nodes == 0 && may_refuse) return false;
     const SymmetricRule& rule = rules_[(nodes == 0 ? kMostSymmetricNodes : nodes) - 1];
     const bool thin =
         hn::AllTrue(d, hn::Lt(hn::IfThenElseZero(active, depth.total), hn::Set(d, kThin)));
     const V zeta = transparency(d, depth.total, thin);
-    const Means<V> means = means_of(d, rule, depth, thin, factor, degree);
+    const Means<V> means = with_top(
+        top, [&]<std::size_t kTop>() { return means_of<kTop>(d, rule, depth, thin, factor); });
     V constant, linear;  // a channel is value * constant + slope * linear
     if constexpr (kEmission) {
       constant = hn::Mul(means.of_one, length);
@@ -346,13 +389,13 @@ class PolynomialWalk {
 
   // How many nodes give the mean of p exp(-A) with an error of at most 1 / weight, p being kappa'
   // or g: the best of some ellipses, for the lane that needs most. 0: more than there are.
-  template <class D, class V = hn::Vec<D>>
+  template <std::size_t kTop, class D, class V = hn::Vec<D>>
   HWY_NOINLINE std::size_t nodes_for(D d, const Depth<V>& depth, const V* factor,
-                                     std::size_t degree, const Channels<V>& channels, V length,
-                                     V weight) {
-    V alpha[kMaxFieldDegree + 2], size[kMaxFieldDegree + 1];
-    for (std::size_t k = 1; k <= depth.degree; ++k) alpha[k] = hn::Abs(depth.alpha[k]);
-    for (std::size_t k = 0; k <= degree; ++k) size[k] = hn::Abs(factor[k]);
+                                     const Channels<V>& channels, V length, V weight) {
+    constexpr std::size_t kDegree = 2 * kTop + 1;
+    V alpha[kDegree + 1], size[kDegree + 1];
+    for (std::size_t k = 1; k <= kDegree; ++k) alpha[k] = hn::Abs(depth.alpha[k]);
+    for (std::size_t k = 0; k <= kDegree - kFactorBelow; ++k) size[k] = hn::Abs(factor[k]);
     const V middle = hn::Max(depth.alpha[0], hn::Zero(d));
     V brightest = hn::Zero(d);
     if constexpr (kEmission) {
@@ -365,9 +408,9 @@ class PolynomialWalk {
     const auto counts = hn::Gt(weight, hn::Zero(d));
     const auto needed_on = [&](std::size_t e) {
       const V reach = hn::Set(d, ellipses_.reach[e]);
-      V grown = alpha[depth.degree], p = size[degree];
-      for (std::size_t k = depth.degree; k-- > 1;) grown = hn::MulAdd(grown, reach, alpha[k]);
-      for (std::size_t k = degree; k-- > 0;) p = hn::MulAdd(p, reach, size[k]);
+      V grown = alpha[kDegree], p = size[kDegree - kFactorBelow];
+      for (std::size_t k = kDegree; k-- > 1;) grown = hn::MulAdd(grown, reach, alpha[k]);
+      for (std::size_t k = kDegree - kFactorBelow; k-- > 0;) p = hn::MulAdd(p, reach, size[k]);
       const V log = log_above(d, hn::MulAdd(p, steepness, brightest));
       grown = hn::MulSub(grown, reach, middle);
       const V needed = hn::Mul(hn::Add(hn::Add(grown, hn::Set(d, ellipses_.log_factor[e])), log),
@@ -396,9 +439,9 @@ class PolynomialWalk {
     V of_one, of_factor;
   };
 
-  template <class D, class V = hn::Vec<D>>
+  template <std::size_t kTop, class D, class V = hn::Vec<D>>
   static HWY_NOINLINE Means<V> means_of(D d, const SymmetricRule& rule, const Depth<V>& depth,
-                                        bool thin, const V* factor, std::size_t degree) {
+                                        bool thin, const V* factor) {
     Means<V> means{hn::Zero(d), hn::Zero(d)};
     if (rule.middle != 0) {
       means.of_one = hn::Mul(hn::Set(d, rule.middle), transparency(d, depth.alpha[0], thin));
@@ -406,19 +449,24 @@ class PolynomialWalk {
     }
     for (std::size_t k = 0; k < rule.pairs; ++k) {
       const V z = hn::Set(d, rule.z[k]), square = hn::Mul(z, z);
-      const EvenAndOdd<V> at = even_and_odd(d, depth.alpha, depth.degree, square);
+      const EvenAndOdd<V> at = even_and_odd<kTop>(depth.alpha, square);
       V before = hn::NegMulAdd(z, at.odd, at.even), behind = hn::MulAdd(z, at.odd, at.even);
       transparencies(d, before, behind, thin);
       const V weight = hn::Set(d, rule.weight[k]);
       const V both = hn::Mul(weight, hn::Add(behind, before));
       const V apart = hn::Mul(hn::Mul(weight, z), hn::Sub(behind, before));
-      const EvenAndOdd<V> f = even_and_odd(d, factor, degree, square);
+      const EvenAndOdd<V> f = even_and_odd<kTop - kFactorBelow / 2>(factor, square);
       if constexpr (kEmission) means.of_one = hn::Add(means.of_one, both);
       means.of_factor = hn::MulAdd(f.even, both, hn::MulAdd(f.odd, apart, means.of_factor));
     }
     return means;
   }
 
+  static constexpr auto kTwice = [] {  // numbers, from memory
+    std::array<double, kMaxFieldDegree + 1> twice{};
+    for (std::size_t k = 0; k < twice.size(); ++k) twice[k] = 2 * static_cast<double>(k);
+    return twice;
+  }();
   static constexpr double kMostNodes = kMostSymmetricNodes;
 
   const OpticsTables& optics_;
