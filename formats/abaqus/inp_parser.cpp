@@ -162,9 +162,10 @@ class DeckReader {
     if (name == "PART") return begin_part(keyword, cursor);
     if (name == "INSTANCE") return begin_instance(keyword, cursor);
     if (name == "END PART" || name == "END INSTANCE") part_.reset();
-    static const std::set<std::string> kGenerators{"NGEN",  "NFILL",  "NCOPY", "NMAP",
-                                                   "ELGEN", "ELCOPY", "SYSTEM"};
-    if (kGenerators.contains(name))
+    static const std::set<std::string> kGenerators{"NGEN", "NFILL", "NCOPY",
+                                                   "NMAP", "ELGEN", "ELCOPY"};
+    // a system without data is the global one again
+    if (kGenerators.contains(name) || (name == "SYSTEM" && data_line(cursor)))
       cursor.fail_at(
           keyword.offset,
           fmt::format("*{} makes nodes or elements that the file does not list, which is "

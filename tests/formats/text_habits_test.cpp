@@ -27,7 +27,7 @@ TEST(AbaqusHabits, BlanksBeforeStarsAndCommentsWithinKeywords) {
   expect_unit_tetrahedron(
       read_any(folder.write("a.inp",
                             " *NODE\n1,0,0,0\n ** note\n2,1,0,0\n3,0,1,0\n4,0,0,1\n"
-                            "  *ELEMENT,\n** between\n TYPE=C3D4\n1,1,2,3,4\n *STEP\n"))
+                            "*SYSTEM\n  *ELEMENT,\n** between\n TYPE=C3D4\n1,1,2,3,4\n *STEP\n"))
           .mesh);
 }
 
