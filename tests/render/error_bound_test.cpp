@@ -92,7 +92,7 @@ TEST(LinearDoubt, IsAboutJumpsWithinTheFieldsError) {
     Volume volume;
     volume.extinction = ExtinctionTransfer{"f", {{value, {1}}, {value, {4}}}};
     const OpticsTables optics = make_optics_tables(volume, Integration::exact);
-    return linear_doubt(optics.extinction, 1e-16, {0, kChange}, kLength, 0, kError);
+    return linear_doubt(optics.extinction, 3, 1e-16, {0, kChange}, kLength, 0, kError);
   };
   for (const double value : {-1.0, -2 * kError, kChange + 2 * kError, 1.0}) {
     EXPECT_EQ(doubt_about(value).error, kError);
@@ -105,8 +105,8 @@ TEST(LinearDoubt, IsAboutJumpsWithinTheFieldsError) {
 // The ends of a segment, off in places, move a field that changes along it.
 TEST(LinearDoubt, GrowsWithTheDoubtAboutTheEnds) {
   const OpticsTables optics = make_optics_tables({}, Integration::exact);
-  EXPECT_DOUBLE_EQ(linear_doubt(optics.color, 0, {1, 4}, 2, 1e-10, 1e-15).error, 1e-15 + 3e-10);
-  EXPECT_DOUBLE_EQ(linear_doubt(optics.color, 0, {4, 1}, 2, 1, 0).error, 3);
+  EXPECT_DOUBLE_EQ(linear_doubt(optics.color, 0, 0, {1, 4}, 2, 1e-10, 1e-15).error, 1e-15 + 3e-10);
+  EXPECT_DOUBLE_EQ(linear_doubt(optics.color, 0, 0, {4, 1}, 2, 1, 0).error, 3);
 }
 
 // Fields are constant to the bit where all values are the same.

@@ -147,13 +147,13 @@ template double jump_at(const TransferTable<1>&, std::size_t, double);
 template double jump_at(const TransferTable<3>&, std::size_t, double);
 
 template <std::size_t N>
-FieldDoubt linear_doubt(const TransferTable<N>& function, double rounding,
+FieldDoubt linear_doubt(const TransferTable<N>& function, double jump, double rounding,
                         const std::array<long double, 2>& ends, double length, double along,
                         double error) {
   const auto [least, most] = std::minmax(ends[0], ends[1]);
   const auto change = static_cast<double>(most - least);
   FieldDoubt doubt{error + moved_by(length, along, change), 0};
-  if (doubt.error == 0) return doubt;
+  if (doubt.error == 0 || jump == 0) return doubt;
   double jumps = 0;
   for (std::size_t k = 1; k < function.intervals(); ++k)
     if (least - doubt.error <= function.lower[k] && function.lower[k] <= most + doubt.error)
@@ -162,10 +162,10 @@ FieldDoubt linear_doubt(const TransferTable<N>& function, double rounding,
   return doubt;
 }
 
-template FieldDoubt linear_doubt(const TransferTable<1>&, double, const std::array<long double, 2>&,
-                                 double, double, double);
-template FieldDoubt linear_doubt(const TransferTable<3>&, double, const std::array<long double, 2>&,
-                                 double, double, double);
+template FieldDoubt linear_doubt(const TransferTable<1>&, double, double,
+                                 const std::array<long double, 2>&, double, double, double);
+template FieldDoubt linear_doubt(const TransferTable<3>&, double, double,
+                                 const std::array<long double, 2>&, double, double, double);
 
 ErrorBound segment_bound(const CellOptics& cell, bool emission, const SegmentFacts& s,
                          const Arithmetic& numbers) {

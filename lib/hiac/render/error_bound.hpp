@@ -100,9 +100,9 @@ struct FieldDoubt {
 
 /// Of a field that is linear along a segment, with these values at its ends, which are off by
 /// `along` (RayDisplacement) in places and the field by `error` in values. `function`: its transfer
-/// function, with `rounding` as its values have it in the cell.
+/// function, with `jump` and `rounding` as it has them in the cell (CellOptics).
 template <std::size_t N>
-FieldDoubt linear_doubt(const TransferTable<N>& function, double rounding,
+FieldDoubt linear_doubt(const TransferTable<N>& function, double jump, double rounding,
                         const std::array<long double, 2>& ends, double length, double along,
                         double error);
 

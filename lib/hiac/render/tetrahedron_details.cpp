@@ -183,20 +183,20 @@ SegmentDetails BasicTetrahedronDetails<Real>::describe(const Segment& segment) c
   if (!frame_.with_error) return details;
   const bool emission = frame_.optics.emission;
   const double along = displacement_.along;
-  ErrorBound sum =
-      segment_bound(optics_, emission,
-                    {.length = segment.length,
-                     .seen = segment.seen,
-                     .color = linear_doubt(frame_.optics.color, optics_.color_rounding,
-                                           {segment.color[0], segment.color[1]}, segment.length,
-                                           along, color_error_),
-                     .extinction = linear_doubt(frame_.optics.extinction, optics_.tau_rounding,
-                                                {segment.extinction[0], segment.extinction[1]},
-                                                segment.length, along, extinction_error_),
-                     .opacity = 1 - segment.transparency,
-                     // of the volume alone where surfaces are crossed
-                     .transparency = segment.cuts.empty() ? segment.transparency : 1},
-                    kNumbers);
+  ErrorBound sum = segment_bound(
+      optics_, emission,
+      {.length = segment.length,
+       .seen = segment.seen,
+       .color =
+           linear_doubt(frame_.optics.color, optics_.color_jump, optics_.color_rounding,
+                        {segment.color[0], segment.color[1]}, segment.length, along, color_error_),
+       .extinction = linear_doubt(frame_.optics.extinction, optics_.tau_jump, optics_.tau_rounding,
+                                  {segment.extinction[0], segment.extinction[1]}, segment.length,
+                                  along, extinction_error_),
+       .opacity = 1 - segment.transparency,
+       // of the volume alone where surfaces are crossed
+       .transparency = segment.cuts.empty() ? segment.transparency : 1},
+      kNumbers);
   const Ends ends = end_doubts(segment);
   const double most = frame_.depth * frame_.projector.ray_scale(segment.x + 0.5, segment.y + 0.5);
   details.front_edge = edge_bound(optics_, emission, std::min(most, ends.front));
