@@ -227,11 +227,11 @@ TEST(LinearPiece, IsExactWithAZeroEnd) {
   expect_exact(pieces);
 }
 
-/// Where a + b decides between thin (1/4), moderate (2), medium (8) and thick.
+/// Where a + b decides between faint (1/8), thin (1/4), moderate (2), medium (8) and thick.
 TEST(LinearPiece, IsExactWhereTheMethodChanges) {
   Random random;
   Pieces pieces;
-  for (const double sum : {0.25, 2.0, 8.0})
+  for (const double sum : {0.125, 0.25, 2.0, 8.0})
     for (int i = 0; i <= 2000; ++i) {
       const double b = sum * i / 2000;
       const double a = sum - b;

@@ -35,7 +35,7 @@ namespace series = ::hiac::linear_piece_series;
 /// sum_{k' >= k} kRho[j][k'] sigma2^{k' - k} (Horner, unrolled).
 template <class Kind, std::size_t j, std::size_t k, class D, class V>
 HWY_INLINE V rho_row(D d, V sigma2) {
-  const V c = hn::Set(d, Kind::kRho[j][k]);
+  const V c = hn::Load(d, Kind::lanes.rho[j][k].data());
   if constexpr (k + 1 == Kind::rho_terms(j)) {
     return c;
   } else {
@@ -56,7 +56,7 @@ HWY_INLINE V rho_from(D d, V delta, V sigma2) {
 
 template <class Kind, std::size_t k, class D, class V>
 HWY_INLINE V sinhc_from(D d, V sigma2) {
-  const V c = hn::Set(d, Kind::kSinhc[k]);
+  const V c = hn::Load(d, Kind::lanes.sinhc[k].data());
   if constexpr (k + 1 == Kind::sinhc_terms()) {
     return c;
   } else {
@@ -173,17 +173,20 @@ HWY_NOINLINE void evaluate_thick_lanes(D d, V b, V a, double* HWY_RESTRICT out) 
   }
 }
 
-/// Lanes that are not all thin, each by its own method. The result goes through memory (`out`, as
+/// Lanes that do not all share a method, each by its own. The result goes through memory (`out`, as
 /// above), so that the caller of the common case keeps its vectors in registers.
 template <class Glow, class D, class V>
 HWY_NOINLINE void evaluate_mixed(D d, V b, V a, double* HWY_RESTRICT out) {
   constexpr std::size_t kLanes = hn::MaxLanes(d);
   const V sigma = hn::Mul(hn::Set(d, 0.25), hn::Add(a, b));
+  const auto faint = hn::Le(sigma, hn::Set(d, series::FaintSeries::kSigma));
   const auto thin = hn::Le(sigma, hn::Set(d, series::ThinSeries::kSigma));
   const auto moderate = hn::Le(sigma, hn::Set(d, series::ModerateSeries::kSigma));
   const auto thick = hn::Gt(sigma, hn::Set(d, series::MediumSeries::kSigma));
-  PieceWeights<V> w = select(thin, Glow::template evaluate<series::ThinSeries>(d, b, a),
-                             Glow::template evaluate<series::ModerateSeries>(d, b, a));
+  PieceWeights<V> w = select(faint, Glow::template evaluate<series::FaintSeries>(d, b, a),
+                             Glow::template evaluate<series::ThinSeries>(d, b, a));
+  if (!hn::AllTrue(d, thin))
+    w = select(thin, w, Glow::template evaluate<series::ModerateSeries>(d, b, a));
   if (!hn::AllTrue(d, moderate))
     w = select(moderate, w, Glow::template evaluate<series::MediumSeries>(d, b, a));
   hn::Store(w.transparency, d, out);
@@ -195,7 +198,10 @@ HWY_NOINLINE void evaluate_mixed(D d, V b, V a, double* HWY_RESTRICT out) {
 template <class Glow, class D, class V>
 HWY_INLINE PieceWeights<V> evaluate(D d, V b, V a) {
   const V sigma = hn::Mul(hn::Set(d, 0.25), hn::Add(a, b));
-  if (HWY_LIKELY(hn::AllTrue(d, hn::Le(sigma, hn::Set(d, series::ThinSeries::kSigma)))))
+  const auto faint = hn::Le(sigma, hn::Set(d, series::FaintSeries::kSigma));
+  if (HWY_LIKELY(hn::AllTrue(d, faint)))
+    return Glow::template evaluate<series::FaintSeries>(d, b, a);
+  if (hn::AllTrue(d, hn::AndNot(faint, hn::Le(sigma, hn::Set(d, series::ThinSeries::kSigma)))))
     return Glow::template evaluate<series::ThinSeries>(d, b, a);
   constexpr std::size_t kLanes = hn::MaxLanes(d);
   HWY_ALIGN double out[3 * kLanes];

@@ -13,6 +13,26 @@
 #include "hiac/optics/special_functions.hpp"
 
 namespace hiac {
+
+namespace linear_piece_series {
+
+template <int kSigmaNumerator, int kSigmaDenominator>
+constinit const typename Series<kSigmaNumerator, kSigmaDenominator>::Lanes
+    Series<kSigmaNumerator, kSigmaDenominator>::lanes = [] {
+      Lanes repeated{};
+      for (std::size_t j = 0; j < delta_terms(); ++j)
+        for (std::size_t k = 0; k < rho_terms(0); ++k) repeated.rho[j][k].fill(kRho[j][k]);
+      for (std::size_t k = 0; k < sinhc_terms(); ++k) repeated.sinhc[k].fill(kSinhc[k]);
+      return repeated;
+    }();
+
+template struct Series<1, 32>;
+template struct Series<1, 16>;
+template struct Series<1, 2>;
+template struct Series<2, 1>;
+
+}  // namespace linear_piece_series
+
 namespace {
 
 namespace series = linear_piece_series;

@@ -103,9 +103,21 @@ struct Series {
     for (std::size_t k = 0; k < sinhc_terms(); ++k) table[k] = sinhc_coefficient(k);
     return table;
   }();
+
+  /// The coefficients, each once for every lane of a vector: an operand that lies in memory as the
+  /// instruction needs it, where a constant would first be spread over a register. Defined where
+  /// no compiler sees it beside its use (linear_piece.cpp), or it would do just that.
+  struct Lanes {
+    using Coefficient = std::array<double, 8>;
+    alignas(64) std::array<std::array<Coefficient, rho_terms(0)>, delta_terms()> rho;
+    alignas(64) std::array<Coefficient, sinhc_terms()> sinhc;
+  };
+  static const Lanes lanes;
 };
 
-/// Optical depth (a + b) / 2 = 2 sigma up to 1/8: by far the commonest pieces.
+/// Optical depth (a + b) / 2 = 2 sigma up to 1/16: the pieces of fine meshes.
+using FaintSeries = Series<1, 32>;
+/// Optical depth up to 1/8.
 using ThinSeries = Series<1, 16>;
 /// Optical depth up to 1.
 using ModerateSeries = Series<1, 2>;
