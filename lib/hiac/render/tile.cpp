@@ -6,14 +6,13 @@
 namespace hiac {
 
 void TileBuffer::reset(const TileRect& tile, const Projector& projector, bool with_details) {
-  const std::size_t size = kTileStride * kTileHeight;
-  red.assign(size, 0);
-  green.assign(size, 0);
-  blue.assign(size, 0);
-  transparency.assign(size, 1);
-  last.assign(size, -std::numeric_limits<double>::infinity());
-  ray_scale.assign(size, 1);
-  details.assign(with_details ? size : 0, {});
+  red.fill(0);
+  green.fill(0);
+  blue.fill(0);
+  transparency.fill(1);
+  last.fill(-std::numeric_limits<double>::infinity());
+  ray_scale.fill(1);
+  details.assign(with_details ? red.size() : 0, {});
   if (!projector.perspective()) return;
   for (int y = tile.y0; y < tile.y1; ++y)
     for (int x = tile.x0; x < tile.x1; ++x)

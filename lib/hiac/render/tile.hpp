@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -24,11 +25,13 @@ struct TileRect {
 inline constexpr std::size_t kTileStride = kTileWidth + 8;
 
 struct TileBuffer {
-  std::vector<double> red, green, blue;  ///< premultiplied, without background
-  std::vector<double> transparency;      ///< of all that lies in front so far
-  std::vector<double> last;              ///< ray parameter at which the last segment ended
-  std::vector<double> ray_scale;         ///< world length per unit of ray parameter
-  std::vector<PixelDetails> details;     ///< empty where no channel needs them
+  // one after another in memory, so that a kernel needs one address for all of them
+  using Plane = std::array<double, kTileStride * kTileHeight>;
+  alignas(64) Plane red, green, blue;  ///< premultiplied, without background
+  Plane transparency;                  ///< of all that lies in front so far
+  Plane last;                          ///< ray parameter at which the last segment ended
+  Plane ray_scale;                     ///< world length per unit of ray parameter
+  std::vector<PixelDetails> details;   ///< empty where no channel needs them
 
   /// Empties the buffer for a tile.
   void reset(const TileRect& tile, const Projector& projector, bool with_details);
