@@ -150,15 +150,19 @@ TileBins bin_cells(const Frame& frame, const VisibilityOrder& order, ImageSize s
   const std::size_t tile_count = bins.tiles.size(), cells = order.cells.size();
   const std::size_t chunks = (cells + kCellsPerChunk - 1) / kCellsPerChunk;
 
+  // in the order in which cells lie in memory, which the visibility order is far from
+  std::vector<TileRange> ranges(frame.mesh.cell_count());
+  parallel_for(ranges.size(), kCellsPerChunk, [&](IndexRange range) {
+    for (std::size_t cell = range.begin; cell < range.end; ++cell)
+      ranges[cell] = binner.range(static_cast<CellId>(cell));
+  });
+
   // count by chunk and tile, then every chunk knows where in each tile's run to write
   std::vector<std::uint32_t> counts(chunks * tile_count, 0);
-  std::vector<TileRange> ranges(cells);
   parallel_for(cells, kCellsPerChunk, [&](IndexRange range) {
     std::uint32_t* count = counts.data() + range.begin / kCellsPerChunk * tile_count;
-    for (std::size_t i = range.begin; i < range.end; ++i) {
-      ranges[i] = binner.range(order.cells[i]);
-      for_each_tile(ranges[i], binner.all(), [&](std::size_t tile) { ++count[tile]; });
-    }
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      for_each_tile(ranges[order.cells[i]], binner.all(), [&](std::size_t tile) { ++count[tile]; });
   });
   bins.start.assign(tile_count + 1, 0);
   for (std::size_t tile = 0; tile < tile_count; ++tile) {
@@ -175,7 +179,7 @@ TileBins bin_cells(const Frame& frame, const VisibilityOrder& order, ImageSize s
         next[tile] += counts[before * tile_count + tile];
     const std::size_t end = std::min(cells, (c + 1) * kCellsPerChunk);
     for (std::size_t i = c * kCellsPerChunk; i < end; ++i)
-      for_each_tile(ranges[i], binner.all(), [&](std::size_t tile) {
+      for_each_tile(ranges[order.cells[i]], binner.all(), [&](std::size_t tile) {
         bins.ranks[next[tile]++] = static_cast<std::uint32_t>(i);
       });
   });
