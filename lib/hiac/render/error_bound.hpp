@@ -24,7 +24,7 @@ namespace hiac {
 ///   tetrahedra are met over the screen: by at most 2 u of their projected coordinates, which are
 ///   rounded once from extended precision, 20 u of their projected edges, and 2^-38 pixels where a
 ///   corner was moved to a pixel's centre by as much (projection.cpp); along the ray besides, where
-///   they are entered and left, by 8 u of the depth times the spread of the cell's depths
+///   they are entered and left, by 16 u of the depth times the spread of the cell's depths
 ///   (perspective interpolates 1/t), which counts as far as fields change along the ray. Other
 ///   cells are met in the world: by 24 u times the distance of the cell from the eye (look_at, in
 ///   parallel views), curved faces by 64, 192 or 512 u of it by order, and what edges, faces and
@@ -33,7 +33,7 @@ namespace hiac {
 ///   On shared faces both cells are displaced alike, so that a ray is followed without gap or
 ///   overlap, displaced a little differently in every cell.
 /// - Fields (field_error): a field is wrong by its steepest gradient (gradient_bound.hpp) times
-///   that, and by 3 u of its largest value in the cell and 16 u of its range there times the spread
+///   that, and by 3 u of its largest value in the cell and 20 u of its range there times the spread
 ///   (64 u of its largest value where it is interpolated along the ray); by the cell's whole range
 ///   at most; not at all where it is constant.
 /// - Optics (segment_bound): what that does to extinction and colour, by their steepest slopes on
@@ -88,7 +88,7 @@ double gradient_condition(const std::array<std::array<double, 3>, 3>& columns,
 struct FieldRounding {
   double of_values, of_range;  ///< in units of u
 };
-inline constexpr FieldRounding kTetrahedronRounding{3, 16}, kAlongRayRounding{64, 0};
+inline constexpr FieldRounding kTetrahedronRounding{3, 20}, kAlongRayRounding{64, 0};
 double field_error(ValueRange range, double gradient, const RayDisplacement& moved,
                    const FieldRounding& rounding, const Arithmetic& numbers = kDoubles);
 

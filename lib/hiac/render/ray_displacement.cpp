@@ -91,9 +91,9 @@ double straightened(CellKind kind, std::span<const Vector> nodes, double straigh
 
 // Of what is projected, in units of rounding: coordinates are rounded once, from extended
 // precision; places on faces are found relative to a corner by Gaussian elimination or between
-// edges, 15 roundings of the longest edge at most; depths and what they divide by add up five of
-// the largest.
-constexpr double kCoordinateRounding = 2, kPlaceRounding = 20, kDepthRounding = 8;
+// edges, 15 roundings of the longest edge at most; depths and what they divide by add up eleven of
+// the largest: five on a corner of the face, six along a row of pixels.
+constexpr double kCoordinateRounding = 2, kPlaceRounding = 20, kDepthRounding = 16;
 constexpr double kExtendedUnit = 0x1p-64;
 // Of distances from the eye, where rays are followed in the world.
 constexpr double kWorldRounding = 24;

@@ -70,7 +70,7 @@ struct FacePlanes {
 struct FaceRuns {
   int row_begin, row_end;  // rows of the image
   static constexpr std::size_t kRows = kTileHeight + 16;
-  HWY_ALIGN double first[4][kRows], last[4][kRows];
+  HWY_ALIGN double first[kRows][4], last[kRows][4];
   HWY_ALIGN double span_first[kRows], span_last[kRows];
 };
 
@@ -123,15 +123,17 @@ HWY_INLINE bool scan_faces(const ProjectedTetrahedron& t, const TileRect& tile, 
       last[e] = hn::IfThenElse(crossed, column, never_last);
     }
     V span_first = never_first, span_last = never_last;
+    V face_first[4], face_last[4];
     for (std::size_t f = 0; f < 4; ++f) {
       const auto [a, b, c] = kTetrahedronFaceEdges[f];
-      const V face_first = hn::Min(hn::Min(first[a], first[b]), first[c]);
-      const V face_last = hn::Max(hn::Max(last[a], last[b]), last[c]);
-      hn::StoreU(face_first, d, runs.first[f] + r);
-      hn::StoreU(face_last, d, runs.last[f] + r);
-      span_first = hn::Min(span_first, face_first);
-      span_last = hn::Max(span_last, face_last);
+      face_first[f] = hn::Min(hn::Min(first[a], first[b]), first[c]);
+      face_last[f] = hn::Max(hn::Max(last[a], last[b]), last[c]);
+      span_first = hn::Min(span_first, face_first[f]);
+      span_last = hn::Max(span_last, face_last[f]);
     }
+    hn::StoreInterleaved4(face_first[0], face_first[1], face_first[2], face_first[3], d,
+                          runs.first[r]);
+    hn::StoreInterleaved4(face_last[0], face_last[1], face_last[2], face_last[3], d, runs.last[r]);
     hn::StoreU(span_first, d, runs.span_first + r);
     hn::StoreU(span_last, d, runs.span_last + r);
   }
@@ -264,8 +266,8 @@ HWY_INLINE void set_face_row(const FacePlanes& planes, const FaceRuns& runs, int
   }
   const auto r = static_cast<std::size_t>(row - runs.row_begin);
   for (std::size_t f = 0; f < 4; ++f) {
-    face_row.first[f] = runs.first[f][r];
-    face_row.last[f] = runs.last[f][r];
+    face_row.first[f] = runs.first[r][f];
+    face_row.last[f] = runs.last[r][f];
   }
 }
 
@@ -295,51 +297,6 @@ template <class D, class V = hn::Vec<D>>
 HWY_INLINE V on_face(D d, const FacePlanes::Quantity& q, std::size_t f, const FacePlace<V>& at) {
   return hn::MulAdd(at.s, hn::Set(d, q.qs[f]),
                     hn::MulAdd(at.m, hn::Set(d, q.qm[f]), hn::Set(d, q.q0[f])));
-}
-
-// Where the rays of a row of pixels enter and leave the cell, and the fields there.
-template <class V>
-struct EntryAndExit {
-  V front, back;  // depth
-  V front_color, back_color, front_extinction, back_extinction;
-};
-
-// Of the faces [begin, end) of `sides`, the one that covers each pixel: its depth and the fields
-// there. A pixel of the cell is covered by one face of either side, so the first needs no asking.
-template <bool kSeparateFields, class D, class V = hn::Vec<D>>
-HWY_INLINE void meet_faces(D d, const FacePlanes& planes, const FaceRow& row, V pixel,
-                           const FaceSides& sides, std::size_t begin, std::size_t end, V& depth,
-                           V& color, V& extinction) {
-  const auto place = place_on_face(d, planes, row, sides.face[begin], pixel);
-  depth = on_face(d, planes.depth, sides.face[begin], place);
-  extinction = on_face(d, planes.extinction, sides.face[begin], place);
-  color = extinction;
-  if constexpr (kSeparateFields) color = on_face(d, planes.color, sides.face[begin], place);
-  for (std::size_t k = begin + 1; k < end; ++k) {
-    const std::size_t f = sides.face[k];
-    const auto covered = covered_by_face(d, row, f, pixel);
-    const auto here = place_on_face(d, planes, row, f, pixel);
-    depth = hn::IfThenElse(covered, on_face(d, planes.depth, f, here), depth);
-    extinction = hn::IfThenElse(covered, on_face(d, planes.extinction, f, here), extinction);
-    if constexpr (kSeparateFields)
-      color = hn::IfThenElse(covered, on_face(d, planes.color, f, here), color);
-  }
-}
-
-// For pixels of the row's span; others get numbers without meaning.
-template <bool kSeparateFields, class D, class V = hn::Vec<D>>
-HWY_INLINE EntryAndExit<V> entry_and_exit(D d, const FacePlanes& planes, const FaceRow& row,
-                                          const FaceSides& sides, V pixel) {
-  EntryAndExit<V> e;
-  V in, out;
-  meet_faces<kSeparateFields>(d, planes, row, pixel, sides, 0, sides.entered, in, e.front_color,
-                              e.front_extinction);
-  meet_faces<kSeparateFields>(d, planes, row, pixel, sides, sides.entered, 4, out, e.back_color,
-                              e.back_extinction);
-  // where the cell is thin, rounding may have exchanged them
-  e.front = hn::Min(in, out);
-  e.back = hn::Max(in, out);
-  return e;
 }
 
 }  // namespace hiac::HWY_NAMESPACE

@@ -28,33 +28,54 @@ struct Radiance {
   V red, green, blue, transparency;
 };
 
-// Reads one column of a transfer table at every lane's interval; where the whole cell lies in one
-// interval, without a gather.
+// Reads the columns of a transfer table at one interval for all lanes.
+template <class D>
+struct UniformInterval {
+  std::size_t interval;
+
+  HWY_INLINE hn::Vec<D> operator()(D d, const std::vector<double>& column) const {
+    return hn::Set(d, column[interval]);
+  }
+};
+
+// Reads the columns of a transfer table at every lane's interval.
+template <class D>
+struct LaneIntervals {
+  hn::Vec<hn::RebindToSigned<D>> interval;
+
+  HWY_INLINE hn::Vec<D> operator()(D d, const std::vector<double>& column) const {
+    return hn::GatherIndex(d, column.data(), interval);
+  }
+};
+
+// Either, found out at run time.
 template <class D>
 class IntervalReader {
  public:
   using V = hn::Vec<D>;
   using Index = hn::Vec<hn::RebindToSigned<D>>;
 
-  IntervalReader(D d, std::size_t uniform) : d_(d), uniform_(uniform), is_uniform_(true) {}
-  IntervalReader(D d, Index lanes) : d_(d), lanes_(lanes), is_uniform_(false) {}
+  IntervalReader(D d, std::size_t uniform) : d_(d), uniform_{uniform}, is_uniform_(true) {}
+  IntervalReader(D d, Index lanes) : d_(d), lanes_{lanes}, is_uniform_(false) {}
 
   HWY_INLINE V operator()(const std::vector<double>& column) const {
-    return is_uniform_ ? hn::Set(d_, column[uniform_]) : hn::GatherIndex(d_, column.data(), lanes_);
-  }
-  // The table's function of channel c.
-  template <std::size_t N>
-  HWY_INLINE V at(const TransferTable<N>& table, std::size_t c, V scalar) const {
-    return hn::MulAdd((*this)(table.slope[c]), hn::Sub(scalar, (*this)(table.anchor)),
-                      (*this)(table.value[c]));
+    return is_uniform_ ? uniform_(d_, column) : lanes_(d_, column);
   }
 
  private:
   D d_;
-  Index lanes_{};
-  std::size_t uniform_ = 0;
+  LaneIntervals<D> lanes_{};
+  UniformInterval<D> uniform_{};
   bool is_uniform_;
 };
+
+// The table's function of channel c.
+template <class D, class Interval, std::size_t N, class V = hn::Vec<D>>
+HWY_INLINE V value_in(D d, const Interval& interval, const TransferTable<N>& table, std::size_t c,
+                      V scalar) {
+  return hn::MulAdd(interval(d, table.slope[c]), hn::Sub(scalar, interval(d, table.anchor)),
+                    interval(d, table.value[c]));
+}
 
 // A scalar that runs linearly from `begin` (u = 0) to `end` (u = 1), met interval by interval.
 template <class D>
@@ -85,9 +106,7 @@ class ScalarWalk {
     }
   }
 
-  [[nodiscard]] HWY_INLINE IntervalReader<D> reader() const {
-    return IntervalReader<D>(d_, interval_);
-  }
+  [[nodiscard]] HWY_INLINE LaneIntervals<D> intervals() const { return {interval_}; }
   [[nodiscard]] HWY_INLINE V now() const { return now_; }
 
   // Finds where the present interval is left, not before u: 1 where it is not left any more.
@@ -184,25 +203,34 @@ HWY_INLINE void add_behind(const Radiance<V>& piece, M where, Radiance<V>& sum) 
 // Radiance of a piece on which both fields stay within one interval of their tables. Both ends'
 // colours are value + slope (scalar - anchor), so that their sum with the weights w is
 // value (w_front + w_back) + slope (w_front (front - anchor) + w_back (back - anchor)).
-template <class Rule, class D, class V = hn::Vec<D>>
-HWY_INLINE Radiance<V> piece_radiance(D d, const OpticsTables& optics,
-                                      const IntervalReader<D>& color,
-                                      const IntervalReader<D>& extinction, V length, V front_color,
+template <class D, class Interval, class V = hn::Vec<D>>
+HWY_INLINE V color_channel(D d, const OpticsTables& optics, const Interval& interval, std::size_t c,
+                           V constant, V linear) {
+  return hn::MulAdd(interval(d, optics.color.slope[c]), linear,
+                    hn::Mul(interval(d, optics.color.value[c]), constant));
+}
+
+// Optical density of a piece, were its extinction everywhere what it is at `scalar`.
+template <class D, class Interval, class V = hn::Vec<D>>
+HWY_INLINE V optical_density(D d, const OpticsTables& optics, const Interval& interval, V scalar,
+                             V length) {
+  return hn::Mul(hn::Max(value_in(d, interval, optics.extinction, 0, scalar), hn::Zero(d)), length);
+}
+
+template <class Rule, class D, class Interval, class V = hn::Vec<D>>
+HWY_INLINE Radiance<V> piece_radiance(D d, const OpticsTables& optics, const Interval& color,
+                                      const Interval& extinction, V length, V front_color,
                                       V back_color, V front_extinction, V back_extinction) {
-  const auto density = [&](V scalar) {
-    return hn::Mul(hn::Max(extinction.at(optics.extinction, 0, scalar), hn::Zero(d)), length);
-  };
-  const V b = density(front_extinction), a = density(back_extinction);
+  const V b = optical_density(d, optics, extinction, front_extinction, length);
+  const V a = optical_density(d, optics, extinction, back_extinction, length);
   const PieceWeights<V> w = Rule::weights(d, optics, length, b, a);
-  const V anchor = color(optics.color.anchor);
+  const V anchor = color(d, optics.color.anchor);
   const V constant = hn::Add(w.front, w.back);
   const V linear = hn::MulAdd(w.front, hn::Sub(front_color, anchor),
                               hn::Mul(w.back, hn::Sub(back_color, anchor)));
-  const auto channel = [&](std::size_t c) {
-    return hn::MulAdd(color(optics.color.slope[c]), linear,
-                      hn::Mul(color(optics.color.value[c]), constant));
-  };
-  return {channel(0), channel(1), channel(2), w.transparency};
+  return {color_channel(d, optics, color, 0, constant, linear),
+          color_channel(d, optics, color, 1, constant, linear),
+          color_channel(d, optics, color, 2, constant, linear), w.transparency};
 }
 
 // The segment lies within one interval of both tables.
@@ -210,8 +238,8 @@ template <class Rule, class D, class V = hn::Vec<D>>
 HWY_INLINE Radiance<V> uniform_radiance(D d, const OpticsTables& optics, std::size_t color_interval,
                                         std::size_t extinction_interval, V length, V front_color,
                                         V back_color, V front_extinction, V back_extinction) {
-  return piece_radiance<Rule>(d, optics, IntervalReader<D>(d, color_interval),
-                              IntervalReader<D>(d, extinction_interval), length, front_color,
+  return piece_radiance<Rule>(d, optics, UniformInterval<D>{color_interval},
+                              UniformInterval<D>{extinction_interval}, length, front_color,
                               back_color, front_extinction, back_extinction);
 }
 
@@ -243,6 +271,24 @@ HWY_INLINE void composite_intervals(D d, const OpticsTables& optics, IntervalRan
       if (hn::AllFalse(d, active)) return;
     }
   }
+}
+
+// Whether all active lanes stay within one interval of a table: `range` becomes that interval
+// alone.
+template <std::size_t N, class D, class V = hn::Vec<D>>
+HWY_INLINE bool within_one_interval(D d, const TransferTable<N>& table, V front, V back,
+                                    hn::Mask<D> active, IntervalRange& range) {
+  const V least = hn::Min(front, back), most = hn::Max(front, back);
+  for (std::size_t k = range.low; k <= range.high; ++k) {
+    const V lower = hn::Set(d, table.lower[k]), upper = hn::Set(d, table.upper[k]);
+    // a breakpoint itself belongs to the interval above it
+    const auto outside =
+        hn::Or(hn::Lt(least, lower), hn::Or(hn::Gt(most, upper), hn::Ge(least, upper)));
+    if (!hn::AllFalse(d, hn::And(active, outside))) continue;
+    range = {k, k};
+    return true;
+  }
+  return false;
 }
 
 // The segment is cut at every breakpoint that its scalar passes; colour and extinction depend on
@@ -277,7 +323,7 @@ HWY_INLINE Radiance<V> walked_radiance(D d, const OpticsTables& optics, Interval
   while (!hn::AllFalse(d, active)) {
     const V next = hn::Min(color.leave(u), extinction.leave(u));
     const V next_color = color.scalar_at(next), next_extinction = extinction.scalar_at(next);
-    add_behind(piece_radiance<Rule>(d, optics, color.reader(), extinction.reader(),
+    add_behind(piece_radiance<Rule>(d, optics, color.intervals(), extinction.intervals(),
                                     hn::Mul(length, hn::Sub(next, u)), color.now(), next_color,
                                     extinction.now(), next_extinction),
                active, sum);
@@ -291,15 +337,15 @@ HWY_INLINE Radiance<V> walked_radiance(D d, const OpticsTables& optics, Interval
 
 // The interval of each lane's scalar, which lies in one of `range`.
 template <std::size_t N, class D, class V = hn::Vec<D>>
-HWY_INLINE IntervalReader<D> reader_at(D d, const TransferTable<N>& table, IntervalRange range,
-                                       V scalar) {
+HWY_INLINE LaneIntervals<D> intervals_at(D d, const TransferTable<N>& table, IntervalRange range,
+                                         V scalar) {
   const hn::RebindToSigned<D> di;
   auto interval = hn::Set(di, static_cast<std::int64_t>(range.low));
   for (std::size_t k = range.low; k < range.high; ++k) {
     const auto passed = hn::Ge(scalar, hn::Set(d, table.upper[k]));
     interval = hn::Sub(interval, hn::VecFromMask(di, hn::RebindMask(di, passed)));
   }
-  return IntervalReader<D>(d, interval);
+  return {interval};
 }
 
 // The segment is not cut: colour and extinction as if linear between their values at its ends.
@@ -307,18 +353,16 @@ template <class Rule, class D, class V = hn::Vec<D>>
 HWY_INLINE Radiance<V> unsliced_radiance(D d, const OpticsTables& optics, IntervalRange color_range,
                                          IntervalRange extinction_range, V length, V front_color,
                                          V back_color, V front_extinction, V back_extinction) {
-  const auto color0 = reader_at(d, optics.color, color_range, front_color);
-  const auto color1 = reader_at(d, optics.color, color_range, back_color);
-  const auto tau0 = reader_at(d, optics.extinction, extinction_range, front_extinction);
-  const auto tau1 = reader_at(d, optics.extinction, extinction_range, back_extinction);
-  const auto density = [&](const IntervalReader<D>& reader, V scalar) {
-    return hn::Mul(hn::Max(reader.at(optics.extinction, 0, scalar), hn::Zero(d)), length);
-  };
-  const PieceWeights<V> w = Rule::weights(d, optics, length, density(tau0, front_extinction),
-                                          density(tau1, back_extinction));
+  const auto color0 = intervals_at(d, optics.color, color_range, front_color);
+  const auto color1 = intervals_at(d, optics.color, color_range, back_color);
+  const auto tau0 = intervals_at(d, optics.extinction, extinction_range, front_extinction);
+  const auto tau1 = intervals_at(d, optics.extinction, extinction_range, back_extinction);
+  const PieceWeights<V> w =
+      Rule::weights(d, optics, length, optical_density(d, optics, tau0, front_extinction, length),
+                    optical_density(d, optics, tau1, back_extinction, length));
   const auto channel = [&](std::size_t c) {
-    return hn::MulAdd(w.front, color0.at(optics.color, c, front_color),
-                      hn::Mul(w.back, color1.at(optics.color, c, back_color)));
+    return hn::MulAdd(w.front, value_in(d, color0, optics.color, c, front_color),
+                      hn::Mul(w.back, value_in(d, color1, optics.color, c, back_color)));
   };
   return {channel(0), channel(1), channel(2), w.transparency};
 }

@@ -14,6 +14,7 @@
 // must come after foreach_target.h
 #include <hwy/highway.h>
 
+#include "hiac/render/face_lines-inl.hpp"
 #include "hiac/render/isosurface_shading-inl.hpp"
 #include "hiac/render/scan_conversion-inl.hpp"
 #include "hiac/render/segment_sink-inl.hpp"
@@ -72,6 +73,7 @@ class TetrahedronRenderer {
     if (!load(cell, scalars)) return;
     if (!scan_faces(corners_, tile_, runs_)) return;
     set_face_planes(corners_, kSeparateFields, planes_);
+    set_per_column<kSeparateFields>(planes_, face_lines_);
     sides_ = face_sides(corners_);
     set_cuts(cell);
     if (HWY_UNLIKELY(frame_.with_details)) describer_.enter(cell);
@@ -82,9 +84,13 @@ class TetrahedronRenderer {
       const auto r = static_cast<std::size_t>(row - runs_.row_begin);
       const int first = static_cast<int>(runs_.span_first[r]);
       const int last = static_cast<int>(runs_.span_last[r]);
-      set_face_row(planes_, runs_, row, face_row_);
+      set_row<kSeparateFields>(planes_, runs_, row, face_lines_);
+      if (HWY_UNLIKELY(!cuts_.empty())) set_face_row(planes_, runs_, row, face_row_);
+      const std::size_t row_at = static_cast<std::size_t>(row - tile_.y0) * kTileStride -
+                                 static_cast<std::size_t>(tile_.x0);
       for (int x = first; x < last; x += lanes)
-        render_pixels(scalars, row, x, last, nearest, farthest);
+        render_pixels(scalars, row, x, last, row_at + static_cast<std::size_t>(x), nearest,
+                      farthest);
     }
   }
 
@@ -134,16 +140,15 @@ class TetrahedronRenderer {
     return base;
   }
 
+  // `at`: the first pixel's index into the tile's planes.
   HWY_INLINE void render_pixels(const CellScalars& scalars, int row, int x, int last,
-                                double nearest, double farthest) {
+                                std::size_t at, double nearest, double farthest) {
     const D d;
     const V pixel = hn::Iota(d, x);
-    EntryAndExit<V> e = entry_and_exit<kSeparateFields>(d, planes_, face_row_, sides_, pixel);
-    const std::size_t at = static_cast<std::size_t>(row - tile_.y0) * kTileStride +
-                           static_cast<std::size_t>(x - tile_.x0);
+    EntryAndExit<V> e = entry_and_exit<kSeparateFields>(d, face_lines_, sides_, pixel);
     const V behind = hn::LoadU(d, buffer_.transparency.data() + at);
-    M active = hn::And(hn::Lt(pixel, hn::Set(d, last)),
-                       hn::Gt(behind, hn::Set(d, frame_.least_transparency)));
+    M active = hn::Gt(hn::IfThenElseZero(hn::Lt(pixel, hn::Set(d, last)), behind),
+                      hn::Set(d, frame_.least_transparency));
     if (hn::AllFalse(d, active)) return;
     // the corners bound what rounding may do on faces seen edge-on
     e.front = hn::Min(hn::Max(e.front, hn::Set(d, nearest)), hn::Set(d, farthest));
@@ -151,7 +156,11 @@ class TetrahedronRenderer {
     to_ray_parameter(d, e);
     clamp_fields(d, scalars, e);
     const RayEnds whole{e.front, e.back};
-    if (clipped_) clip(d, e, active);
+    if (HWY_UNLIKELY(clipped_)) {
+      const EntryAndExit<V> unclipped = e;
+      e = clipped(d, unclipped, active);
+      active = hn::And(active, hn::Lt(e.front, e.back));
+    }
     V length = hn::Sub(e.back, e.front);
     if (perspective_) length = hn::Mul(length, hn::LoadU(d, buffer_.ray_scale.data() + at));
     length = hn::IfThenElseZero(active, length);
@@ -190,9 +199,16 @@ class TetrahedronRenderer {
 
   HWY_INLINE Radiance<V> integrate(D d, const CellScalars& scalars, V length,
                                    const EntryAndExit<V>& e, M active) const {
-    if (scalars.uniform())
-      return uniform_radiance<Rule>(d, frame_.optics, scalars.color.low, scalars.extinction.low,
-                                    length, e.front_color, e.back_color, e.front_extinction,
+    IntervalRange color = scalars.color, extinction = scalars.extinction;
+    bool uniform = scalars.uniform();
+    if constexpr (!kSeparateFields) {
+      uniform = uniform || within_one_interval(d, frame_.optics.extinction, e.front_extinction,
+                                               e.back_extinction, active, extinction);
+      color = extinction;
+    }
+    if (uniform)
+      return uniform_radiance<Rule>(d, frame_.optics, color.low, extinction.low, length,
+                                    e.front_color, e.back_color, e.front_extinction,
                                     e.back_extinction);
     if constexpr (!std::is_same_v<Rule, ExactChromaticity> && !std::is_same_v<Rule, ExactEmission>)
       if (frame_.optics.unsliced)
@@ -356,25 +372,24 @@ class TetrahedronRenderer {
   }
 
   // z-clipping: the segment is restricted to the slab pixel by pixel (section 5.1, scissoring).
-  HWY_INLINE void clip(D d, EntryAndExit<V>& e, M& active) const {
+  HWY_NOINLINE EntryAndExit<V> clipped(D d, const EntryAndExit<V>& e, M active) const {
     const V front = hn::Max(e.front, hn::Set(d, frame_.projector.near()));
     const V back = hn::Min(e.back, hn::Set(d, frame_.projector.far()));
-    active = hn::And(active, hn::Lt(front, back));
+    const M some = hn::And(active, hn::Lt(front, back));
     const V length = hn::Sub(e.back, e.front);
     const auto at = [&](V t, V front_value, V back_value) {
       const V u = hn::Div(hn::Sub(t, e.front), length);
       const V between = hn::MulAdd(hn::Sub(back_value, front_value), u, front_value);
-      const M cut = hn::And(active, hn::Ne(t, e.front));
+      const M cut = hn::And(some, hn::Ne(t, e.front));
       return hn::IfThenElse(cut, hn::IfThenElse(hn::Eq(t, e.back), back_value, between),
                             front_value);
     };
-    const EntryAndExit<V> clipped{front,
-                                  back,
-                                  at(front, e.front_color, e.back_color),
-                                  at(back, e.front_color, e.back_color),
-                                  at(front, e.front_extinction, e.back_extinction),
-                                  at(back, e.front_extinction, e.back_extinction)};
-    e = clipped;
+    return {front,
+            back,
+            at(front, e.front_color, e.back_color),
+            at(back, e.front_color, e.back_color),
+            at(front, e.front_extinction, e.back_extinction),
+            at(back, e.front_extinction, e.back_extinction)};
   }
 
   const Frame& frame_;
@@ -387,7 +402,9 @@ class TetrahedronRenderer {
   FacePlanes planes_;
   FaceRuns runs_;
   FaceSides sides_;
-  FaceRow face_row_;  // of the row at hand
+  // of the row at hand
+  FaceLines face_lines_;
+  FaceRow face_row_;  // where isosurfaces are near
   // of the cell at hand
   bool empty_ = false;                           // the volume neither absorbs nor shines
   double base_color_ = 0, base_extinction_ = 0;  // scale_by_depth
@@ -400,7 +417,9 @@ class TetrahedronRenderer {
 // Cells lie in memory in another order than in space: what those that come next need is asked for
 // in time. Far ahead their nodes' ids, nearer ahead what the frame knows of the nodes.
 HWY_INLINE void prefetch(const Frame& frame, std::span<const CellId> cells, std::size_t i) {
-  constexpr std::size_t kIdsAhead = 8, kNodesAhead = 4;
+  constexpr std::size_t kElementsAhead = 16, kIdsAhead = 8, kNodesAhead = 4;
+  if (i + kElementsAhead < cells.size())
+    hwy::Prefetch(&frame.mesh.elems[cells[i + kElementsAhead]]);
   if (i + kIdsAhead < cells.size())
     hwy::Prefetch(frame.mesh.nodes.data() + frame.mesh.elems[cells[i + kIdsAhead]]);
   if (i + kNodesAhead >= cells.size()) return;
