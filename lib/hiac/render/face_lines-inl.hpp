@@ -23,38 +23,35 @@ namespace hn = hwy::HWY_NAMESPACE;
 // the face's values, so that nothing cancels however steep the face.
 struct FaceLines {
   HWY_ALIGN double first[4], last[4];  // columns: the run's first pixel and its last
+  HWY_ALIGN double m[4], s[4];         // barycentric coordinates of the first pixel
   struct Quantity {
     HWY_ALIGN double at_first[4], per_column[4];
   };
   Quantity depth, color, extinction;
 };
 
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE void set_per_column(D d, std::size_t f, const FacePlanes::Quantity& q, V m, V s,
-                               FaceLines::Quantity& line) {
-  hn::Store(hn::MulAdd(s, hn::Load(d, q.qs + f), hn::Mul(m, hn::Load(d, q.qm + f))), d,
-            line.per_column + f);
-}
-
 // What the rows of a cell have in common.
-template <bool kSeparateFields>
-HWY_INLINE void set_per_column(const FacePlanes& planes, FaceLines& lines) {
+HWY_INLINE void set_per_column(const FacePlanes& planes, const FacePlanes::Quantity& q,
+                               FaceLines::Quantity& line) {
   const hn::CappedTag<double, 4> d;
   for (std::size_t f = 0; f < 4; f += hn::Lanes(d)) {
     const auto s = hn::Load(d, planes.cx + f);
     const auto m = hn::NegMulAdd(hn::Load(d, planes.h + f), s, hn::Load(d, planes.gx + f));
-    set_per_column(d, f, planes.depth, m, s, lines.depth);
-    set_per_column(d, f, planes.extinction, m, s, lines.extinction);
-    if constexpr (kSeparateFields) set_per_column(d, f, planes.color, m, s, lines.color);
+    hn::Store(hn::MulAdd(s, hn::Load(d, q.qs + f), hn::Mul(m, hn::Load(d, q.qm + f))), d,
+              line.per_column + f);
   }
 }
 
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE void set_at_first(D d, std::size_t f, const FacePlanes::Quantity& q, V m, V s,
+// One row of one quantity. `lines`: of this row.
+HWY_INLINE void set_at_first(const FaceLines& lines, const FacePlanes::Quantity& q,
                              FaceLines::Quantity& line) {
-  hn::Store(hn::MulAdd(s, hn::Load(d, q.qs + f),
-                       hn::MulAdd(m, hn::Load(d, q.qm + f), hn::Load(d, q.q0 + f))),
-            d, line.at_first + f);
+  const hn::CappedTag<double, 4> d;
+  for (std::size_t f = 0; f < 4; f += hn::Lanes(d)) {
+    const auto m = hn::Load(d, lines.m + f), s = hn::Load(d, lines.s + f);
+    hn::Store(hn::MulAdd(s, hn::Load(d, q.qs + f),
+                         hn::MulAdd(m, hn::Load(d, q.qm + f), hn::Load(d, q.q0 + f))),
+              d, line.at_first + f);
+  }
 }
 
 // One row.
@@ -74,10 +71,24 @@ HWY_INLINE void set_row(const FacePlanes& planes, const FaceRuns& runs, int row,
         hn::MulAdd(dx, hn::Load(d, planes.gx + f), hn::Mul(dy, hn::Load(d, planes.gy + f))));
     hn::Store(first, d, lines.first + f);
     hn::Store(hn::Sub(hn::Load(d, runs.last[r] + f), one), d, lines.last + f);
-    set_at_first(d, f, planes.depth, m, s, lines.depth);
-    set_at_first(d, f, planes.extinction, m, s, lines.extinction);
-    if constexpr (kSeparateFields) set_at_first(d, f, planes.color, m, s, lines.color);
+    hn::Store(m, d, lines.m + f);
+    hn::Store(s, d, lines.s + f);
   }
+  set_at_first(lines, planes.depth, lines.depth);
+  set_at_first(lines, planes.extinction, lines.extinction);
+  if constexpr (kSeparateFields) set_at_first(lines, planes.color, lines.color);
+}
+
+// From the first pixel of a face's run.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V columns_from_first(D d, const FaceLines& lines, std::size_t f, V pixel) {
+  return hn::Sub(pixel, hn::Set(d, lines.first[f]));
+}
+
+// Negative where a pixel lies outside of a face's run. `dx`: columns_from_first.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V outside_of_run(D d, const FaceLines& lines, std::size_t f, V pixel, V dx) {
+  return hn::Or(dx, hn::Sub(hn::Set(d, lines.last[f]), pixel));
 }
 
 // `dx`: pixels from the first of the face's run.
@@ -99,20 +110,19 @@ template <bool kSeparateFields, class D, class V = hn::Vec<D>>
 HWY_INLINE void meet_faces(D d, const FaceLines& lines, V pixel, const FaceSides& sides,
                            std::size_t begin, std::size_t end, V& depth, V& color, V& extinction) {
   const std::size_t first = sides.face[begin];
-  const V from_first = hn::Sub(pixel, hn::Set(d, lines.first[first]));
+  const V from_first = columns_from_first(d, lines, first, pixel);
   depth = on_line(d, lines.depth, first, from_first);
   extinction = on_line(d, lines.extinction, first, from_first);
   color = extinction;
   if constexpr (kSeparateFields) color = on_line(d, lines.color, first, from_first);
   for (std::size_t k = begin + 1; k < end; ++k) {
     const std::size_t f = sides.face[k];
-    const V dx = hn::Sub(pixel, hn::Set(d, lines.first[f]));
-    // negative where the pixel lies outside of the face's run
-    const V covered = hn::Or(dx, hn::Sub(hn::Set(d, lines.last[f]), pixel));
-    depth = hn::IfNegativeThenElse(covered, depth, on_line(d, lines.depth, f, dx));
-    extinction = hn::IfNegativeThenElse(covered, extinction, on_line(d, lines.extinction, f, dx));
+    const V dx = columns_from_first(d, lines, f, pixel);
+    const V outside = outside_of_run(d, lines, f, pixel, dx);
+    depth = hn::IfNegativeThenElse(outside, depth, on_line(d, lines.depth, f, dx));
+    extinction = hn::IfNegativeThenElse(outside, extinction, on_line(d, lines.extinction, f, dx));
     if constexpr (kSeparateFields)
-      color = hn::IfNegativeThenElse(covered, color, on_line(d, lines.color, f, dx));
+      color = hn::IfNegativeThenElse(outside, color, on_line(d, lines.color, f, dx));
   }
 }
 

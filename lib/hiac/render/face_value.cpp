@@ -141,12 +141,16 @@ std::size_t node_between(CellKind kind, std::size_t from, std::size_t to, std::s
 
 }  // namespace
 
-double FaceOffsets::sign(bool& mixed) const {
-  const auto [least, most] = range_of(*this);
+double sign_between(double least, double most, bool& mixed) {
   mixed = least < 0 && most > 0;
   if (mixed) return 0;
   if (least < 0) return -1;
   return most > 0 ? 1 : 0;
+}
+
+double FaceOffsets::sign(bool& mixed) const {
+  const auto [least, most] = range_of(*this);
+  return sign_between(least, most, mixed);
 }
 
 std::size_t tetrahedron_face_without(std::size_t corner) {

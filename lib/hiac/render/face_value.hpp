@@ -34,6 +34,9 @@ struct FaceOffsets {
   [[nodiscard]] double sign(bool& mixed) const;
 };
 
+/// The sign of an interpolant that lies between two values; `mixed`: both signs may occur.
+double sign_between(double least, double most, bool& mixed);
+
 /// An offset that is below the surface's value and not felt otherwise.
 inline constexpr double kJustBelow = -1e-200;
 

@@ -50,6 +50,7 @@ class CutFinder {
 
  private:
   void add_cell(CellId cell, CellCuts& result) {
+    if (lies_between_surfaces(cell)) return;
     for (std::size_t f = 0; f < all_.fields.size(); ++f)
       values_[f] = cell_field(mesh_, cell, all_.fields[f]);
     const std::size_t nodes = node_count(mesh_.kinds[cell]);
@@ -62,6 +63,25 @@ class CutFinder {
       const bool touched = most == surface.value && add_touched(cell, s, result);
       if (surface.value < field.most || touched) result.cuts.push_back({s, 0});
     }
+  }
+
+  // What most cells do; found for linear ones without their interpolants.
+  [[nodiscard]] bool lies_between_surfaces(CellId cell) const {
+    if (order_of(mesh_.kinds[cell]) != CellOrder::linear) return false;
+    const auto nodes = mesh_.cell_nodes(cell);
+    for (std::size_t f = 0; f < all_.fields.size(); ++f) {
+      const FrameField& field = all_.fields[f];
+      if (field.polynomial) return false;
+      double least = std::numeric_limits<double>::infinity(), most = -least;
+      for (std::size_t k = 0; k < nodes.size(); ++k) {
+        const double value = field.values[field.index(cell, mesh_.elems[cell] + k, nodes[k])];
+        least = std::min(least, value);
+        most = std::max(most, value);
+      }
+      for (const FrameIsosurface& surface : all_.surfaces)
+        if (surface.field == f && least < surface.value && surface.value <= most) return false;
+    }
+    return true;
   }
 
   // False when no whole face has the value.

@@ -15,6 +15,7 @@
 
 #  include <hwy/highway.h>
 
+#  include "hiac/render/face_lines-inl.hpp"
 #  include "hiac/render/face_value.hpp"
 #  include "hiac/render/frame.hpp"
 #  include "hiac/render/gradient_direction.hpp"
@@ -35,9 +36,11 @@ struct ScreenBox {
     x1 = std::max(x1, x + kRounding);
     y1 = std::max(y1, y + kRounding);
   }
+  // Whether it may hold pixel centres of a row.
+  [[nodiscard]] HWY_INLINE bool meets(int row) const { return y0 <= row + 0.5 && row + 0.5 <= y1; }
   // Whether it may hold the centres of pixels [x, x_end) of a row.
   [[nodiscard]] HWY_INLINE bool meets(int row, int x, int x_end) const {
-    return y0 <= row + 0.5 && row + 0.5 <= y1 && x0 <= x_end - 0.5 && x + 0.5 <= x1;
+    return meets(row) && x0 <= x_end - 0.5 && x + 0.5 <= x1;
   }
 };
 
@@ -47,8 +50,10 @@ struct ScreenBox {
 struct TetrahedronCut {
   const FrameIsosurface* surface;
   std::array<double, 3> normal;  // camera frame
-  std::array<FaceOffsets, 4> faces;
+  std::array<NodeId, 4> nodes;   // the corners
+  std::array<double, 4> offsets;
   FacePlanes::Quantity offset;
+  FaceLines::Quantity line;  // of the row at hand
   // on each face the offset is not below the one and not above the other, and its sign in doubt
   // where it is smaller than the third
   std::array<double, 4> least, most, doubt;
@@ -61,16 +66,18 @@ inline constexpr double kOffsetDoubt = 0x1p-36;
 // include it.
 HWY_NOINLINE TetrahedronCut make_cut(const Frame& frame, CellId cell, const IsosurfaceCut& cut,
                                      const std::array<std::size_t, 4>& corner,
-                                     const ProjectedTetrahedron& t, ScreenBox& box) {
+                                     const ProjectedTetrahedron& t, const FacePlanes& planes,
+                                     ScreenBox& box) {
   const std::uint64_t first_entry = frame.mesh.elems[cell];
   const NodeId* nodes = frame.mesh.nodes.data() + first_entry;
   TetrahedronCut result;
   result.surface = &frame.isosurfaces.surfaces[cut.surface];
-  HWY_ALIGN double offset[4], value[4];
+  HWY_ALIGN double value[4];
+  std::array<double, 4>& offset = result.offsets;
   std::array<std::array<double, 3>, 3> edges;
   const auto base = frame.mesh.position(nodes[corner[0]]);
   for (std::size_t k = 0; k < 4; ++k) {
-    const NodeId node = nodes[corner[k]];
+    const NodeId node = result.nodes[k] = nodes[corner[k]];
     offset[k] = frame.isosurfaces.offset(*result.surface, cell, first_entry + corner[k], node);
     value[k] = frame.projector.perspective() ? offset[k] * t.depth[k] : offset[k];
     const auto p = frame.mesh.position(node);
@@ -87,18 +94,18 @@ HWY_NOINLINE TetrahedronCut make_cut(const Frame& frame, CellId cell, const Isos
   const hn::CappedTag<double, 4> d;
   for (std::size_t f = 0; f < 4; f += hn::Lanes(d))
     set_quantity(d, value, f, face_edges(d, t, f).swapped, result.offset);
+  set_per_column(planes, result.offset, result.line);
   for (std::size_t f = 0; f < 4; ++f) {
-    FaceOffsets& face = result.faces[f] = {};
-    double largest = 0;
-    for (const int k : kTetrahedronFaces[f]) {
-      const auto at = static_cast<std::size_t>(k);
-      face.add(nodes[corner[at]], offset[at]);
-      largest = std::max(largest, std::abs(value[at]));
-    }
+    const auto [a, b, c] = kTetrahedronFaces[f];
+    const auto at = [](const auto& values, int k) { return values[static_cast<std::size_t>(k)]; };
+    const auto [least, most] = std::minmax({at(offset, a), at(offset, b), at(offset, c)});
     bool mixed = false;
     // face f lacks corner 3 - f in the ascending order
-    const bool closed = (cut.closed_faces & (1U << tetrahedron_face_without(corner[3 - f]))) != 0;
-    const double sign = closed ? -1 : face.sign(mixed);
+    const bool closed = cut.closed_faces != 0 &&
+                        (cut.closed_faces & (1U << tetrahedron_face_without(corner[3 - f]))) != 0;
+    const double sign = closed ? -1 : sign_between(least, most, mixed);
+    const double largest =
+        std::max({std::abs(at(value, a)), std::abs(at(value, b)), std::abs(at(value, c))});
     result.least[f] = mixed || sign < 0 ? -hwy::HighestValue<double>() : 0;
     result.most[f] = mixed || sign >= 0 ? hwy::HighestValue<double>() : kJustBelow;
     result.doubt[f] = mixed ? kOffsetDoubt * largest : 0;
@@ -110,43 +117,41 @@ HWY_NOINLINE TetrahedronCut make_cut(const Frame& frame, CellId cell, const Isos
 // vectors for each cut: the offsets where the rays enter and leave the cell.
 class CutScan {
  public:
-  CutScan(const Frame& frame, const FacePlanes& planes, const FaceRow& face_row,
+  CutScan(const Frame& frame, const FaceLines& lines, const FaceSides& sides,
           std::span<const TetrahedronCut> cuts)
       : frame_(frame),
-        planes_(planes),
-        face_row_(face_row),
+        lines_(lines),
+        sides_(sides),
         cuts_(cuts),
         perspective_(frame.projector.perspective()) {}
 
   template <class D, class V = hn::Vec<D>>
   HWY_INLINE void find(D d, int row, V pixel, double* HWY_RESTRICT ends) const {
     const std::size_t lanes = hn::Lanes(d);
-    V front = hn::Inf(d), back = hn::Neg(hn::Inf(d));
-    for (std::size_t k = 0; k < 2 * cuts_.size(); ++k) hn::StoreU(hn::Zero(d), d, ends + k * lanes);
-    for (std::size_t f = 0; f < 4; ++f) {
-      const auto covered = covered_by_face(d, face_row_, f, pixel);
-      const auto place = place_on_face(d, planes_, face_row_, f, pixel);
-      const V depth = on_face(d, planes_.depth, f, place);
-      const auto in_front = hn::And(covered, hn::Lt(depth, front));
-      const auto behind = hn::And(covered, hn::Gt(depth, back));
-      front = hn::IfThenElse(in_front, depth, front);
-      back = hn::IfThenElse(behind, depth, back);
-      for (std::size_t k = 0; k < cuts_.size(); ++k) {
-        const V offset = offset_at(d, cuts_[k], f, place, depth, covered, row, pixel);
-        double* at = ends + 2 * k * lanes;
-        hn::StoreU(hn::IfThenElse(in_front, offset, hn::LoadU(d, at)), d, at);
-        at += lanes;
-        hn::StoreU(hn::IfThenElse(behind, offset, hn::LoadU(d, at)), d, at);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::size_t f = sides_.face[k];
+      const bool entered = k < sides_.entered;
+      // as in meet_faces, a side's first face is that of all pixels which no other covers
+      const bool first = k == 0 || k == sides_.entered;
+      const V dx = columns_from_first(d, lines_, f, pixel);
+      const V outside = outside_of_run(d, lines_, f, pixel, dx);
+      const V depth = on_line(d, lines_.depth, f, dx);
+      for (std::size_t c = 0; c < cuts_.size(); ++c) {
+        double* at = ends + (2 * c + (entered ? 0 : 1)) * lanes;
+        V offset = offset_at(d, cuts_[c], f, dx, depth, outside, row, pixel);
+        if (!first) offset = hn::IfNegativeThenElse(outside, hn::LoadU(d, at), offset);
+        hn::StoreU(offset, d, at);
       }
     }
   }
 
  private:
-  template <class D, class Place, class M, class V = hn::Vec<D>>
-  HWY_INLINE V offset_at(D d, const TetrahedronCut& cut, std::size_t f, const Place& place, V depth,
-                         M covered, int row, V pixel) const {
-    V offset = on_face(d, cut.offset, f, place);
-    const auto doubtful = hn::And(covered, hn::Lt(hn::Abs(offset), hn::Set(d, cut.doubt[f])));
+  template <class D, class V = hn::Vec<D>>
+  HWY_INLINE V offset_at(D d, const TetrahedronCut& cut, std::size_t f, V dx, V depth, V outside,
+                         int row, V pixel) const {
+    V offset = on_line(d, cut.line, f, dx);
+    const auto doubtful =
+        hn::And(hn::Ge(outside, hn::Zero(d)), hn::Lt(hn::Abs(offset), hn::Set(d, cut.doubt[f])));
     // t = -1 / depth > 0
     if (perspective_) offset = hn::Div(offset, depth);
     if (HWY_UNLIKELY(!hn::AllFalse(d, doubtful)))
@@ -157,18 +162,22 @@ class CutScan {
   template <class D, class V = hn::Vec<D>>
   HWY_NOINLINE V settled(D d, const TetrahedronCut& cut, std::size_t f, int row, V pixel,
                          V depth) const {
+    FaceOffsets face;
+    for (const int corner : kTetrahedronFaces[f]) {
+      const auto k = static_cast<std::size_t>(corner);
+      face.add(cut.nodes[k], cut.offsets[k]);
+    }
     HWY_ALIGN double x[8], t[8], value[8];
     hn::Store(pixel, d, x);
     hn::Store(perspective_ ? hn::Div(hn::Set(d, -1.0), depth) : depth, d, t);
     for (std::size_t k = 0; k < hn::Lanes(d); ++k)
-      value[k] =
-          face_value(frame_.mesh, frame_.projector, cut.faces[f], x[k] + 0.5, row + 0.5, t[k]);
+      value[k] = face_value(frame_.mesh, frame_.projector, face, x[k] + 0.5, row + 0.5, t[k]);
     return hn::Load(d, value);
   }
 
   const Frame& frame_;
-  const FacePlanes& planes_;
-  const FaceRow& face_row_;
+  const FaceLines& lines_;
+  const FaceSides& sides_;
   std::span<const TetrahedronCut> cuts_;
   bool perspective_;
 };

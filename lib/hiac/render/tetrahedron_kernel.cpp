@@ -73,7 +73,9 @@ class TetrahedronRenderer {
     if (!load(cell, scalars)) return;
     if (!scan_faces(corners_, tile_, runs_)) return;
     set_face_planes(corners_, kSeparateFields, planes_);
-    set_per_column<kSeparateFields>(planes_, face_lines_);
+    set_per_column(planes_, planes_.depth, face_lines_.depth);
+    set_per_column(planes_, planes_.extinction, face_lines_.extinction);
+    if constexpr (kSeparateFields) set_per_column(planes_, planes_.color, face_lines_.color);
     sides_ = face_sides(corners_);
     set_cuts(cell);
     if (HWY_UNLIKELY(frame_.with_details)) describer_.enter(cell);
@@ -85,7 +87,8 @@ class TetrahedronRenderer {
       const int first = static_cast<int>(runs_.span_first[r]);
       const int last = static_cast<int>(runs_.span_last[r]);
       set_row<kSeparateFields>(planes_, runs_, row, face_lines_);
-      if (HWY_UNLIKELY(!cuts_.empty())) set_face_row(planes_, runs_, row, face_row_);
+      if (HWY_UNLIKELY(!cuts_.empty()) && cut_box_.meets(row))
+        for (TetrahedronCut& cut : cuts_) set_at_first(face_lines_, cut.offset, cut.line);
       const std::size_t row_at = static_cast<std::size_t>(row - tile_.y0) * kTileStride -
                                  static_cast<std::size_t>(tile_.x0);
       for (int x = first; x < last; x += lanes)
@@ -193,7 +196,7 @@ class TetrahedronRenderer {
     cut_box_ = {};
     const auto corner = ascending_corners(frame_.mesh.nodes.data() + frame_.mesh.elems[cell]);
     for (const IsosurfaceCut& cut : surfaces)
-      cuts_.push_back(make_cut(frame_, cell, cut, corner, corners_, cut_box_));
+      cuts_.push_back(make_cut(frame_, cell, cut, corner, corners_, planes_, cut_box_));
     cut_places_.resize(2 * cuts_.size() * lanes());
   }
 
@@ -224,12 +227,13 @@ class TetrahedronRenderer {
                                    e.back_extinction, active);
   }
 
-  // Stores for every cut at which part of the segment it is crossed: 2 where it is not.
-  HWY_INLINE void place_cuts(D d, int row, V pixel, const RayEnds& whole,
-                             const EntryAndExit<V>& e) {
-    CutScan(frame_, planes_, face_row_, cuts_).find(d, row, pixel, cut_places_.data());
+  // Stores for every cut at which part of the segment it is crossed: 2 where it is not. Returns the
+  // least of all.
+  HWY_INLINE V place_cuts(D d, int row, V pixel, const RayEnds& whole, const EntryAndExit<V>& e) {
+    CutScan(frame_, face_lines_, sides_, cuts_).find(d, row, pixel, cut_places_.data());
     if (HWY_UNLIKELY(frame_.with_details)) describer_.set_ends(cuts_.size(), cut_places_);
-    const V zero = hn::Zero(d), one = hn::Set(d, 1.0);
+    const V zero = hn::Zero(d), one = hn::Set(d, 1.0), never = hn::Set(d, 2.0);
+    V first = never;
     for (std::size_t k = 0; k < cuts_.size(); ++k) {
       double* ends = cut_places_.data() + 2 * k * hn::Lanes(d);
       const V front = hn::LoadU(d, ends), back = hn::LoadU(d, ends + hn::Lanes(d));
@@ -242,8 +246,11 @@ class TetrahedronRenderer {
         const V part = hn::Div(hn::Sub(t, e.front), hn::Sub(e.back, e.front));
         u = hn::Min(hn::Max(part, zero), one);
       }
-      hn::StoreU(hn::IfThenElse(crossed, u, hn::Set(d, 2.0)), d, cut_places_.data() + k * lanes());
+      const V place = hn::IfThenElse(crossed, u, never);
+      hn::StoreU(place, d, cut_places_.data() + k * lanes());
+      first = hn::Min(first, place);
     }
+    return first;
   }
 
   // Unit vectors along the rays of a row's pixels: right, up, forward.
@@ -284,10 +291,13 @@ class TetrahedronRenderer {
                                                       V pixel, std::size_t at, const RayEnds& whole,
                                                       V length, const EntryAndExit<V>& e,
                                                       M active) {
-    place_cuts(d, row, pixel, whole, e);
-    if (HWY_UNLIKELY(frame_.with_details)) describer_.set_places(cut_places_, lanes());
     const V zero = hn::Zero(d), one = hn::Set(d, 1.0), never = hn::Set(d, 2.0);
     Radiance<V> sum{zero, zero, zero, one};
+    const V first = place_cuts(d, row, pixel, whole, e);
+    if (HWY_UNLIKELY(frame_.with_details))
+      describer_.set_places(cut_places_, lanes());
+    else if (hn::AllTrue(d, hn::Or(hn::Eq(first, never), hn::Not(active))))
+      return empty_ ? sum : integrate(d, scalars, length, e, active);
     V from = zero;
     for (;;) {
       V next = never, which = zero;
@@ -402,9 +412,7 @@ class TetrahedronRenderer {
   FacePlanes planes_;
   FaceRuns runs_;
   FaceSides sides_;
-  // of the row at hand
-  FaceLines face_lines_;
-  FaceRow face_row_;  // where isosurfaces are near
+  FaceLines face_lines_;  // of the row at hand
   // of the cell at hand
   bool empty_ = false;                           // the volume neither absorbs nor shines
   double base_color_ = 0, base_extinction_ = 0;  // scale_by_depth
