@@ -14,7 +14,7 @@
 #include "arb_oracle.hpp"
 #include "hiac/optics/extended_piece.hpp"
 #include "hiac/optics/linear_piece_simd.hpp"
-#include "hwy/highway.h"
+#include "tests/support/instruction_sets.hpp"
 
 namespace hiac {
 namespace {
@@ -72,15 +72,6 @@ Results by_batches(const Pieces& pieces) {
           run_batch(linear_piece_emission, pieces.b, pieces.a)};
 }
 
-/// Calls f once per instruction set that Highway compiled for and this processor has.
-void for_each_target(const std::function<void(const std::string&)>& f) {
-  for (const int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    hwy::SetSupportedTargetsForTest(target);
-    f(hwy::TargetName(target));
-  }
-  hwy::SetSupportedTargetsForTest(0);
-}
-
 /// Error of a value in units of what is allowed: 1e-14 relative, or two smallest denormals.
 double scaled_error(double value, double exact) {
   const double excess = std::abs(value - exact) - 2 * kSmallestDenormal;
@@ -125,7 +116,8 @@ void expect_exact(const Pieces& pieces) {
   for (std::size_t i = 0; i < pieces.b.size(); ++i)
     exact.push_back(test::exact_linear_piece(pieces.b[i], pieces.a[i]));
   judge(by_scalars(pieces), pieces, exact, "scalar");
-  for_each_target([&](const std::string& name) { judge(by_batches(pieces), pieces, exact, name); });
+  test::for_each_instruction_set(
+      [&](const std::string& name) { judge(by_batches(pieces), pieces, exact, name); });
 }
 
 class Random {
@@ -265,7 +257,7 @@ TEST(LinearPieceBatch, AnElementDependsOnItsOwnPieceAlone) {
     const double largest = i % 3 == 0 ? 0.1 : i % 3 == 1 ? 4 : 100;
     pieces.add(random.uniform(0, largest), random.uniform(0, largest));
   }
-  for_each_target([&](const std::string& name) {
+  test::for_each_instruction_set([&](const std::string& name) {
     for (const Batch batch : {Batch{linear_piece_weights}, Batch{linear_piece_emission}}) {
       const auto together = run_batch(batch, pieces.b, pieces.a);
       for (std::size_t i = 0; i < together.size(); ++i) {

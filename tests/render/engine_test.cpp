@@ -10,6 +10,7 @@
 #include "hiac/base/parallel.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
 #include "hiac/scene/view_of.hpp"
+#include "tests/support/instruction_sets.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/support/reference.hpp"
 
@@ -83,6 +84,16 @@ TEST(Engine, DelaunayAgreesWithBruteForce) {
             << "perspective " << (projection == Projection::perspective) << " emission "
             << (glow == Glow::emission) << " separate " << separate;
       }
+}
+
+TEST(Engine, EveryInstructionSetAgreesWithBruteForce) {
+  const ZooMesh mesh = delaunay_with_fields(40, 2);
+  test::for_each_instruction_set([&](const std::string& name) {
+    for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
+      const Scene scene = scene_of(projection, 60, 50);
+      EXPECT_LE(largest_error(mesh, scene, draw(mesh, scene).image, 3), 1e-12) << name;
+    }
+  });
 }
 
 TEST(Engine, StepsInTransferFunctionsAgreeWithBruteForce) {

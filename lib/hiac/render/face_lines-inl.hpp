@@ -85,10 +85,10 @@ HWY_INLINE V columns_from_first(D d, const FaceLines& lines, std::size_t f, V pi
   return hn::Sub(pixel, hn::Set(d, lines.first[f]));
 }
 
-// Negative where a pixel lies outside of a face's run. `dx`: columns_from_first.
+// Whether a pixel lies in a face's run. `dx`: columns_from_first.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE V outside_of_run(D d, const FaceLines& lines, std::size_t f, V pixel, V dx) {
-  return hn::Or(dx, hn::Sub(hn::Set(d, lines.last[f]), pixel));
+HWY_INLINE hn::Mask<D> in_run(D d, const FaceLines& lines, std::size_t f, V pixel, V dx) {
+  return hn::Ge(hn::Min(dx, hn::Sub(hn::Set(d, lines.last[f]), pixel)), hn::Zero(d));
 }
 
 // `dx`: pixels from the first of the face's run.
@@ -118,11 +118,11 @@ HWY_INLINE void meet_faces(D d, const FaceLines& lines, V pixel, const FaceSides
   for (std::size_t k = begin + 1; k < end; ++k) {
     const std::size_t f = sides.face[k];
     const V dx = columns_from_first(d, lines, f, pixel);
-    const V outside = outside_of_run(d, lines, f, pixel, dx);
-    depth = hn::IfNegativeThenElse(outside, depth, on_line(d, lines.depth, f, dx));
-    extinction = hn::IfNegativeThenElse(outside, extinction, on_line(d, lines.extinction, f, dx));
+    const auto covered = in_run(d, lines, f, pixel, dx);
+    depth = hn::IfThenElse(covered, on_line(d, lines.depth, f, dx), depth);
+    extinction = hn::IfThenElse(covered, on_line(d, lines.extinction, f, dx), extinction);
     if constexpr (kSeparateFields)
-      color = hn::IfNegativeThenElse(outside, color, on_line(d, lines.color, f, dx));
+      color = hn::IfThenElse(covered, on_line(d, lines.color, f, dx), color);
   }
 }
 

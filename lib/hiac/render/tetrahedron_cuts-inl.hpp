@@ -134,12 +134,12 @@ class CutScan {
       // as in meet_faces, a side's first face is that of all pixels which no other covers
       const bool first = k == 0 || k == sides_.entered;
       const V dx = columns_from_first(d, lines_, f, pixel);
-      const V outside = outside_of_run(d, lines_, f, pixel, dx);
+      const auto covered = in_run(d, lines_, f, pixel, dx);
       const V depth = on_line(d, lines_.depth, f, dx);
       for (std::size_t c = 0; c < cuts_.size(); ++c) {
         double* at = ends + (2 * c + (entered ? 0 : 1)) * lanes;
-        V offset = offset_at(d, cuts_[c], f, dx, depth, outside, row, pixel);
-        if (!first) offset = hn::IfNegativeThenElse(outside, hn::LoadU(d, at), offset);
+        V offset = offset_at(d, cuts_[c], f, dx, depth, covered, row, pixel);
+        if (!first) offset = hn::IfThenElse(covered, offset, hn::LoadU(d, at));
         hn::StoreU(offset, d, at);
       }
     }
@@ -147,11 +147,10 @@ class CutScan {
 
  private:
   template <class D, class V = hn::Vec<D>>
-  HWY_INLINE V offset_at(D d, const TetrahedronCut& cut, std::size_t f, V dx, V depth, V outside,
-                         int row, V pixel) const {
+  HWY_INLINE V offset_at(D d, const TetrahedronCut& cut, std::size_t f, V dx, V depth,
+                         hn::Mask<D> covered, int row, V pixel) const {
     V offset = on_line(d, cut.line, f, dx);
-    const auto doubtful =
-        hn::And(hn::Ge(outside, hn::Zero(d)), hn::Lt(hn::Abs(offset), hn::Set(d, cut.doubt[f])));
+    const auto doubtful = hn::And(covered, hn::Lt(hn::Abs(offset), hn::Set(d, cut.doubt[f])));
     // t = -1 / depth > 0
     if (perspective_) offset = hn::Div(offset, depth);
     if (HWY_UNLIKELY(!hn::AllFalse(d, doubtful)))
