@@ -19,18 +19,6 @@ constexpr double kDoubt = 1e-9;
 // Normals are wrong by this times the condition of the gradient.
 constexpr double kAngleUnit = 16 * 0x1p-53;
 
-// Whether rounding may have changed the order of surfaces of different fields or values.
-bool order_doubtful(const std::vector<IsosurfaceCrossing>& found) {
-  for (std::size_t i = 0; i + 1 < found.size(); ++i)
-    for (std::size_t j = i + 1; j < found.size(); ++j) {
-      const IsosurfaceCrossing &a = found[i], &b = found[j];
-      const bool same =
-          a.surface->field == b.surface->field && a.surface->value == b.surface->value;
-      if (!same && b.t - a.t <= a.moved + b.moved) return true;
-    }
-  return false;
-}
-
 }  // namespace
 
 bool CutsAlongRay::enter(CellId cell, const RayDisplacement& displacement) {
@@ -76,12 +64,7 @@ bool CutsAlongRay::below_at_face(const Cut& cut, const CellCrossing& crossing, s
 void CutsAlongRay::add_doubts(const RayStretch& stretch, const Cut& cut, double error) {
   moved_.assign(places_.size(), 0);
   const auto count_at = [&](double level) {
-    shifted_.clear();
-    SignChanges<double> changes(std::nullopt, shifted_);
-    for (FieldAlongRay::Piece piece : pieces_) {
-      for (std::size_t i = 0; i <= piece.fields[0].degree; ++i) piece.fields[0].c[i] -= level;
-      changes.follow(piece.fields[0], piece.begin, piece.end, 0, roots_);
-    }
+    find_shifted_changes(pieces_, level, shifted_, roots_);
     if (shifted_.size() != places_.size()) {
       doubtful_ = true;
       return;

@@ -24,6 +24,20 @@ struct IsosurfaceCrossing {
   ErrorBound shade_error{};  ///< of the shade
 };
 
+/// Whether rounding may have changed the order of crossings, front to back, of surfaces of
+/// different fields or values. A crossing has `surface`, its place `t` and what that is `moved` by.
+template <class Crossing>
+bool order_doubtful(const std::vector<Crossing>& found) {
+  for (std::size_t i = 0; i + 1 < found.size(); ++i)
+    for (std::size_t j = i + 1; j < found.size(); ++j) {
+      const Crossing &a = found[i], &b = found[j];
+      const bool same =
+          a.surface->field == b.surface->field && a.surface->value == b.surface->value;
+      if (!same && b.t - a.t <= a.moved + b.moved) return true;
+    }
+  return false;
+}
+
 /// The isosurfaces that cross one cell of any kind, met along rays (section 5.2): where the
 /// isoparametric interpolant takes their values, with its gradient as the normal.
 class CutsAlongRay {

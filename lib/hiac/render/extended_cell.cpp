@@ -24,10 +24,6 @@ constexpr std::array<std::size_t, 2> kDegrees{8, 16};
 constexpr int kMostBisections = 40;
 constexpr std::size_t kMostPieces = 96;
 
-std::array<double, 3> rounded(const Vec& v) {
-  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
-}
-
 // The corners of a face from that of the smallest node on, towards the smaller of its neighbours.
 std::array<std::uint8_t, 4> in_shared_order(const ShapeFace& face, std::span<const NodeId> nodes) {
   const std::size_t n = face.corner_count;
@@ -58,18 +54,6 @@ Plane plane_of(const ShapeFace& face, std::span<const NodeId> nodes, std::span<c
 }
 
 }  // namespace
-
-ExtendedRay::ExtendedRay(const Projector& projector, int x, int y) {
-  const auto [a, b] = projector.extended_slopes(x + 0.5, y + 0.5);
-  const bool perspective = projector.perspective();
-  origin = perspective ? Vec{0, 0, 0} : Vec{a, b, 0};
-  direction = perspective ? Vec{a, b, 1} : Vec{0, 0, 1};
-  scale = perspective ? std::sqrt(a * a + b * b + 1) : 1;
-}
-
-ExtendedVector ExtendedRay::at(Real t) const {
-  return {origin[0] + t * direction[0], origin[1] + t * direction[1], origin[2] + t * direction[2]};
-}
 
 ExtendedCell::ExtendedCell(const Frame& frame, CellId cell)
     : kind_(frame.mesh.kinds[cell]), count_(corner_count(kind_)) {

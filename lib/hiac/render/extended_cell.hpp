@@ -9,18 +9,10 @@
 #include "hiac/geometry/extended_vector.hpp"
 #include "hiac/geometry/inverse_map.hpp"
 #include "hiac/optics/bernstein.hpp"
+#include "hiac/render/extended_ray.hpp"
 #include "hiac/render/frame.hpp"
 
 namespace hiac {
-
-/// A pixel's ray in extended precision, camera frame: origin + t direction, t as everywhere.
-struct ExtendedRay {
-  ExtendedVector origin, direction;
-  long double scale;  ///< world length per unit of t
-
-  ExtendedRay(const Projector& projector, int x, int y);
-  [[nodiscard]] ExtendedVector at(long double t) const;
-};
 
 /// A linear cell with planar faces, and fields in it along rays, in extended precision: as CellMap
 /// and FieldAlongRay have them, with the map of its corners as they are, affine or not.

@@ -8,6 +8,7 @@
 
 #include "hiac/geometry/face_form.hpp"
 #include "hiac/optics/polynomial_piece.hpp"
+#include "hiac/render/cuts_along_ray.hpp"
 #include "hiac/render/face_value.hpp"
 #include "hiac/render/gradient_bound.hpp"
 #include "hiac/render/sign_changes.hpp"
@@ -24,14 +25,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Of the tolerance: a sixteenth of what general_cells.cpp takes.
 constexpr double kFieldShare = 0x1p-12, kIntegrationShare = 0x1p-11;
 
-// As in ray_displacement.cpp: of the distance from the eye, and of the cell's size.
+// As in ray_displacement.cpp: of the distance from the eye, and of the cell's size; of depths too,
+// which are found at once here and not along rows of pixels.
 constexpr double kWorldRounding = 24, kMapRounding = 64, kDepthRounding = 8;
 // As in cuts_along_ray.cpp: of the condition of the gradient.
 constexpr double kAngleRounding = 16;
-
-std::array<double, 3> rounded(const Vec& v) {
-  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
-}
 
 // Whether an isosurface's field is below its value where the ray crosses a face.
 bool below_at_face(const IsosurfaceCut& cut, CellKind kind, std::size_t face,
@@ -199,11 +197,7 @@ void ExtendedCellSegments::find_places(const IsosurfaceCut& cut, const CellField
   // whether as many places stay where offsets are off by some level, and how far these move
   const auto shift = [&](Real level, bool moves) {
     std::vector<Real> shifted;
-    SignChanges<Real> others(std::nullopt, shifted);
-    for (ExtendedCell::Piece piece : pieces_) {
-      for (std::size_t i = 0; i <= piece.fields[0].degree; ++i) piece.fields[0].c[i] -= level;
-      others.follow(piece.fields[0], piece.begin, piece.end, 0, roots_);
-    }
+    find_shifted_changes(pieces_, level, shifted, roots_);
     if (shifted.size() != places_.size()) {
       doubtful_ = true;
       return;
@@ -275,8 +269,7 @@ bool ExtendedCellSegments::shade(const ExtendedCell& geometry, const ExtendedRay
     const Real apart = std::min(length(minus(other, normal)), length(minus(opposite, normal)));
     angle = std::max(angle, other_angle) + 2 * static_cast<double>(apart);
   }
-  const Vec along{ray.direction[0] / ray.scale, ray.direction[1] / ray.scale,
-                  ray.direction[2] / ray.scale};
+  const Vec along = ray.along();
   const auto& lights = frame_.isosurfaces.lights;
   crossed.light = extended_surface(*crossed.surface, lights, normal, along);
   crossed.shade_error =
@@ -291,14 +284,7 @@ bool ExtendedCellSegments::find_surfaces(const ExtendedCell& geometry, const Ext
   for (const IsosurfaceCut& cut : frame_.isosurfaces.in(cell_))
     if (!add_surface(geometry, ray, stretch, cut)) return false;
   std::ranges::stable_sort(crossed_, {}, &Crossed::t);
-  // which of two is in front may be in doubt
-  for (std::size_t i = 0; i < crossed_.size(); ++i)
-    for (std::size_t j = i + 1; j < crossed_.size(); ++j) {
-      const Crossed &a = crossed_[i], &b = crossed_[j];
-      const bool same =
-          a.surface->field == b.surface->field && a.surface->value == b.surface->value;
-      if (!same && b.t - a.t <= a.moved + b.moved) doubtful_ = true;
-    }
+  if (order_doubtful(crossed_)) doubtful_ = true;
   return true;
 }
 

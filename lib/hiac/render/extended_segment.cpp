@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hiac/geometry/extended_vector.hpp"
+#include "hiac/render/extended_ray.hpp"
 #include "hiac/render/face_value.hpp"
 #include "hiac/render/interval_range.hpp"
 
@@ -86,14 +87,9 @@ bool ExtendedSegments::clip(const ExtendedTetrahedron::Crossing& crossing, int x
   if (stretch.from > stretch.to || (stretch.from == stretch.to && front < back)) return false;
   stretch.u_from = stretch.from == front ? 0 : (stretch.from - front) / (back - front);
   stretch.u_to = stretch.to == back ? 1 : (stretch.to - front) / (back - front);
-  stretch.ray = {0, 0, 1};
-  Real scale = 1;  // section 5.1: the slanted distance
-  if (projector.perspective()) {
-    const auto [a, b] = projector.extended_slopes(x + 0.5, y + 0.5);
-    scale = std::sqrt(a * a + b * b + 1);
-    stretch.ray = {a / scale, b / scale, 1 / scale};
-  }
-  stretch.length = (stretch.to - stretch.from) * scale;
+  const ExtendedRay ray(projector, x, y);
+  stretch.ray = ray.along();
+  stretch.length = (stretch.to - stretch.from) * ray.scale;  // section 5.1: the slanted distance
   return true;
 }
 

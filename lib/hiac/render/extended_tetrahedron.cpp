@@ -8,6 +8,7 @@
 
 #include "hiac/geometry/extended_vector.hpp"
 #include "hiac/render/cell_scan.hpp"
+#include "hiac/render/extended_ray.hpp"
 #include "hiac/render/face_value.hpp"
 
 namespace hiac {
@@ -112,19 +113,16 @@ bool ExtendedTetrahedron::place_in_world(std::uint8_t face, int x, int y, Place&
   std::size_t lacking = 0;
   while (tetrahedron_face_without(corner_[lacking]) != face) ++lacking;
   const auto [base, one, two] = corners_of(lacking);
-  const auto [a, b] = frame_.projector.extended_slopes(x + 0.5, y + 0.5);
-  const Vec origin = perspective_ ? Vec{0, 0, 0} : Vec{a, b, 0};
-  const Vec direction = perspective_ ? Vec{a, b, 1} : Vec{0, 0, 1};
+  const ExtendedRay ray(frame_.projector, x, y);
   const Vec normal =
       hiac::cross(minus(exact_[one], exact_[base]), minus(exact_[two], exact_[base]));
-  const Real along = dot(normal, direction);
+  const Real along = dot(normal, ray.direction);
   if (along == 0) return false;
-  place = {lacking, {}, 0, dot(normal, minus(exact_[base], origin)) / along};
+  place = {lacking, {}, 0, dot(normal, minus(exact_[base], ray.origin)) / along};
   const auto nearer = [](const Vec& p, const Vec& q) { return p[2] < q[2]; };
   const auto [nearest, farthest] = std::minmax_element(exact_.begin(), exact_.end(), nearer);
   place.t = std::clamp(place.t, (*nearest)[2], (*farthest)[2]);
-  Vec from;
-  for (std::size_t c = 0; c < 3; ++c) from[c] = origin[c] + place.t * direction[c] - exact_[0][c];
+  const Vec from = minus(ray.at(place.t), exact_[0]);
   const Vec e1 = minus(exact_[1], exact_[0]), e2 = minus(exact_[2], exact_[0]),
             e3 = minus(exact_[3], exact_[0]);
   const Real volume = dot(e1, hiac::cross(e2, e3));

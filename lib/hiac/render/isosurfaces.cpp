@@ -33,6 +33,11 @@ struct CellCuts {
   std::vector<TouchedFace> touched;  // `cut` counts from these cells' first
 };
 
+// Of values between `least` and `most`; only touched from below where it is the most.
+bool is_met(const FrameIsosurface& surface, double least, double most) {
+  return least < surface.value && surface.value <= most;
+}
+
 class CutFinder {
  public:
   CutFinder(const ZooMesh& mesh, const Isosurfaces& all)
@@ -57,7 +62,7 @@ class CutFinder {
     for (std::uint32_t s = 0; s < all_.surfaces.size(); ++s) {
       const FrameIsosurface& surface = all_.surfaces[s];
       const CellField& field = values_[surface.field];
-      if (!(field.least < surface.value && surface.value <= field.most)) continue;
+      if (!is_met(surface, field.least, field.most)) continue;
       // of higher orders the field may be above the value between the nodes
       const double most = std::ranges::max(std::span(field.values).first(nodes));
       const bool touched = most == surface.value && add_touched(cell, s, result);
@@ -79,7 +84,7 @@ class CutFinder {
         most = std::max(most, value);
       }
       for (const FrameIsosurface& surface : all_.surfaces)
-        if (surface.field == f && least < surface.value && surface.value <= most) return false;
+        if (surface.field == f && is_met(surface, least, most)) return false;
     }
     return true;
   }

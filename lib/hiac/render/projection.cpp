@@ -33,9 +33,6 @@ Extended difference(std::span<const double, 3> a, const Vector& b) {
   return {static_cast<long double>(a[0]) - b[0], static_cast<long double>(a[1]) - b[1],
           static_cast<long double>(a[2]) - b[2]};
 }
-Vector rounded(const Extended& v) {
-  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
-}
 
 }  // namespace
 

@@ -54,4 +54,18 @@ class SignChanges {
   std::vector<Real>& places_;
 };
 
+/// Where pieces of an offset along [0, 1], less `level`, change sign: into `places`. Pieces have
+/// `begin`, `end` and the offset as fields[0]. `roots`: scratch.
+template <class Real, class Piece>
+void find_shifted_changes(const std::vector<Piece>& pieces, Real level, std::vector<Real>& places,
+                          std::vector<BasicRootEnclosure<Real>>& roots) {
+  places.clear();
+  SignChanges<Real> changes(std::nullopt, places);
+  for (const Piece& piece : pieces) {
+    BasicBernstein<Real> shifted = piece.fields[0];
+    for (std::size_t i = 0; i <= shifted.degree; ++i) shifted.c[i] -= level;
+    changes.follow(shifted, piece.begin, piece.end, 0, roots);
+  }
+}
+
 }  // namespace hiac

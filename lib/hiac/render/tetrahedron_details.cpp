@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "hiac/geometry/vector.hpp"
+#include "hiac/render/extended_ray.hpp"
 #include "hiac/render/gradient_direction.hpp"
 
 namespace hiac {
@@ -95,15 +96,14 @@ template <class Real>
 typename BasicTetrahedronDetails<Real>::Ends BasicTetrahedronDetails<Real>::end_doubts(
     const Segment& segment) const {
   const Projector& projector = frame_.projector;
-  const double x = segment.x + 0.5, y = segment.y + 0.5;
   Ends doubts;
   if constexpr (std::is_same_v<Real, double>) {
+    const double x = segment.x + 0.5, y = segment.y + 0.5;
     doubts =
         end_doubts_.at(projector.relative_origin(x, y), projector.direction(x, y), displacement_);
   } else {
-    const auto [a, b] = projector.extended_slopes(x, y);
-    doubts = projector.perspective() ? end_doubts_.at({0, 0, 0}, {a, b, 1}, displacement_)
-                                     : end_doubts_.at({a, b, 0}, {0, 0, 1}, displacement_);
+    const ExtendedRay ray(projector, segment.x, segment.y);
+    doubts = end_doubts_.at(ray.origin, ray.direction, displacement_);
   }
   // where the view clips is known
   if (segment.front == frame_.projector.near()) doubts.front = displacement_.along;
