@@ -11,21 +11,16 @@
 namespace hiac::formats::abaqus {
 namespace {
 
-using Sets = std::map<std::string, std::pair<std::string, ElementSet>>;
-
-std::array<double, 3> placed(const Placement& placement, const double* point) {
-  std::array<double, 3> result = placement.translation;
-  for (std::size_t row = 0; row < 3; ++row)
-    for (std::size_t c = 0; c < 3; ++c) result[row] += placement.rotation[3 * row + c] * point[c];
-  return result;
-}
+/// Instances of what keywords make are no more than this many numbers: a deck that tells little may
+/// make much.
+constexpr std::size_t kMostNumbers = 32'000'000;
 
 /// A part with what names its elements and where it is.
 struct Piece {
   Part* part;
   std::string name;
   Placement placement;
-  std::vector<const Sets*> sets;
+  std::vector<const NumberSets*> sets;
 };
 
 void add_cell(std::vector<IndexRange>& cells, std::size_t cell) {
@@ -36,7 +31,7 @@ void add_cell(std::vector<IndexRange>& cells, std::size_t cell) {
 }
 
 /// The cells of a set, those that there are.
-void add_set(const ElementSet& set, const NumberIndex& index, std::size_t first_cell,
+void add_set(const std::vector<NumberRange>& set, const NumberIndex& index, std::size_t first_cell,
              const std::vector<std::int64_t>& numbers, std::vector<IndexRange>& cells) {
   for (const NumberRange& range : set) {
     // a range may be far longer than the mesh
@@ -66,6 +61,7 @@ class Merger {
 
   ForeignMesh run() {
     const std::vector<Piece> pieces = find_pieces();
+    check_size(pieces);
     if (pieces.size() == 1 && !pieces.front().placement.moved)
       take_over(pieces.front());
     else
@@ -91,6 +87,19 @@ class Merger {
     if (pieces.empty() || !model_.root.cell_types.empty())
       pieces.push_back({&model_.root, "", {}, {&model_.root.sets}});
     return pieces;
+  }
+
+  void check_size(const std::vector<Piece>& pieces) const {
+    std::size_t numbers = 0;
+    for (const Piece& piece : pieces)
+      if (piece.part->made)
+        numbers += piece.part->xyz.size() + piece.part->cell_nodes.size() +
+                   piece.part->cell_numbers.size();
+    if (numbers > kMostNumbers)
+      throw InputError(subject_,
+                       fmt::format("its instances of what keywords make are too large ({} "
+                                   "numbers at most expected, {} found)",
+                                   kMostNumbers, numbers));
   }
 
   /// Of one piece the arrays are taken as they are.
@@ -137,9 +146,9 @@ class Merger {
 
   void add_blocks(const Piece& piece, std::size_t first_cell) {
     const NumberIndex index(piece.part->cell_numbers);
-    for (const Sets* sets : piece.sets)
+    for (const NumberSets* sets : piece.sets)
       for (const auto& [key, set] : *sets)
-        add_set(set.second, index, first_cell, piece.part->cell_numbers, block(set.first));
+        add_set(set.ranges, index, first_cell, piece.part->cell_numbers, block(set.name));
   }
 
   std::vector<IndexRange>& block(const std::string& name) {

@@ -1,24 +1,14 @@
 #pragma once
 
-#include <array>
-#include <map>
+#include <cstdint>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "formats/abaqus/inp_placement.hpp"
+#include "formats/abaqus/inp_sets.hpp"
 #include "formats/foreign_mesh.hpp"
 
 namespace hiac::formats::abaqus {
-
-/// Element numbers from, to, in steps of.
-struct NumberRange {
-  std::int64_t first;
-  std::int64_t last;
-  std::int64_t step;
-};
-
-/// The elements of a set.
-using ElementSet = std::vector<NumberRange>;
 
 /// A part, or what of a deck is outside parts; its numbers are its own.
 struct Part {
@@ -28,15 +18,14 @@ struct Part {
   std::vector<std::int64_t> cell_numbers;
   std::vector<std::uint16_t> cell_types;  ///< places in Model::types
   std::vector<std::int64_t> cell_nodes;
-  /// By name in capitals: the name as it is first written, and the elements.
-  std::map<std::string, std::pair<std::string, ElementSet>> sets;
-};
+  NumberSets sets;       ///< of elements
+  NumberSets node_sets;  ///< of nodes, for what makes nodes from them
 
-/// A point is mapped to rotation (row by row) times it plus translation.
-struct Placement {
-  std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};
-  std::array<double, 3> translation{};
-  bool moved = false;
+  /// Keywords made some of it; then of nodes and elements of one number the last counts.
+  bool made = false;
+  Places node_places;  ///< followed where something is made
+  Places cell_places;
+  std::vector<std::size_t> cell_begins;  ///< of the cells that cell_places knows
 };
 
 /// A part that is put in its place.
@@ -45,7 +34,7 @@ struct Instance {
   std::string part;
   Placement placement;
   /// Sets that the assembly makes of this instance's elements, by name.
-  std::map<std::string, std::pair<std::string, ElementSet>> sets;
+  NumberSets sets;
 };
 
 /// What a deck says of its mesh.

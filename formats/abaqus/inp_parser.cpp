@@ -1,14 +1,13 @@
 #include "formats/abaqus/inp_parser.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <optional>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "formats/abaqus/inp_elements.hpp"
+#include "formats/abaqus/inp_generation.hpp"
 #include "formats/comma_fields.hpp"
 #include "formats/input_text.hpp"
 #include "formats/large_reserve.hpp"
@@ -22,99 +21,12 @@ namespace {
 /// Files may include files, not without end.
 constexpr int kMostIncludes = 10;
 
-std::string_view without_blanks_before(std::string_view line) {
-  while (!line.empty() && TextCursor::is_space(line.front())) line.remove_prefix(1);
-  return line;
-}
-
-/// Blanks before stars do not count.
-bool is_comment(std::string_view line) { return without_blanks_before(line).starts_with("**"); }
-bool is_keyword(std::string_view line) {
-  const std::string_view rest = without_blanks_before(line);
-  return rest.starts_with('*') && !rest.starts_with("**");
-}
-
-/// A line `*KEYWORD, NAME=VALUE, ...` with the lines that continue it.
-struct Keyword {
-  std::string name;                                             ///< in capitals, without the star
-  std::vector<std::pair<std::string, std::string>> parameters;  ///< names in capitals
-  std::size_t offset = 0;
-
-  [[nodiscard]] const std::string* value(std::string_view parameter) const {
-    for (const auto& [key, value] : parameters)
-      if (key == parameter) return &value;
-    return nullptr;
-  }
-};
-
-std::string without_quotes(std::string_view text) {
-  if (text.size() >= 2 && text.front() == '"' && text.back() == '"')
-    text = text.substr(1, text.size() - 2);
-  return std::string(text);
-}
-
-void add_parameters(std::string_view text, Keyword& keyword) {
-  CommaFields fields(text);
-  while (!fields.at_end()) {
-    const std::string_view field = fields.field();
-    const std::size_t equals = field.find('=');
-    const std::string_view value =
-        equals == std::string_view::npos ? std::string_view() : trimmed(field.substr(equals + 1));
-    keyword.parameters.emplace_back(upper(trimmed(field.substr(0, equals))), without_quotes(value));
-  }
-}
-
-Keyword read_keyword(TextCursor& cursor) {
-  Keyword keyword;
-  keyword.offset = cursor.offset();
-  std::string_view line = trimmed(cursor.line()).substr(1);
-  const std::size_t comma = line.find(',');
-  keyword.name = upper(trimmed(line.substr(0, comma)));
-  if (comma == std::string_view::npos) return keyword;
-  add_parameters(line.substr(comma + 1), keyword);
-  while (line.ends_with(',') && !cursor.at_end() && !is_keyword(cursor.peek_line())) {
-    const std::string_view next = cursor.line();
-    if (is_comment(next)) continue;
-    line = trimmed(next);
-    add_parameters(line, keyword);
-  }
-  return keyword;
-}
-
-/// The rotation about the axis from a to b by `degrees` (Abaqus: *INSTANCE, second data line),
-/// after the translation.
-void rotate(const std::array<double, 7>& data, Placement& placement) {
-  std::array<double, 3> axis{};
-  double length = 0;
-  for (std::size_t c = 0; c < 3; ++c) axis[c] = data[3 + c] - data[c];
-  for (const double x : axis) length = std::hypot(length, x);
-  if (!(length > 0)) return;
-  for (double& x : axis) x /= length;
-  const double angle = data[6] * std::numbers::pi / 180;
-  const double sine = std::sin(angle);
-  const double cosine = std::cos(angle);
-  // Rodrigues' formula
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      placement.rotation[3 * i + j] = (i == j ? cosine : 0) + (1 - cosine) * axis[i] * axis[j];
-  for (std::size_t i = 0; i < 3; ++i) {
-    placement.rotation[3 * i + (i + 1) % 3] -= sine * axis[(i + 2) % 3];
-    placement.rotation[3 * i + (i + 2) % 3] += sine * axis[(i + 1) % 3];
-  }
-  // x -> R (x + t - a) + a
-  std::array<double, 3> moved{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    moved[i] = data[i];
-    for (std::size_t j = 0; j < 3; ++j)
-      moved[i] += placement.rotation[3 * i + j] * (placement.translation[j] - data[j]);
-  }
-  placement.translation = moved;
-}
-
 class DeckReader {
  public:
   Model run(const std::string& path) {
     read_file(path, nullptr);
+    keep_last_definitions(model_.root, model_.types);
+    for (Part& part : model_.parts) keep_last_definitions(part, model_.types);
     return std::move(model_);
   }
 
@@ -140,7 +52,8 @@ class DeckReader {
     const Keyword keyword = read_keyword(cursor);
     const std::string* input = keyword.value("INPUT");
     const bool takes_input = keyword.name == "INCLUDE" || keyword.name == "NODE" ||
-                             keyword.name == "ELEMENT" || keyword.name == "ELSET";
+                             keyword.name == "ELEMENT" || keyword.name == "ELSET" ||
+                             keyword.name == "NSET";
     if (takes_input && input != nullptr) {
       const bool include = keyword.name == "INCLUDE";
       try {
@@ -159,50 +72,37 @@ class DeckReader {
     if (name == "NODE") return read_nodes(keyword, cursor);
     if (name == "ELEMENT") return read_elements(keyword, cursor);
     if (name == "ELSET") return read_set(keyword, cursor);
+    if (name == "NSET") return read_node_set(keyword, cursor);
     if (name == "PART") return begin_part(keyword, cursor);
     if (name == "INSTANCE") return begin_instance(keyword, cursor);
-    if (name == "END PART" || name == "END INSTANCE") part_.reset();
-    static const std::set<std::string> kGenerators{"NGEN", "NFILL", "NCOPY",
-                                                   "NMAP", "ELGEN", "ELCOPY"};
+    if (name == "END PART" || name == "END INSTANCE") enter(std::nullopt);
     // a system without data is the global one again
-    if (kGenerators.contains(name) || (name == "SYSTEM" && data_line(cursor)))
-      cursor.fail_at(
-          keyword.offset,
-          fmt::format("*{} makes nodes or elements that the file does not list, which is "
-                      "not supported",
-                      name));
+    if (name == "SYSTEM") system_ = read_system(cursor);
+    if (makes_mesh(name))
+      generate({keyword, cursor, part(), model_.types, system_.has_value(), made_});
+  }
+
+  /// What follows belongs to that part; systems end with the part that they are in.
+  void enter(std::optional<std::size_t> part) {
+    part_ = part;
+    system_.reset();
   }
 
   Part& part() { return part_ ? model_.parts[*part_] : model_.root; }
 
-  std::string required(const Keyword& keyword, std::string_view parameter,
-                       const TextCursor& cursor) const {
-    const std::string* value = keyword.value(parameter);
-    if (value == nullptr || value->empty())
-      cursor.fail_at(keyword.offset, fmt::format("*{} without {}", keyword.name, parameter));
-    return *value;
+  void add_part(const std::string& name) {
+    model_.parts.emplace_back().name = name;
+    enter(model_.parts.size() - 1);
   }
 
   void begin_part(const Keyword& keyword, const TextCursor& cursor) {
-    model_.parts.push_back({required(keyword, "NAME", cursor), {}, {}, {}, {}, {}, {}});
-    part_ = model_.parts.size() - 1;
+    add_part(required(keyword, "NAME", cursor));
   }
 
   /// How many lines there may be of the length of the next one, if the rest of the file is such.
   static std::size_t lines_left(const TextCursor& cursor) {
     constexpr std::size_t kShortest = 16;
     return cursor.left() / std::max(cursor.peek_line().size() + 1, kShortest) + 1;
-  }
-
-  /// The next data line; none where the next keyword begins or the file ends.
-  static std::optional<std::string_view> data_line(TextCursor& cursor) {
-    while (!cursor.at_end()) {
-      const std::string_view line = cursor.peek_line();
-      if (is_keyword(line)) return std::nullopt;
-      cursor.line();
-      if (!is_comment(line) && !trimmed(line).empty()) return line;
-    }
-    return std::nullopt;
   }
 
   void begin_instance(const Keyword& keyword, TextCursor& cursor) {
@@ -222,36 +122,14 @@ class DeckReader {
       for (double& x : data) x = real_in(fields, cursor, *line);
       rotate(data, instance.placement);
     }
-    if (part == nullptr) {
-      model_.parts.push_back({instance.name, {}, {}, {}, {}, {}, {}});
-      part_ = model_.parts.size() - 1;
-    }
+    if (part == nullptr) add_part(instance.name);
     model_.instances.push_back(std::move(instance));
   }
 
-  /// A line lies in the cursor's text: errors name it.
-  [[noreturn]] static void refuse(const TextCursor& cursor, std::string_view line,
-                                  std::string_view what) {
-    cursor.fail_at(static_cast<std::size_t>(line.data() - cursor.text().data()),
-                   fmt::format("{} expected ({} found)", what, shown(line)));
-  }
-
-  static double real_in(CommaFields& fields, const TextCursor& cursor, std::string_view line) {
-    const auto value = fields.real();
-    if (!value) refuse(cursor, line, "a real number");
-    return *value;
-  }
-
-  static std::int64_t integer_in(CommaFields& fields, const TextCursor& cursor,
-                                 std::string_view line, std::string_view what) {
-    const auto value = fields.integer();
-    if (!value) refuse(cursor, line, what);
-    return *value;
-  }
-
   void read_nodes(const Keyword& keyword, TextCursor& cursor) {
-    const std::string* system = keyword.value("SYSTEM");
-    const char kind = system == nullptr || system->empty() ? 'R' : upper(*system).front();
+    const char kind = kind_of_system(keyword);
+    const std::string* set = keyword.value("NSET");
+    std::vector<NumberRange> numbers;
     Part& into = part();
     const std::size_t lines = lines_left(cursor);
     reserve_large(into.node_numbers, into.node_numbers.size() + lines);
@@ -259,23 +137,15 @@ class DeckReader {
     while (const auto line = data_line(cursor)) {
       CommaFields fields(*line);
       into.node_numbers.push_back(integer_in(fields, cursor, *line, "a node number"));
-      std::array<double, 3> point{};
+      if (set != nullptr) add_number(into.node_numbers.back(), numbers);
+      Vector point{};
       for (double& x : point)
         if (!fields.at_end()) x = real_in(fields, cursor, *line);
-      if (kind != 'R') to_rectangular(kind, point);
+      to_rectangular(kind, point);
+      if (system_) point = placed(*system_, point.data());
       into.xyz.insert(into.xyz.end(), point.begin(), point.end());
     }
-  }
-
-  /// *NODE, SYSTEM=C: radius, angle in degrees, z; SYSTEM=S: radius, azimuth, elevation.
-  static void to_rectangular(char kind, std::array<double, 3>& point) {
-    constexpr double kDegree = std::numbers::pi / 180;
-    const double azimuth = point[1] * kDegree;
-    const double elevation = kind == 'S' ? point[2] * kDegree : 0;
-    const double radius = point[0];
-    point[0] = radius * std::cos(azimuth) * std::cos(elevation);
-    point[1] = radius * std::sin(azimuth) * std::cos(elevation);
-    if (kind == 'S') point[2] = radius * std::sin(elevation);
+    if (set != nullptr && !set->empty()) add_ranges(numbers, set_named(into.node_sets, *set));
   }
 
   std::uint16_t place_of_type(const InpElement& element) {
@@ -296,23 +166,20 @@ class DeckReader {
     reserve_large(into.cell_numbers, into.cell_numbers.size() + lines);
     reserve_large(into.cell_types, into.cell_types.size() + lines);
     reserve_large(into.cell_nodes, into.cell_nodes.size() + lines * element.type.nodes);
-    ElementSet numbers;
+    std::vector<NumberRange> numbers;
     while (const auto line = data_line(cursor)) {
       CommaFields fields(*line);
       const std::int64_t number = integer_in(fields, cursor, *line, "an element number");
       into.cell_numbers.push_back(number);
       into.cell_types.push_back(type);
-      if (!numbers.empty() && numbers.back().last + 1 == number)
-        numbers.back().last = number;
-      else
-        numbers.push_back({number, number, 1});
+      add_number(number, numbers);
       if (element.nodes_in_file > 0)
         read_element_nodes(element.nodes_in_file, fields, *line, cursor, into);
       else
         read_open_element(element.type.nodes, fields, *line, cursor, into);
     }
     const std::string* set = keyword.value("ELSET");
-    if (set != nullptr && !set->empty()) add_to_set(into.sets, *set, numbers);
+    if (set != nullptr && !set->empty()) add_ranges(numbers, set_named(into.sets, *set));
   }
 
   static void read_element_nodes(std::size_t nodes, CommaFields fields, std::string_view line,
@@ -359,18 +226,9 @@ class DeckReader {
              fmt::format("element {}: at least {} nodes", into.cell_numbers.back(), kept));
   }
 
-  using Sets = std::map<std::string, std::pair<std::string, ElementSet>>;
-
-  static void add_to_set(Sets& sets, const std::string& name, const ElementSet& elements) {
-    auto& [written, all] = sets[upper(name)];
-    if (written.empty()) written = name;
-    all.insert(all.end(), elements.begin(), elements.end());
-  }
-
   void read_set(const Keyword& keyword, TextCursor& cursor) {
     const std::string name = required(keyword, "ELSET", cursor);
-    Sets* sets = &part().sets;
-    const Sets* known = sets;
+    NumberSets* sets = &part().sets;
     if (const std::string* instance = keyword.value("INSTANCE")) {
       const auto found =
           std::find_if(model_.instances.begin(), model_.instances.end(),
@@ -378,48 +236,86 @@ class DeckReader {
       if (found == model_.instances.end())
         cursor.fail_at(keyword.offset,
                        fmt::format("*ELSET: there is no instance {}", shown(*instance)));
-      known = sets = &found->sets;
+      sets = &found->sets;
     }
-    const bool generate = keyword.value("GENERATE") != nullptr;
-    ElementSet elements;
+    const bool generate = keyword.has("GENERATE");
+    std::vector<NumberRange> elements;
+    std::set<std::string> names;
     while (const auto line = data_line(cursor)) {
       CommaFields fields(*line);
       if (generate) {
-        elements.push_back(generated(fields, cursor, *line));
+        const auto range = generated(fields);
+        if (!range) refuse(cursor, *line, "first, last and step of a range");
+        elements.push_back(*range);
         continue;
       }
-      while (!fields.at_end()) add_member(fields.field(), *known, elements);
+      while (!fields.at_end()) {
+        // a name that is of no set of elements is of nodes or a surface
+        static_cast<void>(add_member(fields.field(), *sets, names, elements));
+      }
     }
-    add_to_set(*sets, name, elements);
+    add_ranges(elements, set_named(*sets, name));
   }
 
-  static NumberRange generated(CommaFields& fields, const TextCursor& cursor,
-                               std::string_view line) {
-    NumberRange range{integer_in(fields, cursor, line, "an element number"), 0, 1};
-    range.last = integer_in(fields, cursor, line, "an element number");
-    if (!fields.at_end()) range.step = integer_in(fields, cursor, line, "a step");
-    if (range.step < 1 || range.last < range.first || range.first < 0)
-      refuse(cursor, line, "first, last and step of a range");
-    return range;
+  /// A set of nodes is of use to what makes nodes alone; what of it is not understood is told then.
+  void read_node_set(const Keyword& keyword, TextCursor& cursor) {
+    const std::string* name = keyword.value("NSET");
+    if (name == nullptr || name->empty() || keyword.has("INSTANCE")) return;
+    NumberSets& sets = part().node_sets;
+    std::vector<NumberRange> nodes;
+    std::set<std::string> names;
+    std::string unknown;
+    if (keyword.has("ELSET")) unknown = "those of a set of elements";
+    while (const auto line = data_line(cursor)) {
+      CommaFields fields(*line);
+      if (keyword.has("GENERATE")) {
+        const auto range = generated(fields);
+        if (range)
+          nodes.push_back(*range);
+        else
+          unknown = shown(*line);
+        continue;
+      }
+      while (!fields.at_end()) {
+        const std::string_view member = fields.field();
+        if (!member.empty() && !add_member(member, sets, names, nodes)) unknown = shown(member);
+      }
+    }
+    const bool made = !sets.contains(upper(*name));
+    NumberSet& set = set_named(sets, *name);
+    if (made) set.unsorted = keyword.has("UNSORTED");
+    if (!unknown.empty()) set.unknown = unknown;
+    add_ranges(nodes, set);
   }
 
-  /// A number, or the name of a set that there is by now; others are of nodes or surfaces.
-  static void add_member(std::string_view member, const Sets& known, ElementSet& elements) {
+  /// First, last and step; none where that is no range.
+  static std::optional<NumberRange> generated(CommaFields& fields) {
+    const auto first = fields.integer();
+    const auto last = fields.integer();
+    const auto step = fields.at_end() ? std::optional<std::int64_t>(1) : fields.integer();
+    if (!first || !last || !step || *step < 1 || *last < *first || *first < 0) return std::nullopt;
+    return NumberRange{*first, *last, *step};
+  }
+
+  /// Adds a number, or the set of that name; false where there is none by now. `names` are those of
+  /// sets that were added already.
+  static bool add_member(std::string_view member, const NumberSets& known,
+                         std::set<std::string>& names, std::vector<NumberRange>& ranges) {
     if (const auto number = to_integer(member)) {
-      if (!elements.empty() && elements.back().step == 1 && elements.back().last + 1 == *number)
-        elements.back().last = *number;
-      else
-        elements.push_back({*number, *number, 1});
-      return;
+      add_number(*number, ranges);
+      return true;
     }
     const auto set = known.find(upper(member));
-    if (set == known.end()) return;
-    const ElementSet copy = set->second.second;
-    elements.insert(elements.end(), copy.begin(), copy.end());
+    if (set == known.end() || !set->second.unknown.empty()) return false;
+    if (names.insert(set->first).second)
+      ranges.insert(ranges.end(), set->second.ranges.begin(), set->second.ranges.end());
+    return true;
   }
 
   Model model_;
   std::optional<std::size_t> part_;  ///< place in Model::parts of the part that is read
+  std::optional<Placement> system_;  ///< *SYSTEM: where coordinates of nodes are told in
+  Made made_;
   int depth_ = 0;
 };
 

@@ -83,8 +83,8 @@ TEST(AbaqusDialects, FilesAreIncluded) {
 
 TEST(AbaqusDialects, WhatMakesMeshesIsRefused) {
   const ScratchFolder folder;
-  EXPECT_THAT(refusal(folder.write("a.inp", "*NODE\n1,0,0,0\n*NGEN\n1,5\n")),
-              HasSubstr(":3: *NGEN makes nodes or elements"));
+  EXPECT_THAT(refusal(folder.write("a.inp", "*NODE\n1,0,0,0\n*NMAP\n1,5\n")),
+              HasSubstr(":3: *NMAP makes nodes or elements"));
   EXPECT_THAT(refusal(folder.write("b.inp", "*NODE\n1,0,zero,0\n")),
               HasSubstr("b.inp:2: a real number expected"));
   EXPECT_THAT(refusal(folder.write("c.inp",

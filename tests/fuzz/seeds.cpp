@@ -158,6 +158,18 @@ Texts tetgen() {
           parcel("input.ele", "1 4 1\n1 1 2 3 4 9\n")};
 }
 
+/// What keywords make: two rows of bricks, their mirror image, an arc.
+Texts abaqus() {
+  return {
+      "*SYSTEM\n1,0,0,2,0,0\n*NODE,NSET=A\n1,0,0,0\n3,2,0,0\n*SYSTEM\n*NODE,SYSTEM=C\n"
+      "31,2,90,0\n33,2,45,0\n*NGEN,NSET=F\n1,3\n*NGEN,LINE=C,NSET=G\n31,33,1,,0,0,0,0,0,-1\n"
+      "*NGEN,LINE=P\n31,33,1,1\n*NFILL,NSET=L,BIAS=.5\nF,G,2,10\n*NSET,NSET=M,GENERATE\n"
+      "1,40,1\n*NSET,NSET=U,UNSORTED\n3,1,L\n*NCOPY,CHANGE NUMBER=100,OLD SET=M,SHIFT\n"
+      "0,0,1\n0,0,0,0,0,1,5\n*NCOPY,CHANGE NUMBER=200,OLD SET=M,REFLECT=MIRROR\n0,0,0,0,1,0\n"
+      "0,0,1\n*ELEMENT,TYPE=C3D8,ELSET=E\n1,1,2,12,11,101,102,112,111\n*ELGEN,ELSET=E\n"
+      "1,2,1,1,1,10,10,1,100,100\n*ELCOPY,OLD SET=E,ELEMENT SHIFT=10,SHIFT NODES=0,REFLECT\n"};
+}
+
 Texts xdmf() {
   return {
       "<Xdmf Version=\"3.0\"><Domain><Grid Name=\"g\"><Topology TopologyType=\"Hexahedron\" "
@@ -307,25 +319,16 @@ Texts tecplot() {
 
 std::vector<std::string> seeds(const std::string& name) {
   static const std::map<std::string, std::function<Texts()>> known{
-      {"classic-netcdf", classic_netcdf},
-      {"d3plot", d3plot},
-      {"ensight", ensight},
-      {"mfem", mfem},
-      {"openfoam", openfoam},
-      {"plot3d", plot3d},
-      {"points", points},
-      {"poly", poly},
-      {"pvd", pvd},
-      {"pvtu", pvtu},
-      {"tecplot", tecplot},
-      {"tetgen", tetgen},
-      {"vti", vti},
-      {"vtk", vtk},
-      {"vtm", vtm},
-      {"vtr", vtr},
-      {"vts", vts},
-      {"vtu", vtu},
-      {"xdmf", xdmf}};
+      {"abaqus", abaqus}, {"classic-netcdf", classic_netcdf},
+      {"d3plot", d3plot}, {"ensight", ensight},
+      {"mfem", mfem},     {"openfoam", openfoam},
+      {"plot3d", plot3d}, {"points", points},
+      {"poly", poly},     {"pvd", pvd},
+      {"pvtu", pvtu},     {"tecplot", tecplot},
+      {"tetgen", tetgen}, {"vti", vti},
+      {"vtk", vtk},       {"vtm", vtm},
+      {"vtr", vtr},       {"vts", vts},
+      {"vtu", vtu},       {"xdmf", xdmf}};
   Texts texts;
   if (known.contains(name)) texts = known.at(name)();
   for (const formats::OneCellFile& file : formats::one_cell_files())
