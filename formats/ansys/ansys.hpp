@@ -4,7 +4,7 @@
 
 namespace hiac::formats {
 
-/// Ansys MAPDL archives (.cdb): NBLOCK, EBLOCK, components.
+/// Ansys MAPDL archives (.cdb): blocked and unblocked, components.
 Format ansys_format();
 
 }  // namespace hiac::formats

@@ -31,8 +31,17 @@ bool has(const std::array<int, N>& types, std::int64_t routine) {
   return std::find(types.begin(), types.end(), routine) != types.end();
 }
 
-/// The brick, or tetrahedron, that elements of the type are; 0: it is no solid that is known.
-std::size_t nodes_of(std::int64_t routine, std::int64_t mesh200_shape) {
+CellConversion conversion_of(std::size_t own, std::size_t nodes) {
+  if (own == 20 && nodes == 20) return solid_conversion(CellKind::brick20);
+  if ((own == 20 || own == 8) && nodes == 8) return solid_conversion(CellKind::brick8);
+  if (own == 10 && nodes == 10) return solid_conversion(CellKind::tetrahedron10);
+  if ((own == 10 || own == 4) && nodes == 4) return solid_conversion(CellKind::tetrahedron4);
+  return {};
+}
+
+}  // namespace
+
+std::size_t library_nodes(std::int64_t routine, std::int64_t mesh200_shape) {
   if (routine == 200) {
     constexpr std::array<std::size_t, 12> kNodes{0, 0, 0, 0, 0, 0, 0, 0, 4, 10, 8, 20};
     return mesh200_shape >= 0 && mesh200_shape < 12
@@ -45,22 +54,10 @@ std::size_t nodes_of(std::int64_t routine, std::int64_t mesh200_shape) {
   return has(kTetrahedra4, routine) ? 4 : 0;
 }
 
-CellConversion conversion_of(std::size_t library_nodes, std::size_t nodes) {
-  if (library_nodes == 20 && nodes == 20) return solid_conversion(CellKind::brick20);
-  if ((library_nodes == 20 || library_nodes == 8) && nodes == 8)
-    return solid_conversion(CellKind::brick8);
-  if (library_nodes == 10 && nodes == 10) return solid_conversion(CellKind::tetrahedron10);
-  if ((library_nodes == 10 || library_nodes == 4) && nodes == 4)
-    return solid_conversion(CellKind::tetrahedron4);
-  return {};
-}
-
-}  // namespace
-
 ForeignType element_type(std::int64_t routine, std::size_t nodes, std::int64_t mesh200_shape) {
-  const std::size_t library_nodes = nodes_of(routine, mesh200_shape);
+  const std::size_t own = library_nodes(routine, mesh200_shape);
   ForeignType type{fmt::format("type{}", routine), nodes, kNoVolume};
-  if (library_nodes > 0) type.conversion = conversion_of(library_nodes, nodes);
+  if (own > 0) type.conversion = conversion_of(own, nodes);
   // what is not known and has so many nodes may well be a solid
   else if (nodes >= 8 && !has(kFlat8, routine))
     type.conversion = {};

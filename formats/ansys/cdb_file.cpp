@@ -11,7 +11,8 @@
 
 #include <fmt/format.h>
 
-#include "formats/ansys/cdb_elements.hpp"
+#include "formats/ansys/cdb_commands.hpp"
+#include "formats/ansys/cdb_model.hpp"
 #include "formats/comma_fields.hpp"
 #include "formats/number_index.hpp"
 #include "formats/text_cursor.hpp"
@@ -32,39 +33,56 @@ struct Layout {
 
 class CdbReader {
  public:
-  explicit CdbReader(const InputText& text) : cursor_(text.text(), text.path()) {}
+  explicit CdbReader(const InputText& text)
+      : cursor_(text.text(), text.path()), commands_(model_, cursor_) {}
 
   ForeignMesh run() {
-    while (!cursor_.at_end()) read_command();
+    while (!cursor_.at_end()) read_line();
+    commands_.finish(have_nodes_ || have_elements_);
+    have_nodes_ |= commands_.any_nodes();
+    have_elements_ |= commands_.any_elements();
     if (!have_nodes_ || !have_elements_)
       cursor_.fail(fmt::format("the file ends too early ({} expected)",
-                               have_nodes_ ? "EBLOCK,19,SOLID" : "NBLOCK"));
+                               have_nodes_ ? "EBLOCK,19,SOLID or E or EN" : "NBLOCK or N"));
     const NumberIndex index(mesh_.cell_numbers);
     for (const auto& [name, numbers] : components_) add_block(name, numbers, index);
     return std::move(mesh_);
   }
 
  private:
-  void read_command() {
+  /// A line has a command, or several with $ between them; what is behind ! is a comment.
+  void read_line() {
     const std::size_t start = cursor_.offset();
-    const std::string_view line = cursor_.line();
+    std::string_view line = cursor_.line();
+    line = line.substr(0, line.find('!'));
+    while (true) {
+      const std::size_t end = line.find('$');
+      read_command(line.substr(0, end), start);
+      if (end == std::string_view::npos) return;
+      line.remove_prefix(end + 1);
+    }
+  }
+
+  void read_command(std::string_view line, std::size_t start) {
     CommaFields fields(line);
     const std::string command = upper(fields.field());
     if (command == "ET") {
       const auto number = fields.integer();
       const auto routine = routine_in(fields.field());
+      // besides blocks, types of contacts are told by parameters
+      if (!number && (have_nodes_ || have_elements_)) return commands_.leave_out();
       if (!number || !routine)
         cursor_.fail_at(start, fmt::format("ET: a number and an element type expected ({} found)",
                                            shown(line)));
-      routines_[*number] = *routine;
-      if (!fields.at_end()) shapes_[*number] = fields.integer().value_or(0);
+      model_.routines[*number] = *routine;
+      if (!fields.at_end()) model_.shapes[*number] = fields.integer().value_or(0);
     } else if (command == "ETBLOCK") {
       read_types();
     } else if (command.starts_with("KEYO")) {
       const auto number = fields.integer();
       const auto key = fields.integer();
       const auto value = fields.integer();
-      if (number && key == 1 && value) shapes_[*number] = *value;
+      if (number && key == 1 && value) model_.shapes[*number] = *value;
     } else if (command == "NBLOCK") {
       read_nodes(start);
     } else if (command == "EBLOCK") {
@@ -75,6 +93,8 @@ class CdbReader {
         skip_elements();
     } else if (command == "CMBLOCK") {
       read_component(fields, start);
+    } else {
+      commands_.command(command, fields, start, have_nodes_ || have_elements_);
     }
   }
 
@@ -93,9 +113,9 @@ class CdbReader {
       const std::string_view line = cursor_.line();
       if (ends_block(line)) return;
       const std::int64_t number = required_integer(line, 0, layout.integer_width, start);
-      routines_[number] = required_integer(line, 1, layout.integer_width, start);
+      model_.routines[number] = required_integer(line, 1, layout.integer_width, start);
       if (const auto first = integer_in(line, 2, layout.integer_width, start))
-        shapes_[number] = *first;
+        model_.shapes[number] = *first;
     }
   }
 
@@ -240,25 +260,7 @@ class CdbReader {
       const std::int64_t node = required_integer(line, field, width, start);
       nodes[n] = node == 0 ? kLeftOutNode : node;
     }
-    add_element(type, number, std::span(nodes).first(static_cast<std::size_t>(count)));
-  }
-
-  void add_element(std::int64_t type, std::int64_t number, std::span<std::int64_t> nodes) {
-    const auto key = std::pair(type, nodes.size());
-    auto found = places_.find(key);
-    if (found == places_.end()) {
-      const auto routine = routines_.find(type);
-      const auto shape = shapes_.find(type);
-      mesh_.types.push_back(element_type(routine == routines_.end() ? type : routine->second,
-                                         nodes.size(), shape == shapes_.end() ? 0 : shape->second));
-      found = places_.emplace(key, static_cast<std::uint16_t>(mesh_.types.size() - 1)).first;
-    }
-    const CellConversion& conversion = mesh_.types[found->second].conversion;
-    if (conversion.fate == CellFate::converted && conversion.kind == CellKind::brick20)
-      settle_collapsed_edges(nodes);
-    mesh_.cell_types.push_back(found->second);
-    mesh_.cell_numbers.push_back(number);
-    mesh_.cell_nodes.insert(mesh_.cell_nodes.end(), nodes.begin(), nodes.end());
+    model_.add_element(type, number, std::span(nodes).first(static_cast<std::size_t>(count)));
   }
 
   /// CMBLOCK,NAME,ELEM,COUNT: numbers, a negative one ending a range that the one before began.
@@ -309,12 +311,11 @@ class CdbReader {
   }
 
   TextCursor cursor_;
-  ForeignMesh mesh_;
+  CdbModel model_;
+  ForeignMesh& mesh_ = model_.mesh;
+  CdbCommands commands_;
   bool have_nodes_ = false;
   bool have_elements_ = false;
-  std::map<std::int64_t, std::int64_t> routines_;
-  std::map<std::int64_t, std::int64_t> shapes_;
-  std::map<std::pair<std::int64_t, std::size_t>, std::uint16_t> places_;
   std::vector<std::pair<std::string, std::vector<std::int64_t>>> components_;
 };
 

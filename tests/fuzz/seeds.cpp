@@ -170,6 +170,19 @@ Texts abaqus() {
       "1,2,1,1,1,10,10,1,100,100\n*ELCOPY,OLD SET=E,ELEMENT SHIFT=10,SHIFT NODES=0,REFLECT\n"};
 }
 
+/// Decks without blocks: as Ansys writes them, and as users do.
+Texts ansys() {
+  return {
+      "/PREP7\nET,1,187\nET,2,185\nN,R5.3,LOC,1,0,0,0.,0.,0.\nN,R5.3,ANG,1,0,0,5.\n"
+      "N,R5.3,LOC,2,0,0,1.\nN,R5.3,LOC,3,0,0,0.,1.\nN,R5.3,LOC,4,0,0,0.,0.,1.\n"
+      "N,R5.3,LOC,-1,\nEN,R5.5,ATTR,10,1,1,1,0,0,7,0,0,0\nEN,R5.5,NODE,1,2,3,4,0,0,0,0,\n"
+      "EN,R5.5,NODE,0,0\nEN,R5.5,ATTR,8,1,2,1,0,0,8\nEN,R5.5,NODE,1,2,3,3,4,4,4,4\n",
+      "/PREP7\nET,3,SOLID185\nTYPE,3\nN,1 $ NGEN,2,1,1,,,1.\nNGEN,2,10,1,2,1,0,1 ! y\n"
+      "NGEN,2,100,ALL,,,0,0,1\nCSYS,1\nN,200,1,45,2\nCSYS,2\nN,,3,90,45\nE,1,2,12,11,101,102,"
+      "112,111\nEGEN,2,0,-1\nEN,9,1,2,12,11,101,102,112,200\nET,4,186\nTYPE,4\n"
+      "E,1,2,12,11,101,102,112,111\nEMORE,0,0\nEMORE,0\n"};
+}
+
 Texts xdmf() {
   return {
       "<Xdmf Version=\"3.0\"><Domain><Grid Name=\"g\"><Topology TopologyType=\"Hexahedron\" "
@@ -319,16 +332,13 @@ Texts tecplot() {
 
 std::vector<std::string> seeds(const std::string& name) {
   static const std::map<std::string, std::function<Texts()>> known{
-      {"abaqus", abaqus}, {"classic-netcdf", classic_netcdf},
-      {"d3plot", d3plot}, {"ensight", ensight},
-      {"mfem", mfem},     {"openfoam", openfoam},
-      {"plot3d", plot3d}, {"points", points},
-      {"poly", poly},     {"pvd", pvd},
-      {"pvtu", pvtu},     {"tecplot", tecplot},
-      {"tetgen", tetgen}, {"vti", vti},
-      {"vtk", vtk},       {"vtm", vtm},
-      {"vtr", vtr},       {"vts", vts},
-      {"vtu", vtu},       {"xdmf", xdmf}};
+      {"abaqus", abaqus},     {"ansys", ansys},     {"classic-netcdf", classic_netcdf},
+      {"d3plot", d3plot},     {"ensight", ensight}, {"mfem", mfem},
+      {"openfoam", openfoam}, {"plot3d", plot3d},   {"points", points},
+      {"poly", poly},         {"pvd", pvd},         {"pvtu", pvtu},
+      {"tecplot", tecplot},   {"tetgen", tetgen},   {"vti", vti},
+      {"vtk", vtk},           {"vtm", vtm},         {"vtr", vtr},
+      {"vts", vts},           {"vtu", vtu},         {"xdmf", xdmf}};
   Texts texts;
   if (known.contains(name)) texts = known.at(name)();
   for (const formats::OneCellFile& file : formats::one_cell_files())

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/ansys/cdb_model.hpp"
+#include "formats/comma_fields.hpp"
+#include "formats/text_cursor.hpp"
+
+namespace hiac::formats::ansys {
+
+/// Nodes and elements that commands tell one by one: N and EN as CDWRITE writes them with the
+/// option UNBLOCKED (Programmer's Reference, "Coded database file commands": N,R5.3,LOC and
+/// EN,R5.5), and those of users' decks (Command Reference): N, E, EN, EMORE, TYPE, CSYS, NGEN,
+/// EGEN. Other commands that make or change a mesh are refused by name in a deck that has any of
+/// these; in a deck of blocks, which may hold commands with parameters, such are left out, with a
+/// note.
+class CdbCommands {
+ public:
+  CdbCommands(CdbModel& model, const TextCursor& cursor) : model_(model), cursor_(cursor) {}
+
+  /// Does what the command says, whose line begins at `start`; `name` is in capitals. `blocks`: the
+  /// deck has told nodes or elements in blocks. Throws InputError naming the line.
+  void command(const std::string& name, CommaFields fields, std::size_t start, bool blocks);
+
+  /// What is left to do at the end of the deck, `blocks` as above: of nodes and elements with one
+  /// number the last counts.
+  void finish(bool blocks);
+
+  /// Counts a command that is left out.
+  void leave_out() { ++left_out_; }
+
+  [[nodiscard]] bool any_nodes() const { return any_nodes_; }
+  [[nodiscard]] bool any_elements() const { return any_elements_; }
+
+ private:
+  /// An element whose nodes further commands may go on with.
+  struct Pending {
+    std::int64_t type;
+    std::int64_t number;
+    std::vector<std::int64_t> nodes;
+    std::size_t expected;  ///< nodes that have to come; 0: as many as there are
+    std::size_t start;
+  };
+
+  void node(CommaFields& fields, std::size_t start);
+  void written_node(CommaFields& fields, std::size_t start);
+  void element(CommaFields& fields, std::size_t start, bool numbered);
+  void written_element(CommaFields& fields, std::size_t start);
+  void more_nodes(CommaFields& fields, std::size_t start);
+  void flush();
+  void generate_nodes(CommaFields& fields, std::size_t start);
+  void generate_elements(CommaFields& fields, std::size_t start);
+  /// The places of nodes or elements from, to, in steps of, or all of them.
+  std::vector<std::size_t> pattern(CommaFields& fields, std::size_t start, std::string_view command,
+                                   bool elements);
+  [[nodiscard]] std::int64_t checked(std::int64_t number, std::size_t start) const;
+  [[nodiscard]] std::int64_t largest_element(std::size_t start) const;
+  void take(std::size_t start, std::size_t numbers);
+  std::int64_t whole(CommaFields& fields, std::size_t start, std::string_view what,
+                     std::optional<std::int64_t> otherwise = std::nullopt) const;
+  double real(CommaFields& fields, std::size_t start) const;
+  [[noreturn]] void refuse(std::size_t start, std::string_view what) const;
+  void refuse_given(CommaFields& fields, std::size_t start, std::string_view what) const;
+
+  CdbModel& model_;
+  const TextCursor& cursor_;
+  bool any_nodes_ = false;
+  bool any_elements_ = false;
+  bool selected_ = false;        ///< NSEL or ESEL chose some
+  std::string not_read_;         ///< the first command that changes a mesh and is not read
+  std::size_t not_read_at_ = 0;  ///< where it is
+  std::optional<std::int64_t> system_ = 0;  ///< CSYS; none: told by a parameter
+  std::optional<std::int64_t> type_ = 1;    ///< TYPE
+  std::int64_t last_node_ = 0;              ///< the largest number
+  std::int64_t last_element_ = 0;           ///< the largest number
+  std::size_t known_nodes_ = 0;             ///< how many of the mesh last_node_ takes into account
+  std::size_t known_elements_ = 0;
+  std::size_t made_ = 0;
+  std::size_t left_out_ = 0;
+  std::optional<Pending> pending_;
+};
+
+}  // namespace hiac::formats::ansys
