@@ -1,5 +1,6 @@
-// $Nodes, $Elements and $Entities of versions 1, 2, 4.0 and 4.1 (the Gmsh reference manual, "MSH
-// file format", and of version 4.0 that of Gmsh 4.0).
+// $Nodes, $Elements and $Entities of versions 1, 2, 3, 4.0 and 4.1 (the Gmsh reference manual, "MSH
+// file format", and of version 4.0 that of Gmsh 4.0; of version 3, which no manual tells,
+// GModelIO_MSH3.cpp of Gmsh).
 #include <array>
 
 #include <fmt/format.h>
@@ -87,6 +88,29 @@ void read_nodes_2(MshStream& stream, MshContents& contents, bool parametric) {
     mesh.node_numbers.push_back(stream.integer("a node number"));
     read_point(stream, mesh);
     if (parametric) skip_parametric_place(stream);
+  }
+}
+
+/// Version 3: a list of number, coordinates and entity, which is 0 or has a dimension and as many
+/// parameters behind it.
+void read_nodes_3(MshStream& stream, MshContents& contents) {
+  ForeignMesh& mesh = contents.mesh;
+  constexpr std::size_t kBinaryBytes = 32;
+  constexpr std::size_t kTextBytes = 10;
+  const std::size_t count = stream.cursor().count("the number of nodes", stream.cursor().left());
+  if (stream.binary()) stream.cursor().line();
+  if (count > stream.cursor().left() / (stream.binary() ? kBinaryBytes : kTextBytes) + 1)
+    stream.fail(fmt::format("{} nodes announced, more than the file can hold", count));
+  reserve_points(mesh, count);
+  for (std::size_t i = 0; i < count; ++i) {
+    mesh.node_numbers.push_back(stream.integer("a node number"));
+    read_point(stream, mesh);
+    if (stream.integer("an entity's tag") == 0) continue;
+    const std::int64_t dimension = stream.integer("an entity's dimension");
+    if (dimension < 0 || dimension > static_cast<std::int64_t>(kMostDimension))
+      stream.fail(
+          fmt::format("an entity's dimension: impossible (0 to 3 expected, {} found)", dimension));
+    for (std::int64_t c = 0; c < dimension; ++c) stream.real("a parametric coordinate");
   }
 }
 
@@ -205,6 +229,41 @@ void read_elements_2(MshStream& stream, MshContents& contents) {
   }
 }
 
+/// The physical groups of an entity that the elements from `begin` on are of.
+void add_to_groups_of(MshContents& contents, DimTag entity, std::size_t begin) {
+  const auto groups = contents.entity_groups.find(entity);
+  if (groups == contents.entity_groups.end()) return;
+  for (const std::int64_t group : groups->second)
+    add_to_group(contents, {entity.first, group}, begin, contents.mesh.cell_count());
+}
+
+/// Version 3: a list of number, type, entity and a number of data: the nodes, and behind them what
+/// the element is a part of and its partitions.
+void read_elements_3(MshStream& stream, MshContents& contents) {
+  ForeignMesh& mesh = contents.mesh;
+  Types types(mesh.types);
+  const std::size_t total =
+      stream.cursor().count("the number of elements", stream.cursor().left() / 4 + 1);
+  if (stream.binary()) stream.cursor().line();
+  reserve_cells(stream, mesh, total);
+  for (std::size_t i = 0; i < total; ++i) {
+    const std::size_t begin = mesh.cell_count();
+    mesh.cell_numbers.push_back(stream.integer("an element number"));
+    const std::uint16_t type = types.place_of(stream.integer("an element type"), stream);
+    const std::int64_t entity = stream.integer("an entity's tag");
+    const std::size_t data = stream.narrow_count("a number of data", 4);
+    const ForeignType& known = mesh.types[type];
+    if (data < known.nodes)
+      stream.fail(fmt::format("a {} has {} nodes ({} found)", known.name, known.nodes, data));
+    mesh.cell_types.push_back(type);
+    for (std::size_t n = 0; n < known.nodes; ++n)
+      mesh.cell_nodes.push_back(stream.integer("a node number"));
+    for (std::size_t n = known.nodes; n < data; ++n) stream.integer("a partition");
+    if (known.conversion.fate != CellFate::no_volume)
+      add_to_groups_of(contents, {static_cast<int>(kMostDimension), entity}, begin);
+  }
+}
+
 void read_elements_4(MshStream& stream, MshContents& contents) {
   const bool v41 = contents.version >= 4.1;
   ForeignMesh& mesh = contents.mesh;
@@ -231,10 +290,7 @@ void read_elements_4(MshStream& stream, MshContents& contents) {
                                       : stream.integer("a node number"));
     }
     if (head.dimension < static_cast<int>(kMostDimension)) continue;
-    const auto groups = contents.entity_groups.find({head.dimension, head.tag});
-    if (groups == contents.entity_groups.end()) continue;
-    for (const std::int64_t group : groups->second)
-      add_to_group(contents, {head.dimension, group}, begin, mesh.cell_count());
+    add_to_groups_of(contents, {head.dimension, head.tag}, begin);
   }
   if (mesh.cell_count() != total)
     stream.fail(
@@ -245,8 +301,10 @@ void read_elements_4(MshStream& stream, MshContents& contents) {
 
 void read_nodes(MshStream& stream, MshContents& contents) {
   if (!contents.mesh.node_numbers.empty()) stream.fail("a second section of nodes");
-  if (contents.version < 4)
+  if (contents.version < 3)
     read_nodes_2(stream, contents, false);
+  else if (contents.version < 4)
+    read_nodes_3(stream, contents);
   else
     read_nodes_4(stream, contents);
 }
@@ -258,10 +316,30 @@ void read_parametric_nodes(MshStream& stream, MshContents& contents) {
 
 void read_elements(MshStream& stream, MshContents& contents) {
   if (!contents.mesh.cell_types.empty()) stream.fail("a second section of elements");
-  if (contents.version < 4)
+  if (contents.version < 3)
     read_elements_2(stream, contents);
+  else if (contents.version < 4)
+    read_elements_3(stream, contents);
   else
     read_elements_4(stream, contents);
+}
+
+void read_entities_3(TextCursor& cursor, MshContents& contents) {
+  const auto some = [&](std::string_view what) {
+    return cursor.count(what, cursor.left() / 2 + 1);
+  };
+  std::array<std::size_t, kMostDimension + 1> counts{};
+  for (std::size_t& count : counts) count = some("a number of entities");
+  for (std::size_t dimension = 0; dimension < counts.size(); ++dimension)
+    for (std::size_t i = 0; i < counts[dimension]; ++i) {
+      const std::int64_t tag = cursor.integer("an entity's tag");
+      const std::size_t bounds = dimension == 0 ? 0 : some("a number of bounding entities");
+      for (std::size_t b = 0; b < bounds; ++b) cursor.integer("a bounding entity");
+      const std::size_t groups = some("a number of physical groups");
+      for (std::size_t g = 0; g < groups; ++g)
+        contents.entity_groups[{static_cast<int>(dimension), tag}].push_back(
+            cursor.integer("a physical group"));
+    }
 }
 
 void read_entities(MshStream& stream, MshContents& contents) {

@@ -78,9 +78,9 @@ class SectionReader {
     const std::int64_t binary = cursor.integer("0 (text) or 1 (binary)");
     const std::int64_t size = cursor.integer("the size of a number");
     const double version = contents_.version;
-    if (!(version >= 2 && version < 2.3) && version != 4 && version != 4.1)
-      cursor.fail_at(at, fmt::format("version {} of the format is not known (1, 2 to 2.2, 4 or 4.1 "
-                                     "expected)",
+    if (!(version >= 2 && version < 2.3) && version != 3 && version != 4 && version != 4.1)
+      cursor.fail_at(at, fmt::format("version {} of the format is not known (1, 2 to 2.2, 3, 4 or "
+                                     "4.1 expected)",
                                      version));
     if (binary < 0 || binary > 1 || size != 8)
       cursor.fail_at(at, fmt::format("'0 8' or '1 8' expected behind the version ('{} {}' found)",
@@ -126,12 +126,14 @@ class SectionReader {
     if (section_ == "Nodes" || section_ == "NOD") {
       read_nodes(stream_, contents_);
       have_nodes_ = true;
-    } else if (section_ == "ParametricNodes" && contents_.version < 4) {
+    } else if (section_ == "ParametricNodes" && contents_.version < 3) {
       read_parametric_nodes(stream_, contents_);
       have_nodes_ = true;
     } else if (section_ == "Elements" || section_ == "ELM") {
       read_elements(stream_, contents_);
       have_elements_ = true;
+    } else if (section_ == "Entities" && contents_.version == 3) {
+      read_entities_3(stream_.cursor(), contents_);
     } else if (section_ == "Entities" && contents_.version >= 4) {
       read_entities(stream_, contents_);
     } else if (section_ == "PhysicalNames") {

@@ -31,7 +31,7 @@ struct MshContents {
   double version = 0;
   ForeignMesh mesh;
   std::map<DimTag, std::string> physical_names;
-  std::map<DimTag, std::vector<std::int64_t>> entity_groups;  ///< versions 4
+  std::map<DimTag, std::vector<std::int64_t>> entity_groups;  ///< versions 3, 4
   std::map<DimTag, std::vector<IndexRange>> groups;           ///< cells of physical groups
   std::vector<DataSection> data;
 };
@@ -44,5 +44,7 @@ void read_nodes(MshStream& stream, MshContents& contents);
 void read_parametric_nodes(MshStream& stream, MshContents& contents);
 void read_elements(MshStream& stream, MshContents& contents);
 void read_entities(MshStream& stream, MshContents& contents);
+/// Of version 3 they are text in binary files too.
+void read_entities_3(TextCursor& cursor, MshContents& contents);
 
 }  // namespace hiac::formats::gmsh

@@ -176,6 +176,60 @@ TEST(GmshDialects, Version1And40AndBinaryOfBothOrders) {
   }
 }
 
+/// A tetrahedron and a triangle as Gmsh's GModelIO_MSH3.cpp writes them: entities with what bounds
+/// them, nodes with the parameters of their entities, elements with nodes and partitions.
+std::string msh3(const std::string& nodes, const std::string& tetrahedron) {
+  return "$MeshFormat\n3 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n2 7 \"skin\"\n3 6 \"core\"\n"
+         "$EndPhysicalNames\n$Entities\n1 2 1 2\n1 0 \n1 2 1 1 0 \n2 0 0 \n1 2 1 -2 1 7 \n"
+         "1 1 1 0 \n5 0 2 6 8 \n$EndEntities\n$Nodes\n4\n" +
+         nodes + "$EndNodes\n$Elements\n2\n" + tetrahedron +
+         "\n2 2 1 3 1 2 3\n$EndElements\n$NodeData\n1\n\"p\"\n1\n0.5\n3\n0\n1\n1\n3 2.5\n"
+         "$EndNodeData\n";
+}
+
+TEST(GmshDialects, Version3) {
+  const ScratchFolder folder;
+  const std::string nodes =
+      "1 0 0 0 1 0 \n2 1 0 0 1 1 0.5\n3 0 1 0 1 2 0.1 0.2\n4 0 0 1 5 3 0 0 1\n";
+  const std::string bare = "1 0 0 0 0\n2 1 0 0 0\n3 0 1 0 0\n4 0 0 1 0\n";
+  for (const std::string& text :
+       {msh3(nodes, "1 4 5 4 1 2 3 4"), msh3(bare, "1 4 5 6 1 2 3 4 1 2")}) {
+    const std::string path = folder.write("a.msh", text);
+    const ZooMesh mesh = read_any(path).mesh;
+    expect_unit_tetrahedron(mesh);
+    EXPECT_EQ(mesh.fields.at(0).values[2], 2.5);
+    EXPECT_THAT(format_named("gmsh").inspect(path).blocks,
+                testing::UnorderedElementsAre("core", testing::_));
+  }
+  EXPECT_THAT(refusal(folder.write("b.msh", msh3(bare, "1 4 5 3 1 2 3"))),
+              HasSubstr("b.msh:27: a Tetrahedron 4 has 4 nodes (3 found)"));
+  EXPECT_THAT(refusal(folder.write("c.msh", msh3("1 0 0 0 1 4 \n" + bare, "1 4 5 4 1 2 3 4"))),
+              HasSubstr("an entity's dimension: impossible (0 to 3 expected, 4 found)"));
+  EXPECT_THAT(refusal(folder.write("d.msh", msh3(bare, "1 4 5 99999 1 2 3 4"))),
+              HasSubstr("a number of data: impossible"));
+  EXPECT_THAT(refusal(folder.write("e.msh", "$MeshFormat\n3.5 0 8\n")),
+              HasSubstr("version 3.5 of the format is not known"));
+}
+
+TEST(GmshDialects, Version3Binary) {
+  const ScratchFolder folder;
+  for (const std::endian order : kOrders) {
+    Bytes bytes(order);
+    bytes.text("$MeshFormat\n3 1 8\n").add<std::int32_t>({1}).text("\n$EndMeshFormat\n");
+    bytes.text("$Entities\n0 0 0 1\n5 0 1 6 \n$EndEntities\n$Nodes\n4\n");
+    bytes.add<std::int32_t>({1}).add<double>({0, 0, 0}).add<std::int32_t>({0});
+    bytes.add<std::int32_t>({2}).add<double>({1, 0, 0}).add<std::int32_t>({7, 1});
+    bytes.add<double>({0.5});
+    bytes.add<std::int32_t>({3}).add<double>({0, 1, 0}).add<std::int32_t>({7, 0});
+    bytes.add<std::int32_t>({4}).add<double>({0, 0, 1}).add<std::int32_t>({5, 3});
+    bytes.add<double>({0, 0, 1}).text("\n$EndNodes\n$Elements\n1\n");
+    bytes.add<std::int32_t>({9, 4, 5, 6, 1, 2, 3, 4, 1, 3}).text("\n$EndElements\n");
+    const std::string path = folder.write("a.msh", bytes.str());
+    expect_unit_tetrahedron(read_any(path).mesh);
+    EXPECT_EQ(format_named("gmsh").inspect(path).blocks.size(), 1U);
+  }
+}
+
 TEST(FrdDialects, BinaryBlocks) {
   const ScratchFolder folder;
   const auto head = [](const char* key, int count, int encoding) {

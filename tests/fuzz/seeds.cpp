@@ -183,6 +183,15 @@ Texts ansys() {
       "E,1,2,12,11,101,102,112,111\nEMORE,0,0\nEMORE,0\n"};
 }
 
+/// MSH of version 3.
+Texts gmsh() {
+  return {
+      "$MeshFormat\n3 0 8\n$EndMeshFormat\n$Entities\n1 0 1 1\n1 0 \n1 1 -2 0\n5 1 1 2 6 8\n"
+      "$EndEntities\n$Nodes\n4\n1 0 0 0 0\n2 1 0 0 1 1 .5\n3 0 1 0 1 2 .1 .2\n"
+      "4 0 0 1 5 3 0 0 1\n$EndNodes\n$Elements\n2\n1 4 5 6 1 2 3 4 1 2\n2 2 1 3 1 2 3\n"
+      "$EndElements\n"};
+}
+
 Texts xdmf() {
   return {
       "<Xdmf Version=\"3.0\"><Domain><Grid Name=\"g\"><Topology TopologyType=\"Hexahedron\" "
@@ -332,13 +341,14 @@ Texts tecplot() {
 
 std::vector<std::string> seeds(const std::string& name) {
   static const std::map<std::string, std::function<Texts()>> known{
-      {"abaqus", abaqus},     {"ansys", ansys},     {"classic-netcdf", classic_netcdf},
-      {"d3plot", d3plot},     {"ensight", ensight}, {"mfem", mfem},
-      {"openfoam", openfoam}, {"plot3d", plot3d},   {"points", points},
-      {"poly", poly},         {"pvd", pvd},         {"pvtu", pvtu},
-      {"tecplot", tecplot},   {"tetgen", tetgen},   {"vti", vti},
-      {"vtk", vtk},           {"vtm", vtm},         {"vtr", vtr},
-      {"vts", vts},           {"vtu", vtu},         {"xdmf", xdmf}};
+      {"abaqus", abaqus}, {"ansys", ansys},       {"classic-netcdf", classic_netcdf},
+      {"d3plot", d3plot}, {"ensight", ensight},   {"gmsh", gmsh},
+      {"mfem", mfem},     {"openfoam", openfoam}, {"plot3d", plot3d},
+      {"points", points}, {"poly", poly},         {"pvd", pvd},
+      {"pvtu", pvtu},     {"tecplot", tecplot},   {"tetgen", tetgen},
+      {"vti", vti},       {"vtk", vtk},           {"vtm", vtm},
+      {"vtr", vtr},       {"vts", vts},           {"vtu", vtu},
+      {"xdmf", xdmf}};
   Texts texts;
   if (known.contains(name)) texts = known.at(name)();
   for (const formats::OneCellFile& file : formats::one_cell_files())
