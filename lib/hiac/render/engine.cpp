@@ -13,8 +13,8 @@
 #include "hiac/render/cell_groups.hpp"
 #include "hiac/render/frame.hpp"
 #include "hiac/render/general_cells.hpp"
+#include "hiac/render/higher_order_kernel.hpp"
 #include "hiac/render/pixel_refinement.hpp"
-#include "hiac/render/quadratic_kernel.hpp"
 #include "hiac/render/splatting.hpp"
 #include "hiac/render/tetrahedron_kernel.hpp"
 #include "hiac/render/tile.hpp"
@@ -82,8 +82,8 @@ class TileRenderer {
   [[nodiscard]] CellKernel kernel_for(std::uint32_t rank) const {
     const CellId cell = order_.cells[rank];
     const CellKernel kernel = frame_.kernel_cells[cell];
-    return kernel == CellKernel::quadratic && !for_quadratic_kernel(frame_, cell) ? CellKernel::none
-                                                                                  : kernel;
+    const bool is_higher = kernel == CellKernel::quadratic || kernel == CellKernel::cubic;
+    return is_higher && !for_higher_order_kernel(frame_, cell) ? CellKernel::none : kernel;
   }
 
   void render_run(std::span<const std::uint32_t> ranks, SegmentList* group) {
@@ -96,6 +96,7 @@ class TileRenderer {
           cells_.push_back(cell);
       const auto draw = kernel == CellKernel::linear      ? render_tetrahedra
                         : kernel == CellKernel::quadratic ? render_quadratic_tetrahedra
+                        : kernel == CellKernel::cubic     ? render_cubic_tetrahedra
                                                           : render_general_cells;
       draw(frame_, cells_, tile_, buffer_, group, counts_);
     }

@@ -25,7 +25,7 @@ bool is_thin(const ProjectedNode& a, const ProjectedNode& b, const ProjectedNode
 CellKernel kernel_of(const ZooMesh& mesh, CellId cell, std::span<const ProjectedNode> nodes,
                      double straightness) {
   const CellKind kind = mesh.kinds[cell];
-  if (kind != CellKind::tetrahedron4 && kind != CellKind::tetrahedron10) return CellKernel::none;
+  if (shape_of(kind) != CellShape::tetrahedron) return CellKernel::none;
   const auto ids = mesh.cell_nodes(cell);
   std::array<ProjectedNode, 4> p;
   for (std::size_t k = 0; k < 4; ++k) {
@@ -36,8 +36,8 @@ CellKernel kernel_of(const ZooMesh& mesh, CellId cell, std::span<const Projected
       is_thin(p[1], p[2], p[3]))
     return CellKernel::none;
   if (kind == CellKind::tetrahedron4) return CellKernel::linear;
-  return edge_deviation(kind, cell_positions(mesh, cell)) <= straightness ? CellKernel::quadratic
-                                                                          : CellKernel::none;
+  if (edge_deviation(kind, cell_positions(mesh, cell)) > straightness) return CellKernel::none;
+  return kind == CellKind::tetrahedron10 ? CellKernel::quadratic : CellKernel::cubic;
 }
 
 }  // namespace

@@ -10,11 +10,11 @@
 namespace hiac {
 
 /// By which kernel a cell may be drawn. The others are for render_general_cells.
-enum class CellKernel : std::uint8_t { none, linear, quadratic };
+enum class CellKernel : std::uint8_t { none, linear, quadratic, cubic };
 
-/// For every cell the kernel for its kind, when it is a linear tetrahedron, or a quadratic one with
-/// straight edges (edge_deviation at most `straightness`), with projectable corners, none of whose
-/// faces is seen so nearly edge-on that its depth is decided by rounding.
+/// For every cell the kernel for its kind, when it is a linear tetrahedron, or a quadratic or cubic
+/// one with straight edges (edge_deviation at most `straightness`), with projectable corners, none
+/// of whose faces is seen so nearly edge-on that its depth is decided by rounding.
 std::vector<CellKernel> kernel_cells(const ZooMesh& mesh, std::span<const ProjectedNode> nodes,
                                      double straightness);
 

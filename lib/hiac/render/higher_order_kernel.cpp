@@ -1,4 +1,4 @@
-#include "hiac/render/quadratic_kernel.hpp"
+#include "hiac/render/higher_order_kernel.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,12 +6,12 @@
 #include <limits>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "hiac/render/quadratic_kernel.cpp"
+#define HWY_TARGET_INCLUDE "hiac/render/higher_order_kernel.cpp"
 #include <hwy/foreach_target.h>
 // must come after foreach_target.h
 #include <hwy/highway.h>
 
-#include "hiac/render/quadratic_shading-inl.hpp"
+#include "hiac/render/higher_order_shading-inl.hpp"
 #include "hiac/render/scan_conversion-inl.hpp"
 #include "hiac/render/segment_sink-inl.hpp"
 
@@ -19,61 +19,47 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Of the tolerance; the rest is for rounding and the ends of rays.
-inline constexpr double kQuadratureShare = 0.5;
+// Of the tolerance, as in all other cells (general_cells.cpp).
+inline constexpr double kQuadratureShare = 0x1p-7;
 
-// One quadratic field in one cell, less the value at its first corner; corners are in ascending
-// order of their nodes. With the barycentric coordinates w_1, w_2, w_3 of the others it is
-// sum 2 linear_i w_i + sum square_ij w_i w_j.
-struct QuadraticField {
+// What rounding does to coefficients of fields of an order, of their size.
+inline constexpr double kCoefficientRounding[] = {0, 0, 0x1p-49, 0x1p-46};
+
+// One field in one cell, less the value at its first corner; corners are in ascending order of
+// their nodes.
+template <std::size_t kOrder>
+struct HigherOrderField {
   double base;
-  std::array<double, 3> linear;
-  std::array<std::array<double, 3>, 3> square;
-  double least, most;
+  double low, high;  // less the base
   IntervalRange intervals;
+  PolarForm<kOrder> form;
 
   template <std::size_t N>
   HWY_INLINE void load(const FrameField& field, const TransferTable<N>& table, CellId cell,
                        std::uint64_t first_entry, const NodeId* nodes,
                        const std::array<std::size_t, 4>& corner) {
-    // the node between two corners
-    static constexpr std::array<std::array<std::uint8_t, 4>, 4> kBetween{
-        {{0, 4, 6, 7}, {4, 1, 5, 8}, {6, 5, 2, 9}, {7, 8, 9, 3}}};
     const auto value = [&](std::size_t k) {
       return field.values[field.index(cell, first_entry + k, nodes[k])];
     };
     base = value(corner[0]);
-    std::array<std::array<double, 4>, 4> b;  // Bernstein coefficients by pairs of corners
-    std::array<double, 4> at_corner;
-    for (std::size_t i = 0; i < 4; ++i) b[i][i] = at_corner[i] = value(corner[i]) - base;
-    double low = 0, high = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j < i; ++j) {
-        const double middle = value(kBetween[corner[i]][corner[j]]) - base;
-        b[i][j] = b[j][i] = 2 * middle - 0.5 * (at_corner[i] + at_corner[j]);
-        low = std::min({low, b[i][j], at_corner[i]});
-        high = std::max({high, b[i][j], at_corner[i]});
-      }
-    for (std::size_t i = 0; i < 3; ++i) {
-      linear[i] = b[0][i + 1];
-      for (std::size_t j = 0; j < 3; ++j)
-        square[i][j] = b[i + 1][j + 1] - b[0][i + 1] - b[0][j + 1];
-    }
+    std::array<double, PolarForm<kOrder>::kNodes> values;
+    for (std::size_t k = 0; k < values.size(); ++k) values[k] = value(k) - base;
+    const auto [least, most] = form.set(values, corner);
     // a constant keeps its value
     const double rounding =
-        high > low ? 8 * std::numeric_limits<double>::epsilon() * (std::abs(base) + high - low) : 0;
-    least = base + low - rounding;
-    most = base + high + rounding;
-    intervals = {classify_value(least, table).low, classify_value(most, table).high};
+        most > least ? kCoefficientRounding[kOrder] * (std::abs(base) + most - least) : 0;
+    low = least - rounding;
+    high = most + rounding;
+    intervals = {classify_value(base + low, table).low, classify_value(base + high, table).high};
   }
 };
 
 // Renders one kind of scene.
-template <bool kEmission>
-class QuadraticRenderer {
+template <bool kEmission, std::size_t kOrder>
+class HigherOrderRenderer {
  public:
-  QuadraticRenderer(const Frame& frame, const TileRect& tile, TileBuffer& buffer,
-                    SegmentList* group, TileCounts& counts)
+  HigherOrderRenderer(const Frame& frame, const TileRect& tile, TileBuffer& buffer,
+                      SegmentList* group, TileCounts& counts)
       : frame_(frame),
         tile_(tile),
         buffer_(buffer),
@@ -87,7 +73,8 @@ class QuadraticRenderer {
     set_face_planes(corners_, false, planes_);
     set_weights();
     sides_ = face_sides(corners_);
-    QuadraticWalk<kEmission> walk(frame_.optics, color_.intervals, extinction_.intervals);
+    Walk walk(frame_.optics, {color_.intervals, color_.base},
+              {extinction_.intervals, extinction_.base});
     const int lanes = static_cast<int>(hn::Lanes(D()));
     for (int row = runs_.row_begin; row < runs_.row_end; ++row) {
       const auto r = static_cast<std::size_t>(row - runs_.row_begin);
@@ -102,6 +89,7 @@ class QuadraticRenderer {
   using D = hn::CappedTag<double, 8>;
   using V = hn::Vec<D>;
   using M = hn::Mask<D>;
+  using Walk = HigherOrderWalk<kEmission, kOrder>;
 
   HWY_INLINE bool load(CellId cell) {
     const std::uint64_t first_entry = frame_.mesh.elems[cell];
@@ -187,32 +175,18 @@ class QuadraticRenderer {
     return perspective_ ? hn::Div(hn::Set(d, -1.0), depth) : depth;
   }
 
-  static HWY_INLINE QuadraticScalar<V> scalar_between(D d, const QuadraticField& field,
-                                                      const Place& p, const Place& q) {
-    const V zero = hn::Zero(d);
-    QuadraticScalar<V> s{zero, zero, zero};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const V linear = hn::Set(d, field.linear[i]);
-      V at_p = linear, at_q = linear;
-      for (std::size_t j = 0; j < 3; ++j) {
-        const V square = hn::Set(d, field.square[i][j]);
-        at_p = hn::MulAdd(square, p.corner[j], at_p);
-        at_q = hn::MulAdd(square, q.corner[j], at_q);
-      }
-      s.c0 = hn::MulAdd(hn::Add(at_p, linear), p.corner[i], s.c0);
-      s.c1 = hn::MulAdd(linear, p.corner[i], hn::MulAdd(at_p, q.corner[i], s.c1));
-      s.c2 = hn::MulAdd(hn::Add(at_q, linear), q.corner[i], s.c2);
-    }
-    const auto kept = [&](V c) {
-      return hn::Min(hn::Max(hn::Add(hn::Set(d, field.base), c), hn::Set(d, field.least)),
-                     hn::Set(d, field.most));
-    };
-    return {kept(s.c0), kept(s.c1), kept(s.c2)};
+  static HWY_INLINE BernsteinScalar<V, kOrder> scalar_between(D d,
+                                                              const HigherOrderField<kOrder>& field,
+                                                              const Place& p, const Place& q) {
+    BernsteinScalar<V, kOrder> s = field.form.between(d, p.corner, q.corner);
+    const V low = hn::Set(d, field.low), high = hn::Set(d, field.high);
+    for (V& c : s.c) c = hn::Min(hn::Max(c, low), high);
+    return s;
   }
 
-  HWY_INLINE void render_pixels(QuadraticWalk<kEmission>& walk, int row, int x, int last) {
+  HWY_INLINE void render_pixels(Walk& walk, int row, int x, int last) {
     const D d;
-    const V pixel = hn::Iota(d, x), zero = hn::Zero(d), one = hn::Set(d, 1.0);
+    const V pixel = hn::Iota(d, x), one = hn::Set(d, 1.0);
     const std::size_t at = static_cast<std::size_t>(row - tile_.y0) * kTileStride +
                            static_cast<std::size_t>(x - tile_.x0);
     const V behind = hn::LoadU(d, buffer_.transparency.data() + at);
@@ -225,15 +199,16 @@ class QuadraticRenderer {
     const V whole_front = ray_parameter(d, in.depth), whole_back = ray_parameter(d, out.depth);
     const V depth = hn::Sub(whole_back, whole_front);
     V front = whole_front, back = whole_back;
-    QuadraticSegments<V> s;
+    HigherOrderSegments<V, kOrder> s;
     s.whole = !clipped_;
-    s.begin = zero;
+    s.begin = hn::Neg(one);
     s.end = one;
     if (clipped_) {
       front = hn::Max(front, hn::Set(d, frame_.projector.near()));
       back = hn::Min(back, hn::Set(d, frame_.projector.far()));
       const auto part = [&](V t) {
-        return hn::Min(hn::Max(hn::Div(hn::Sub(t, whole_front), depth), zero), one);
+        const V share = hn::Div(hn::Sub(t, whole_front), depth);
+        return hn::Min(hn::Max(hn::MulSub(hn::Set(d, 2.0), share, one), s.begin), one);
       };
       s.begin = part(front);
       s.end = hn::IfThenElse(hn::Eq(back, whole_back), one, part(back));
@@ -259,7 +234,7 @@ class QuadraticRenderer {
   bool perspective_;
   SegmentSink sink_;
   // of the cell at hand
-  QuadraticField extinction_, color_;
+  HigherOrderField<kOrder> extinction_, color_;
   ProjectedTetrahedron corners_;
   double nearest_ = 0, farthest_ = 0;  // depths
   bool clipped_ = false;               // partly in front of or behind what the view shows
@@ -270,17 +245,23 @@ class QuadraticRenderer {
   FaceRow face_row_;
 };
 
-template <bool kEmission>
-HWY_NOINLINE void render_quadratic(const Frame& frame, std::span<const CellId> cells,
-                                   const TileRect& tile, TileBuffer& buffer, SegmentList* group,
-                                   TileCounts& counts) {
-  QuadraticRenderer<kEmission> renderer(frame, tile, buffer, group, counts);
+template <bool kEmission, std::size_t kOrder>
+HWY_NOINLINE void render_order(const Frame& frame, std::span<const CellId> cells,
+                               const TileRect& tile, TileBuffer& buffer, SegmentList* group,
+                               TileCounts& counts) {
+  HigherOrderRenderer<kEmission, kOrder> renderer(frame, tile, buffer, group, counts);
   for (const CellId cell : cells) renderer.render(cell);
 }
 
 void render_quadratic_here(const Frame& frame, std::span<const CellId> cells, const TileRect& tile,
                            TileBuffer& buffer, SegmentList* group, TileCounts& counts) {
-  const auto render = frame.optics.emission ? render_quadratic<true> : render_quadratic<false>;
+  const auto render = frame.optics.emission ? render_order<true, 2> : render_order<false, 2>;
+  render(frame, cells, tile, buffer, group, counts);
+}
+
+void render_cubic_here(const Frame& frame, std::span<const CellId> cells, const TileRect& tile,
+                       TileBuffer& buffer, SegmentList* group, TileCounts& counts) {
+  const auto render = frame.optics.emission ? render_order<true, 3> : render_order<false, 3>;
   render(frame, cells, tile, buffer, group, counts);
 }
 
@@ -291,8 +272,9 @@ HWY_AFTER_NAMESPACE();
 namespace hiac {
 
 HWY_EXPORT(render_quadratic_here);
+HWY_EXPORT(render_cubic_here);
 
-bool for_quadratic_kernel(const Frame& frame, CellId cell) {
+bool for_higher_order_kernel(const Frame& frame, CellId cell) {
   return !frame.with_details && frame.optics.rule == PieceRule::exact &&
          frame.isosurfaces.in(cell).empty();
 }
@@ -301,6 +283,12 @@ void render_quadratic_tetrahedra(const Frame& frame, std::span<const CellId> cel
                                  const TileRect& tile, TileBuffer& buffer, SegmentList* group,
                                  TileCounts& counts) {
   HWY_DYNAMIC_DISPATCH(render_quadratic_here)(frame, cells, tile, buffer, group, counts);
+}
+
+void render_cubic_tetrahedra(const Frame& frame, std::span<const CellId> cells,
+                             const TileRect& tile, TileBuffer& buffer, SegmentList* group,
+                             TileCounts& counts) {
+  HWY_DYNAMIC_DISPATCH(render_cubic_here)(frame, cells, tile, buffer, group, counts);
 }
 
 }  // namespace hiac
