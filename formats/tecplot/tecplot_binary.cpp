@@ -33,12 +33,16 @@ struct ElementType {
   std::size_t nodes;
   std::size_t faces;
 };
-constexpr std::array<ElementType, 6> kElements{{{"ORDERED", 0, 0},
+constexpr std::array<ElementType, 8> kElements{{{"ORDERED", 0, 0},
                                                 {"LINESEG", 2, 2},
                                                 {"TRIANGLE", 3, 3},
                                                 {"QUADRILATERAL", 4, 4},
                                                 {"TETRAHEDRON", 4, 4},
-                                                {"BRICK", 8, 6}}};
+                                                {"BRICK", 8, 6},
+                                                {"POLYGON", 0, 0},
+                                                {"POLYHEDRON", 0, 0}}};
+/// From this one on elements are told by their faces.
+constexpr std::int32_t kPolygon = 6;
 
 /// What of a zone's header its data need.
 struct ZoneHeader {
@@ -47,6 +51,11 @@ struct ZoneHeader {
   bool raw_neighbors = false;
   std::int64_t neighbors = 0;
   std::int32_t neighbor_mode = 0;
+  bool by_faces = false;        ///< polygons or polyhedra; then of the zone
+  std::size_t zone_faces = 0;   ///< its faces,
+  std::size_t face_nodes = 0;   ///< the nodes of all of them,
+  std::size_t outer_faces = 0;  ///< those with connections with other zones, and one more,
+  std::size_t connections = 0;  ///< and these connections
 };
 
 class Reader {
@@ -145,8 +154,8 @@ class Reader {
     integer("the zone's colour");
     const std::int32_t type = integer("the zone's type");
     if (type < 0 || static_cast<std::size_t>(type) >= kElements.size())
-      stream_.fail(fmt::format("zone '{}': type {} is not read (polygons and polyhedra are 6, 7)",
-                               zone.name, type));
+      stream_.fail(
+          fmt::format("zone '{}': type {} is not known (0 to 7 expected)", zone.name, type));
     if (version_ <= kLastPacked) header.by_points = integer("the packing") == 1;
     zone.cell_centered.resize(file_.variables.size());
     if (integer("whether locations follow") != 0)
@@ -164,7 +173,7 @@ class Reader {
     if (zone.ordered)
       read_dimensions(zone);
     else
-      read_sizes(zone, element);
+      read_sizes(zone, element, type >= kPolygon, header);
     while (integer("whether auxiliary data follow") != 0) read_auxiliary();
     file_.zones.push_back(std::move(zone));
     headers_.push_back(header);
@@ -182,10 +191,17 @@ class Reader {
     if (zone.nodes == 0) zone.elements = 0;
   }
 
-  void read_sizes(Zone& zone, const ElementType& element) {
+  void read_sizes(Zone& zone, const ElementType& element, bool by_faces, ZoneHeader& header) {
     zone.element = element.name;
     zone.nodes_per_element = element.nodes;
     zone.nodes = extent("the number of nodes");
+    header.by_faces = by_faces;
+    if (by_faces) {
+      header.zone_faces = extent("the number of faces");
+      header.face_nodes = extent("the number of the faces' nodes");
+      header.outer_faces = extent("the number of boundary faces");
+      header.connections = extent("the number of boundary connections");
+    }
     zone.elements = extent("the number of elements");
     limit(zone, zone.nodes);
     for (int i = 0; i < 3; ++i) integer("a dimension of the cells");
@@ -309,8 +325,10 @@ class Reader {
       if (other.element != zone.element || other.elements != zone.elements)
         stream_.fail(fmt::format("zone '{}' shares elements of another size", zone.name));
       zone.connectivity = other.connectivity;
+      zone.polyhedra = other.polyhedra;
       return;
     }
+    if (header.by_faces) return read_faces(zone, header);
     const std::size_t entries = zone.ordered ? 0 : zone.elements * zone.nodes_per_element;
     if (entries > stream_.left() / 4) stream_.skip(4 * entries, "the elements");
     zone.connectivity.reserve(entries);
@@ -319,6 +337,53 @@ class Reader {
     if (header.raw_neighbors)
       stream_.skip(4 * zone.elements * header.faces, "the elements' neighbours");
     for (std::int64_t n = 0; n < header.neighbors; ++n) skip_neighbor(header.neighbor_mode);
+  }
+
+  std::vector<std::int32_t> integers(std::size_t amount, std::string_view what) {
+    if (amount > stream_.left() / 4) stream_.skip(4 * amount, what);
+    std::vector<std::int32_t> result(amount);
+    for (std::int32_t& value : result) value = integer(what);
+    return result;
+  }
+
+  /// Where the nodes of each face of polyhedra begin, the nodes of all faces, the elements to the
+  /// left and to the right of each (less than 0: none, or in another zone), and connections with
+  /// other zones. All count from 0.
+  void read_faces(Zone& zone, const ZoneHeader& header) {
+    const bool solid = zone.element == "POLYHEDRON";
+    // an element has a face, and a face two elements
+    if (zone.elements > 2 * header.zone_faces)
+      stream_.fail(fmt::format("zone '{}': {} elements of {} faces", zone.name, zone.elements,
+                               header.zone_faces));
+    std::vector<std::int32_t> starts;
+    if (solid) {
+      starts = integers(header.zone_faces + 1, "the faces' places");
+      if (!std::is_sorted(starts.begin(), starts.end()) || starts.front() != 0 ||
+          static_cast<std::size_t>(starts.back()) != header.face_nodes)
+        stream_.fail(fmt::format("zone '{}': places of faces that rise from 0 to {} expected",
+                                 zone.name, header.face_nodes));
+      zone.polyhedra.resize(zone.elements);
+    }
+    const std::vector<std::int32_t> nodes = integers(header.face_nodes, "the faces' nodes");
+    for (int side = 0; side < 2; ++side) {
+      const auto beside = integers(header.zone_faces, "the elements beside the faces");
+      for (std::size_t f = 0; f < beside.size() && solid; ++f)
+        if (beside[f] >= 0) add_face(zone, beside[f], nodes, starts[f], starts[f + 1]);
+    }
+    const std::size_t offsets = header.outer_faces > 0 ? header.outer_faces + 1 : 0;
+    integers(offsets, "the boundary faces");
+    integers(offsets > 0 ? header.connections : 0, "the connected elements");
+    integers(offsets > 0 ? header.connections : 0, "the connected zones");
+  }
+
+  void add_face(Zone& zone, std::int32_t element, const std::vector<std::int32_t>& nodes,
+                std::int32_t begin, std::int32_t end) const {
+    if (static_cast<std::size_t>(element) >= zone.elements)
+      stream_.fail(fmt::format("zone '{}': there is no element {} beside a face (0 to {} expected)",
+                               zone.name, element, zone.elements - 1));
+    auto& face = zone.polyhedra[static_cast<std::size_t>(element)].emplace_back();
+    for (std::int32_t n = begin; n < end; ++n)
+      face.push_back(std::int64_t{nodes[static_cast<std::size_t>(n)]} + 1);
   }
 
   /// Local and global neighbours, one or many to a face.

@@ -109,6 +109,37 @@ inline std::string tecplot_bricks(const TecplotOptions& options) {
   return out.str();
 }
 
+/// Two zones of two tetrahedra over one face, the second with the first one's faces and nodes, and
+/// a zone of a polygon.
+inline std::string tecplot_polyhedra(bool swapped) {
+  Bytes out(swapped);
+  out.raw("#!TDV112").wholes({1, 0}).text("polyhedra").whole(4);
+  for (const char* name : {"X", "Y", "Z", "c"}) out.text(name);
+  const auto head = [&](const char* name, std::initializer_list<std::int32_t> sizes) {
+    out.mark(299).text(name).wholes({-1, -1}).real(0).whole(-1).wholes(sizes);
+  };
+  for (const char* name : {"p", "q"})
+    head(name, {7, 1, 0, 0, 0, 1, 0, 0, 5, 7, 21, 2, 1, 2, 0, 0, 0, 0});
+  head("flat", {6, 1, 0, 0, 0, 1, 0, 0, 3, 3, 6, 0, 0, 1, 0, 0, 0, 0});
+  out.mark(357);
+  const auto reals = [&](const std::vector<double>& numbers) {
+    for (const double x : numbers) out.real(x);
+  };
+  out.mark(299).wholes({2, 2, 2, 2, 0, 0, -1});
+  reals({0, 1, 0, 1, 0, 1, 7, 8});
+  reals({0, 1, 0, 0, 1, 0, 0, 1, 0, 1, 0, 0, 0, 1, 1, 7, 8});
+  out.wholes({0, 3, 6, 9, 12, 15, 18, 21});
+  out.wholes({0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2, 1, 2, 4, 2, 3, 4, 1, 4, 3});
+  out.wholes({0, 0, 0, 0, 1, 1, 1}).wholes({-1, -1, 1, -1, -1, -2, -1});
+  out.wholes({0, 0, 1, 0, 0});
+  out.mark(299).wholes({2, 2, 2, 2, 0, 1, 0, 0, 0, -1, 0});
+  reals({17, 18, 17, 18});
+  out.mark(299).wholes({2, 2, 2, 2, 0, 0, -1});
+  reals({0, 1, 0, 1, 0, 0, 9, 9, 0, 1, 0, 0, 0, 1, 0, 0, 0, 9});
+  out.wholes({0, 1, 1, 2, 2, 0}).wholes({0, 0, 0}).wholes({-1, -1, -1});
+  return out.str();
+}
+
 // ---- LS-DYNA
 
 /// Numbers as words of 4 or 8 bytes.

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "tests/formats/cell_volumes.hpp"
 #include "tests/formats/files.hpp"
 #include "tests/formats/solver_files.hpp"
 
@@ -67,6 +68,38 @@ TEST(TecplotBinary, CellValuesOfOrderedZonesArePadded) {
   const ZooMesh mesh = read_any(folder.write("o.plt", out.str())).mesh;
   EXPECT_EQ(mesh.cell_count(), 4U);
   EXPECT_THAT(mesh.fields.at(0).values.view(), ElementsAre(0, 1, 3, 4));
+}
+
+/// What text_dialects_test.cpp reads from an ASCII file of the same zones.
+TEST(TecplotBinary, PolyhedraAreToldByTheirFaces) {
+  const ScratchFolder folder;
+  for (const bool swapped : {false, true}) {
+    const Reading reading = read_any(folder.write("p.plt", tecplot_polyhedra(swapped)));
+    const ZooMesh& mesh = reading.mesh;
+    ASSERT_EQ(mesh.cell_count(), 4U);
+    for (const CellId cell : {0U, 1U, 2U, 3U}) {
+      EXPECT_EQ(mesh.kinds[cell], CellKind::tetrahedron4);
+      EXPECT_NEAR(std::abs(volume_of(mesh, cell)), (cell % 2 == 0 ? 1.0 : 2.0) / 6, 1e-12);
+    }
+    EXPECT_THAT(mesh.fields.at(0).values.view(), ElementsAre(7, 8, 17, 18));
+    EXPECT_THAT(reading.notes, testing::Contains(HasSubstr("without volume: 1 POLYGON")));
+  }
+  const std::string whole = tecplot_polyhedra(false);
+  for (std::size_t length = 8; length < whole.size(); length += 20)
+    EXPECT_NE(refusal(folder.write("cut.plt", whole.substr(0, length))), "") << length;
+  const auto changed = [&](std::initializer_list<std::int32_t> from, std::int32_t to) {
+    const std::string old = Bytes().wholes(from).str();
+    std::string text = whole;
+    text.replace(text.find(old), 4, Bytes().whole(to).str());
+    return refusal(folder.write("d.plt", text));
+  };
+  EXPECT_THAT(changed({9, 12, 15, 18, 21}, 13),
+              HasSubstr("places of faces that rise from 0 to 21"));
+  EXPECT_THAT(changed({21, 0, 2, 1}, 20), HasSubstr("places of faces that rise from 0 to 21"));
+  EXPECT_THAT(changed({4, 1, 4, 3}, 5), HasSubstr("there is no node 6 (1 to 5 expected)"));
+  EXPECT_THAT(changed({1, 1, 1, -1}, 2), HasSubstr("no element 2 beside a face (0 to 1 expected)"));
+  EXPECT_THAT(changed({7, 21, 2, 1, 2}, 2000000000), HasSubstr("the faces' places"));
+  EXPECT_THAT(changed({2, 0, 0, 0, 0}, 15), HasSubstr("zone 'p': 15 elements of 7 faces"));
 }
 
 TEST(TecplotBinary, DamagedFilesAreRefused) {

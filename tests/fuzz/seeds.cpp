@@ -331,7 +331,7 @@ Texts d3plot() {
 }
 
 Texts tecplot() {
-  return {formats::tecplot_bricks({}),
+  return {formats::tecplot_bricks({}), formats::tecplot_polyhedra(false),
           "VARIABLES = X, Y, Z\nZONE ZONETYPE=FEPOLYHEDRON, NODES=4, ELEMENTS=1, FACES=4, "
           "TotalNumFaceNodes=12, DATAPACKING=BLOCK\n0 1 0 0\n0 0 1 0\n0 0 0 1\n3 3 3 3\n"
           "1 3 2 1 2 4 2 3 4 1 4 3\n1 1 1 1\n0 0 0 0\n"};
