@@ -124,7 +124,7 @@ TEST_P(HigherOrderKernel, TwoFieldsAgreeWithBruteForce) {
 TEST_P(HigherOrderKernel, EveryInstructionSetAgreesWithBruteForce) {
   const ZooMesh mesh = bent_field(1, GetParam());
   for (const Glow glow : {Glow::chromaticity, Glow::emission}) {
-    Scene scene = cube_scene(Projection::perspective, 13, 2);
+    Scene scene = cube_scene(Projection::perspective, 9, test::tried(7));
     scene.volume.glow = glow;
     const Image expected = reference_of(mesh, scene);
     test::for_each_instruction_set([&](const std::string& name) {
@@ -136,7 +136,7 @@ TEST_P(HigherOrderKernel, EveryInstructionSetAgreesWithBruteForce) {
 // The eye inside the mesh: cells around it and behind it.
 TEST_P(HigherOrderKernel, EyeInsideAgreesWithBruteForce) {
   const ZooMesh mesh = bent_field(3, GetParam());
-  Scene scene = cube_scene(Projection::perspective, 5, 4);
+  Scene scene = cube_scene(Projection::perspective, 5, test::tried(4));
   const test::Position eye = test::tapered({0.21, 0.22, 0.27});
   const test::Position look_at = test::tapered({0.7, 0.6, 0.5});
   scene.camera.eye = {eye[0], eye[1], eye[2]};
@@ -161,7 +161,7 @@ TEST_P(HigherOrderKernel, GrazingRaysAgreeWithBruteForce) {
     scene.camera.eye = {eye[0], eye[1], eye[2]};
     const RenderResult result = test::draw(mesh, scene);
     EXPECT_EQ(result.statistics.violations, 0U);
-    for (std::uint32_t y = 1; y < 4; ++y)
+    for (std::uint32_t y = 1; y <= test::tried(3); ++y)
       for (std::uint32_t x = 1; x < 4; ++x) {
         const auto expected =
             test::polyhedron_reference(mesh, scene, x + 0.5 + kBeside, y + 0.5 + 0.37 * kBeside);
@@ -328,6 +328,31 @@ TEST(SegmentCuts, AreTheRootsOfCubics) {
           << roots[0] << ' ' << roots[1] << ' ' << roots[2];
     }
   }
+}
+
+// Against the C library in extended precision.
+TEST(Transparency, IsExactToTheLastPlaces) {
+  namespace simd = HWY_NAMESPACE;
+  const hwy::HWY_NAMESPACE::CappedTag<double, 1> d;
+  const auto at = [&](double a, bool thin) {
+    return GetLane(simd::transparency(d, Set(d, a), thin));
+  };
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (std::size_t n = 0; n < test::tried(40'000); ++n) {
+    const double a = unit(random) * (n % 3 == 0 ? 700 : n % 3 == 1 ? 5 : 1e-3);
+    const auto relative = [&](double x, bool thin) {
+      const long double exact = std::exp(-static_cast<long double>(x));
+      return static_cast<double>(std::abs(at(x, thin) - exact) / exact);
+    };
+    EXPECT_LE(relative(a, false), 2 * std::numeric_limits<double>::epsilon()) << a;
+    EXPECT_LE(relative(a / 7000, true), 4e-15) << a / 7000;
+  }
+  EXPECT_EQ(at(0, false), 1);
+  EXPECT_EQ(at(0, true), 1);
+  EXPECT_GT(at(-1e-17, false), 1 - 1e-15);
+  for (const double a : {700.0, 1e10, 1e300, std::numeric_limits<double>::infinity()})
+    EXPECT_LE(std::abs(at(a, false)), 1e-304) << a;
 }
 
 // The rule's number of nodes against the integral by very many.
