@@ -242,6 +242,38 @@ void FoamFile::faces(std::vector<std::size_t>& starts, std::vector<std::int64_t>
   expect(')');
 }
 
+std::vector<Patch> FoamFile::patches() {
+  std::vector<Patch> patches(count(4));
+  expect('(');
+  for (Patch& patch : patches) {
+    word();
+    expect('{');
+    while (peek() != '}') {
+      const std::string_view key = word();
+      if (key.empty()) fail("an entry of a patch expected");
+      if (peek() == '{') {
+        skip_dictionary();
+        continue;
+      }
+      if (key == "type") patch.type = word();
+      if (key == "nFaces") patch.faces = whole();
+      if (key == "startFace") patch.start_face = whole();
+      if (key == "neighbProcNo") patch.neighbour = whole();
+      while (peek() != ';') {
+        if (peek() == '\0') fail("ended within a patch");
+        if (peek() == '"')
+          word();
+        else
+          ++at_;
+      }
+      expect(';');
+    }
+    expect('}');
+  }
+  expect(')');
+  return patches;
+}
+
 void FoamFile::read_tuple(std::size_t width, std::vector<double>& values) {
   if (width > 1) expect('(');
   for (std::size_t c = 0; c < width; ++c) values.push_back(real());

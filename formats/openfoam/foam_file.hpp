@@ -16,6 +16,15 @@ struct FieldValues {
   std::vector<double> values;
 };
 
+/// A patch of a mesh's boundary: faces of that number from start_face on. Of a patch between parts
+/// of a decomposed case (type "processor") also the part on the other side.
+struct Patch {
+  std::string type;
+  std::int64_t faces = 0;
+  std::int64_t start_face = 0;
+  std::int64_t neighbour = -1;
+};
+
 /// One file of a case: its header is read, then one thing after the other. Errors name the file and
 /// the line (in binary parts the byte).
 class FoamFile {
@@ -29,6 +38,8 @@ class FoamFile {
   std::vector<std::int64_t> labels(std::size_t most_equal);
   /// A list of lists of whole numbers: for every face where it begins in `nodes`, and the end.
   void faces(std::vector<std::size_t>& starts, std::vector<std::int64_t>& nodes);
+  /// A list of patches.
+  std::vector<Patch> patches();
   /// A list of points.
   std::vector<double> points();
   /// The values of `internalField` for `count` cells or points; none where it is told by a macro

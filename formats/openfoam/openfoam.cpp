@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
-#include <map>
+#include <iterator>
 #include <memory>
 
 #include <fmt/format.h>
@@ -11,36 +11,35 @@
 #include "formats/assemble.hpp"
 #include "formats/face_cells.hpp"
 #include "formats/foreign_mesh.hpp"
+#include "formats/openfoam/case_part.hpp"
 #include "formats/openfoam/foam_file.hpp"
+#include "formats/openfoam/joined_parts.hpp"
+#include "formats/printable.hpp"
 #include "formats/steps.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats {
 namespace {
 
+using openfoam::CasePart;
 using openfoam::FoamFile;
+using openfoam::time_folders;
+using openfoam::TimeFolder;
 namespace fs = std::filesystem;
 
-/// A folder of results and its time.
-struct TimeFolder {
-  double time;
-  fs::path path;
-};
+/// Files of a case may be that many folders below it.
+constexpr int kDeepestFile = 4;
 
-std::vector<TimeFolder> time_folders(const fs::path& root) {
-  std::vector<TimeFolder> folders;
+bool is_folder(const fs::path& path) {
   std::error_code failed;
-  for (const fs::directory_entry& entry : fs::directory_iterator(root, failed)) {
-    const std::string name = entry.path().filename().string();
-    double time = 0;
-    const char* end = name.data() + name.size();
-    const auto [next, error] = std::from_chars(name.data(), end, time);
-    if (error == std::errc() && next == end && entry.is_directory())
-      folders.push_back({time, entry.path()});
-  }
-  std::sort(folders.begin(), folders.end(),
-            [](const TimeFolder& a, const TimeFolder& b) { return a.time < b.time; });
-  return folders;
+  return fs::is_directory(path, failed);
+}
+
+/// A folder of a mesh may hold what it is to be made of, and no mesh.
+bool has_mesh(const fs::path& root) {
+  const fs::path folder = root / "constant" / "polyMesh";
+  return FoamFile::exists((folder / "owner").string()) ||
+         FoamFile::exists((folder / "points").string());
 }
 
 /// The names of the files in a folder, without .gz, in alphabetical order.
@@ -65,80 +64,138 @@ class Reader {
     std::error_code failed;
     fs::path above = fs::absolute(root_, failed);
     for (int i = 0; i < kDeepestFile; ++i, above = above.parent_path())
-      if (fs::is_directory(above / "constant" / "polyMesh", failed)) {
+      if (has_mesh(above) || has_mesh(above / "processor0")) {
         if (i > 0) root_ = above;
         return;
       }
   }
 
   ForeignMesh read() {
-    const fs::path folder = root_ / "constant" / "polyMesh";
-    std::error_code failed;
-    if (!fs::is_directory(folder, failed)) {
-      const bool parts = fs::is_directory(root_ / "processor0", failed);
-      throw InputError(subject_,
-                       fmt::format("its case has no mesh ({} expected{})", folder.string(),
-                                   parts ? ", found parts of one: reconstructPar" : ""));
-    }
-    folders_ = time_folders(root_);
-    for (const TimeFolder& time : folders_) mesh_.times.push_back(time.time);
-    if (!folders_.empty())
-      step_ = requested_step(options_, mesh_.times, subject_).value_or(folders_.size() - 1);
-    mesh_.xyz = FoamFile(mesh_file("points")).points();
-    read_cells();
+    find_parts();
+    choose_step();
+    for (CasePart& part : parts_) part.read_mesh();
+    if (parts_.size() > 1) join();
+    if (parts_.size() == 1) mesh_.xyz = std::move(parts_.front().xyz);
+    add_cells();
     read_fields();
     return std::move(mesh_);
   }
 
  private:
-  static constexpr int kDeepestFile = 4;
-
-  /// A file of the mesh: the last one up to the step's time where the mesh moves or changes.
-  [[nodiscard]] std::string mesh_file(const std::string& name) const {
-    for (std::size_t i = folders_.empty() ? 0 : step_ + 1; i-- > 0;) {
-      const fs::path moved = folders_[i].path / "polyMesh" / name;
-      if (FoamFile::exists(moved.string())) return moved.string();
+  /// The case itself, or its parts where it has no mesh, or where they have later results.
+  void find_parts() {
+    std::vector<CasePart> parts;
+    for (fs::path root = part_folder(0); has_mesh(root); root = part_folder(parts.size())) {
+      CasePart part;
+      part.root = root;
+      part.folders = time_folders(root);
+      parts.push_back(std::move(part));
     }
-    return (root_ / "constant" / "polyMesh" / name).string();
+    const std::vector<TimeFolder> folders = time_folders(root_);
+    const bool whole = has_mesh(root_);
+    const bool later = !parts.empty() && !parts.front().folders.empty() &&
+                       (folders.empty() || parts.front().folders.back().time > folders.back().time);
+    if (whole && !later) {
+      parts_.emplace_back();
+      parts_.front().root = root_;
+      parts_.front().folders = folders;
+      return;
+    }
+    if (parts.empty()) refuse_missing_mesh();
+    std::error_code failed;
+    for (const fs::directory_entry& entry : fs::directory_iterator(root_, failed)) {
+      const std::string name = entry.path().filename().string();
+      std::size_t number = 0;
+      const auto [end, error] = std::from_chars(name.data() + std::min(name.size(), kPart.size()),
+                                                name.data() + name.size(), number);
+      if (name.starts_with(kPart) && error == std::errc() && end == name.data() + name.size() &&
+          number >= parts.size() && has_mesh(entry.path()))
+        throw InputError(subject_, fmt::format("of its case's parts, {} has no mesh (that of {} "
+                                               "found)",
+                                               part_folder(parts.size()).string(), name));
+    }
+    parts_ = std::move(parts);
+    mesh_.notes.push_back(
+        fmt::format("joined the {} parts of a decomposed case{}", parts_.size(),
+                    whole ? ", which have later times than the case itself" : ""));
   }
 
-  void read_cells() {
-    FoamFile(mesh_file("faces")).faces(starts_, nodes_);
-    const std::string owner_file = mesh_file("owner");
-    const std::size_t faces = starts_.size() - 1;
-    const std::vector<std::int64_t> owner = FoamFile(owner_file).labels(faces);
-    const std::vector<std::int64_t> neighbour = FoamFile(mesh_file("neighbour")).labels(faces);
-    if (owner.size() != faces || neighbour.size() > faces)
-      throw InputError(owner_file,
-                       fmt::format("does not fit the faces ({} entries expected, {} found)", faces,
-                                   owner.size()));
-    std::int64_t last = -1;
-    for (const std::int64_t cell : owner) last = std::max(last, cell);
-    for (const std::int64_t cell : neighbour) last = std::max(last, cell);
-    // a cell has faces, and so there are fewer cells than faces
-    if (last >= static_cast<std::int64_t>(faces))
-      throw InputError(owner_file,
-                       fmt::format("names cell {} (fewer than {} expected)", last, faces));
-    std::vector<std::vector<std::size_t>> faces_of(static_cast<std::size_t>(last + 1));
-    const auto note = [&](std::int64_t cell, std::size_t face) {
-      if (cell >= 0) faces_of[static_cast<std::size_t>(cell)].push_back(face);
+  [[nodiscard]] fs::path part_folder(std::size_t number) const {
+    return root_ / fmt::format("{}{}", kPart, number);
+  }
+
+  [[noreturn]] void refuse_missing_mesh() const {
+    std::string found;
+    std::error_code failed;
+    for (const fs::directory_entry& entry : fs::directory_iterator(root_, failed)) {
+      const std::string name = entry.path().filename().string();
+      if (name.starts_with("processors"))
+        found = fmt::format(", found collated parts, which are not read: {}", printable(name));
+    }
+    throw InputError(subject_, fmt::format("its case has no mesh ({} expected{})",
+                                           (root_ / "constant" / "polyMesh").string(), found));
+  }
+
+  /// Times are those that all parts have.
+  void choose_step() {
+    const auto in_all = [this](const TimeFolder& folder) {
+      return std::all_of(parts_.begin(), parts_.end(), [&](const CasePart& part) {
+        return is_folder(part.root / folder.path.filename());
+      });
     };
-    for (std::size_t f = 0; f < faces; ++f) note(owner[f], f);
-    for (std::size_t f = 0; f < neighbour.size(); ++f) note(neighbour[f], f);
-    for (std::size_t cell = 0; cell < faces_of.size(); ++cell)
-      add_cell(faces_of[cell], owner, static_cast<std::int64_t>(cell));
+    const std::vector<TimeFolder> first = parts_.front().folders;
+    std::vector<TimeFolder> common;
+    std::copy_if(first.begin(), first.end(), std::back_inserter(common), in_all);
+    if (common.size() < first.size())
+      mesh_.notes.push_back(
+          fmt::format("left out {} times that not all parts have", first.size() - common.size()));
+    for (const TimeFolder& folder : common) mesh_.times.push_back(folder.time);
+    if (common.empty()) {
+      for (CasePart& part : parts_) part.folders.clear();
+      return;
+    }
+    step_ = requested_step(options_, mesh_.times, subject_).value_or(common.size() - 1);
+    for (CasePart& part : parts_) {
+      // a mesh may have moved at times that others have not
+      const auto same = [&](const TimeFolder& folder) {
+        return folder.path.filename() == common[step_].path.filename();
+      };
+      part.step = static_cast<std::size_t>(
+          std::find_if(part.folders.begin(), part.folders.end(), same) - part.folders.begin());
+    }
   }
 
-  void add_cell(const std::vector<std::size_t>& faces, const std::vector<std::int64_t>& owner,
-                std::int64_t cell) {
-    std::vector<std::vector<std::int64_t>> outward;
-    for (const std::size_t face : faces) {
-      std::vector<std::int64_t> nodes(nodes_.begin() + static_cast<long>(starts_[face]),
-                                      nodes_.begin() + static_cast<long>(starts_[face + 1]));
-      // a face turns counter-clockwise seen from outside of its owner
-      if (owner[face] != cell) std::reverse(nodes.begin(), nodes.end());
-      outward.push_back(std::move(nodes));
+  void join() {
+    joined_ = openfoam::join_parts(parts_);
+    mesh_.notes.insert(mesh_.notes.end(), joined_.notes.begin(), joined_.notes.end());
+    mesh_.xyz.resize(3 * joined_.points);
+    for (std::size_t p = 0; p < parts_.size(); ++p)
+      for (std::size_t i = 0; i < parts_[p].point_count(); ++i)
+        std::copy_n(&parts_[p].xyz[3 * i], 3, &mesh_.xyz[3 * joined_.point_places[p][i]]);
+  }
+
+  void add_cells() {
+    if (parts_.size() == 1) {
+      for (std::size_t cell = 0; cell < parts_.front().faces_of.size(); ++cell)
+        add_cell(parts_.front().outward_faces(cell));
+      return;
     }
+    for (const auto& [p, cell] : joined_.cells) {
+      auto faces = parts_[p].outward_faces(cell);
+      const std::vector<std::size_t>& places = joined_.point_places[p];
+      for (auto& face : faces)
+        for (std::int64_t& node : face) {
+          if (node < 0 || static_cast<std::uint64_t>(node) >= places.size())
+            throw InputError(
+                parts_[p].mesh_file("faces"),
+                fmt::format("there is no point {} ({} points found)", node, places.size()));
+          node = static_cast<std::int64_t>(places[static_cast<std::size_t>(node)]);
+        }
+      add_cell(faces);
+    }
+  }
+
+  void add_cell(const std::vector<std::vector<std::int64_t>>& outward) {
     const auto found = cell_of_faces(outward);
     if (!found) {
       mesh_.add_polyhedron("polyhedron", outward);
@@ -150,52 +207,80 @@ class Reader {
   }
 
   void read_fields() {
-    if (folders_.empty()) return;
-    for (const std::string& name : files_in(folders_[step_].path))
-      read_field((folders_[step_].path / name).string(), name);
+    if (parts_.front().folders.empty()) return;
+    for (const std::string& name : files_in(folder_of(parts_.front()))) read_field(name);
   }
 
-  void read_field(const std::string& path, const std::string& name) {
-    if (!FoamFile::is_one(path)) {
-      mesh_.notes.push_back(fmt::format("left out '{}', which is no file of OpenFOAM's", name));
-      return;
-    }
-    const auto file = std::make_shared<FoamFile>(path);
-    const bool on_cells =
-        file->class_name().starts_with("vol") && file->class_name().ends_with("Field");
-    const bool on_points =
-        file->class_name().starts_with("point") && file->class_name().ends_with("Field");
-    if (!on_cells && !on_points) {
-      if (file->class_name().ends_with("Field"))
-        mesh_.notes.push_back(fmt::format("left out '{}', a {}", name, file->class_name()));
-      return;
-    }
-    const std::size_t count = on_cells ? mesh_.cell_count() : mesh_.point_count();
-    auto found = file->internal_field(count);
-    if (!found) {
-      mesh_.notes.push_back(
-          fmt::format("left out '{}', whose internalField its file does not tell", name));
-      return;
-    }
-    const auto values = std::make_shared<openfoam::FieldValues>(std::move(*found));
+  static const fs::path& folder_of(const CasePart& part) { return part.folders[part.step].path; }
+
+  void leave_out(const std::string& name, std::string_view why) {
+    mesh_.notes.push_back(fmt::format("left out '{}', {}", name, why));
+  }
+
+  void read_field(const std::string& name) {
+    std::vector<openfoam::FieldValues> values;
     ForeignField field;
     field.name = name;
-    field.unit = file->unit();
-    field.location = on_cells ? FieldLocation::cell : FieldLocation::node;
-    field.components = static_cast<std::uint32_t>(values->components);
+    for (const CasePart& part : parts_) {
+      const std::string path = (folder_of(part) / name).string();
+      if (!FoamFile::exists(path)) return leave_out(name, "which not all parts have");
+      if (!FoamFile::is_one(path)) return leave_out(name, "which is no file of OpenFOAM's");
+      FoamFile file(path);
+      const bool on_cells = file.class_name().starts_with("vol");
+      if (!file.class_name().ends_with("Field")) return;
+      if (!on_cells && !file.class_name().starts_with("point"))
+        return leave_out(name, fmt::format("a {}", file.class_name()));
+      auto found = file.internal_field(on_cells ? part.faces_of.size() : points_of(part));
+      if (!found) return leave_out(name, "whose internalField its file does not tell");
+      const FieldLocation location = on_cells ? FieldLocation::cell : FieldLocation::node;
+      if (!values.empty() &&
+          (field.location != location || values.front().components != found->components))
+        throw InputError(path, "is of another kind than in the part before it");
+      if (values.empty()) field.unit = file.unit();
+      field.location = location;
+      values.push_back(std::move(*found));
+    }
+    field.components = static_cast<std::uint32_t>(values.front().components);
     field.step = step_;
-    field.values = [values] { return values->values; };
+    const auto whole = std::make_shared<std::vector<double>>(
+        parts_.size() == 1 ? std::move(values.front().values) : of_whole(field, values));
+    field.values = [whole] { return *whole; };
     mesh_.fields.push_back(std::move(field));
   }
 
+  [[nodiscard]] std::size_t points_of(const CasePart& part) const {
+    return parts_.size() == 1 ? mesh_.point_count() : part.point_count();
+  }
+
+  /// The values of the whole from those of the parts; points that parts share have one.
+  [[nodiscard]] std::vector<double> of_whole(
+      const ForeignField& field, const std::vector<openfoam::FieldValues>& values) const {
+    const std::size_t width = field.components;
+    std::vector<double> whole;
+    if (field.location == FieldLocation::cell) {
+      whole.reserve(width * joined_.cells.size());
+      for (const auto& [p, cell] : joined_.cells) {
+        const auto first = values[p].values.begin() + static_cast<long>(width * cell);
+        whole.insert(whole.end(), first, first + static_cast<long>(width));
+      }
+      return whole;
+    }
+    whole.resize(width * joined_.points);
+    for (std::size_t p = 0; p < parts_.size(); ++p)
+      for (std::size_t i = 0; i < parts_[p].point_count(); ++i)
+        std::copy_n(values[p].values.begin() + static_cast<long>(width * i), width,
+                    whole.begin() + static_cast<long>(width * joined_.point_places[p][i]));
+    return whole;
+  }
+
+  static constexpr std::string_view kPart = "processor";
   std::string subject_;
   ReadOptions options_;
   fs::path root_;
-  std::vector<TimeFolder> folders_;
   std::size_t step_ = 0;
   ForeignMesh mesh_;
-  std::vector<std::size_t> starts_;
-  std::vector<std::int64_t> nodes_;
+  std::vector<CasePart> parts_;  ///< one: the case itself
+  openfoam::JoinedParts joined_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <stdexcept>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -88,8 +89,171 @@ TEST(OpenFoamHabits, MeshesMoveAndAnyFileOfTheCaseNamesIt) {
   EXPECT_EQ(height(0.25), 1);
   EXPECT_EQ(height(1), 2);
   std::filesystem::remove_all(folder.file("constant"));
-  std::filesystem::create_directory(folder.file("processor0"));
-  EXPECT_THAT(refusal(folder.file("a.foam")), HasSubstr("found parts of one: reconstructPar"));
+  std::filesystem::create_directory(folder.file("processors4"));
+  EXPECT_THAT(refusal(folder.file("a.foam")),
+              HasSubstr("found collated parts, which are not read: processors4"));
+}
+
+/// The unit tetrahedron as part 0, and another over its face 1 2 3 as part 1, whose point 0 is the
+/// fifth of the whole, with results at the times 0 and 1.
+class DecomposedCase {
+ public:
+  DecomposedCase() {
+    write("a.foam", "");
+    write_part(0, "(0 0 0)(1 0 0)(0 1 0)(0 0 1)", "3(0 2 1) 3(0 1 3) 3(0 3 2) 3(1 2 3)");
+    write_part(1, "(1 1 1)(1 0 0)(0 1 0)(0 0 1)", "3(1 2 0) 3(2 3 0) 3(3 1 0) 3(1 3 2)");
+    for (const int part : {0, 1})
+      for (const int time : {0, 1}) {
+        write_part_file(part, fmt::format("{}/p", time),
+                        foam("volScalarField",
+                             fmt::format("internalField uniform {};\n", 7 + part + 10 * time)));
+        write_part_file(part, fmt::format("{}/T", time),
+                        foam("pointScalarField",
+                             fmt::format("internalField nonuniform List<scalar> 4({} 1 2 3);\n",
+                                         part == 0 ? 0 : 4)));
+      }
+  }
+  void write_part(int part, const std::string& points, const std::string& faces) const {
+    const std::string folder = "constant/polyMesh/";
+    write_part_file(part, folder + "points", foam("vectorField", "4(" + points + ")\n"));
+    write_part_file(part, folder + "faces", foam("faceList", "4(" + faces + ")\n"));
+    write_part_file(part, folder + "owner", foam("labelList", "4{0}\n"));
+    write_part_file(part, folder + "neighbour", foam("labelList", "0()\n"));
+    write_boundary(part, 1, 3, 1 - part);
+  }
+  void write_boundary(int part, int faces, int start, int neighbour) const {
+    write_part_file(
+        part, "constant/polyMesh/boundary",
+        foam("polyBoundaryMesh",
+             fmt::format(
+                 "2\n(\n walls\n {{\n type wall;\n physicalType \"a;\";\n inGroups 1(wall);\n"
+                 " nFaces 3;\n startFace 0;\n }}\n procBoundary{0}to{1}\n {{\n type processor;\n"
+                 " inGroups 1(processor);\n nFaces {2};\n startFace {3};\n"
+                 " transform {{ a 1; }}\n myProcNo {0};\n neighbProcNo {1};\n }}\n)\n",
+                 part, neighbour, faces, start)));
+  }
+  void write_addresses(const std::string& first_points) const {
+    const std::string folder = "constant/polyMesh/";
+    write_part_file(0, folder + "pointProcAddressing", foam("labelList", first_points + "\n"));
+    write_part_file(1, folder + "pointProcAddressing", foam("labelList", "4(4 1 2 3)\n"));
+    write_part_file(0, folder + "cellProcAddressing", foam("labelList", "1{1}\n"));
+    write_part_file(1, folder + "cellProcAddressing", foam("labelList", "1(0)\n"));
+  }
+  void write_part_file(int part, const std::string& name, const std::string& text) const {
+    write(fmt::format("processor{}/{}", part, name), text);
+  }
+  void write(const std::string& name, const std::string& text) const {
+    std::filesystem::create_directories(std::filesystem::path(file(name)).parent_path());
+    static_cast<void>(folder_.write(name, text));
+  }
+  [[nodiscard]] std::string file(const std::string& name) const { return folder_.file(name); }
+  [[nodiscard]] std::string refused() const { return refusal(file("a.foam")); }
+
+ private:
+  ScratchFolder folder_;
+};
+
+const Field& field_named(const ZooMesh& mesh, const std::string& name) {
+  const auto found = std::find_if(mesh.fields.begin(), mesh.fields.end(),
+                                  [&](const Field& field) { return field.name == name; });
+  if (found == mesh.fields.end()) throw std::runtime_error("no field " + name);
+  return *found;
+}
+
+void expect_two_tetrahedra(const ZooMesh& mesh) {
+  ASSERT_EQ(mesh.cell_count(), 2U);
+  EXPECT_EQ(mesh.node_count(), 5U);
+  EXPECT_NEAR(volume_of(mesh), 1.0 / 6 + 1.0 / 3, 1e-15);
+  const Field& p = field_named(mesh, "p");
+  const Field& t = field_named(mesh, "T");
+  for (CellId cell = 0; cell < 2; ++cell) {
+    const bool second = volume_of(mesh, cell) > 0.2;
+    EXPECT_EQ(p.values[cell], second ? 18 : 17);
+    for (const NodeId node : mesh.cell_nodes(cell)) {
+      const auto x = mesh.position(node);
+      EXPECT_EQ(t.values[node], x[0] + x[1] + x[2] == 3 ? 4 : x[0] + 2 * x[1] + 3 * x[2]);
+    }
+  }
+}
+
+TEST(OpenFoamParts, AreJoinedByPatchesOrByAddresses) {
+  const DecomposedCase folder;
+  const Reading patches = read_any(folder.file("a.foam"));
+  expect_two_tetrahedra(patches.mesh);
+  EXPECT_THAT(field_named(patches.mesh, "p").values.view(), ElementsAre(17, 18));
+  EXPECT_THAT(patches.notes, Contains(HasSubstr("joined the 2 parts of a decomposed case")));
+  EXPECT_THAT(patches.notes, Contains(HasSubstr("joined the parts by their patches")));
+  folder.write_addresses("4(0 1 2 3)");
+  const Reading addresses = read_any(folder.file("a.foam"));
+  expect_two_tetrahedra(addresses.mesh);
+  EXPECT_THAT(field_named(addresses.mesh, "p").values.view(), ElementsAre(18, 17));
+  EXPECT_THAT(addresses.notes, testing::Not(Contains(HasSubstr("by their patches"))));
+  // files that do not fit the parts, or each other
+  for (const std::string stale :
+       {"3(0 1 2)", "4(0 1 2 9)", "4(0 1 3 2)", "4(0 1 2 -1)", "4(5 1 2 3)"}) {
+    folder.write_addresses(stale);
+    const Reading reading = read_any(folder.file("a.foam"));
+    expect_two_tetrahedra(reading.mesh);
+    EXPECT_THAT(reading.notes, Contains(HasSubstr("by their patches"))) << stale;
+  }
+}
+
+TEST(OpenFoamParts, TimesAreThoseOfAllParts) {
+  const DecomposedCase folder;
+  folder.write_part_file(0, "2/p", foam("volScalarField", "internalField uniform 1;\n"));
+  folder.write_part_file(1, "1/q", foam("volScalarField", "internalField uniform 1;\n"));
+  folder.write_part_file(0, "0/k", foam("volScalarField", "internalField uniform 1;\n"));
+  EXPECT_THAT(format_named("openfoam").inspect(folder.file("a.foam")).times, ElementsAre(0, 1));
+  const Reading last = read_any(folder.file("a.foam"));
+  expect_two_tetrahedra(last.mesh);
+  EXPECT_THAT(last.notes, Contains(HasSubstr("left out 1 times that not all parts have")));
+  ReadOptions options;
+  options.time = 0;
+  const Reading first = read_any(folder.file("a.foam"), options);
+  EXPECT_THAT(field_named(first.mesh, "p").values.view(), ElementsAre(7, 8));
+  EXPECT_THAT(first.notes, Contains(HasSubstr("left out 'k', which not all parts have")));
+  folder.write_part_file(1, "1/p", foam("volVectorField", "internalField uniform (1 2 3);\n"));
+  EXPECT_THAT(folder.refused(), HasSubstr("processor1/1/p: is of another kind"));
+}
+
+TEST(OpenFoamParts, TheWholeCaseCountsUnlessPartsAreLater) {
+  const DecomposedCase folder;
+  const FoamCase whole;
+  std::filesystem::copy(whole.file("constant"), folder.file("constant"),
+                        std::filesystem::copy_options::recursive);
+  folder.write("0/p", foam("volScalarField", "internalField uniform 5;\n"));
+  const Reading parts = read_any(folder.file("a.foam"));
+  expect_two_tetrahedra(parts.mesh);
+  EXPECT_THAT(parts.notes, Contains(HasSubstr("later times than the case itself")));
+  folder.write("1/p", foam("volScalarField", "internalField uniform 6;\n"));
+  const Reading case_itself = read_any(folder.file("a.foam"));
+  EXPECT_EQ(case_itself.mesh.cell_count(), 1U);
+  EXPECT_EQ(field_named(case_itself.mesh, "p").values[0], 6);
+  // a part alone
+  EXPECT_EQ(read_any(folder.file("processor1/1/p")).mesh.cell_count(), 1U);
+}
+
+TEST(OpenFoamParts, WhatDoesNotMeetIsRefused) {
+  const DecomposedCase folder;
+  folder.write_boundary(1, 1, 3, 7);
+  EXPECT_THAT(folder.refused(),
+              HasSubstr("a patch to part 7, which there is not (0 to 1 expected)"));
+  folder.write_boundary(1, 2, 2, 0);
+  EXPECT_THAT(folder.refused(), HasSubstr("no patch of 1 faces to part 0"));
+  folder.write_boundary(1, 2, 3, 0);
+  EXPECT_THAT(folder.refused(), HasSubstr("a patch of faces 3 to 5 (0 to 4 expected)"));
+  folder.write_boundary(1, 1, 2, 0);
+  EXPECT_THAT(folder.refused(), HasSubstr("its patch to part 0 does not meet that part's face 3"));
+  folder.write_boundary(1, 1, 3, 0);
+  folder.write_part(1, "(1 1 1)(1 0 0)(0 1 0)(0 0 1)", "3(1 2 0) 3(2 3 0) 3(3 1 0) 3(1 3 9)");
+  EXPECT_THAT(folder.refused(), HasSubstr("there is no point 9 (4 points found)"));
+  folder.write_part_file(1, "constant/polyMesh/boundary",
+                         foam("polyBoundaryMesh", "1(a { type processor; nFaces 1"));
+  EXPECT_THAT(folder.refused(), HasSubstr("ended within a patch"));
+  folder.write_part_file(1, "constant/polyMesh/boundary", foam("polyBoundaryMesh", "9999(a"));
+  EXPECT_THAT(folder.refused(), HasSubstr("a count that fits the file"));
+  std::filesystem::rename(folder.file("processor1"), folder.file("processor2"));
+  EXPECT_THAT(folder.refused(), HasSubstr("processor1 has no mesh (that of processor2 found)"));
 }
 
 // ---- EnSight

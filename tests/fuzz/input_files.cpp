@@ -26,8 +26,10 @@ bool is_plain(std::string_view name) {
 }  // namespace
 
 InputFolder::Files::~Files() {
+  // with the folders: what is left of one input must not be found by the next
   std::error_code ignored;
-  for (const std::filesystem::path& path : paths_) std::filesystem::remove(path, ignored);
+  for (const auto& entry : std::filesystem::directory_iterator(folder_, ignored))
+    std::filesystem::remove_all(entry.path(), ignored);
 }
 
 InputFolder::InputFolder() {
@@ -64,7 +66,7 @@ InputFolder::Files InputFolder::write(std::string_view input, const std::string&
     if (is_plain(name)) write_file(std::string(name), input.substr(begin, end - begin));
   }
   if (paths.empty()) write_file(main_name, "");
-  return {std::move(paths)};
+  return {path_, std::move(paths)};
 }
 
 std::string parcel(const std::string& name, const std::string& text) {

@@ -13,7 +13,8 @@ class InputFolder {
   /// The files of one input, gone with this.
   class Files {
    public:
-    Files(std::vector<std::filesystem::path>&& paths) : paths_(std::move(paths)) {}
+    Files(std::filesystem::path folder, std::vector<std::filesystem::path>&& paths)
+        : folder_(std::move(folder)), paths_(std::move(paths)) {}
     ~Files();
     Files(const Files&) = delete;
     Files& operator=(const Files&) = delete;
@@ -22,6 +23,7 @@ class InputFolder {
     [[nodiscard]] std::string main() const { return paths_.front().string(); }
 
    private:
+    std::filesystem::path folder_;
     std::vector<std::filesystem::path> paths_;
   };
 

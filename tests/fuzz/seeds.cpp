@@ -121,7 +121,29 @@ Texts openfoam() {
                                       "dimensions [0 2 -2 0 0 0 0];\n"
                                       "internalField nonuniform List<scalar> 1(2.5);\n"
                                       "boundaryField { wall { type zeroGradient; } }");
-  return {mesh + field};
+  std::string parts = parcel("input.foam", "");
+  for (const int part : {0, 1}) {
+    const std::string root = fmt::format("processor{}/", part);
+    parts +=
+        foam_file(
+            root + folder + "points", "vectorField",
+            part == 0 ? "4((0 0 0)(1 0 0)(0 1 0)(0 0 1))" : "4((1 1 1)(1 0 0)(0 1 0)(0 0 1))") +
+        foam_file(root + folder + "faces", "faceList",
+                  part == 0 ? "4(3(0 2 1) 3(0 1 3) 3(0 3 2) 3(1 2 3))"
+                            : "4(3(1 2 0) 3(2 3 0) 3(3 1 0) 3(1 3 2))") +
+        foam_file(root + folder + "owner", "labelList", "4{0}") +
+        foam_file(root + folder + "neighbour", "labelList", "0()") +
+        foam_file(root + folder + "boundary", "polyBoundaryMesh",
+                  fmt::format("1(a {{ type processor; nFaces 1; startFace 3; neighbProcNo {}; }})",
+                              1 - part)) +
+        foam_file(root + "1/p", "volScalarField", "internalField uniform 1;\n");
+  }
+  const std::string addresses =
+      foam_file("processor0/" + folder + "pointProcAddressing", "labelList", "4(0 1 2 3)") +
+      foam_file("processor1/" + folder + "pointProcAddressing", "labelList", "4(4 1 2 3)") +
+      foam_file("processor0/" + folder + "cellProcAddressing", "labelList", "1(1)") +
+      foam_file("processor1/" + folder + "cellProcAddressing", "labelList", "1(0)");
+  return {mesh + field, parts, parts + addresses};
 }
 
 Texts mfem() {
