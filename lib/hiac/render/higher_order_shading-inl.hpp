@@ -136,6 +136,10 @@ class HigherOrderWalk {
       active = hn::And(active, hn::Lt(z, s.end));
       // what is behind this adds less than rounding
       active = hn::And(active, hn::Gt(sum.transparency, hn::Set(d, kInvisible)));
+      if (halvings == 0) continue;
+      // the lane that needed such short pieces may have come to its end
+      --halvings;
+      step = hn::Add(step, step);
     }
     return sum;
   }
