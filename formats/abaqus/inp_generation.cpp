@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "formats/last_definitions.hpp"
+
 namespace hiac::formats::abaqus {
 namespace {
 
@@ -223,34 +225,8 @@ std::int64_t whole_parameter(const Generation& generation, std::string_view para
 
 void keep_last_definitions(Part& part, const std::vector<ForeignType>& types) {
   if (!part.made) return;
-  part.node_places.follow(part.node_numbers);
-  part.cell_places.follow(part.cell_numbers);
-  std::size_t kept = 0;
-  for (std::size_t node = 0; node < part.node_numbers.size(); ++node) {
-    if (part.node_places.find(part.node_numbers[node]) != node) continue;
-    part.node_numbers[kept] = part.node_numbers[node];
-    std::copy_n(&part.xyz[3 * node], 3, &part.xyz[3 * kept]);
-    ++kept;
-  }
-  part.node_numbers.resize(kept);
-  part.xyz.resize(3 * kept);
-  kept = 0;
-  std::size_t from = 0;
-  std::size_t to = 0;
-  for (std::size_t cell = 0; cell < part.cell_numbers.size(); ++cell) {
-    const std::size_t nodes = types[part.cell_types[cell]].nodes;
-    if (part.cell_places.find(part.cell_numbers[cell]) == cell) {
-      part.cell_numbers[kept] = part.cell_numbers[cell];
-      part.cell_types[kept] = part.cell_types[cell];
-      std::copy_n(part.cell_nodes.data() + from, nodes, part.cell_nodes.data() + to);
-      to += nodes;
-      ++kept;
-    }
-    from += nodes;
-  }
-  part.cell_numbers.resize(kept);
-  part.cell_types.resize(kept);
-  part.cell_nodes.resize(to);
+  keep_last_points(part.node_numbers, part.xyz);
+  keep_last_cells(part.cell_numbers, part.cell_types, part.cell_nodes, types);
 }
 
 }  // namespace hiac::formats::abaqus

@@ -17,19 +17,6 @@ constexpr std::size_t kNodeNumbers = 4;
 /// The point at 0 to 1 of the way from one node to another.
 using Curve = std::function<Vector(double)>;
 
-Vector operator-(const Vector& a, const Vector& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-Vector operator+(const Vector& a, const Vector& b) {
-  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
-}
-Vector operator*(double s, const Vector& a) { return {s * a[0], s * a[1], s * a[2]}; }
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double length(const Vector& a) { return std::hypot(a[0], a[1], a[2]); }
-
 void add_node(Part& part, std::int64_t number, const Vector& point) {
   part.node_numbers.push_back(number);
   part.xyz.insert(part.xyz.end(), point.begin(), point.end());

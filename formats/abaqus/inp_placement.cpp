@@ -8,20 +8,13 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-double length_of(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
-
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// The point in the next three fields, less `from`.
 Vector point_in(CommaFields& fields, const TextCursor& cursor, std::string_view line,
                 const Vector& from = {}) {
   Vector point{};
   for (std::size_t c = 0; c < 3; ++c)
     if (!fields.at_end()) point[c] = real_in(fields, cursor, line);
-  for (std::size_t c = 0; c < 3; ++c) point[c] -= from[c];
-  return point;
+  return point - from;
 }
 
 }  // namespace
@@ -34,11 +27,10 @@ Vector placed(const Placement& placement, const double* point) {
 }
 
 void rotate(const std::array<double, 7>& data, Placement& placement) {
-  Vector axis{};
-  for (std::size_t c = 0; c < 3; ++c) axis[c] = data[3 + c] - data[c];
-  const double length = length_of(axis);
-  if (!(length > 0)) return;
-  for (double& x : axis) x /= length;
+  Vector axis = Vector{data[3], data[4], data[5]} - Vector{data[0], data[1], data[2]};
+  const double size = length(axis);
+  if (!(size > 0)) return;
+  for (double& x : axis) x /= size;
   const double angle = data[6] * kDegree;
   const double sine = std::sin(angle);
   const double cosine = std::cos(angle);
@@ -81,8 +73,8 @@ std::optional<Placement> read_system(TextCursor& cursor) {
     // the z-axis stays, and the first axis is projected onto its plane
     x[2] = 0;
   }
-  const double x_length = length_of(x);
-  const double z_length = length_of(z);
+  const double x_length = length(x);
+  const double z_length = length(z);
   if (!(x_length > 0) || !(z_length > 0))
     refuse(cursor, second ? *second : *first, "*SYSTEM: points that make axes");
   for (double& c : x) c /= x_length;

@@ -3,10 +3,9 @@
 #include <array>
 
 #include "formats/abaqus/inp_lines.hpp"
+#include "formats/abaqus/inp_vectors.hpp"
 
 namespace hiac::formats::abaqus {
-
-using Vector = std::array<double, 3>;
 
 /// A point is mapped to rotation (row by row) times it plus translation.
 struct Placement {

@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <unordered_map>
 
 #include <fmt/format.h>
 
 #include "formats/ansys/cdb_elements.hpp"
+#include "formats/last_definitions.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::ansys {
@@ -30,49 +30,6 @@ bool changes_mesh(std::string_view name) {
       "LMES", "KMES", "VSWE", "VEXT", "VDRA", "VROT", "FVME", "CDRE", "NREA", "EREA",
       "EINT", "EREF", "NREF", "EORI", "*DO",  "*DOW", "*REP", "*USE", "/INP"};
   return std::find(kAll.begin(), kAll.end(), name.substr(0, 4)) != kAll.end();
-}
-
-/// Keeps of the entries with one number the last; says for every entry whether it is kept.
-std::vector<bool> last_ones(const std::vector<std::int64_t>& numbers) {
-  std::unordered_map<std::int64_t, std::size_t> last;
-  for (std::size_t i = 0; i < numbers.size(); ++i) last[numbers[i]] = i;
-  std::vector<bool> kept(numbers.size());
-  for (std::size_t i = 0; i < numbers.size(); ++i) kept[i] = last.at(numbers[i]) == i;
-  return kept;
-}
-
-void keep_last_nodes(ForeignMesh& mesh) {
-  const std::vector<bool> kept = last_ones(mesh.node_numbers);
-  std::size_t to = 0;
-  for (std::size_t node = 0; node < kept.size(); ++node) {
-    if (!kept[node]) continue;
-    mesh.node_numbers[to] = mesh.node_numbers[node];
-    std::copy_n(&mesh.xyz[3 * node], 3, &mesh.xyz[3 * to]);
-    ++to;
-  }
-  mesh.node_numbers.resize(to);
-  mesh.xyz.resize(3 * to);
-}
-
-void keep_last_elements(ForeignMesh& mesh) {
-  const std::vector<bool> kept = last_ones(mesh.cell_numbers);
-  std::size_t to = 0;
-  std::size_t from_node = 0;
-  std::size_t to_node = 0;
-  for (std::size_t cell = 0; cell < kept.size(); ++cell) {
-    const std::size_t nodes = mesh.types[mesh.cell_types[cell]].nodes;
-    if (kept[cell]) {
-      mesh.cell_numbers[to] = mesh.cell_numbers[cell];
-      mesh.cell_types[to] = mesh.cell_types[cell];
-      std::copy_n(mesh.cell_nodes.data() + from_node, nodes, mesh.cell_nodes.data() + to_node);
-      to_node += nodes;
-      ++to;
-    }
-    from_node += nodes;
-  }
-  mesh.cell_numbers.resize(to);
-  mesh.cell_types.resize(to);
-  mesh.cell_nodes.resize(to_node);
 }
 
 }  // namespace
@@ -383,10 +340,12 @@ void CdbCommands::finish(bool blocks) {
         fmt::format("{} makes or changes nodes or elements that the file does not list, "
                     "which is not supported",
                     not_read_));
-  if (any_nodes_) keep_last_nodes(model_.mesh);
-  if (any_elements_) keep_last_elements(model_.mesh);
+  ForeignMesh& mesh = model_.mesh;
+  if (any_nodes_) keep_last_points(mesh.node_numbers, mesh.xyz);
+  if (any_elements_)
+    keep_last_cells(mesh.cell_numbers, mesh.cell_types, mesh.cell_nodes, mesh.types);
   if (left_out_ > 0)
-    model_.mesh.notes.push_back(fmt::format(
+    mesh.notes.push_back(fmt::format(
         "left out {} commands on nodes, elements or types that do not name them by numbers",
         left_out_));
 }
