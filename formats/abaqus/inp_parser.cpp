@@ -239,22 +239,21 @@ class DeckReader {
       sets = &found->sets;
     }
     const bool generate = keyword.has("GENERATE");
-    std::vector<NumberRange> elements;
-    std::set<std::string> names;
+    Members elements;
     while (const auto line = data_line(cursor)) {
       CommaFields fields(*line);
       if (generate) {
         const auto range = generated(fields);
         if (!range) refuse(cursor, *line, "first, last and step of a range");
-        elements.push_back(*range);
+        elements.ranges.push_back(*range);
         continue;
       }
       while (!fields.at_end()) {
         // a name that is of no set of elements is of nodes or a surface
-        static_cast<void>(add_member(fields.field(), *sets, names, elements));
+        static_cast<void>(add_member(fields.field(), *sets, elements));
       }
     }
-    add_ranges(elements, set_named(*sets, name));
+    add_ranges(elements.ranges, set_named(*sets, name), elements.copied);
   }
 
   /// A set of nodes is of use to what makes nodes alone; what of it is not understood is told then.
@@ -262,8 +261,7 @@ class DeckReader {
     const std::string* name = keyword.value("NSET");
     if (name == nullptr || name->empty() || keyword.has("INSTANCE")) return;
     NumberSets& sets = part().node_sets;
-    std::vector<NumberRange> nodes;
-    std::set<std::string> names;
+    Members nodes;
     std::string unknown;
     if (keyword.has("ELSET")) unknown = "those of a set of elements";
     while (const auto line = data_line(cursor)) {
@@ -271,21 +269,21 @@ class DeckReader {
       if (keyword.has("GENERATE")) {
         const auto range = generated(fields);
         if (range)
-          nodes.push_back(*range);
+          nodes.ranges.push_back(*range);
         else
           unknown = shown(*line);
         continue;
       }
       while (!fields.at_end()) {
         const std::string_view member = fields.field();
-        if (!member.empty() && !add_member(member, sets, names, nodes)) unknown = shown(member);
+        if (!member.empty() && !add_member(member, sets, nodes)) unknown = shown(member);
       }
     }
     const bool made = !sets.contains(upper(*name));
     NumberSet& set = set_named(sets, *name);
     if (made) set.unsorted = keyword.has("UNSORTED");
     if (!unknown.empty()) set.unknown = unknown;
-    add_ranges(nodes, set);
+    add_ranges(nodes.ranges, set, nodes.copied);
   }
 
   /// First, last and step; none where that is no range.
@@ -297,18 +295,25 @@ class DeckReader {
     return NumberRange{*first, *last, *step};
   }
 
-  /// Adds a number, or the set of that name; false where there is none by now. `names` are those of
-  /// sets that were added already.
-  static bool add_member(std::string_view member, const NumberSets& known,
-                         std::set<std::string>& names, std::vector<NumberRange>& ranges) {
+  /// What the data lines of one keyword put into a set.
+  struct Members {
+    std::vector<NumberRange> ranges;
+    std::set<std::string> names;  ///< of sets whose ranges are among them
+    std::size_t copied = 0;       ///< how many these are
+  };
+
+  /// Adds a number, or the set of that name; false where there is none by now.
+  static bool add_member(std::string_view member, const NumberSets& known, Members& members) {
     if (const auto number = to_integer(member)) {
-      add_number(*number, ranges);
+      add_number(*number, members.ranges);
       return true;
     }
     const auto set = known.find(upper(member));
     if (set == known.end() || !set->second.unknown.empty()) return false;
-    if (names.insert(set->first).second)
-      ranges.insert(ranges.end(), set->second.ranges.begin(), set->second.ranges.end());
+    if (!members.names.insert(set->first).second) return true;
+    const std::vector<NumberRange>& ranges = set->second.ranges;
+    members.ranges.insert(members.ranges.end(), ranges.begin(), ranges.end());
+    members.copied += ranges.size();
     return true;
   }
 

@@ -23,13 +23,14 @@ NumberSet& set_named(NumberSets& sets, const std::string& name) {
   return set;
 }
 
-void add_ranges(const std::vector<NumberRange>& ranges, NumberSet& set) {
+void add_ranges(const std::vector<NumberRange>& ranges, NumberSet& set, std::size_t copied) {
   constexpr std::size_t kFew = 1000;
   set.ranges.insert(set.ranges.end(), ranges.begin(), ranges.end());
-  if (set.ranges.size() < 2 * set.distinct + kFew) return;
+  set.copied += copied;
+  if (set.copied < set.ranges.size() / 2 + kFew) return;
   std::set<NumberRange> seen;
   std::erase_if(set.ranges, [&](const NumberRange& range) { return !seen.insert(range).second; });
-  set.distinct = set.ranges.size();
+  set.copied = 0;
 }
 
 void Places::follow(const std::vector<std::int64_t>& numbers) {

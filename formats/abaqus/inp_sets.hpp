@@ -26,7 +26,7 @@ struct NumberSet {
   bool unsorted = false;
   /// What of the set is not known; empty where all is.
   std::string unknown;
-  std::size_t distinct = 0;  ///< the number of ranges when they were last looked through
+  std::size_t copied = 0;  ///< of the ranges so many may be there twice: they are of other sets
 };
 
 /// By name in capitals.
@@ -38,9 +38,9 @@ void add_number(std::int64_t number, std::vector<NumberRange>& ranges);
 /// The set of that name, which is made when it is new.
 NumberSet& set_named(NumberSets& sets, const std::string& name);
 
-/// Adds ranges to a set; now and then those that it has more than once are dropped, so that sets
-/// that are made of sets do not grow without end.
-void add_ranges(const std::vector<NumberRange>& ranges, NumberSet& set);
+/// Adds ranges to a set, `copied` of which are of other sets. Now and then those that it has more
+/// than once are dropped, so that sets that are made of sets do not grow without end.
+void add_ranges(const std::vector<NumberRange>& ranges, NumberSet& set, std::size_t copied = 0);
 
 /// The places of numbers in a list that grows; of a number that the list has twice, the last.
 class Places {

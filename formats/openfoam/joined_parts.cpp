@@ -148,8 +148,8 @@ class PatchJoiner {
         static_cast<std::uint64_t>(patch.start_face) > faces ||
         static_cast<std::uint64_t>(patch.faces) >
             faces - static_cast<std::size_t>(patch.start_face))
-      throw InputError(path, fmt::format("a patch of faces {} to {} (0 to {} expected)",
-                                         patch.start_face, patch.start_face + patch.faces, faces));
+      throw InputError(path, fmt::format("a patch of {} faces from face {} on ({} faces found)",
+                                         patch.faces, patch.start_face, faces));
     if (patch.neighbour < 0 || static_cast<std::uint64_t>(patch.neighbour) >= parts_.size())
       throw InputError(path,
                        fmt::format("a patch to part {}, which there is not (0 to {} expected)",

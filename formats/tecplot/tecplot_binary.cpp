@@ -186,7 +186,7 @@ class Reader {
       points = extent("an extent of the zone");
       zone.elements *= points > 1 ? points - 1 : 1;
       zone.nodes *= points;
-      limit(zone, zone.nodes);
+      limit(zone, zone.nodes, "nodes");
     }
     if (zone.nodes == 0) zone.elements = 0;
   }
@@ -203,16 +203,17 @@ class Reader {
       header.connections = extent("the number of boundary connections");
     }
     zone.elements = extent("the number of elements");
-    limit(zone, zone.nodes);
+    limit(zone, zone.nodes, "nodes");
+    limit(zone, zone.elements, "elements");
     for (int i = 0; i < 3; ++i) integer("a dimension of the cells");
   }
 
-  /// Coordinates take a byte a node at least. Shared or passive, variables take none: of those
-  /// there are none larger than in another zone.
-  void limit(const Zone& zone, std::size_t nodes) {
-    if (nodes > stream_.size())
+  /// Coordinates take a byte a node at least, elements more. Shared or passive, they take none: of
+  /// those there are none larger than in another zone.
+  void limit(const Zone& zone, std::size_t count, std::string_view what) {
+    if (count > stream_.size())
       stream_.fail(
-          fmt::format("zone '{}': more nodes than the file holds ({} found)", zone.name, nodes));
+          fmt::format("zone '{}': more {} than the file holds ({} found)", zone.name, what, count));
   }
 
   void read_data(std::size_t z) {

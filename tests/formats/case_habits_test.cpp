@@ -241,7 +241,7 @@ TEST(OpenFoamParts, WhatDoesNotMeetIsRefused) {
   folder.write_boundary(1, 2, 2, 0);
   EXPECT_THAT(folder.refused(), HasSubstr("no patch of 1 faces to part 0"));
   folder.write_boundary(1, 2, 3, 0);
-  EXPECT_THAT(folder.refused(), HasSubstr("a patch of faces 3 to 5 (0 to 4 expected)"));
+  EXPECT_THAT(folder.refused(), HasSubstr("a patch of 2 faces from face 3 on (4 faces found)"));
   folder.write_boundary(1, 1, 2, 0);
   EXPECT_THAT(folder.refused(), HasSubstr("its patch to part 0 does not meet that part's face 3"));
   folder.write_boundary(1, 1, 3, 0);

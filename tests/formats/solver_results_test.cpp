@@ -99,6 +99,8 @@ TEST(TecplotBinary, PolyhedraAreToldByTheirFaces) {
   EXPECT_THAT(changed({4, 1, 4, 3}, 5), HasSubstr("there is no node 6 (1 to 5 expected)"));
   EXPECT_THAT(changed({1, 1, 1, -1}, 2), HasSubstr("no element 2 beside a face (0 to 1 expected)"));
   EXPECT_THAT(changed({7, 21, 2, 1, 2}, 2000000000), HasSubstr("the faces' places"));
+  EXPECT_THAT(changed({2, 0, 0, 0, 0}, 2000000000),
+              HasSubstr("zone 'p': more elements than the file holds (2000000000 found)"));
   EXPECT_THAT(changed({2, 0, 0, 0, 0}, 15), HasSubstr("zone 'p': 15 elements of 7 faces"));
 }
 
