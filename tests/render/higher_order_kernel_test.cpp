@@ -301,6 +301,57 @@ TEST(HigherOrderKernels, NeighboursOfOtherOrdersMeet) {
   }
 }
 
+struct RandomScene {
+  ZooMesh mesh;
+  Scene scene;
+};
+
+// Flat and far from the origin, bends and jumps, thin to opaque, one field or two.
+RandomScene random_scene(std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const auto chance = [&](double p) { return unit(random) < p; };
+  ZooMesh mesh = test::random_delaunay(8 + random() % 20, random());
+  const double flat = chance(0.3) ? std::pow(10, -4 * unit(random)) : 1;
+  const double off = chance(0.2) ? 1e3 : 0;
+  mesh = test::moved(mesh, [&](const test::Position& p) {
+    return test::Position{p[0] + off, p[1], p[2] * flat};
+  });
+  mesh = test::of_order(mesh, seed % 4 == 0 ? CellOrder::quadratic : CellOrder::cubic);
+  test::add_random_field(mesh, "f", FieldLocation::node, random());
+  test::add_random_field(mesh, "g", chance(0.5) ? FieldLocation::node : FieldLocation::corner,
+                         random());
+  Scene scene =
+      cube_scene(chance(0.5) ? Projection::perspective : Projection::orthographic, 30, 25);
+  scene.camera.eye[0] += off;
+  scene.camera.look_at[0] += off;
+  scene.render.tolerance = chance(0.5) ? 1e-9 : 1e-13;
+  if (chance(0.5)) scene.volume.glow = Glow::emission;
+  if (chance(0.4)) scene.volume.color->field = std::string("g");
+  if (chance(0.3))
+    scene.volume.extinction->points = {{0.3, {0.5}}, {0.3, {2}}, {0.7, {1}}, {0.7, {5}}};
+  const double opacity = std::pow(10, 5 * unit(random) - 2);
+  for (auto& point : scene.volume.extinction->points) point.value[0] *= opacity;
+  if (chance(0.3)) scene.camera.clip = {3.2, 4.4};
+  return {std::move(mesh), std::move(scene)};
+}
+
+// Each of the pictures without and with the bounds of errors is as near to the truth as these say.
+TEST(HigherOrderKernels, PicturesWithoutChannelsKeepToTheErrorsClaimedWithThem) {
+  const std::array channels{Channel::error};
+  for (std::uint64_t seed = 0; seed < test::tried(8); ++seed) {
+    const auto [mesh, scene] = random_scene(seed);
+    const VisibilityOrder order = test::sorted(mesh, scene);
+    const Image plain = render(mesh, order, scene, false).image;
+    const Image bounded = render(mesh, order, scene, false, nullptr, channels).image;
+    for (std::uint32_t y = 0; y < scene.image.height; ++y)
+      for (std::uint32_t x = 0; x < scene.image.width; ++x)
+        for (std::size_t c = 0; c < 4; ++c)
+          EXPECT_LE(std::abs(plain.at(x, y, c) - bounded.at(x, y, c)), 2 * bounded.at(x, y, 4))
+              << seed << ": " << x << ' ' << y;
+  }
+}
+
 // Cubics made of their roots, single and double ones, inside and outside of the segment.
 TEST(SegmentCuts, AreTheRootsOfCubics) {
   namespace simd = HWY_NAMESPACE;
