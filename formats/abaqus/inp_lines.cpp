@@ -44,6 +44,13 @@ const std::string* Keyword::value(std::string_view parameter) const {
   return nullptr;
 }
 
+bool Keyword::has_flag(std::string_view parameter) const {
+  constexpr std::size_t kLetters = 3;
+  for (const auto& [key, value] : parameters)
+    if (key.size() >= kLetters && parameter.starts_with(key)) return true;
+  return false;
+}
+
 bool is_comment(std::string_view line) { return without_blanks_before(line).starts_with("**"); }
 
 bool is_keyword(std::string_view line) {

@@ -22,6 +22,8 @@ struct Keyword {
   /// has none. Null where the parameter is not there.
   [[nodiscard]] const std::string* value(std::string_view parameter) const;
   [[nodiscard]] bool has(std::string_view parameter) const { return value(parameter) != nullptr; }
+  /// Whether a parameter without a value is there, whole or by its first three letters or more.
+  [[nodiscard]] bool has_flag(std::string_view parameter) const;
 };
 
 /// Blanks before stars do not count.

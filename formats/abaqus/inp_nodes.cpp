@@ -193,7 +193,7 @@ void fill(const Generation& g) {
   if (const std::string* text = g.keyword.value("BIAS")) bias = to_real(*text).value_or(0);
   if (!(bias > 0) || !std::isfinite(bias))
     refuse(g.cursor, keyword_line(g), "*NFILL: a BIAS above 0");
-  const bool pairs = g.keyword.has("TWOSTEP");
+  const bool pairs = g.keyword.has_flag("TWOSTEP");
   std::vector<NumberRange> numbers;
   while (const auto line = data_line(g.cursor)) {
     follow_nodes(g.part);
@@ -290,12 +290,12 @@ Placement reflect(const Generation& g) {
 void copy_nodes(const Generation& g) {
   if (g.keyword.has("POLE")) not_supported(g, "*NCOPY, POLE");
   if (g.system) not_supported(g, "*NCOPY under *SYSTEM");
-  if (!g.keyword.has("SHIFT") && !g.keyword.has("REFLECT"))
+  if (!g.keyword.has_flag("SHIFT") && !g.keyword.has("REFLECT"))
     refuse(g.cursor, keyword_line(g), "*NCOPY: SHIFT or REFLECT");
   const std::int64_t change = whole_parameter(g, "CHANGENUMBER");
   const std::string name = required(g.keyword, "OLDSET", g.cursor);
   const std::string_view line = keyword_line(g);
-  const Placement placement = g.keyword.has("SHIFT") ? shift(g) : reflect(g);
+  const Placement placement = g.keyword.has_flag("SHIFT") ? shift(g) : reflect(g);
   follow_nodes(g.part);
   const auto old = nodes_of(g, line, name);
   take(g, line, kNodeNumbers * old.size());

@@ -238,7 +238,7 @@ class DeckReader {
                        fmt::format("*ELSET: there is no instance {}", shown(*instance)));
       sets = &found->sets;
     }
-    const bool generate = keyword.has("GENERATE");
+    const bool generate = keyword.has_flag("GENERATE");
     Members elements;
     while (const auto line = data_line(cursor)) {
       CommaFields fields(*line);
@@ -266,7 +266,7 @@ class DeckReader {
     if (keyword.has("ELSET")) unknown = "those of a set of elements";
     while (const auto line = data_line(cursor)) {
       CommaFields fields(*line);
-      if (keyword.has("GENERATE")) {
+      if (keyword.has_flag("GENERATE")) {
         const auto range = generated(fields);
         if (range)
           nodes.ranges.push_back(*range);
@@ -281,7 +281,7 @@ class DeckReader {
     }
     const bool made = !sets.contains(upper(*name));
     NumberSet& set = set_named(sets, *name);
-    if (made) set.unsorted = keyword.has("UNSORTED");
+    if (made) set.unsorted = keyword.has_flag("UNSORTED");
     if (!unknown.empty()) set.unknown = unknown;
     add_ranges(nodes.ranges, set, nodes.copied);
   }

@@ -102,9 +102,9 @@ TEST(AbaqusGeneration, LinesBetweenSetsAreFilled) {
 
 TEST(AbaqusGeneration, SetsOfNodesAreTakenInTheirOrder) {
   const std::string nodes = "*NODE\n1,0,0,0\n2,1,0,0\n3,2,0,0\n11,0,2,0\n12,1,2,0\n13,2,2,0\n";
-  const std::string above = "*NSET,NSET=B,GENERATE\n11,900,1\n*NFILL\nA,B,2,100\n";
+  const std::string above = "*NSET,NSET=B,GEN\n11,900,1\n*NFILL\nA,B,2,100\n";
   EXPECT_THAT(nodes_of(nodes + "*NSET,NSET=A\n3,1,2,2\n" + above).at(103), near(2, 1, 0));
-  EXPECT_THAT(nodes_of(nodes + "*NSET,NSET=A,UNSORTED\n3,1,2,3\n" + above).at(103), near(1, 1, 0));
+  EXPECT_THAT(nodes_of(nodes + "*NSET,NSET=A,UNSORT\n3,1,2,3\n" + above).at(103), near(1, 1, 0));
   EXPECT_THAT(nodes_of(nodes + "*NSET,NSET=C\n1,2\n*NSET,NSET=A\n3,\nC\n" + above).at(103),
               near(2, 1, 0));
   // *NFILL and *NGEN put the ends into their sets
