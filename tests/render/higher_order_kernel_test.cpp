@@ -136,7 +136,7 @@ TEST_P(HigherOrderKernel, EveryInstructionSetAgreesWithBruteForce) {
 // The eye inside the mesh: cells around it and behind it.
 TEST_P(HigherOrderKernel, EyeInsideAgreesWithBruteForce) {
   const ZooMesh mesh = bent_field(3, GetParam());
-  Scene scene = cube_scene(Projection::perspective, 5, test::tried(4));
+  Scene scene = cube_scene(Projection::perspective, 4, test::tried(3));
   const test::Position eye = test::tapered({0.21, 0.22, 0.27});
   const test::Position look_at = test::tapered({0.7, 0.6, 0.5});
   scene.camera.eye = {eye[0], eye[1], eye[2]};
@@ -156,8 +156,7 @@ TEST_P(HigherOrderKernel, GrazingRaysAgreeWithBruteForce) {
   scene.camera.up = {0, 0, 1};
   scene.camera.height = 1.25;  // pixels' centres at multiples of 1/4
   constexpr double kBeside = 1e-8;
-  for (const test::Position& eye :
-       {test::Position{4.5, 0.5, 0.5}, {0.5, 4.5, 0.5}, {4.5, 4.5, 0.5}}) {
+  for (const test::Position& eye : {test::Position{4.5, 0.5, 0.5}, {4.5, 4.5, 0.5}}) {
     scene.camera.eye = {eye[0], eye[1], eye[2]};
     const RenderResult result = test::draw(mesh, scene);
     EXPECT_EQ(result.statistics.violations, 0U);
