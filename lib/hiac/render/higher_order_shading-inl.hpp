@@ -268,9 +268,10 @@ class HigherOrderWalk {
                                         hn::Mul(sum.transparency, piece.weight), active);
     if (nodes == 0 && may_refuse) return false;
     const SymmetricRule& rule = rules_[(nodes == 0 ? kMostSymmetricNodes : nodes) - 1];
-    const bool thin = hn::AllTrue(d, hn::Lt(depth.total, hn::Set(d, kThin)));
-    const V zeta = transparency(d, depth.total, thin);
-    const Means<V> means = means_of(d, rule, depth, thin, factor);
+    const Thickness thickness(
+        hn::GetLane(hn::MaxOfLanes(d, hn::IfThenElseZero(active, depth.total))));
+    const V zeta = transparency(d, depth.total, thickness);
+    const Means<V> means = means_of(d, rule, depth, thickness, factor);
     V constant, linear;  // a channel is value * constant + slope * linear
     if constexpr (kEmission) {
       constant = hn::Mul(piece.length, means.of_one);
@@ -314,19 +315,21 @@ class HigherOrderWalk {
 
   template <class D, class V>
   static HWY_INLINE Means<V> means_of(D d, const SymmetricRule& rule,
-                                      const PieceDepth<V, kDegree>& depth, bool thin,
+                                      const PieceDepth<V, kDegree>& depth,
+                                      const Thickness& thickness,
                                       const V (&factor)[kFactorDegree + 1]) {
     V moment[kFactorDegree + 1];  // of exp(-A) z^k
     for (V& m : moment) m = hn::Zero(d);
     if (rule.middle != 0)
-      moment[0] = hn::Mul(hn::Set(d, rule.middle), transparency(d, depth.alpha[0], thin));
+      moment[0] = hn::Mul(hn::Set(d, rule.middle), transparency(d, depth.alpha[0], thickness));
     for (std::size_t k = 0; k < rule.pairs; ++k) {
       const V z = hn::Set(d, rule.z[k]), square = hn::Mul(z, z);
       V even = hn::MulAdd(square, depth.alpha[2], depth.alpha[0]);
       if constexpr (kDegree == 3) even = hn::MulAdd(hn::Mul(square, square), depth.alpha[4], even);
       const V odd = hn::Mul(z, hn::MulAdd(square, depth.alpha[3], depth.alpha[1]));
-      V before = hn::Sub(even, odd), behind = hn::Add(even, odd);
-      transparencies(d, before, behind, thin);
+      V zeta[2] = {hn::Sub(even, odd), hn::Add(even, odd)};
+      replace_by_transparencies(d, zeta, thickness);
+      const auto& [before, behind] = zeta;
       const V both = hn::Mul(hn::Set(d, rule.weight[k]), hn::Add(behind, before));
       const V apart = hn::Mul(hn::Set(d, rule.weight[k] * rule.z[k]), hn::Sub(behind, before));
       moment[0] = hn::Add(moment[0], both);

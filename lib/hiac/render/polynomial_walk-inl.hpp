@@ -339,7 +339,8 @@ class PolynomialWalk {
     const V slope = extinction(optics_.extinction.slope[0]);
     const V anchor = hn::Sub(extinction(optics_.extinction.anchor), hn::Set(d, extinction_.base));
     const V offset = hn::NegMulAdd(slope, anchor, extinction(optics_.extinction.value[0]));
-    Depth<V> depth = depth_of(d, tau_field, offset, slope, length);
+    // nothing of what other lanes have may pass what numbers reach
+    Depth<V> depth = depth_of(d, tau_field, offset, slope, hn::IfThenElseZero(active, length));
     // the field less the anchor for emission, else its derivative over the length of a piece
     V factor[kMostCoefficients];
     std::size_t degree = field.degree;
@@ -362,11 +363,11 @@ class PolynomialWalk {
     });
     if (nodes == 0 && may_refuse) return false;
     const SymmetricRule& rule = rules_[(nodes == 0 ? kMostSymmetricNodes : nodes) - 1];
-    const bool thin =
-        hn::AllTrue(d, hn::Lt(hn::IfThenElseZero(active, depth.total), hn::Set(d, kThin)));
-    const V zeta = transparency(d, depth.total, thin);
+    const Thickness thickness(
+        hn::GetLane(hn::MaxOfLanes(d, hn::IfThenElseZero(active, depth.total))));
+    const V zeta = transparency(d, depth.total, thickness);
     const Means<V> means = with_top(
-        top, [&]<std::size_t kTop>() { return means_of<kTop>(d, rule, depth, thin, factor); });
+        top, [&]<std::size_t kTop>() { return means_of<kTop>(d, rule, depth, thickness, factor); });
     V constant, linear;  // a channel is value * constant + slope * linear
     if constexpr (kEmission) {
       constant = hn::Mul(means.of_one, length);
@@ -441,17 +442,18 @@ class PolynomialWalk {
 
   template <std::size_t kTop, class D, class V = hn::Vec<D>>
   static HWY_NOINLINE Means<V> means_of(D d, const SymmetricRule& rule, const Depth<V>& depth,
-                                        bool thin, const V* factor) {
+                                        const Thickness& thickness, const V* factor) {
     Means<V> means{hn::Zero(d), hn::Zero(d)};
     if (rule.middle != 0) {
-      means.of_one = hn::Mul(hn::Set(d, rule.middle), transparency(d, depth.alpha[0], thin));
+      means.of_one = hn::Mul(hn::Set(d, rule.middle), transparency(d, depth.alpha[0], thickness));
       means.of_factor = hn::Mul(means.of_one, factor[0]);
     }
     for (std::size_t k = 0; k < rule.pairs; ++k) {
       const V z = hn::Set(d, rule.z[k]), square = hn::Mul(z, z);
       const EvenAndOdd<V> at = even_and_odd<kTop>(depth.alpha, square);
-      V before = hn::NegMulAdd(z, at.odd, at.even), behind = hn::MulAdd(z, at.odd, at.even);
-      transparencies(d, before, behind, thin);
+      V zeta[2] = {hn::NegMulAdd(z, at.odd, at.even), hn::MulAdd(z, at.odd, at.even)};
+      replace_by_transparencies(d, zeta, thickness);
+      const auto& [before, behind] = zeta;
       const V weight = hn::Set(d, rule.weight[k]);
       const V both = hn::Mul(weight, hn::Add(behind, before));
       const V apart = hn::Mul(hn::Mul(weight, z), hn::Sub(behind, before));

@@ -17,10 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Optical depths below this are thin.
-inline constexpr double kThin = 0.1;
-
-// exp(-r) by the terms up to r^12, or the first of them: coefficients from the last one on.
+// exp(-r) by the terms up to r^12: coefficients from the last one on.
 inline constexpr double kExponentialSeries[] = {1.0 / 479001600,
                                                 -1.0 / 39916800,
                                                 1.0 / 3628800,
@@ -34,7 +31,6 @@ inline constexpr double kExponentialSeries[] = {1.0 / 479001600,
                                                 0.5,
                                                 -1.0,
                                                 1.0};
-inline constexpr std::size_t kThinFirst = 4;  // for thin ones, up to a^8
 
 // exp(-a) for a up to 700, and exp(-700) from there on, to 2 units in the last place; a is not less
 // than 0 but for rounding. With n = round(a / log 2) and r = a - n log 2, |r| <= log(2) / 2, it is
@@ -57,32 +53,64 @@ HWY_INLINE V exp_of_negative(D d, V a) {
   return hn::BitCast(d, hn::Add(hn::BitCast(du, sum), exponent));
 }
 
-// exp(-a). Mostly a is small; what is left out of the series is at most kThin^9 / 9! = 3e-15.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE V transparency(D d, V a, bool thin) {
-  if (HWY_UNLIKELY(!thin)) return exp_of_negative(d, a);
-  V sum = hn::Set(d, kExponentialSeries[kThinFirst]);
-  for (std::size_t k = kThinFirst + 1; k < std::size(kExponentialSeries); ++k)
-    sum = hn::MulAdd(sum, a, hn::Set(d, kExponentialSeries[k]));
-  return sum;
+// How exp(-a) is found for optical depths up to some most: by a polynomial of a 2^-halvings,
+// squared as often. `most` is what it serves.
+//
+// The polynomials are those that agree with exp(-a) at Chebyshev points of [0, 0.1] and of [0,
+// 0.5]: right to 3e-15 and 7e-16. Every squaring doubles the relative error, and squares what is at
+// most 1.
+struct Thickness {
+  static constexpr double kThin = 0.1, kModerate = 0.5;
+  static constexpr int kMostHalvings = 3;
+
+  bool thin;
+  int halvings;  // more than kMostHalvings: exp_of_negative
+
+  explicit Thickness(double most) : thin(most <= kThin), halvings(0) {
+    for (double reach = kModerate; !(most <= reach) && halvings <= kMostHalvings; reach += reach)
+      ++halvings;
+  }
+};
+
+// exp(-a) for some depths at once, each coefficient being loaded once.
+template <std::size_t kCount, class D, class V = hn::Vec<D>>
+HWY_INLINE void replace_by_transparencies(D d, V (&a)[kCount], const Thickness& thickness) {
+  const auto by_polynomial = [&](V leading, const auto& others) HWY_ATTR {
+    V sum[kCount];
+    for (V& v : sum) v = leading;
+    for (const double c : others) {
+      const V coefficient = hn::Set(d, c);
+      for (std::size_t i = 0; i < kCount; ++i) sum[i] = hn::MulAdd(sum[i], a[i], coefficient);
+    }
+    for (std::size_t i = 0; i < kCount; ++i) a[i] = sum[i];
+  };
+  if (thickness.thin) {
+    static constexpr double kOthers[] = {-0.008324114185781904, 0.04166604070172774,
+                                         -0.1666666448082711,   0.4999999996361696,
+                                         -0.9999999999977276,   0.9999999999999977};
+    by_polynomial(hn::Set(d, 0.0013212551970554608), kOthers);
+  } else if (thickness.halvings <= Thickness::kMostHalvings) {
+    static constexpr double kOthers[] = {
+        2.418479283801235e-05, -0.0001980576461451159, 0.0013887642587230606,
+        -0.0083333061329797,   0.04166666304297001,    -0.16666666638889677,
+        0.4999999999891736,    -0.9999999999998361,    0.9999999999999996};
+    static constexpr double kScale[Thickness::kMostHalvings + 1] = {1, 0.5, 0.25, 0.125};
+    const V scale = hn::Set(d, kScale[thickness.halvings]);
+    for (V& v : a) v = hn::Mul(v, scale);
+    by_polynomial(hn::Set(d, -2.149216696119705e-06), kOthers);
+    for (int k = 0; k < thickness.halvings; ++k)
+      for (V& v : a) v = hn::Mul(v, v);
+  } else {
+    for (V& v : a) v = exp_of_negative(d, v);
+  }
 }
 
-// exp(-a) and exp(-b): as above, but every coefficient is loaded once.
+// exp(-a).
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE void transparencies(D d, V& a, V& b, bool thin) {
-  if (HWY_UNLIKELY(!thin)) {
-    a = exp_of_negative(d, a);
-    b = exp_of_negative(d, b);
-    return;
-  }
-  V of_a = hn::Set(d, kExponentialSeries[kThinFirst]), of_b = of_a;
-  for (std::size_t k = kThinFirst + 1; k < std::size(kExponentialSeries); ++k) {
-    const V coefficient = hn::Set(d, kExponentialSeries[k]);
-    of_a = hn::MulAdd(of_a, a, coefficient);
-    of_b = hn::MulAdd(of_b, b, coefficient);
-  }
-  a = of_a;
-  b = of_b;
+HWY_INLINE V transparency(D d, V a, const Thickness& thickness) {
+  V all[1] = {a};
+  replace_by_transparencies(d, all, thickness);
+  return all[0];
 }
 
 // Not less than the logarithm of a number that is not negative: that of the power of two above.
