@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "hiac/geometry/face_form.hpp"
 #include "tests/render/general_meshes.hpp"
 
 namespace hiac {
@@ -199,6 +203,64 @@ TEST(CellScan, RaysNearlyInFacesAreWatertight) {
         expect_watertight(m, scene, 1e-13, turned_back);
       }
   }
+}
+
+// Crossings by pixel, in order.
+using PixelCrossings = std::map<std::pair<int, int>, std::vector<std::pair<double, double>>>;
+
+void add(const std::vector<CellCrossing>& crossings, PixelCrossings& pixels) {
+  for (const CellCrossing& c : crossings) pixels[{c.x, c.y}].emplace_back(c.front, c.back);
+}
+
+// Returns how many of the crossings are in runs.
+std::size_t expect_same_crossings(const NamedMesh& m, const Scene& scene) {
+  const Projector projector(scene.camera, scene.image);
+  const Frame frame = make_frame(m.mesh, scene, projector);
+  const TileRect tile{1, 2, static_cast<int>(scene.image.width) - 3,
+                      static_cast<int>(scene.image.height) - 1};
+  std::size_t in_runs = 0;
+  CrossingRuns runs;
+  for (CellId cell = 0; cell < m.mesh.cell_count(); ++cell) {
+    const CellSurface surface = cell_surface(m.mesh.kinds[cell], m.mesh.cell_nodes(cell));
+    if (!is_projectable(frame, surface) || has_curved_faces(m.mesh, cell, frame.straightness))
+      continue;
+    std::vector<CellCrossing> expected, others;
+    scan_projected_cell(frame, surface, nullptr, tile, expected);
+    runs.clear();
+    scan_projected_runs(frame, surface, tile, runs, others);
+    PixelCrossings of_cell, found;
+    add(expected, of_cell);
+    add(others, found);
+    for (const auto& [x, y, first, count] : runs.runs)
+      for (std::size_t k = 0; k < count; ++k)
+        found[{x + static_cast<int>(k), y}].emplace_back(runs.front[first + k],
+                                                         runs.back[first + k]);
+    EXPECT_EQ(found, of_cell) << m.name << " " << cell;
+    in_runs += runs.count;
+  }
+  return in_runs;
+}
+
+// The same crossings, to the bit, wherever the eye is and however rays run in faces.
+TEST(CellScan, RunsHaveTheCrossingsOfSingleRays) {
+  std::size_t in_runs = 0;
+  for (const NamedMesh& m : cubes()) {
+    for (const Projection projection : {Projection::orthographic, Projection::perspective})
+      in_runs += expect_same_crossings(m, cube_scene(projection, 60, 31));
+    for (const Position& eye : {Position{0.5, 0.5, -2.5}, Position{0.5, -1.5, 0.5},
+                                Position{0.5, 0.5, 0.5}, Position{0.25, 0.5, 1.0 / 3}})
+      for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
+        Scene scene = cube_scene(projection, 17, 17);
+        scene.camera.eye = eye;
+        scene.camera.look_at = {0.5, 0.5, 0.75};
+        scene.camera.up = {0.1, 0.7, 0.4};
+        scene.camera.height = 17.0 / 8;
+        scene.camera.fov = 60;
+        expect_same_crossings(m, scene);
+        expect_same_crossings({m.name, test::moved(m.mesh, turned)}, scene);
+      }
+  }
+  EXPECT_GT(in_runs, 10000U);
 }
 
 }  // namespace

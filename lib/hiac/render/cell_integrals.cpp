@@ -314,20 +314,6 @@ namespace hiac {
 
 HWY_EXPORT(integrate_segments_here);
 
-void CellSegments::start(std::size_t most, bool with_known) {
-  count = 0;
-  known = with_known;
-  const std::size_t places = most + kPadding;
-  if (done.size() < places) {
-    for (std::vector<double>* plane :
-         {&x, &y, &front, &back, &length, &allowed, &red, &green, &blue, &transparency})
-      plane->resize(places);
-    done.resize(places);
-  }
-  if (known && known_u.size() < places)
-    for (std::vector<double>* plane : {&known_u, &known_v, &known_w}) plane->resize(places);
-}
-
 void integrate_cell_segments(const Frame& frame, const CellPolynomials& cell,
                              const CellIntervals& intervals, CellSegments& segments) {
   if (segments.count == 0) return;

@@ -21,11 +21,27 @@ void to_powers(CubePolynomial& f, std::size_t stride) {
   }
 }
 
+// Whether v, or w, is counted from where the cell tapers.
+bool is_width_v(CellShape shape) {
+  return shape == CellShape::tetrahedron || shape == CellShape::prism || shape == CellShape::wedge;
+}
+bool is_width_w(CellShape shape) {
+  return shape == CellShape::tetrahedron || shape == CellShape::pyramid ||
+         shape == CellShape::wedge;
+}
+
 CubePolynomial cube_polynomial(CellKind kind, std::span<const double> values) {
   const InterpolantCoefficients b = interpolant_coefficients(kind, values);
   CubePolynomial f;
   f.degree = static_cast<std::size_t>(order_of(kind));
-  std::copy_n(b.c.begin(), b.count, f.c.begin());
+  const std::size_t n = f.degree + 1;
+  const bool turn_v = is_width_v(shape_of(kind)), turn_w = is_width_w(shape_of(kind));
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t j = 0; j < n; ++j) {
+      const std::size_t row = (turn_w ? f.degree - k : k) * n + (turn_v ? f.degree - j : j);
+      std::copy_n(b.c.begin() + static_cast<std::ptrdiff_t>(row * n), n,
+                  f.c.begin() + static_cast<std::ptrdiff_t>((k * n + j) * n));
+    }
   for (const std::size_t stride : {std::size_t{1}, f.degree + 1, (f.degree + 1) * (f.degree + 1)})
     to_powers(f, stride);
   return f;
@@ -45,13 +61,14 @@ Vector cross(const Vector& a, const Vector& b) {
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-// Of a pyramid's map, which has x, y and z by u, v and w, and q by u v.
+// Of a pyramid's map, in which x, y, q and z are u w, v w, u v w and 1 - w.
 void untwist(const std::array<CubePolynomial, 3>& position, std::array<Vector, 3>& inverse,
              Vector& twist) {
   const auto column = [&](std::size_t k) {
     return Vector{position[0].c[k], position[1].c[k], position[2].c[k]};
   };
-  const Vector x = column(1), y = column(2), z = column(4), q = column(3);
+  const Vector x = column(5), y = column(6), q = column(7);
+  const Vector down = column(4), z{-down[0], -down[1], -down[2]};
   const double determinant = dot(x, cross(y, z));
   inverse = {cross(y, z), cross(z, x), cross(x, y)};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -78,13 +95,13 @@ std::array<double, 3> collapsed(CellShape shape, const std::array<double, 3>& xi
   const auto over = [](double a, double b) { return b == 0 ? 0.5 : a / b; };
   switch (shape) {
     case CellShape::tetrahedron:
-      return {over(x, 1 - y - z), over(y, 1 - z), z};
+      return {over(x, 1 - y - z), over(1 - y - z, 1 - z), 1 - z};
     case CellShape::pyramid:
-      return {over(x, 1 - z), over(y, 1 - z), z};
+      return {over(x, 1 - z), over(y, 1 - z), 1 - z};
     case CellShape::prism:
-      return {over(x, 1 - y), y, z};
+      return {over(x, 1 - y), 1 - y, z};
     case CellShape::wedge:
-      return {over(x, 2 - y - z), y, z};
+      return {over(x, 2 - y - z), 1 - y, 1 - z};
     case CellShape::brick:
       break;
   }
@@ -101,9 +118,10 @@ CellPolynomials::CellPolynomials(CellKind kind, std::span<const CellMap::Point> 
       inverse(map.inverse_in_middle()),
       twist{},
       of_reference(shape == CellShape::prism && map.straight()),
-      middle(of_reference ? map.middle() : collapsed(shape, map.middle())),
+      middle(collapsed(shape, map.middle())),
       steepness(map.steepness()),
       field_count(cell_fields.size()) {
+  if (of_reference) middle[0] = map.middle()[0];
   for (std::size_t f = 0; f < field_count; ++f) fields[f] = field_polynomial(kind, cell_fields[f]);
   if (affine) return;
   const CellKind map_kind = map.straight() ? kind_of(shape, CellOrder::linear) : kind;
@@ -111,8 +129,12 @@ CellPolynomials::CellPolynomials(CellKind kind, std::span<const CellMap::Point> 
     std::array<double, kMaxNodesPerCell> coordinate;
     for (std::size_t k = 0; k < node_count(map_kind); ++k) coordinate[k] = nodes[k][a] - origin[a];
     position[a] = cube_polynomial(map_kind, coordinate);
-    // x = u - u v: what has u v and u v w is -x and -x w
-    if (of_reference) position[a].c[3] = position[a].c[7] = 0;
+    if (!of_reference) continue;
+    // x = u v: what has u v and u v w has x and x w
+    for (const std::size_t k : {std::size_t{0}, std::size_t{4}}) {
+      position[a].c[k + 1] = position[a].c[k + 3];
+      position[a].c[k + 3] = 0;
+    }
   }
   if (twisted_pyramid) untwist(position, inverse, twist);
 }

@@ -10,8 +10,8 @@
 
 namespace hiac {
 
-/// A polynomial of u, v and w in [0, 1], of one degree in each: the coefficient of u^i v^j w^k is
-/// at (k (degree+1) + j) (degree+1) + i.
+/// A polynomial of three coordinates in [0, 1], of one degree in each: the coefficient of u^i v^j
+/// w^k is at (k (degree+1) + j) (degree+1) + i.
 struct CubePolynomial {
   std::size_t degree = 0;
   std::array<double, InterpolantCoefficients::kMost> c{};
@@ -26,7 +26,10 @@ struct LineQuotient {
 LineQuotient quotient_along_lines(CellKind kind);
 
 /// A cell's map and fields as polynomials of the collapsed coordinates u, v, w of
-/// interpolant_range.hpp. In these all kinds are alike, the rational ones too.
+/// interpolant_range.hpp, v and w counted from where the cell tapers: 1 - v in tetrahedra, prisms
+/// and wedges and 1 - w in tetrahedra, pyramids and wedges. In these all kinds are alike, the
+/// rational ones too, and have few coefficients: shape functions have as few powers of u, and of a
+/// pyramid's v, as the cell is narrow.
 struct CellPolynomials {
   struct Field {
     CubePolynomial f;  ///< less the base
@@ -44,8 +47,8 @@ struct CellPolynomials {
   bool twisted_pyramid;
   std::array<std::array<double, 3>, 3> inverse;  ///< rows; to reference coordinates
   std::array<double, 3> twist;
-  /// Of u, v, w, or of reference coordinates: in these, too, are maps of prisms with straight edges
-  /// trilinear, and have no singularity where the cell tapers.
+  /// Of u, v, w, or of x, v, w with x of the reference cell: in these, too, are maps of prisms with
+  /// straight edges trilinear, and have no singularity where the cell tapers.
   std::array<CubePolynomial, 3> position;
   bool of_reference;             ///< what `position` is of
   std::array<double, 3> middle;  ///< of the cell, what `position` is of
@@ -58,7 +61,7 @@ struct CellPolynomials {
                   std::span<const CellField> fields);
 };
 
-/// The collapsed coordinates of a point of the reference cell.
+/// The collapsed coordinates of a point of the reference cell, counted as in CellPolynomials.
 std::array<double, 3> collapsed(CellShape shape, const std::array<double, 3>& xi);
 
 }  // namespace hiac

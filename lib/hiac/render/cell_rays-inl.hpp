@@ -64,7 +64,7 @@ class CellRays {
   // Where the rays are known to be near the front, or near the back.
   void start_at(const LanePoint<V>& known) {
     LanePoint<V> at = known;
-    if (cell_.of_reference) at.c[0] = hn::NegMulAdd(at.c[0], at.c[1], at.c[0]);
+    if (cell_.of_reference) at.c[0] = hn::Mul(at.c[0], at.c[1]);
     starts_ = {at, at};
   }
 
@@ -107,7 +107,13 @@ class CellRays {
   // In affine cells, along the part, z from -1 to 1, the width to which the cell tapers is in
   // proportion to 1 + h z. Returns h.
   [[nodiscard]] HWY_INLINE V taper() const {
-    const V front = widths(on_line(0)).c[0], back = widths(on_line(1)).c[0];
+    const auto width = [&](double part) HWY_ATTR {
+      const LanePoint<V> xi = on_line(part);
+      const V rest = hn::Sub(hn::Set(d_, 1.0), xi.c[2]);
+      return cell_.shape == CellShape::wedge ? hn::Add(rest, hn::Sub(hn::Set(d_, 1.0), xi.c[1]))
+                                             : rest;
+    };
+    const V front = width(0), back = width(1);
     return hn::Div(hn::Sub(back, front), hn::Add(back, front));
   }
 
@@ -129,12 +135,16 @@ class CellRays {
   HWY_NOINLINE void values(const CellPolynomials::Field& field, std::size_t degree,
                            V* value) const {
     switch (cell_.shape) {
+      case CellShape::tetrahedron:
+        return values_of_shape<CellShape::tetrahedron>(field, degree, value);
+      case CellShape::pyramid:
+        return values_of_shape<CellShape::pyramid>(field, degree, value);
       case CellShape::prism:
-        return values_of_terms<CubeTerms::prism>(field, degree, value);
+        return values_of_shape<CellShape::prism>(field, degree, value);
+      case CellShape::wedge:
+        return values_of_shape<CellShape::wedge>(field, degree, value);
       case CellShape::brick:
-        return values_of_terms<CubeTerms::serendipity>(field, degree, value);
-      default:
-        return values_of_terms<CubeTerms::all>(field, degree, value);
+        return values_of_shape<CellShape::brick>(field, degree, value);
     }
   }
 
@@ -153,21 +163,21 @@ class CellRays {
   }
 
  private:
-  template <CubeTerms kTerms>
-  HWY_INLINE void values_of_terms(const CellPolynomials::Field& field, std::size_t degree,
+  template <CellShape kShape>
+  HWY_INLINE void values_of_shape(const CellPolynomials::Field& field, std::size_t degree,
                                   V* value) const {
-    if (field.f.degree == 1) return values_of_order<1, CubeTerms::all>(field, degree, value);
-    if (field.f.degree == 2) return values_of_order<2, kTerms>(field, degree, value);
-    return values_of_order<3, kTerms>(field, degree, value);
+    if (field.f.degree == 1) return values_of_order<1, kShape>(field, degree, value);
+    if (field.f.degree == 2) return values_of_order<2, kShape>(field, degree, value);
+    return values_of_order<3, kShape>(field, degree, value);
   }
 
-  template <std::size_t P, CubeTerms kTerms>
+  template <std::size_t P, CellShape kShape>
   HWY_INLINE void values_of_order(const CellPolynomials::Field& field, std::size_t degree,
                                   V* value) const {
     const V least = hn::Set(d_, field.least - field.base);
     const V most = hn::Set(d_, field.most - field.base);
     for (std::size_t j = 0; j <= degree; ++j)
-      value[j] = hn::Min(hn::Max(value_of<P, kTerms>(d_, field.f, at_[j]), least), most);
+      value[j] = hn::Min(hn::Max(value_of<P, kShape>(d_, field.f, at_[j]), least), most);
   }
 
   using Outcome = typename InverseSeries<D>::Outcome;
@@ -229,7 +239,7 @@ class CellRays {
     else
       for (std::size_t j = 0; j <= degree; ++j) find_at(points.place(j), at_[j], active);
     if (cell_.of_reference)
-      for (std::size_t j = 0; j <= degree; ++j) at_[j] = collapsed_in(at_[j]);
+      for (std::size_t j = 0; j <= degree; ++j) at_[j].c[0] = quotient(at_[j].c[0], at_[j].c[1]);
   }
 
   HWY_INLINE void sample_map(std::size_t degree, M& active) {
@@ -289,17 +299,21 @@ class CellRays {
     const V one = hn::Set(d_, 1.0);
     switch (cell_.shape) {
       case CellShape::tetrahedron: {
-        const V rest = hn::Sub(one, z);
-        return {{quotient(x, hn::Sub(rest, y)), quotient(y, rest), z}};
+        const V w = hn::Sub(one, z), rest = hn::Sub(w, y);
+        return {{quotient(x, rest), quotient(rest, w), w}};
       }
       case CellShape::pyramid: {
-        const V rest = hn::Sub(one, z);
-        return {{quotient(x, rest), quotient(y, rest), z}};
+        const V w = hn::Sub(one, z);
+        return {{quotient(x, w), quotient(y, w), w}};
       }
-      case CellShape::prism:
-        return {{quotient(x, hn::Sub(one, y)), y, z}};
-      case CellShape::wedge:
-        return {{quotient(x, hn::Sub(hn::Sub(hn::Set(d_, 2.0), y), z)), y, z}};
+      case CellShape::prism: {
+        const V v = hn::Sub(one, y);
+        return {{quotient(x, v), v, z}};
+      }
+      case CellShape::wedge: {
+        const V v = hn::Sub(one, y), w = hn::Sub(one, z);
+        return {{quotient(x, hn::Add(v, w)), v, w}};
+      }
       case CellShape::brick:
         break;
     }
@@ -361,7 +375,7 @@ class CellRays {
   [[nodiscard]] HWY_INLINE LanePoint<V> widths(const LanePoint<V>& at) const {
     const V one = hn::Set(d_, 1.0);
     if (cell_.of_reference) return {{one, one, one}};
-    const V v = hn::Sub(one, at.c[1]), w = hn::Sub(one, at.c[2]);
+    const V v = at.c[1], w = at.c[2];
     switch (cell_.shape) {
       case CellShape::tetrahedron:
         return {{hn::Mul(v, w), w, one}};

@@ -120,11 +120,12 @@ class RayCrossings {
 class ScreenScan {
  public:
   ScreenScan(const Frame& frame, const CellSurface& surface, CurvedFaces* curved,
-             const TileRect& tile)
+             const TileRect& tile, CrossingRuns* runs)
       : perspective_(frame.projector.perspective()),
         surface_(surface),
         curved_(curved),
         tile_(tile),
+        runs_(runs),
         nodes_(projected_nodes(frame, surface)),
         depth_(surface, nodes_) {}
 
@@ -163,6 +164,7 @@ class ScreenScan {
       first = std::min(first, edges[e].column);
       last = std::max(last, edges[e].column);
     }
+    if (first < last && runs_ != nullptr && add_run(section, edges, first, last, y)) return;
     if (curved_ == nullptr) return meet_row(section, edges, first, last, y, crossings);
     for (int x = first; x < last; ++x) {
       RayCrossings ray;
@@ -177,6 +179,51 @@ class ScreenScan {
           [&](double t, std::uint8_t face, double u, double v) { ray.add(t, face, u, v); });
       ray.append_to(crossings, curved_, x, y);
     }
+  }
+
+  // The pixels [first, last) as one run, without curved faces. False where a ray does not enter and
+  // leave once.
+  bool add_run(const RowSection& section,
+               const std::array<RowCrossing, CellSurface::kMostEdges>& edges, int first, int last,
+               int y) {
+    const hn::CappedTag<double, 8> d;
+    const auto pixels = static_cast<std::size_t>(last - first);
+    std::array<std::uint8_t, kTileStride> times;
+    std::fill_n(times.begin(), pixels, std::uint8_t{0});
+    const std::size_t places = runs_->count + pixels + hn::Lanes(d);
+    if (runs_->front.size() < places) {
+      runs_->front.resize(2 * places);
+      runs_->back.resize(2 * places);
+    }
+    double* front = runs_->front.data() + runs_->count;
+    double* back = runs_->back.data() + runs_->count;
+    std::fill_n(front, pixels, std::numeric_limits<double>::infinity());
+    std::fill_n(back, pixels, -std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < section.triangle_count; ++i) {
+      const auto& [k, e, f] = section.triangles[i];
+      const auto [from, to] = std::minmax(edges[e].column, edges[f].column);
+      const auto offset = static_cast<std::size_t>(from - first);
+      const auto count = static_cast<std::size_t>(to - from);
+      for (std::size_t j = 0; j < count; ++j) ++times[offset + j];
+      depth_.along_row(k, edges[e], edges[f], from + 0.5, y + 0.5, count,
+                       [&](std::size_t j, auto depth, auto within) HWY_ATTR {
+                         double *near = front + offset + j, *far = back + offset + j;
+                         const auto here = hn::LoadU(d, near), there = hn::LoadU(d, far);
+                         hn::StoreU(hn::IfThenElse(within, hn::Min(here, depth), here), d, near);
+                         hn::StoreU(hn::IfThenElse(within, hn::Max(there, depth), there), d, far);
+                       });
+    }
+    int other = 0;
+    for (std::size_t j = 0; j < pixels; ++j)
+      if (times[j] != 2) other = 1;
+    if (other != 0) return false;
+    if (perspective_) {
+      for (std::size_t j = 0; j < pixels; ++j) front[j] = -1 / front[j];
+      for (std::size_t j = 0; j < pixels; ++j) back[j] = -1 / back[j];
+    }
+    runs_->runs.push_back({first, y, runs_->count, pixels});
+    runs_->count += pixels;
+    return true;
   }
 
   // Without curved faces: triangle by triangle, then the pixels [first, last).
@@ -194,7 +241,10 @@ class ScreenScan {
       const auto [from, to] = std::minmax(edges[e].column, edges[f].column);
       if (from == to) continue;
       const auto pixels = static_cast<std::size_t>(to - from);
-      depth_.along_row(k, edges[e], edges[f], from + 0.5, y + 0.5, pixels, depths.data());
+      const hn::CappedTag<double, 8> d;
+      depth_.along_row(k, edges[e], edges[f], from + 0.5, y + 0.5, pixels,
+                       [&](std::size_t j, auto depth, auto)
+                           HWY_ATTR { hn::StoreU(depth, d, depths.data() + j); });
       const auto offset = static_cast<std::size_t>(from - first);
       if (perspective_)
         for (std::size_t j = 0; j < pixels; ++j) depths[j] = -1 / depths[j];
@@ -230,13 +280,15 @@ class ScreenScan {
   const CellSurface& surface_;
   CurvedFaces* curved_;
   const TileRect& tile_;
+  CrossingRuns* runs_;  // for rows that are one
   Nodes nodes_;
   SurfaceDepth depth_;
 };
 
 void scan_projected(const Frame& frame, const CellSurface& surface, CurvedFaces* curved,
-                    const TileRect& tile, std::vector<CellCrossing>& crossings) {
-  ScreenScan(frame, surface, curved, tile).scan(crossings);
+                    const TileRect& tile, CrossingRuns* runs,
+                    std::vector<CellCrossing>& crossings) {
+  ScreenScan(frame, surface, curved, tile, runs).scan(crossings);
 }
 
 // The distance of a point from a plane through the eye, or 0 when it is rounding in comparison with
@@ -399,7 +451,12 @@ HWY_EXPORT(scan_beside_eye);
 
 void scan_projected_cell(const Frame& frame, const CellSurface& surface, CurvedFaces* curved,
                          const TileRect& tile, std::vector<CellCrossing>& crossings) {
-  HWY_DYNAMIC_DISPATCH(scan_projected)(frame, surface, curved, tile, crossings);
+  HWY_DYNAMIC_DISPATCH(scan_projected)(frame, surface, curved, tile, nullptr, crossings);
+}
+
+void scan_projected_runs(const Frame& frame, const CellSurface& surface, const TileRect& tile,
+                         CrossingRuns& runs, std::vector<CellCrossing>& others) {
+  HWY_DYNAMIC_DISPATCH(scan_projected)(frame, surface, nullptr, tile, &runs, others);
 }
 
 void scan_cell_beside_eye(const Frame& frame, const CellSurface& surface, CurvedFaces* curved,
@@ -407,14 +464,16 @@ void scan_cell_beside_eye(const Frame& frame, const CellSurface& surface, Curved
   HWY_DYNAMIC_DISPATCH(scan_beside_eye)(frame, surface, curved, tile, crossings);
 }
 
+bool is_projectable(const Frame& frame, const CellSurface& surface) {
+  return std::none_of(surface.nodes.begin(),
+                      surface.nodes.begin() + static_cast<std::ptrdiff_t>(surface.corner_count),
+                      [&](NodeId node) { return std::isnan(frame.nodes[node].depth); });
+}
+
 void scan_cell(const Frame& frame, CellId cell, const TileRect& tile,
                std::vector<CellCrossing>& crossings) {
   const CellSurface surface = cell_surface(frame.mesh.kinds[cell], frame.mesh.cell_nodes(cell));
-  const bool projected =
-      std::none_of(surface.nodes.begin(),
-                   surface.nodes.begin() + static_cast<std::ptrdiff_t>(surface.corner_count),
-                   [&](NodeId node) { return std::isnan(frame.nodes[node].depth); });
-  const auto scan = projected ? scan_projected_cell : scan_cell_beside_eye;
+  const auto scan = is_projectable(frame, surface) ? scan_projected_cell : scan_cell_beside_eye;
   if (!has_curved_faces(frame.mesh, cell, frame.straightness))
     return scan(frame, surface, nullptr, tile, crossings);
   CurvedFaces curved(frame, cell, surface);

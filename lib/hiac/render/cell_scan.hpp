@@ -46,6 +46,29 @@ inline std::array<double, 3> place_of(const CellCrossing& crossing) {
 void scan_projected_cell(const Frame& frame, const CellSurface& surface, CurvedFaces* curved,
                          const TileRect& tile, std::vector<CellCrossing>& crossings);
 
+/// Crossings of a cell without curved faces with the rays of rows of pixels, each of which enters
+/// and leaves it once: arrays, of which a run has `count` from `first` on.
+struct CrossingRuns {
+  struct Run {
+    int x, y;  ///< the first pixel
+    std::size_t first, count;
+  };
+  std::vector<Run> runs;
+  std::vector<double> front, back;  ///< ray parameters; with places for vectors behind the last
+  std::size_t count = 0;
+
+  /// There are none yet.
+  void clear() {
+    runs.clear();
+    count = 0;
+  }
+};
+
+/// scan_projected_cell for a cell without curved faces, many rays at a time. Rows some of whose
+/// rays do not enter and leave once, along surfaces that rounding has roughened, go to `others`.
+void scan_projected_runs(const Frame& frame, const CellSurface& surface, const TileRect& tile,
+                         CrossingRuns& runs, std::vector<CellCrossing>& others);
+
 /// The same for a cell some of whose nodes are not projectable, in perspective: parts of it lie
 /// beside or behind the eye, and so may the crossings (front and back below 0).
 ///
@@ -59,7 +82,10 @@ void scan_projected_cell(const Frame& frame, const CellSurface& surface, CurvedF
 void scan_cell_beside_eye(const Frame& frame, const CellSurface& surface, CurvedFaces* curved,
                           const TileRect& tile, std::vector<CellCrossing>& crossings);
 
-/// The same for a cell of the frame's mesh, by whichever of the two is for it.
+/// Whether all corners are projectable (ProjectedNode).
+bool is_projectable(const Frame& frame, const CellSurface& surface);
+
+/// The crossings of a cell of the frame's mesh, by whichever of the two is for it.
 void scan_cell(const Frame& frame, CellId cell, const TileRect& tile,
                std::vector<CellCrossing>& crossings);
 

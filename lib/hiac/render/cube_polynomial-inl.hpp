@@ -24,16 +24,24 @@ struct LanePoint {
   V c[3];
 };
 
-// Which coefficients there are: all; those of u^i v^j w^k of which one exponent at most is above 1;
-// those of which neither k and i, nor k and j, are above 1.
-enum class CubeTerms { all, serendipity, prism };
-
-// One more than the highest power of u that v^j w^k has.
-template <std::size_t P, CubeTerms kTerms>
-constexpr std::size_t terms_of_u(std::size_t j, std::size_t k) {
-  if (kTerms == CubeTerms::all || k < 2)
-    return kTerms == CubeTerms::serendipity && j > 1 ? 2 : P + 1;
-  return j < 2 ? 2 : 0;
+// How many powers of u the coefficient of v^j w^k of a shape's fields has, of order P: those of
+// which shape functions are made (counted by cube_polynomial_test.cpp).
+constexpr std::size_t terms_of_u(CellShape shape, std::size_t P, std::size_t j, std::size_t k) {
+  switch (shape) {
+    case CellShape::tetrahedron:
+      return j <= k ? j + 1 : 0;
+    case CellShape::pyramid:
+      if (j > k) return 0;
+      if (k < P) return k + 1;
+      return j < 2 ? P + 1 : P + 2 - j;
+    case CellShape::prism:
+      return k < 2 || j < 2 ? j + 1 : 0;
+    case CellShape::wedge:
+      return j + k > P + 1 ? 0 : j + k < P ? j + k + 1 : P + 1;
+    case CellShape::brick:
+      break;
+  }
+  return (j < 2 && k < 2) ? P + 1 : (j < 2 || k < 2) ? 2 : 0;
 }
 
 // A polynomial of kTerms coefficients, by Horner's rule.
@@ -44,29 +52,33 @@ HWY_INLINE V line_of(D d, const double* c, V u) {
   return line;
 }
 
-// What w^K has in a cube polynomial of degree P.
-template <std::size_t P, CubeTerms kTerms, std::size_t K, class D, class V = hn::Vec<D>>
+// What w^K has in a cube polynomial of a shape's field.
+template <std::size_t P, CellShape kShape, std::size_t K, class D, class V = hn::Vec<D>>
 HWY_INLINE V plane_of(D d, const CubePolynomial& f, const LanePoint<V>& at) {
-  constexpr std::size_t kTop = terms_of_u<P, kTerms>(P, K) > 0 ? P : 1;
+  constexpr std::size_t kTop = [] {
+    std::size_t top = P;
+    while (terms_of_u(kShape, P, top, K) == 0) --top;
+    return top;
+  }();
   const double* c = f.c.data() + K * (P + 1) * (P + 1);
-  V plane = line_of<terms_of_u<P, kTerms>(kTop, K)>(d, c + kTop * (P + 1), at.c[0]);
-  const auto add = [&]<std::size_t J>(std::integral_constant<std::size_t, J>) {
-    const V line = line_of<terms_of_u<P, kTerms>(J, K)>(d, c + J * (P + 1), at.c[0]);
+  V plane = line_of<terms_of_u(kShape, P, kTop, K)>(d, c + kTop * (P + 1), at.c[0]);
+  const auto add = [&]<std::size_t J>(std::integral_constant<std::size_t, J>) HWY_ATTR {
+    const V line = line_of<terms_of_u(kShape, P, J, K)>(d, c + J * (P + 1), at.c[0]);
     plane = hn::MulAdd(plane, at.c[1], line);
   };
   if constexpr (kTop > 2) add(std::integral_constant<std::size_t, 2>());
   if constexpr (kTop > 1) add(std::integral_constant<std::size_t, 1>());
-  add(std::integral_constant<std::size_t, 0>());
+  if constexpr (kTop > 0) add(std::integral_constant<std::size_t, 0>());
   return plane;
 }
 
-// A cube polynomial, of degree P, by Horner's rule.
-template <std::size_t P, CubeTerms kTerms, class D, class V = hn::Vec<D>>
+// The field, of order P, by Horner's rule.
+template <std::size_t P, CellShape kShape, class D, class V = hn::Vec<D>>
 HWY_INLINE V value_of(D d, const CubePolynomial& f, const LanePoint<V>& at) {
-  V sum = plane_of<P, kTerms, P>(d, f, at);
-  if constexpr (P > 2) sum = hn::MulAdd(sum, at.c[2], plane_of<P, kTerms, 2>(d, f, at));
-  if constexpr (P > 1) sum = hn::MulAdd(sum, at.c[2], plane_of<P, kTerms, 1>(d, f, at));
-  return hn::MulAdd(sum, at.c[2], plane_of<P, kTerms, 0>(d, f, at));
+  V sum = plane_of<P, kShape, P>(d, f, at);
+  if constexpr (P > 2) sum = hn::MulAdd(sum, at.c[2], plane_of<P, kShape, 2>(d, f, at));
+  if constexpr (P > 1) sum = hn::MulAdd(sum, at.c[2], plane_of<P, kShape, 1>(d, f, at));
+  return hn::MulAdd(sum, at.c[2], plane_of<P, kShape, 0>(d, f, at));
 }
 
 // The same with its gradient.

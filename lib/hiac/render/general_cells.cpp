@@ -12,6 +12,7 @@
 #include "hiac/render/cell_integrals.hpp"
 #include "hiac/render/cell_scalars.hpp"
 #include "hiac/render/cell_scan.hpp"
+#include "hiac/render/cell_segments.hpp"
 #include "hiac/render/cuts_along_ray.hpp"
 #include "hiac/render/error_bound.hpp"
 #include "hiac/render/field_along_ray.hpp"
@@ -53,18 +54,18 @@ class GeneralCellRenderer {
     is_cut_ = cuts_.enter(cell, displacement_);
     if (is_empty_ && !is_cut_) return;
     kind_ = frame_.mesh.kinds[cell];
-    crossings_.clear();
-    scan_cell(frame_, cell, tile_, crossings_);
-    if (crossings_.empty()) return;
     curved_ = has_curved_faces(frame_.mesh, cell, frame_.straightness);
+    is_uniform_ = uniform_optics();
+    const bool together = optics_.rule == PieceRule::exact && !is_cut_ && !is_uniform_ &&
+                          !extinction_.nodes.polynomial && !color_.nodes.polynomial;
+    scan(cell, together && !curved_ && !frame_.with_details);
+    if (crossings_.empty() && runs_.count == 0) return;
     nodes_ = relative_positions(frame_.mesh, cell, frame_.projector);
     const CellMap map(kind_, nodes_, frame_.straightness);
     const std::array<CellField, 2> fields{extinction_.nodes, color_.nodes};
     const FieldAlongRay field(kind_, map, std::span(fields).first(optics_.same_field ? 1 : 2));
-    is_uniform_ = uniform_optics();
     if (frame_.with_error) set_errors();
-    if (optics_.rule == PieceRule::exact && !is_cut_ && !is_uniform_ &&
-        !extinction_.nodes.polynomial && !color_.nodes.polynomial)
+    if (together)
       render_together(map, field, std::span(fields).first(optics_.same_field ? 1 : 2));
     else
       for (const CellCrossing& crossing : crossings_) render(crossing, map, field);
@@ -77,6 +78,18 @@ class GeneralCellRenderer {
                                 : cell_scalars(frame_.mesh, cell, frame_.color, optics_.color);
     set_allowed_errors(frame_, frame_.depth * longest_unit_, kFieldShare * frame_.tolerance, color_,
                        extinction_);
+  }
+
+  // Into runs_ what can be `by_runs`, the rest into crossings_.
+  void scan(CellId cell, bool by_runs) {
+    crossings_.clear();
+    runs_.clear();
+    if (by_runs) {
+      const CellSurface surface = cell_surface(kind_, frame_.mesh.cell_nodes(cell));
+      if (is_projectable(frame_, surface))
+        return scan_projected_runs(frame_, surface, tile_, runs_, crossings_);
+    }
+    scan_cell(frame_, cell, tile_, crossings_);
   }
 
   // Whether colour and extinction have one value in the whole cell.
@@ -104,6 +117,10 @@ class GeneralCellRenderer {
   // Segments of the cell many at a time.
   void render_together(const CellMap& map, const FieldAlongRay& field,
                        std::span<const CellField> fields) {
+    segments_.start(runs_.count + crossings_.size(), curved_);
+    collect_runs(frame_, runs_, tile_, buffer_, allowed_error(0, 1, 1), group_ == nullptr,
+                 segments_);
+    const std::size_t of_runs = segments_.count;
     collect_segments(map);
     if (segments_.count == 0) return;
     const CellPolynomials polynomials(kind_, nodes_, map, fields);
@@ -111,19 +128,48 @@ class GeneralCellRenderer {
                             {color_.intervals.low, color_.intervals.high, extinction_.intervals.low,
                              extinction_.intervals.high},
                             segments_);
-    for (std::size_t k = 0; k < segments_.count; ++k) {
-      const PlainRadiance radiance{{segments_.red[k], segments_.green[k], segments_.blue[k]},
-                                   segments_.transparency[k]};
-      if (segments_.done[k] != 0 && !frame_.with_details)
-        add_seen(index_of(crossings_[kept_[k]]), segments_.front[k], segments_.back[k], radiance);
+    if (group_ == nullptr)
+      counts_.violations += composite_segments(frame_, segments_, of_runs, buffer_);
+    for (std::size_t k = 0; k < of_runs; ++k) {
+      if (segments_.done[k] == 0)
+        render(plain_crossing(k), map, field);
       else
-        render(crossings_[kept_[k]], map, field, segments_.done[k] != 0 ? &radiance : nullptr);
+        ++counts_.segments;
+      if (segments_.done[k] != 0 && group_ != nullptr)
+        add_to_pixel(segments_.at[k], segments_.front[k], segments_.back[k], radiance_at(k));
+    }
+    for (std::size_t k = of_runs; k < segments_.count; ++k) {
+      const CellCrossing& crossing = crossings_[kept_[k - of_runs]];
+      const PlainRadiance radiance = radiance_at(k);
+      if (segments_.done[k] != 0 && !frame_.with_details)
+        add_seen(segments_.at[k], segments_.front[k], segments_.back[k], radiance);
+      else
+        render(crossing, map, field, segments_.done[k] != 0 ? &radiance : nullptr);
     }
   }
 
+  [[nodiscard]] PlainRadiance radiance_at(std::size_t k) const {
+    return {{segments_.red[k], segments_.green[k], segments_.blue[k]}, segments_.transparency[k]};
+  }
+
+  // Of a segment whose faces nobody asks for.
+  [[nodiscard]] CellCrossing plain_crossing(std::size_t k) const {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    return {static_cast<int>(segments_.x[k]),
+            static_cast<int>(segments_.y[k]),
+            segments_.front[k],
+            segments_.back[k],
+            0,
+            0,
+            {kNone, kNone, kNone},
+            {kNone, kNone, kNone},
+            kNone,
+            kNone};
+  }
+
+  // Those of crossings_.
   void collect_segments(const CellMap& map) {
-    segments_.start(crossings_.size(), curved_);
-    kept_.resize(std::max(kept_.size(), crossings_.size()));
+    kept_.clear();
     const double near = frame_.projector.near(), far = frame_.projector.far();
     const double allowed = allowed_error(0, 1, 1);
     for (std::size_t i = 0; i < crossings_.size(); ++i) {
@@ -133,7 +179,8 @@ class GeneralCellRenderer {
       const double seen = buffer_.transparency[at];
       if (seen <= frame_.least_transparency || !(front < back)) continue;
       const std::size_t k = segments_.count++;
-      kept_[k] = i;
+      kept_.push_back(i);
+      segments_.at[k] = static_cast<std::uint32_t>(at);
       segments_.x[k] = crossing.x + 0.5;
       segments_.y[k] = crossing.y + 0.5;
       segments_.front[k] = front;
@@ -415,9 +462,10 @@ class GeneralCellRenderer {
   bool is_empty_ = false;    // neither absorbs nor shines
   bool is_cut_ = false;      // by surfaces
   bool is_uniform_ = false;  // colour and extinction have one value
+  CrossingRuns runs_;
   std::vector<CellCrossing> crossings_;
-  CellSegments segments_;
-  std::vector<std::size_t> kept_;  // crossings that segments_ has
+  CellSegments segments_;          // of runs_, and then of crossings_
+  std::vector<std::size_t> kept_;  // of crossings_, those that segments_ has
   bool curved_ = false;            // the cell has curved faces
   std::vector<FieldAlongRay::Piece> pieces_;
   std::vector<RootEnclosure> roots_;

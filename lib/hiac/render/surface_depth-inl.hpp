@@ -71,10 +71,11 @@ class TriangleDepth {
     qs_ = swapped ? q1 : q2;
   }
 
-  // At a row of points, `x` and what follows it by steps of 1, in bounds. `depths`: of as many
-  // places as vectors take.
+  // At a row of points, `x` and what follows it by steps of 1, in bounds: takes vectors of depths
+  // from point i on, of which those `within` count.
+  template <class Take>
   HWY_INLINE void along_row(double x, double y, std::size_t count, double least, double most,
-                            double* depths) const {
+                            const Take& take) const {
     const hn::CappedTag<double, 8> d;
     const double dy = y - base_.y;
     const auto cy_dy = hn::Set(d, cy_ * dy), gy_dy = hn::Set(d, gy_ * dy);
@@ -84,7 +85,8 @@ class TriangleDepth {
       const auto m = hn::NegMulAdd(hn::Set(d, h_), s, hn::MulAdd(dx, hn::Set(d, gx_), gy_dy));
       const auto depth =
           hn::MulAdd(s, hn::Set(d, qs_), hn::MulAdd(m, hn::Set(d, qm_), hn::Set(d, base_.depth)));
-      hn::StoreU(hn::Min(hn::Max(depth, hn::Set(d, least)), hn::Set(d, most)), d, depths + i);
+      take(i, hn::Min(hn::Max(depth, hn::Set(d, least)), hn::Set(d, most)),
+           hn::FirstN(d, count - i));
     }
   }
 
@@ -126,13 +128,17 @@ class SurfaceDepth {
   }
 
   // The same for `count` pixels, from x on (TriangleDepth::along_row).
+  template <class Take>
   HWY_INLINE void along_row(std::size_t triangle, const RowCrossing& e, const RowCrossing& f,
-                            double x, double y, std::size_t count, double* depths) {
+                            double x, double y, std::size_t count, const Take& take) {
     const double least = std::min(e.depth, f.depth), most = std::max(e.depth, f.depth);
-    if (std::abs(e.x - f.x) < kEdgeOnWidth)
-      std::fill_n(depths, count, least);
-    else
-      on(triangle).along_row(x, y, count, least, most, depths);
+    if (std::abs(e.x - f.x) < kEdgeOnWidth) {
+      const hn::CappedTag<double, 8> d;
+      for (std::size_t i = 0; i < count; i += hn::Lanes(d))
+        take(i, hn::Set(d, least), hn::FirstN(d, count - i));
+    } else {
+      on(triangle).along_row(x, y, count, least, most, take);
+    }
   }
 
  private:
