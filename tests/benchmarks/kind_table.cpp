@@ -1,6 +1,7 @@
 // What a ray segment costs in cells of every kind: nanoseconds of processor time, in affine cells
-// and in cells that are not, and how many times as much as in linear tetrahedra. kind_table SHAPE
-// has one shape's rows alone.
+// and in cells that are not, and how many times as much as in linear tetrahedra.
+//
+//   kind_table [SHAPE [N]]     one shape's rows alone; N cells to an edge of the cube (3)
 
 #include <algorithm>
 #include <array>
@@ -52,13 +53,13 @@ struct Mesh {
   ZooMesh mesh;
 };
 
-void print_table(const std::string& shape) {
+void print_table(const std::string& shape, std::size_t n) {
   const ThreadLimit limit(1);
-  const std::array<Mesh, 5> meshes{{{"tetrahedron", test::structured(3, Cut::tetrahedra)},
-                                    {"pyramid", test::structured(3, Cut::pyramids)},
-                                    {"prism", test::structured(3, Cut::prisms)},
-                                    {"wedge", test::two_wedges()},
-                                    {"brick", test::structured(3, Cut::bricks)}}};
+  const std::array<Mesh, 5> meshes{{{"tetrahedron", test::structured(n, Cut::tetrahedra)},
+                                    {"pyramid", test::structured(n, Cut::pyramids)},
+                                    {"prism", test::structured(n, Cut::prisms)},
+                                    {"wedge", test::wedge_grid(n)},
+                                    {"brick", test::structured(n, Cut::bricks)}}};
   for (const auto& [name, mesh] : meshes) {
     if (!shape.empty() && shape != name) continue;
     for (const CellOrder order : {CellOrder::linear, CellOrder::quadratic, CellOrder::cubic}) {
@@ -79,5 +80,5 @@ void print_table(const std::string& shape) {
 
 int main(int count, char** arguments) {
   fmt::print("| cell | order | affine | times | tapered | times |\n|---|---|---|---|---|---|\n");
-  hiac::print_table(count > 1 ? arguments[1] : "");
+  hiac::print_table(count > 1 ? arguments[1] : "", count > 2 ? std::stoul(arguments[2]) : 3);
 }
