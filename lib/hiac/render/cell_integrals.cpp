@@ -70,6 +70,7 @@ class SegmentIntegrator {
   using M = hn::Mask<D>;
   static constexpr int kMostHalvings = 8;
   static constexpr std::size_t kLeastDegree = 4, kFirstDegree = 8;
+  static constexpr double kLeastShare = 0.2, kOptimism = 1.002;
 
   static WalkField walk_field(const CellPolynomials::Field& field, IntervalRange intervals) {
     return {intervals, field.base,
@@ -183,13 +184,37 @@ class SegmentIntegrator {
 
   // Fields that are polynomials over powers of the width to which the cell tapers, on a part of the
   // segments: from the polynomials' values at a few points, as long a Chebyshev series as there is,
-  // or on halves.
-  HWY_NOINLINE void expand_quotient(double begin, double end, int halvings) {
+  // or on two parts.
+  HWY_NOINLINE void expand_quotient(double begin, double end, int splits) {
+    const D d;
+    rays_->open(begin, end, active_);
+    const V h = rays_->taper();
+    const double steepest = steepest_of(h);
+    if (splits == kMostHalvings || std::abs(steepest) <= resolvable_) {
+      const M resolved = expand_at(h);
+      if (splits == kMostHalvings) active_ = resolved;
+      if (hn::AllFalse(d, active_)) return;
+      if (hn::AllTrue(d, hn::Or(hn::Not(active_), resolved))) {
+        // neighbours may do better
+        resolvable_ *= kOptimism;
+        add(begin, end, kMostChebyshevDegree);
+        return;
+      }
+      resolvable_ = std::abs(steepest) / kOptimism;
+    }
+    // either part tapers in the same proportion, but that the tip of a cell cannot
+    const double front = std::sqrt(1 - steepest), back = std::sqrt(1 + steepest);
+    const double share = std::clamp(front / (front + back), kLeastShare, 1 - kLeastShare);
+    const double between = begin + (end - begin) * share;
+    expand_quotient(begin, between, splits + 1);
+    expand_quotient(between, end, splits + 1);
+  }
+
+  // Chebyshev coefficients of these fields. Returns where they are exact enough.
+  HWY_INLINE M expand_at(V h) {
     const D d;
     const auto [degree, pole_order] = cell_.along_lines;
-    rays_->open(begin, end, active_);
     rays_->sample(degree, active_);
-    const V h = rays_->taper();
     const ChebyshevPoints& points = chebyshev_points(degree);
     M resolved = active_;
     for (std::size_t f = 0; f < cell_.field_count; ++f) {
@@ -202,15 +227,16 @@ class SegmentIntegrator {
       divide_by_width(d, h, pole_order, degree, coefficients_[f]);
       resolved = hn::And(resolved, hn::Le(last_two(f, kMostChebyshevDegree), negligible_[f]));
     }
-    if (halvings == kMostHalvings) active_ = resolved;
-    if (hn::AllFalse(d, active_)) return;
-    if (hn::AllTrue(d, hn::Or(hn::Not(active_), resolved))) {
-      add(begin, end, kMostChebyshevDegree);
-      return;
-    }
-    const double middle = 0.5 * (begin + end);
-    expand_quotient(begin, middle, halvings + 1);
-    expand_quotient(middle, end, halvings + 1);
+    return resolved;
+  }
+
+  // That of the active lanes that is farthest from zero.
+  HWY_INLINE double steepest_of(V h) const {
+    const D d;
+    const V counts = hn::IfThenElseZero(active_, h);
+    const double least = hn::GetLane(hn::MinOfLanes(d, counts));
+    const double most = hn::GetLane(hn::MaxOfLanes(d, counts));
+    return most > -least ? most : least;
   }
 
   // Fields that are not polynomials, on a part of the segments: of the degree that was enough for
@@ -282,6 +308,8 @@ class SegmentIntegrator {
   PolynomialWalk<kEmission> walk_;
   // what degree was enough for the segments before, by the number of halvings
   std::array<std::size_t, kMostHalvings + 1> efforts_;
+  // up to what taper of parts quotients seem to be resolved
+  double resolvable_ = 1;
   // of the segments at hand
   CellRays<D>* rays_ = nullptr;
   RayStarts<V> starts_;  // of the segments before
