@@ -405,25 +405,31 @@ TEST(SegmentCuts, AreTheRootsOfCubics) {
 TEST(Transparency, IsExactToTheLastPlaces) {
   namespace simd = HWY_NAMESPACE;
   const hwy::HWY_NAMESPACE::CappedTag<double, 1> d;
-  const auto at = [&](double a, bool thin) {
-    return GetLane(simd::transparency(d, Set(d, a), thin));
+  const auto at = [&](double a, double most) {
+    return GetLane(simd::transparency(d, Set(d, a), simd::Thickness(most)));
   };
+  constexpr double kDeep = 700;
   std::mt19937_64 random(8);
   std::uniform_real_distribution<double> unit(0, 1);
   for (std::size_t n = 0; n < test::tried(40'000); ++n) {
-    const double a = unit(random) * (n % 3 == 0 ? 700 : n % 3 == 1 ? 5 : 1e-3);
-    const auto relative = [&](double x, bool thin) {
-      const long double exact = std::exp(-static_cast<long double>(x));
-      return static_cast<double>(std::abs(at(x, thin) - exact) / exact);
+    const double part = unit(random);
+    const auto relative = [&](double a, double most) {
+      const long double exact = std::exp(-static_cast<long double>(a));
+      return static_cast<double>(std::abs(at(a, most) - exact) / exact);
     };
-    EXPECT_LE(relative(a, false), 2 * std::numeric_limits<double>::epsilon()) << a;
-    EXPECT_LE(relative(a / 7000, true), 4e-15) << a / 7000;
+    const double a = part * (n % 3 == 0 ? 700 : n % 3 == 1 ? 5 : 1e-3);
+    EXPECT_LE(relative(a, kDeep), 2 * std::numeric_limits<double>::epsilon()) << a;
+    // squared as often as is allowed, the error of the polynomial up to 0.5 doubles each time
+    double bound = 4e-15;
+    EXPECT_LE(relative(0.08 * part, 0.08), bound) << part;
+    for (double most = 0.5; most <= 4; most += most, bound += bound)
+      EXPECT_LE(relative(most * part, most), bound) << most << ' ' << part;
   }
-  EXPECT_EQ(at(0, false), 1);
-  EXPECT_EQ(at(0, true), 1);
-  EXPECT_GT(at(-1e-17, false), 1 - 1e-15);
+  for (const double most : {0.08, 0.5, 1.0, 2.0, 4.0, kDeep}) EXPECT_EQ(at(0, most), 1) << most;
+  EXPECT_GT(at(-1e-17, kDeep), 1 - 1e-15);
+  EXPECT_EQ(at(1, std::numeric_limits<double>::quiet_NaN()), at(1, kDeep));
   for (const double a : {700.0, 1e10, 1e300, std::numeric_limits<double>::infinity()})
-    EXPECT_LE(std::abs(at(a, false)), 1e-304) << a;
+    EXPECT_LE(std::abs(at(a, a)), 1e-304) << a;
 }
 
 // The rule's number of nodes against the integral by very many.
