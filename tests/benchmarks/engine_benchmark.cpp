@@ -8,6 +8,7 @@
 #include "hiac/mesh/face_adjacency.hpp"
 #include "hiac/render/engine.hpp"
 #include "tests/benchmarks/cube_scene.hpp"
+#include "tests/render/general_meshes.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace hiac {
@@ -39,6 +40,20 @@ void engine(benchmark::State& state, Projection projection) {
   state.counters["cells"] = static_cast<double>(mesh.cell_count());
   state.counters["segments/s"] =
       benchmark::Counter(static_cast<double>(segments), benchmark::Counter::kIsRate);
+}
+
+// The same tetrahedra, with straight edges, of higher order.
+void of_higher_order(benchmark::State& state, CellOrder cells) {
+  ZooMesh mesh = test::of_order(mesh_of(state.range(0)), cells);
+  test::add_node_field(mesh, "f", test::smooth_field);
+  mesh.adjacency = build_face_adjacency(mesh);
+  const Scene scene = cube_scene(1000);
+  const VisibilityOrder order = order_of(mesh, scene).order;
+  for (auto _ : state) {
+    const RenderResult result = render(mesh, order, scene, false);
+    state.counters["prepare_s"] = result.statistics.prepare_seconds;
+  }
+  state.counters["cells"] = static_cast<double>(mesh.cell_count());
 }
 
 // Five surfaces of the volume's own field, or of another.
@@ -76,6 +91,16 @@ BENCHMARK_CAPTURE(engine, orthographic, Projection::orthographic)
 BENCHMARK_CAPTURE(engine, perspective, Projection::perspective)
     ->ArgNames({"points", "side"})
     ->Args({85000, 1000})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(of_higher_order, quadratic, CellOrder::quadratic)
+    ->ArgName("points")
+    ->Arg(1600)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(of_higher_order, cubic, CellOrder::cubic)
+    ->ArgName("points")
+    ->Arg(1600)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK_CAPTURE(with_surfaces, orthographic_own, Projection::orthographic, "f")
