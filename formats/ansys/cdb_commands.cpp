@@ -134,9 +134,12 @@ void CdbCommands::written_node(CommaFields& fields, std::size_t start) {
   if (number == -1) return;
   fields.field();
   fields.field();
+  // beside blocks a command that cannot be read is left out whole
+  std::array<double, 3> point{};
+  for (double& x : point) x = real(fields, start);
   any_nodes_ = true;
   model_.mesh.node_numbers.push_back(number);
-  for (int c = 0; c < 3; ++c) model_.mesh.xyz.push_back(real(fields, start));
+  model_.mesh.xyz.insert(model_.mesh.xyz.end(), point.begin(), point.end());
 }
 
 /// EN, R5.5, ATTR, NUMN, MAT, TYPE, REAL, SECNUM, ESYS, NUMBER, SOLID, DEATH, EXCLUDE, and behind
@@ -223,17 +226,18 @@ void CdbCommands::take(std::size_t start, std::size_t numbers) {
   made_ += numbers;
 }
 
-std::int64_t CdbCommands::checked(std::int64_t number, std::size_t start) const {
+void CdbCommands::refuse_large(std::int64_t number, std::size_t start) const {
   if (number < -kLargestNumber || number > kLargestNumber)
     refuse(start, fmt::format("numbers of nodes and elements of at most {}, not {},",
                               kLargestNumber, number));
-  return number;
 }
 
 std::int64_t CdbCommands::largest_element(std::size_t start) const {
   const std::vector<std::int64_t>& numbers = model_.mesh.cell_numbers;
   const auto largest = std::max_element(numbers.begin(), numbers.end());
-  return largest == numbers.end() ? 0 : checked(*largest, start);
+  if (largest == numbers.end()) return 0;
+  refuse_large(*largest, start);
+  return *largest;
 }
 
 std::vector<std::size_t> CdbCommands::pattern(CommaFields& fields, std::size_t start,
@@ -316,7 +320,11 @@ void CdbCommands::generate_elements(CommaFields& fields, std::size_t start) {
   for (std::size_t cell = 0; cell < mesh.cell_count(); ++cell)
     begins[cell + 1] = begins[cell] + mesh.types[mesh.cell_types[cell]].nodes;
   std::size_t numbers = 0;
-  for (const std::size_t place : from) numbers += 2 + begins[place + 1] - begins[place];
+  for (const std::size_t place : from) {
+    numbers += 2 + begins[place + 1] - begins[place];
+    for (std::size_t n = begins[place]; n < begins[place + 1]; ++n)
+      if (mesh.cell_nodes[n] != kLeftOutNode) refuse_large(mesh.cell_nodes[n], start);
+  }
   take(start, numbers);
   take(start, numbers * static_cast<std::size_t>(times - 1));
   std::int64_t next = largest_element(start);
@@ -326,8 +334,7 @@ void CdbCommands::generate_elements(CommaFields& fields, std::size_t start) {
       mesh.cell_types.push_back(mesh.cell_types[place]);
       for (std::size_t n = begins[place]; n < begins[place + 1]; ++n) {
         const std::int64_t node = mesh.cell_nodes[n];
-        mesh.cell_nodes.push_back(node == kLeftOutNode ? node
-                                                       : checked(node, start) + i * increment);
+        mesh.cell_nodes.push_back(node == kLeftOutNode ? node : node + i * increment);
       }
     }
 }

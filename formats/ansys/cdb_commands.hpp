@@ -56,7 +56,7 @@ class CdbCommands {
   /// The places of nodes or elements from, to, in steps of, or all of them.
   std::vector<std::size_t> pattern(CommaFields& fields, std::size_t start, std::string_view command,
                                    bool elements);
-  [[nodiscard]] std::int64_t checked(std::int64_t number, std::size_t start) const;
+  void refuse_large(std::int64_t number, std::size_t start) const;
   [[nodiscard]] std::int64_t largest_element(std::size_t start) const;
   void take(std::size_t start, std::size_t numbers);
   std::int64_t whole(CommaFields& fields, std::size_t start, std::string_view what,

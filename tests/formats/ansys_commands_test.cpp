@@ -133,6 +133,13 @@ TEST(AnsysCommands, CommandsWithParametersBesidesBlocks) {
   EXPECT_THAT(reading.notes, testing::Contains(HasSubstr("left out 6 commands")));
   // what they say in numbers counts
   EXPECT_EQ(deck(blocks + "N,5,1,1,1\nE,2,3,4,5\n").mesh.cell_count(), 2U);
+  // half of one that cannot be read does not
+  const Reading half = deck(blocks + "N,R5.3,LOC,9,0,0,1.0,_x,0.\nN,5,1,1,1\n");
+  expect_unit_tetrahedron(half.mesh);
+  EXPECT_THAT(half.notes, testing::Contains(HasSubstr("left out 1 commands")));
+  const Reading large =
+      deck(blocks + "N,R5.3,LOC,9,0,0,1.,1.,1.\nTYPE,1\nE,2,3,4,9\nEN,3,1,2,3,9\nEGEN,3,1e9,1,3\n");
+  EXPECT_EQ(large.mesh.cell_count(), 3U);
 }
 
 TEST(AnsysCommands, WhatIsNotReadIsNamedWithItsLine) {
