@@ -80,9 +80,10 @@ HWY_INLINE std::uint64_t composite_from(D1 d, const Frame& frame, const CellSegm
       hn::And(hn::Lt(front, hn::Sub(last, tolerance)), hn::Gt(hn::Sub(back, front), tolerance));
   hn::StoreU(hn::Max(last, back), d, buffer.last.data() + at);
   const auto seen = hn::LoadU(d, buffer.transparency.data() + at);
+  // not fused, as it is not where segments are composited one by one
   const auto add = [&](const std::vector<double>& light, TileBuffer::Plane& plane) HWY_ATTR {
     double* to = plane.data() + at;
-    hn::StoreU(hn::MulAdd(seen, load(light), hn::LoadU(d, to)), d, to);
+    hn::StoreU(hn::Add(hn::LoadU(d, to), hn::Mul(seen, load(light))), d, to);
   };
   add(s.red, buffer.red);
   add(s.green, buffer.green);

@@ -58,7 +58,7 @@ class GeneralCellRenderer {
     is_uniform_ = uniform_optics();
     const bool together = optics_.rule == PieceRule::exact && !is_cut_ && !is_uniform_ &&
                           !extinction_.nodes.polynomial && !color_.nodes.polynomial;
-    scan(cell, together && !curved_ && !frame_.with_details);
+    scan(cell, together && !curved_);
     if (crossings_.empty() && runs_.count == 0) return;
     nodes_ = relative_positions(frame_.mesh, cell, frame_.projector);
     const CellMap map(kind_, nodes_, frame_.straightness);
@@ -128,43 +128,41 @@ class GeneralCellRenderer {
                             {color_.intervals.low, color_.intervals.high, extinction_.intervals.low,
                              extinction_.intervals.high},
                             segments_);
-    if (group_ == nullptr)
-      counts_.violations += composite_segments(frame_, segments_, of_runs, buffer_);
-    for (std::size_t k = 0; k < of_runs; ++k) {
-      if (segments_.done[k] == 0)
-        render(plain_crossing(k), map, field);
+    const bool one_by_one = group_ != nullptr || frame_.with_details;
+    if (!one_by_one) counts_.violations += composite_segments(frame_, segments_, of_runs, buffer_);
+    for (std::size_t k = 0; k < of_runs; ++k)
+      if (one_by_one || segments_.done[k] == 0)
+        render_or_add(k, plain_crossing(k), map, field);
       else
         ++counts_.segments;
-      if (segments_.done[k] != 0 && group_ != nullptr)
-        add_to_pixel(segments_.at[k], segments_.front[k], segments_.back[k], radiance_at(k));
-    }
-    for (std::size_t k = of_runs; k < segments_.count; ++k) {
-      const CellCrossing& crossing = crossings_[kept_[k - of_runs]];
-      const PlainRadiance radiance = radiance_at(k);
-      if (segments_.done[k] != 0 && !frame_.with_details)
-        add_seen(segments_.at[k], segments_.front[k], segments_.back[k], radiance);
-      else
-        render(crossing, map, field, segments_.done[k] != 0 ? &radiance : nullptr);
-    }
+    for (std::size_t k = of_runs; k < segments_.count; ++k)
+      render_or_add(k, crossings_[kept_[k - of_runs]], map, field);
   }
 
-  [[nodiscard]] PlainRadiance radiance_at(std::size_t k) const {
-    return {{segments_.red[k], segments_.green[k], segments_.blue[k]}, segments_.transparency[k]};
+  // Segment k, whatever of it is done.
+  void render_or_add(std::size_t k, const CellCrossing& crossing, const CellMap& map,
+                     const FieldAlongRay& field) {
+    const PlainRadiance radiance{{segments_.red[k], segments_.green[k], segments_.blue[k]},
+                                 segments_.transparency[k]};
+    if (segments_.done[k] != 0 && !frame_.with_details)
+      add_seen(segments_.at[k], segments_.front[k], segments_.back[k], radiance);
+    else
+      render(crossing, map, field, segments_.done[k] != 0 ? &radiance : nullptr);
   }
 
-  // Of a segment whose faces nobody asks for.
+  // Of a segment of runs_, whose faces nobody asks for: beyond the view where that clips it.
   [[nodiscard]] CellCrossing plain_crossing(std::size_t k) const {
+    constexpr double kFar = std::numeric_limits<double>::infinity();
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    return {static_cast<int>(segments_.x[k]),
-            static_cast<int>(segments_.y[k]),
-            segments_.front[k],
-            segments_.back[k],
-            0,
-            0,
-            {kNone, kNone, kNone},
-            {kNone, kNone, kNone},
-            kNone,
-            kNone};
+    const double front = segments_.front[k], back = segments_.back[k];
+    CellCrossing crossing{};
+    crossing.x = static_cast<int>(segments_.x[k]);
+    crossing.y = static_cast<int>(segments_.y[k]);
+    crossing.front = front == frame_.projector.near() ? -kFar : front;
+    crossing.back = back == frame_.projector.far() ? kFar : back;
+    crossing.front_reference = crossing.back_reference = {kNone, kNone, kNone};
+    crossing.front_doubt = crossing.back_doubt = kNone;
+    return crossing;
   }
 
   // Those of crossings_.
