@@ -440,13 +440,13 @@ TEST(HigherOrderRules, MeetWhatIsAllowed) {
   const auto nodes_for = [&](double wanted, double a1, double a2, double a3) {
     EllipseChoice choice;
     const V zero = Zero(d), one = Set(d, 1.0);
-    const simd::PieceDepth<V, 2> depth{{zero, Set(d, a1), Set(d, a2), Set(d, a3)}, zero};
+    const V alpha[] = {zero, Set(d, a1), Set(d, a2), Set(d, a3)};
     const simd::FactorBound<V, 1> factor{{zero, one}, Set(d, wanted), zero};
     std::size_t nodes = 0;
     // the last of these has tried all ellipses
     for (std::size_t k = 0; k < 2 * BernsteinEllipses::kCount; ++k)
       nodes =
-          simd::higher_order_nodes(d, bernstein_ellipses(), depth, factor, Eq(one, one), choice);
+          simd::nodes_needed<3, 1>(d, bernstein_ellipses(), alpha, factor, Eq(one, one), choice);
     return nodes;
   };
   const auto integral = [](std::size_t nodes, double a0, double a1, double a2, double a3,

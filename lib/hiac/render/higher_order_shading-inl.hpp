@@ -13,6 +13,7 @@
 #  include <hwy/highway.h>
 
 #  include "hiac/render/polar_form-inl.hpp"
+#  include "hiac/render/rule_choice-inl.hpp"
 #  include "hiac/render/segment_cuts-inl.hpp"
 #  include "hiac/render/shading-inl.hpp"
 #  include "hiac/render/symmetric_rules.hpp"
@@ -39,46 +40,6 @@ struct PieceDepth {
   V alpha[kDegree + 2];
   V total;
 };
-
-// A bound of the integrand without exp(-A): steepness times the sum of size_k |z|^k, and brightest.
-template <class V, std::size_t kDegree>
-struct FactorBound {
-  V size[kDegree + 1];
-  V steepness, brightest;
-};
-
-// How many nodes give the mean of p(z) exp(-A(z)) over [-1, 1] with an error of at most 1, `factor`
-// being the bound of p; 0 when more than there are. For the active lane that needs most. `ellipse`:
-// the best one of the last time, one of whose neighbours is tried besides, in turn.
-template <class D, std::size_t kDegree, std::size_t kFactorDegree, class V = hn::Vec<D>>
-HWY_INLINE std::size_t higher_order_nodes(D d, const BernsteinEllipses& table,
-                                          const PieceDepth<V, kDegree>& depth,
-                                          const FactorBound<V, kFactorDegree>& factor,
-                                          hn::Mask<D> active, EllipseChoice& ellipse) {
-  V size[kDegree + 2];
-  for (std::size_t k = 1; k < kDegree + 2; ++k) size[k] = hn::Abs(depth.alpha[k]);
-  const V middle = hn::Max(depth.alpha[0], hn::Zero(d));
-  const auto needed_on = [&](std::size_t e) {
-    const V reach = hn::Set(d, table.reach[e]);
-    V grown = size[kDegree + 1], p = factor.size[kFactorDegree];
-    for (std::size_t k = kDegree + 1; k-- > 1;) grown = hn::MulAdd(grown, reach, size[k]);
-    for (std::size_t k = kFactorDegree; k-- > 0;) p = hn::MulAdd(p, reach, factor.size[k]);
-    const V log = log_above(d, hn::MulAdd(p, factor.steepness, factor.brightest));
-    grown = hn::MulSub(grown, reach, middle);
-    const V needed = hn::Mul(hn::Add(hn::Add(grown, hn::Set(d, table.log_factor[e])), log),
-                             hn::Set(d, table.rate[e]));
-    return hn::GetLane(hn::MaxOfLanes(d, hn::IfThenElseZero(active, needed)));
-  };
-  double fewest = needed_on(ellipse.best);
-  const std::size_t other = ellipse.neighbour();
-  if (const double needed = needed_on(other); needed < fewest) {
-    fewest = needed;
-    ellipse.best = other;
-  }
-  // the next number above
-  if (!(fewest < static_cast<double>(kMostSymmetricNodes))) return 0;
-  return fewest < 0 ? 1 : static_cast<std::size_t>(fewest) + 1;
-}
 
 // A field in the cell at hand, as a walk sees it.
 struct HigherOrderWalkField {
@@ -304,7 +265,8 @@ class HigherOrderWalk {
       bound.brightest = hn::Mul(weight, largest(channels.value));
     }
     bound.steepness = hn::Mul(weight, largest(channels.slope));
-    return higher_order_nodes(d, ellipses_, depth, bound, active, ellipse_);
+    return nodes_needed<kDegree + 1, kFactorDegree>(d, ellipses_, depth.alpha, bound, active,
+                                                    ellipse_);
   }
 
   // Means over a piece of exp(-A), which emission needs, and of exp(-A) times a factor.

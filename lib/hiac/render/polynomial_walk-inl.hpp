@@ -16,6 +16,7 @@
 #  include <hwy/highway.h>
 
 #  include "hiac/render/lane_polynomial-inl.hpp"
+#  include "hiac/render/rule_choice-inl.hpp"
 #  include "hiac/render/shading-inl.hpp"
 #  include "hiac/render/symmetric_rules.hpp"
 #  include "hiac/render/transparency-inl.hpp"
@@ -393,45 +394,19 @@ class PolynomialWalk {
   template <std::size_t kTop, class D, class V = hn::Vec<D>>
   HWY_NOINLINE std::size_t nodes_for(D d, const Depth<V>& depth, const V* factor,
                                      const Channels<V>& channels, V length, V weight) {
-    constexpr std::size_t kDegree = 2 * kTop + 1;
-    V alpha[kDegree + 1], size[kDegree + 1];
-    for (std::size_t k = 1; k <= kDegree; ++k) alpha[k] = hn::Abs(depth.alpha[k]);
-    for (std::size_t k = 0; k <= kDegree - kFactorBelow; ++k) size[k] = hn::Abs(factor[k]);
-    const V middle = hn::Max(depth.alpha[0], hn::Zero(d));
-    V brightest = hn::Zero(d);
+    constexpr std::size_t kDepth = 2 * kTop + 1, kFactor = kDepth - kFactorBelow;
+    FactorBound<V, kFactor> bound;
+    for (std::size_t k = 0; k <= kFactor; ++k) bound.size[k] = hn::Abs(factor[k]);
+    bound.brightest = hn::Zero(d);
     if constexpr (kEmission) {
       weight = hn::Mul(weight, length);
-      brightest =
+      bound.brightest =
           hn::Mul(weight, hn::Max(hn::Max(hn::Abs(channels.value[0]), hn::Abs(channels.value[1])),
                                   hn::Abs(channels.value[2])));
     }
-    const V steepness = hn::Mul(channels.steepest, weight);
-    const auto counts = hn::Gt(weight, hn::Zero(d));
-    const auto needed_on = [&](std::size_t e) {
-      const V reach = hn::Set(d, ellipses_.reach[e]);
-      V grown = alpha[kDegree], p = size[kDegree - kFactorBelow];
-      for (std::size_t k = kDegree; k-- > 1;) grown = hn::MulAdd(grown, reach, alpha[k]);
-      for (std::size_t k = kDegree - kFactorBelow; k-- > 0;) p = hn::MulAdd(p, reach, size[k]);
-      const V log = log_above(d, hn::MulAdd(p, steepness, brightest));
-      grown = hn::MulSub(grown, reach, middle);
-      const V needed = hn::Mul(hn::Add(hn::Add(grown, hn::Set(d, ellipses_.log_factor[e])), log),
-                               hn::Set(d, ellipses_.rate[e]));
-      return hn::GetLane(hn::MaxOfLanes(d, hn::IfThenElseZero(counts, needed)));
-    };
-    double fewest = needed_on(ellipse_.best);
-    const std::size_t other = ellipse_.neighbour();
-    if (const double needed = needed_on(other); needed < fewest) {
-      fewest = needed;
-      ellipse_.best = other;
-    }
-    // before it gives up it tries all
-    for (std::size_t e = 0; !(fewest < kMostNodes) && e < BernsteinEllipses::kCount; ++e)
-      if (const double needed = needed_on(e); needed < fewest) {
-        fewest = needed;
-        ellipse_.best = e;
-      }
-    if (!(fewest < kMostNodes)) return 0;
-    return fewest < 0 ? 1 : static_cast<std::size_t>(fewest) + 1;
+    bound.steepness = hn::Mul(channels.steepest, weight);
+    return nodes_needed<kDepth, kFactor>(d, ellipses_, depth.alpha, bound,
+                                         hn::Gt(weight, hn::Zero(d)), ellipse_);
   }
 
   // Means over a piece of exp(-A), which emission needs, and of exp(-A) times a factor.
@@ -469,7 +444,6 @@ class PolynomialWalk {
     for (std::size_t k = 0; k < twice.size(); ++k) twice[k] = 2 * static_cast<double>(k);
     return twice;
   }();
-  static constexpr double kMostNodes = kMostSymmetricNodes;
 
   const OpticsTables& optics_;
   WalkField color_, extinction_;
