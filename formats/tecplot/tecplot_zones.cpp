@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -117,7 +118,7 @@ class Reader {
       if (keyword == "TITLE") {
         read_title();
       } else if (keyword == "VARIABLES") {
-        read_variables();
+        read_variables(start);
       } else if (keyword == "ZONE") {
         read_zone();
       } else if (keyword == "FILETYPE" || keyword == "DATASETAUXDATA" || keyword == "VARAUXDATA") {
@@ -155,8 +156,20 @@ class Reader {
     }
   }
 
-  /// Names in quotes or words, up to the next keyword.
-  void read_variables() {
+  /// Names in quotes or words, up to the next keyword. Files joined end to end tell them again.
+  void read_variables(std::size_t record) {
+    std::vector<std::string> names = variable_names();
+    if (file_.zones.empty())
+      file_.variables.insert(file_.variables.end(), std::make_move_iterator(names.begin()),
+                             std::make_move_iterator(names.end()));
+    else if (names != file_.variables)
+      cursor_.fail_at(
+          record,
+          fmt::format("the VARIABLES of the zones before expected ({} names found)", names.size()));
+  }
+
+  std::vector<std::string> variable_names() {
+    std::vector<std::string> names;
     tokens_.take('=');
     while (tokens_.skip()) {
       const std::size_t start = cursor_.offset();
@@ -166,10 +179,11 @@ class Reader {
       if (!is_text && (word == "ZONE" || word == "TITLE" || word == "TEXT" ||
                        word == "DATASETAUXDATA" || word == "VARAUXDATA" || word == "FILETYPE")) {
         cursor_.move_to(start);
-        return;
+        break;
       }
-      file_.variables.push_back(std::move(name));
+      names.push_back(std::move(name));
     }
+    return names;
   }
 
   std::size_t count_of(const std::string& value, std::size_t start) const {

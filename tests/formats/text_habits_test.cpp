@@ -229,6 +229,21 @@ TEST(TecplotHabits, DuplicatedVariablesFaceNeighboursAndNan) {
               HasSubstr("there is no zone before"));
 }
 
+// Files joined end to end tell their variables before each zone.
+TEST(TecplotHabits, VariablesMayBeToldAgain) {
+  const ScratchFolder folder;
+  const std::string head = "TITLE = \"t\"\nVARIABLES = \"X\" \"Y\" \"Z\" \"P\"\nZONE ";
+  const std::string one = head + kZone + "1 2 3 4\n";
+  const Reading reading = read_any(folder.write("a.dat", one + one));
+  EXPECT_EQ(reading.mesh.cell_count(), 2U);
+  ASSERT_EQ(reading.mesh.fields.size(), 1U);
+  EXPECT_EQ(reading.mesh.fields[0].values.view()[7], 4);
+  EXPECT_THAT(refusal(folder.write("b.dat", one + "VARIABLES = \"X\" \"Y\" \"Z\" \"Q\"\n")),
+              HasSubstr("b.dat:9: the VARIABLES of the zones before expected (4 names found)"));
+  EXPECT_THAT(refusal(folder.write("c.dat", one + "VARIABLES = more\n")),
+              HasSubstr("the VARIABLES of the zones before expected (1 names found)"));
+}
+
 TEST(FrdHabits, ExponentsOfThreeDigitsAndNoFormatNumber) {
   const ScratchFolder folder;
   const auto head = [](const char* key, const char* encoding) {
