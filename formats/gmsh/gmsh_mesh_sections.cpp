@@ -74,16 +74,23 @@ void skip_parametric_place(MshStream& stream) {
   for (std::int64_t c = 0; c < parameters; ++c) stream.real("a parametric coordinate");
 }
 
+/// The number of nodes in a list, of which each takes so many bytes at least; makes place for them.
+std::size_t begin_node_list(MshStream& stream, ForeignMesh& mesh, std::size_t binary_bytes,
+                            std::size_t text_bytes) {
+  const std::size_t count = stream.cursor().count("the number of nodes", stream.cursor().left());
+  if (stream.binary()) stream.cursor().line();
+  if (count > stream.cursor().left() / (stream.binary() ? binary_bytes : text_bytes) + 1)
+    stream.fail(fmt::format("{} nodes announced, more than the file can hold", count));
+  reserve_points(mesh, count);
+  return count;
+}
+
 /// Versions 1 and 2: a list of number and coordinates.
 void read_nodes_2(MshStream& stream, MshContents& contents, bool parametric) {
   ForeignMesh& mesh = contents.mesh;
-  const std::size_t count = stream.cursor().count("the number of nodes", stream.cursor().left());
-  if (stream.binary()) stream.cursor().line();
   constexpr std::size_t kBinaryBytes = 28;
   constexpr std::size_t kTextBytes = 8;
-  if (count > stream.cursor().left() / (stream.binary() ? kBinaryBytes : kTextBytes) + 1)
-    stream.fail(fmt::format("{} nodes announced, more than the file can hold", count));
-  reserve_points(mesh, count);
+  const std::size_t count = begin_node_list(stream, mesh, kBinaryBytes, kTextBytes);
   for (std::size_t i = 0; i < count; ++i) {
     mesh.node_numbers.push_back(stream.integer("a node number"));
     read_point(stream, mesh);
@@ -97,11 +104,7 @@ void read_nodes_3(MshStream& stream, MshContents& contents) {
   ForeignMesh& mesh = contents.mesh;
   constexpr std::size_t kBinaryBytes = 32;
   constexpr std::size_t kTextBytes = 10;
-  const std::size_t count = stream.cursor().count("the number of nodes", stream.cursor().left());
-  if (stream.binary()) stream.cursor().line();
-  if (count > stream.cursor().left() / (stream.binary() ? kBinaryBytes : kTextBytes) + 1)
-    stream.fail(fmt::format("{} nodes announced, more than the file can hold", count));
-  reserve_points(mesh, count);
+  const std::size_t count = begin_node_list(stream, mesh, kBinaryBytes, kTextBytes);
   for (std::size_t i = 0; i < count; ++i) {
     mesh.node_numbers.push_back(stream.integer("a node number"));
     read_point(stream, mesh);
