@@ -2,27 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <span>
 
 #include <fmt/format.h>
 
+#include "formats/deck_numbers.hpp"
 #include "formats/last_definitions.hpp"
 
 namespace hiac::formats::abaqus {
 namespace {
-
-constexpr std::size_t kMostMade = 16'000'000;
-constexpr std::int64_t kLargestNumber = 999'999'999;
-
-/// A whole number as data lines have it; none where the text is not one.
-std::optional<std::int64_t> whole_number(std::string_view text) {
-  const auto real = to_real(text);
-  if (!real || !(std::abs(*real) <= static_cast<double>(kLargestNumber)) ||
-      std::trunc(*real) != *real)
-    return std::nullopt;
-  return static_cast<std::int64_t>(*real);
-}
 
 /// How the corners of a solid are numbered in its mirror image, and the nodes of its edges with
 /// them; empty for what has no volume.

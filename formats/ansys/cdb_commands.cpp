@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "formats/ansys/cdb_elements.hpp"
+#include "formats/deck_numbers.hpp"
 #include "formats/last_definitions.hpp"
 #include "hiac/base/error.hpp"
 
@@ -17,10 +18,6 @@ namespace {
 constexpr std::size_t kMostNodes = 64;
 /// Nodes that a command has.
 constexpr std::size_t kInLine = 8;
-constexpr std::int64_t kLargestNumber = 999'999'999;
-
-/// What NGEN and EGEN make is no more than this many numbers: a short deck may ask for anything.
-constexpr std::size_t kMostMade = 16'000'000;
 
 /// Commands that make or change nodes and elements, by the four letters that count.
 bool changes_mesh(std::string_view name) {
@@ -44,11 +41,9 @@ std::int64_t CdbCommands::whole(CommaFields& fields, std::size_t start, std::str
                                 std::optional<std::int64_t> otherwise) const {
   const std::string_view field = fields.at_end() ? std::string_view() : fields.field();
   if (field.empty() && otherwise) return *otherwise;
-  const auto value = to_real(field);
-  if (!value || !(std::abs(*value) <= static_cast<double>(kLargestNumber)) ||
-      std::trunc(*value) != *value)
-    refuse(start, what);
-  return static_cast<std::int64_t>(*value);
+  const auto value = whole_number(field);
+  if (!value) refuse(start, what);
+  return *value;
 }
 
 double CdbCommands::real(CommaFields& fields, std::size_t start) const {
