@@ -75,12 +75,12 @@ FaceForm face_form(const ZooMesh& mesh, CellId cell, std::size_t number, double 
   const auto nodes = mesh.cell_nodes(cell);
   const ShapeFace& face = topology_of(kind).faces[number];
   const std::size_t n = face.corner_count;
-  FaceForm form{false, {1, n == 3, false}, canonical_corners(face, nodes), {}};
+  FaceForm form{false, {1, n == 3, false}, canonical_corners(face, nodes), {}, {}};
   for (std::size_t k = 0; k < n; ++k) {
     form.edges[k] = edge_between(kind, form.corners[k], form.corners[(k + 1) % n]);
-    if (order_of(kind) != CellOrder::linear &&
-        is_curved(mesh, edge_nodes(kind, nodes, form.edges[k]), straightness))
-      form.shape.degree = static_cast<std::uint8_t>(order_of(kind));
+    form.curved_edges[k] = order_of(kind) != CellOrder::linear &&
+                           is_curved(mesh, edge_nodes(kind, nodes, form.edges[k]), straightness);
+    if (form.curved_edges[k]) form.shape.degree = static_cast<std::uint8_t>(order_of(kind));
   }
   const auto at = [&](std::size_t k) { return mesh.position(nodes[form.corners[k]]); };
   if (kind == CellKind::tetrahedron20) {

@@ -33,6 +33,7 @@ struct FaceForm {
   PatchShape shape;  ///< of degree 1 where all edges are straight (to `straightness`)
   std::array<std::uint8_t, 4> corners;  ///< from the lowest node on, towards its lower neighbour
   std::array<std::size_t, 4> edges;     ///< of the kind, from each of these corners to the next
+  std::array<bool, 4> curved_edges;     ///< of these, the ones that are (is_curved)
 };
 FaceForm face_form(const ZooMesh& mesh, CellId cell, std::size_t face, double straightness);
 

@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "hiac/geometry/patch_border.hpp"
+
 namespace hiac {
 namespace {
 
@@ -21,6 +23,9 @@ constexpr int kMostHalvings = 26;
 constexpr int kFewHalvings = 12;
 constexpr int kMostFineParts = 1024;
 constexpr int kMostSteps = 12;
+// Where rounding hides a zero, as it does where the patch is seen almost edge-on, it may know it no
+// better than this: the ray meets the patch there to within rounding.
+constexpr double kLocated = 0x1p-7;
 // Zeros closer to each other than this are one.
 constexpr double kSame = 1e-9;
 
@@ -31,68 +36,49 @@ double outside(const PatchShape& shape, double u, double v) {
   return shape.triangle ? std::max(below, u + v - 1) : std::max({below, u - 1, v - 1});
 }
 
-// Into the domain; from anywhere, not-a-number included.
-PatchZero clamped(const PatchShape& shape, PatchZero zero) {
-  zero.u = zero.u > 0 ? std::min(zero.u, 1.0) : 0;
-  zero.v = zero.v > 0 ? std::min(zero.v, 1.0) : 0;
-  if (shape.triangle && zero.u + zero.v > 1) {
-    const double over = 0.5 * (zero.u + zero.v - 1);
-    zero.u = std::clamp(zero.u - over, 0.0, 1.0);
-    zero.v = 1 - zero.u;
-  }
-  return zero;
+PatchAndRay ray_of(const PatchZeroQuestion& q) { return {q.shape, q.a, q.b, q.depth, q.rounding}; }
+
+PatchZero on_border(const PatchZeroQuestion& q, int sign) {
+  const BorderPlace place = least_deep_on_border(ray_of(q));
+  return {place.u, place.v, sign, 0};
 }
 
-// The corners of a patch: where they are, and in its nets.
-struct Corner {
-  double u, v;
-  std::size_t control;
-};
-
-std::array<Corner, 4> corners_of(const PatchShape& shape) {
-  const std::size_t n = shape.degree, last = n * (n + 1);
-  if (shape.triangle) return {{{0, 0, 0}, {1, 0, n}, {0, 1, last}, {0, 0, 0}}};
-  return {{{0, 0, 0}, {1, 0, n}, {1, 1, last + n}, {0, 1, last}}};
+// One that rounding has put outside the domain is on the border where that is nearest to the ray:
+// of a patch seen almost edge-on its parameters alone could be far from there.
+PatchZero taken_in(const PatchZeroQuestion& q, const PatchZero& zero) {
+  if (outside(q.shape, zero.u, zero.v) <= 0) return zero;
+  const BorderPlace place = nearest_on_border(ray_of(q), zero.u, zero.v);
+  return {place.u, place.v, zero.sign, 0};
 }
 
-double size_at(const PatchZeroQuestion& q, const Corner& corner) {
-  return std::max(std::abs(q.a[corner.control]), std::abs(q.b[corner.control]));
+PatchZeros repeated(const PatchZero& zero, int winding) {
+  PatchZeros zeros;
+  for (int k = 0; k < std::abs(winding); ++k) zeros.add(zero);
+  return zeros;
 }
 
-// Of the corners that are as near to zero as the nearest one, to within rounding, the least deep.
-PatchZero least_deep_corner(const PatchZeroQuestion& q, int sign) {
-  const auto corners = corners_of(q.shape);
-  double nearest = kInfinity;
-  for (const Corner& corner : corners) nearest = std::min(nearest, size_at(q, corner));
-  PatchZero zero{0, 0, sign, 0};
-  double least = kInfinity;
-  for (const Corner& corner : corners) {
-    if (!(size_at(q, corner) <= nearest + q.rounding) || !(q.depth[corner.control] < least))
-      continue;
-    least = q.depth[corner.control];
-    zero.u = corner.u;
-    zero.v = corner.v;
-  }
-  return zero;
-}
-
-// Whether the ray runs along an edge.
-bool along_an_edge(const PatchZeroQuestion& q) {
-  const auto corners = corners_of(q.shape);
-  for (std::size_t k = 0; k < q.shape.corner_count(); ++k)
-    if (size_at(q, corners[k]) <= q.rounding &&
-        size_at(q, corners[(k + 1) % q.shape.corner_count()]) <= q.rounding)
-      return true;
-  return false;
+// How far outside the domain a zero is when the ray is moved right by a quarter of `rounding`, and
+// down by much less: what is on the border to within rounding is decided alike, in all patches
+// around an edge, and as the winding number has it. The parameters move by J^-1 of that.
+double outside_moved(const PatchZeroQuestion& q, const PatchZero& zero) {
+  if (std::abs(zero.outside) > kMargin) return zero.outside;
+  const double right = 0.25 * q.rounding, down = 0x1p-20 * right;
+  const std::size_t n = q.shape.degree;
+  const BernsteinValues bu(n, zero.u), bv(n, zero.v);
+  const PatchValue a = evaluate_patch(n, q.a, bu, bv), b = evaluate_patch(n, q.b, bu, bv);
+  const double determinant = a.by_u * b.by_v - a.by_v * b.by_u;
+  return outside(q.shape, zero.u + (right * b.by_v + down * a.by_v) / determinant,
+                 zero.v - (right * b.by_u + down * a.by_u) / determinant);
 }
 
 // What of the candidates counts, so that signs add up to `winding`.
 PatchZeros settled(const PatchZeroQuestion& q, const PatchZeros& candidates) {
-  const PatchShape& shape = q.shape;
   const int winding = q.winding;
   PatchZeros inside, beyond;
   int sum = 0;
-  for (const PatchZero& zero : candidates) {
+  for (const PatchZero& candidate : candidates) {
+    PatchZero zero = candidate;
+    zero.outside = outside_moved(q, candidate);
     const bool in = zero.outside <= 0;
     (in ? inside : beyond).add(zero);
     if (in) sum += zero.sign;
@@ -119,15 +105,30 @@ PatchZeros settled(const PatchZeroQuestion& q, const PatchZeros& candidates) {
       inside.add(beyond[take]);
       beyond.remove(take);
     } else {
-      // nothing was found: the patch is seen edge-on
+      // nothing was found that rounding does not hide
       if (inside.size() == PatchZeros::kMost) break;
-      inside.add(least_deep_corner(q, wanted));
+      inside.add(on_border(q, wanted));
     }
     sum += wanted;
   }
   PatchZeros result;
-  for (const PatchZero& zero : inside) result.add(clamped(shape, zero));
+  for (const PatchZero& zero : inside) result.add(taken_in(q, zero));
   return result;
+}
+
+// Whether the ray goes through a corner to within rounding.
+bool is_at_corner(const PatchZeroQuestion& q) {
+  const std::size_t n = q.shape.degree, last = n * (n + 1);
+  const auto at = [&](std::size_t k) {
+    return std::max(std::abs(q.a[k]), std::abs(q.b[k])) <= q.rounding;
+  };
+  return at(0) || at(n) || at(last) || (!q.shape.triangle && at(last + n));
+}
+
+// Where the ray lies in the patch there is no one crossing, and all are at its border.
+PatchZeros edge_on(const PatchZeroQuestion& q) {
+  if (q.winding == 0) return {};
+  return repeated(on_border(q, sign_of(q.winding)), q.winding);
 }
 
 // Degree 1 over the square ---------------------------------------------------------------------
@@ -141,6 +142,7 @@ class Bilinear {
   // of that by z, and is d(a, b) / d(u, v).
   [[nodiscard]] PatchZeros zeros() const {
     const double c0 = cross(0, 2), c2 = cross(1, 3), m = cross(0, 3) + cross(1, 2);
+    if (within_rounding(c0, m, c2)) return edge_on(q_);
     const double discriminant = m * m - 4 * c0 * c2;
     PatchZeros candidates;
     if (discriminant < 0 && q_.winding == 0) return candidates;
@@ -150,7 +152,7 @@ class Bilinear {
     if (q_.one_way && std::abs(q_.winding) == 1) {
       const PatchZero zero = sign == q_.winding ? at(c0, h, q_.winding) : at(h, c2, q_.winding);
       if (std::isfinite(zero.u) && std::isfinite(zero.v)) {
-        candidates.add(clamped(q_.shape, zero));
+        candidates.add(taken_in(q_, zero));
         return candidates;
       }
     }
@@ -162,6 +164,13 @@ class Bilinear {
  private:
   [[nodiscard]] double cross(std::size_t i, std::size_t j) const {
     return a_[i] * b_[j] - a_[j] * b_[i];
+  }
+
+  // The ray lies in the patch, or along a straight line in it, to within rounding.
+  [[nodiscard]] bool within_rounding(double c0, double m, double c2) const {
+    double size = 0;
+    for (std::size_t k = 0; k < 4; ++k) size += std::abs(a_[k]) + std::abs(b_[k]);
+    return std::max({std::abs(c0), std::abs(m), std::abs(c2)}) <= q_.rounding * size;
   }
 
   void add(PatchZeros& zeros, PatchZero zero) const {
@@ -253,12 +262,15 @@ class Search {
       const double determinant = a.by_u * b.by_v - a.by_v * b.by_u;
       const double du = (a.value * b.by_v - a.by_v * b.value) / determinant;
       const double dv = (a.by_u * b.value - a.value * b.by_u) / determinant;
+      const double moved = std::max(std::abs(du), std::abs(dv));
+      // it converges quadratically, but not farther than rounding lets it
+      if (!(moved < kSame) && std::max(std::abs(a.value), std::abs(b.value)) <= rounding_ &&
+          hidden(a, b) < kLocated)
+        return {u, v, sign_of(determinant), outside(shape_, u, v)};
       u -= du;
       v -= dv;
       if (!(std::abs(u) < 4 && std::abs(v) < 4)) break;
-      const double moved = std::max(std::abs(du), std::abs(dv));
-      // it converges quadratically, but not farther than rounding lets it
-      if (moved < 1e-9) return {u, v, sign_of(determinant), outside(shape_, u, v)};
+      if (moved < kSame) return {u, v, sign_of(determinant), outside(shape_, u, v)};
     }
     return {u, v, 0, kInfinity};
   }
@@ -344,9 +356,21 @@ class Search {
     return own + other < 0.95;
   }
 
+  // How far the parameters of a zero with these derivatives may be off by rounding.
+  [[nodiscard]] double hidden(const PatchValue& a, const PatchValue& b) const {
+    return (std::max(std::abs(a.by_u), std::abs(a.by_v)) +
+            std::max(std::abs(b.by_u), std::abs(b.by_v))) *
+           rounding_ / std::abs(a.by_u * b.by_v - a.by_v * b.by_u);
+  }
+
   void add(const PatchZero& zero) {
+    const BernsteinValues bu(n_, zero.u), bv(n_, zero.v);
+    const double within =
+        2 * std::max(kSame, hidden(evaluate_patch(n_, a_, bu, bv), evaluate_patch(n_, b_, bu, bv)));
     for (const PatchZero& known : found_)
-      if (std::abs(known.u - zero.u) < kSame && std::abs(known.v - zero.v) < kSame) return;
+      if (known.sign == zero.sign && std::abs(known.u - zero.u) <= within &&
+          std::abs(known.v - zero.v) <= within)
+        return;
     found_.add(zero);
   }
 
@@ -363,22 +387,16 @@ class Search {
 
 PatchZeros patch_zeros(const PatchZeroQuestion& q) {
   if (q.one_way && q.winding == 0) return {};
-  if (along_an_edge(q)) {
-    PatchZeros corner;
-    for (int k = 0; k < std::abs(q.winding); ++k)
-      corner.add(least_deep_corner(q, sign_of(q.winding)));
-    return corner;
-  }
+  BorderPlace corner;
+  if (is_at_corner(q) && runs_along_edge(ray_of(q), corner))
+    return repeated({corner.u, corner.v, sign_of(q.winding), 0}, q.winding);
   if (q.shape.degree == 1) return Bilinear(q).zeros();
   Search search(q);
   if (q.one_way && std::abs(q.winding) == 1) {
     const PatchZero zero = search.newton(q.guess);
-    if (zero.sign == q.winding && zero.outside < kSame) {
-      PatchZeros one;
-      one.add(clamped(q.shape, zero));
-      return one;
-    }
+    if (zero.sign == q.winding && zero.outside < kSame) return repeated(taken_in(q, zero), 1);
   }
+  if (is_edge_on(ray_of(q))) return edge_on(q);
   return search.zeros();
 }
 

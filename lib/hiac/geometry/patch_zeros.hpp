@@ -42,17 +42,22 @@ class PatchZeros {
 /// 2^-26 (2^-12 where there are very many such, along curves of zeros), in which of pairs of zeros
 /// nothing is known. (The exclusion and uniqueness tests of
 /// Bernstein-subdivision solvers; B. Mourrain, J. P. Pavone, "Subdivision methods for solving
-/// polynomial equations", 2009.) Where what is found does not add up to `winding`, rounding has
-/// mistaken a zero near the border: that nearest to it is taken in or left out.
+/// polynomial equations", 2009.) Where the patch is seen so nearly edge-on that rounding hides a
+/// zero's parameters, a point on the ray to within rounding will do.
+///
+/// What is near the border counts as inside as it is when the ray is moved right by a quarter of
+/// `rounding`, and down by much less; the caller's `winding` should be found likewise. Where what
+/// is found still does not add up to `winding`, rounding has mistaken a zero near the border: that
+/// nearest to it is taken in or left out. One that is taken in lies on the border where that is
+/// nearest to the ray (nearest_on_border): all patches around an edge then lie there.
 ///
 /// `one_way`: the map is known to turn one way everywhere, so that there are as many zeros as
 /// |winding| and one of them needs no search. `guess`: a place to look at first; where a search
 /// is not needed the last bits depend on it.
 ///
-/// `depth` decides where zeros are not single points: where two neighbouring corners are zeros to
-/// within `rounding` (the ray runs along the edge between them) or none is found, that of the
-/// corners nearest to zero is taken which is least deep. Faces around such an edge then all lie
-/// there.
+/// `depth` decides where zeros are not single points: where the ray runs along an edge to within
+/// `rounding`, the edge's less deep corner is taken; where the patch is seen edge-on, and where no
+/// zero is found, the least deep of the places on its border nearest to the ray.
 ///
 /// Whatever (a, b) is, numbers that are not finite included, it returns as many as |winding| at
 /// least, all of them in the domain.

@@ -84,10 +84,12 @@ void include(ScreenBounds& box, const Homogeneous& p) {
   box.farthest = std::max(box.farthest, p.t);
 }
 
-// The first pixel in a range whose centre lies at or after a coordinate.
-int first_column(double coordinate, const TileRect& tile) {
-  const double clamped = std::min(std::max(coordinate - 0.5, static_cast<double>(tile.x0)),
-                                  static_cast<double>(tile.x1));
+// The first pixel in a range whose centre lies at or after a coordinate, or before it by no more
+// than `slack`.
+int first_column(double coordinate, const TileRect& tile, double slack = 0) {
+  const double clamped =
+      std::min(std::max(coordinate - (0.5 + slack), static_cast<double>(tile.x0)),
+               static_cast<double>(tile.x1));
   return static_cast<int>(std::ceil(clamped));
 }
 
@@ -107,6 +109,13 @@ double at_place(std::size_t degree, const std::array<double, 4>& controls, doubl
   return sum;
 }
 
+double slope_at(std::size_t degree, const std::array<double, 4>& controls, double s) {
+  const BernsteinValues b(degree, s);
+  double sum = 0;
+  for (std::size_t k = 0; k <= degree; ++k) sum += b.derivative[k] * controls[k];
+  return sum;
+}
+
 // Of an edge: of its coordinates x, y, w and t.
 std::array<std::array<double, 4>, 4> controls_of(const Frame& frame, const EdgeNodes& edge) {
   std::array<std::array<double, 4>, 4> controls{};
@@ -119,6 +128,19 @@ std::array<std::array<double, 4>, 4> controls_of(const Frame& frame, const EdgeN
   }
   for (auto& coordinate : controls) to_controls(edge.count - 1, coordinate);
   return controls;
+}
+
+// Nodes of edges that count as straight lie on these: faces around an edge have it where it says
+// itself that it is (winding numbers), to rounding.
+void straighten(const FaceForm& form, std::span<double> coordinate) {
+  const std::size_t corners = form.shape.corner_count(), n = form.shape.degree;
+  for (std::size_t k = 0; k < corners; ++k) {
+    if (form.curved_edges[k]) continue;
+    const double from = coordinate[k], to = coordinate[(k + 1) % corners];
+    for (std::size_t i = 1; i < n; ++i)
+      coordinate[corners + (n - 1) * k + i - 1] =
+          from + static_cast<double>(i) / static_cast<double>(n) * (to - from);
+  }
 }
 
 // Of a face: of its coordinates x, y, w and t.
@@ -135,8 +157,10 @@ std::array<PatchNet<double>, 4> nets_of(const Frame& frame, CellId cell, std::si
     coordinates[3][k] = h.t;
   }
   std::array<PatchNet<double>, 4> nets;
-  for (std::size_t c = 0; c < 4; ++c)
+  for (std::size_t c = 0; c < 4; ++c) {
+    straighten(form, coordinates[c]);
     patch_net(form.shape, std::span(coordinates[c]).first(count), nets[c]);
+  }
   return nets;
 }
 
@@ -311,6 +335,17 @@ void CurvedFaces::cut_curve(Curve& curve, const TileRect& tile, bool begins_abov
   }
 }
 
+// How far right of a pixel's centre the place of a curve counts as on it (on_crossing). Only what
+// is nearly on one needs the curve's direction.
+double CurvedFaces::slack_at(const Curve& curve, double s, double x) const {
+  const double right = x - 0.5 - std::floor(x - 0.5);
+  if (right > kMostOnCrossing) return 0;
+  // of x W - X and y W - Y, which are 0 there
+  const std::size_t n = curve.degree;
+  const double w = slope_at(n, curve.w, s);
+  return on_crossing((slope_at(n, curve.x, s) - x * w) / (slope_at(n, curve.y, s) - row_ * w));
+}
+
 // Left of the ray of pixel x is what has X - x W <= 0, in front of the eye and behind.
 void CurvedFaces::add_cut(Curve& curve, const TileRect& tile, double s, bool comes_up) const {
   const double x = at_place(curve.degree, curve.x, s), w = at_place(curve.degree, curve.w, s);
@@ -320,7 +355,7 @@ void CurvedFaces::add_cut(Curve& curve, const TileRect& tile, double s, bool com
   if (w == 0)
     cut.column = tile.x0;
   else
-    cut.column = first_column(x / w, tile);
+    cut.column = first_column(x / w, tile, slack_at(curve, s, x / w));
 }
 
 // Of the pixels that its hull covers. A face with control points behind the eye may be anywhere.

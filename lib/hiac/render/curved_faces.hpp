@@ -125,6 +125,7 @@ class CurvedFaces {
   void add_curves(const Frame& frame, CellId cell, const CellSurface& surface);
   void cut_curve(Curve& curve, const TileRect& tile, bool begins_above, bool ends_above) const;
   void add_cut(Curve& curve, const TileRect& tile, double s, bool comes_up) const;
+  [[nodiscard]] double slack_at(const Curve& curve, double s, double x) const;
   void set_columns(Face& face, const TileRect& tile) const;
   [[nodiscard]] PatchZeros crossings(Face& face, int x, int winding) const;
   [[nodiscard]] double parameter(const Face& face, const PatchZero& zero) const;
