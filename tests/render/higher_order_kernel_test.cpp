@@ -86,7 +86,7 @@ TEST_P(HigherOrderKernel, DrawsCellsWithStraightEdges) {
   ZooMesh curved = test::of_order(test::structured(2, Cut::tetrahedra), GetParam());
   curved = test::moved(curved, [](const auto& p) { return test::rippled(p, 0.02); });
   add_bent_fields(curved);
-  EXPECT_EQ(drawn_by(CellKernel::none, curved, scene), curved.cell_count());
+  EXPECT_EQ(drawn_by(CellKernel::none_curved, curved, scene), curved.cell_count());
 }
 
 TEST_P(HigherOrderKernel, AgreesWithBruteForce) {

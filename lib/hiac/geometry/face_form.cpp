@@ -70,6 +70,17 @@ bool is_curved(const ZooMesh& mesh, const EdgeNodes& edge, double straightness) 
   return off > straightness * length(along);
 }
 
+namespace {
+
+// Whether a face's corners, n of them, lie in no plane.
+bool is_bent(const ZooMesh& mesh, std::span<const NodeId> nodes,
+             const std::array<std::uint8_t, 4>& corners, std::size_t n, double straightness) {
+  const auto at = [&](std::size_t k) { return mesh.position(nodes[corners[k]]); };
+  return n == 4 && quadrilateral_deviation(at(0), at(1), at(2), at(3)) > straightness;
+}
+
+}  // namespace
+
 FaceForm face_form(const ZooMesh& mesh, CellId cell, std::size_t number, double straightness) {
   const CellKind kind = mesh.kinds[cell];
   const auto nodes = mesh.cell_nodes(cell);
@@ -90,8 +101,7 @@ FaceForm face_form(const ZooMesh& mesh, CellId cell, std::size_t number, double 
     if (length(off) > straightness * std::max(length(u), length(v))) form.shape.degree = 3;
     form.shape.centre = form.shape.degree == 3;
   }
-  form.curved = form.shape.degree > 1 ||
-                (n == 4 && quadrilateral_deviation(at(0), at(1), at(2), at(3)) > straightness);
+  form.curved = form.shape.degree > 1 || is_bent(mesh, nodes, form.corners, n, straightness);
   return form;
 }
 
@@ -114,9 +124,17 @@ std::array<NodeId, kMostPatchNodes> patch_nodes(const ZooMesh& mesh, CellId cell
 }
 
 bool has_curved_faces(const ZooMesh& mesh, CellId cell, double straightness) {
-  if (mesh.kinds[cell] == CellKind::tetrahedron4) return false;
-  for (std::size_t f = 0; f < face_count(mesh.kinds[cell]); ++f)
-    if (face_form(mesh, cell, f, straightness).curved) return true;
+  const CellKind kind = mesh.kinds[cell];
+  const auto nodes = mesh.cell_nodes(cell);
+  const bool linear = order_of(kind) == CellOrder::linear;
+  const auto faces = topology_of(kind).faces;
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const ShapeFace& face = faces[f];
+    if (linear ? face.corner_count == 4 &&
+                     is_bent(mesh, nodes, canonical_corners(face, nodes), 4, straightness)
+               : face_form(mesh, cell, f, straightness).curved)
+      return true;
+  }
   return false;
 }
 

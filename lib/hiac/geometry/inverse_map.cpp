@@ -16,6 +16,9 @@ using Matrix = std::array<Point, 3>;  // rows
 // A corner this much of the cell's size off the affine map changes a field by as little as
 // rounding does.
 constexpr double kAffineDeviation = 1e-14;
+// So does what rounding of a few coordinates takes it off, relative to the largest of them: corners
+// of small cells are no more exact than that.
+constexpr double kCoordinateRounding = 4 * std::numeric_limits<double>::epsilon();
 // Newton converges quadratically: after a step this short, relative to the distance over which the
 // Jacobian changes, the next would be below rounding.
 constexpr double kLastStep = 1e-9;
@@ -161,9 +164,11 @@ CellMap::CellMap(CellKind kind, std::span<const Point> nodes, double straightnes
       count_(node_count(kind_)),
       origin_(nodes[0]) {
   const auto reference = reference_nodes(kind_);
+  double farthest = 0;
   for (std::size_t k = 0; k < count_; ++k) {
     nodes_[k] = nodes[k] - origin_;
     size_ = std::max(size_, largest(nodes_[k]));
+    farthest = std::max(farthest, largest(nodes[k]));
   }
   const std::size_t corners = corner_count(kind_);
   for (std::size_t k = 0; k < corners; ++k)
@@ -178,7 +183,7 @@ CellMap::CellMap(CellKind kind, std::span<const Point> nodes, double straightnes
         reference[k][0] * jacobian.x + reference[k][1] * jacobian.y + reference[k][2] * jacobian.z;
     off_affine_ = std::max(off_affine_, largest(nodes_[k] - image));
   }
-  affine_ = affine_ && off_affine_ <= kAffineDeviation * size_;
+  affine_ = affine_ && off_affine_ <= kAffineDeviation * size_ + kCoordinateRounding * farthest;
   if (!affine_) off_affine_ = 0;
   if (straight()) {
     set_terms();

@@ -34,7 +34,7 @@ class CellMap {
   [[nodiscard]] bool straight() const { return order_of(kind_) == CellOrder::linear; }
 
   /// Whether the cell is an affine image of the reference cell to within rounding: no corner is
-  /// off by more than 1e-14 of the cell's size.
+  /// off by more than 1e-14 of the cell's size and four epsilon of the largest coordinate.
   [[nodiscard]] bool affine() const { return affine_; }
 
   /// How far corners are off the affine map where that is taken: the largest coordinate

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -38,10 +39,17 @@ constexpr std::array<std::array<std::array<Real, 4>, 4>, 4> kFromValues{
 
 // The coefficients of every shape function of a kind.
 struct KindTable {
+  // What a coefficient has of a node other than the first.
+  struct Share {
+    std::uint32_t node;
+    double weight;
+  };
+
   std::size_t nodes = 0, count = 0;
-  // of a coefficient: what each node has
-  std::array<std::array<double, kMaxNodesPerCell>, InterpolantCoefficients::kMost> row{};
-  double largest_sum = 0;  // of a row, without signs
+  std::vector<Share>
+      shares;  // but for zeros: of linear kinds, every coefficient is a corner's value
+  std::array<std::uint32_t, InterpolantCoefficients::kMost + 1> first{};  // of a coefficient's
+  double largest_sum = 0;  // of a coefficient's weights, without signs
 
   explicit KindTable(CellKind kind) : nodes(node_count(kind)) {
     const auto p = static_cast<std::size_t>(order_of(kind));
@@ -57,14 +65,19 @@ struct KindTable {
     for (std::size_t i = 0; i < count; ++i) {
       double sum = 0;
       for (std::size_t k = 0; k < nodes; ++k) {
-        row[i][k] = static_cast<double>(values[i][k]);
-        sum += std::abs(row[i][k]);
+        const auto weight = static_cast<double>(values[i][k]);
+        sum += std::abs(weight);
+        if (k > 0 && std::abs(weight) > kZero)
+          shares.push_back({static_cast<std::uint32_t>(k), weight});
       }
+      first[i + 1] = static_cast<std::uint32_t>(shares.size());
       largest_sum = std::max(largest_sum, sum);
     }
   }
 
  private:
+  static constexpr double kZero = 1e-16;  // what rounding of extended precision leaves is below
+
   template <typename Values>
   void transform(std::size_t p, std::size_t stride, Values& values) const {
     for (std::size_t i = 0; i < count; ++i) {
@@ -107,7 +120,8 @@ InterpolantCoefficients interpolant_coefficients(CellKind kind, std::span<const 
   result.count = table.count;
   for (std::size_t i = 0; i < table.count; ++i) {
     double sum = 0;
-    for (std::size_t k = 1; k < table.nodes; ++k) sum += table.row[i][k] * difference[k];
+    for (std::uint32_t s = table.first[i]; s < table.first[i + 1]; ++s)
+      sum += table.shares[s].weight * difference[table.shares[s].node];
     result.c[i] = values[0] + sum;
   }
   if (largest > 0)

@@ -12,13 +12,13 @@ namespace {
 void to_powers(CubePolynomial& f, std::size_t stride) {
   constexpr std::array<std::array<double, 4>, 4> kBinomial{{{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}}};
   const std::size_t p = f.degree, n = p + 1;
-  for (std::size_t first = 0; first < n * n * n; ++first) {
-    if (first / stride % n != 0) continue;
-    double* c = f.c.data() + first;
-    for (std::size_t r = 1; r <= p; ++r)
-      for (std::size_t i = p; i >= r; --i) c[i * stride] -= c[(i - 1) * stride];
-    for (std::size_t k = 0; k <= p; ++k) c[k * stride] *= kBinomial[p][k];
-  }
+  for (std::size_t layer = 0; layer < n * n * n; layer += n * stride)
+    for (std::size_t first = layer; first < layer + stride; ++first) {
+      double* c = f.c.data() + first;
+      for (std::size_t r = 1; r <= p; ++r)
+        for (std::size_t i = p; i >= r; --i) c[i * stride] -= c[(i - 1) * stride];
+      for (std::size_t k = 1; k < p; ++k) c[k * stride] *= kBinomial[p][k];
+    }
 }
 
 // Whether v, or w, is counted from where the cell tapers.

@@ -181,15 +181,34 @@ class ScreenScan {
     }
   }
 
+  // Whether the triangles that a row crosses cover every pixel of [first, last) twice.
+  static bool is_covered_twice(const RowSection& section,
+                               const std::array<RowCrossing, CellSurface::kMostEdges>& edges,
+                               int first, int last) {
+    static_assert(kTileWidth <= 64);  // a bit a pixel, of how often it is covered
+    const auto before = [&](int x) {
+      return x - first == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << (x - first)) - 1;
+    };
+    std::uint64_t ones = 0, twos = 0, fours = 0;
+    for (std::size_t i = 0; i < section.triangle_count; ++i) {
+      const std::uint64_t covered = before(edges[section.triangles[i].e].column) ^
+                                    before(edges[section.triangles[i].f].column);
+      const std::uint64_t carried = ones & covered;
+      ones ^= covered;
+      fours |= twos & carried;
+      twos ^= carried;
+    }
+    return ones == 0 && fours == 0 && twos == before(last);
+  }
+
   // The pixels [first, last) as one run, without curved faces. False where a ray does not enter and
   // leave once.
   bool add_run(const RowSection& section,
                const std::array<RowCrossing, CellSurface::kMostEdges>& edges, int first, int last,
                int y) {
+    if (!is_covered_twice(section, edges, first, last)) return false;
     const hn::CappedTag<double, 8> d;
     const auto pixels = static_cast<std::size_t>(last - first);
-    std::array<std::uint8_t, kTileStride> times;
-    std::fill_n(times.begin(), pixels, std::uint8_t{0});
     const std::size_t places = runs_->count + pixels + hn::Lanes(d);
     if (runs_->front.size() < places) {
       runs_->front.resize(2 * places);
@@ -197,15 +216,17 @@ class ScreenScan {
     }
     double* front = runs_->front.data() + runs_->count;
     double* back = runs_->back.data() + runs_->count;
-    std::fill_n(front, pixels, std::numeric_limits<double>::infinity());
-    std::fill_n(back, pixels, -std::numeric_limits<double>::infinity());
+    const auto infinity = hn::Set(d, std::numeric_limits<double>::infinity());
+    for (std::size_t j = 0; j < pixels; j += hn::Lanes(d)) {
+      hn::StoreU(infinity, d, front + j);
+      hn::StoreU(hn::Neg(infinity), d, back + j);
+    }
     for (std::size_t i = 0; i < section.triangle_count; ++i) {
       const auto& [k, e, f] = section.triangles[i];
       const auto [from, to] = std::minmax(edges[e].column, edges[f].column);
       const auto offset = static_cast<std::size_t>(from - first);
-      const auto count = static_cast<std::size_t>(to - from);
-      for (std::size_t j = 0; j < count; ++j) ++times[offset + j];
-      depth_.along_row(k, edges[e], edges[f], from + 0.5, y + 0.5, count,
+      depth_.along_row(k, edges[e], edges[f], from + 0.5, y + 0.5,
+                       static_cast<std::size_t>(to - from),
                        [&](std::size_t j, auto depth, auto within) HWY_ATTR {
                          double *near = front + offset + j, *far = back + offset + j;
                          const auto here = hn::LoadU(d, near), there = hn::LoadU(d, far);
@@ -213,13 +234,12 @@ class ScreenScan {
                          hn::StoreU(hn::IfThenElse(within, hn::Max(there, depth), there), d, far);
                        });
     }
-    int other = 0;
-    for (std::size_t j = 0; j < pixels; ++j)
-      if (times[j] != 2) other = 1;
-    if (other != 0) return false;
     if (perspective_) {
-      for (std::size_t j = 0; j < pixels; ++j) front[j] = -1 / front[j];
-      for (std::size_t j = 0; j < pixels; ++j) back[j] = -1 / back[j];
+      const auto minus_one = hn::Set(d, -1.0);
+      for (std::size_t j = 0; j < pixels; j += hn::Lanes(d)) {
+        hn::StoreU(hn::Div(minus_one, hn::LoadU(d, front + j)), d, front + j);
+        hn::StoreU(hn::Div(minus_one, hn::LoadU(d, back + j)), d, back + j);
+      }
     }
     runs_->runs.push_back({first, y, runs_->count, pixels});
     runs_->count += pixels;
@@ -474,8 +494,7 @@ void scan_cell(const Frame& frame, CellId cell, const TileRect& tile,
                std::vector<CellCrossing>& crossings) {
   const CellSurface surface = cell_surface(frame.mesh.kinds[cell], frame.mesh.cell_nodes(cell));
   const auto scan = is_projectable(frame, surface) ? scan_projected_cell : scan_cell_beside_eye;
-  if (!has_curved_faces(frame.mesh, cell, frame.straightness))
-    return scan(frame, surface, nullptr, tile, crossings);
+  if (!frame.is_curved(cell)) return scan(frame, surface, nullptr, tile, crossings);
   CurvedFaces curved(frame, cell, surface);
   scan(frame, surface, &curved, tile, crossings);
 }

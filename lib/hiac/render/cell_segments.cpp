@@ -28,8 +28,9 @@ HWY_INLINE void collect_run(const Frame& frame, const CrossingRuns::Run& run,
     const V back = hn::Min(hn::LoadU(d, runs.back.data() + run.first + i), far);
     const V seen = hn::LoadU(d, buffer.transparency.data() + at + i);
     const V depth = hn::Sub(back, front);
+    const std::size_t pixels = std::min(run.count - i, hn::Lanes(d));
     const auto kept =
-        hn::And(hn::FirstN(d, run.count - i), hn::And(hn::Gt(seen, least), hn::Lt(front, back)));
+        hn::And(hn::FirstN(d, pixels), hn::And(hn::Gt(seen, least), hn::Lt(front, back)));
     const std::size_t k = s.count;
     const auto keep = [&](V value, std::vector<double>& plane)
                           HWY_ATTR { hn::CompressBlendedStore(value, kept, d, plane.data() + k); };
@@ -38,19 +39,19 @@ HWY_INLINE void collect_run(const Frame& frame, const CrossingRuns::Run& run,
     const V x = hn::Iota(d, run.x + 0.5 + static_cast<double>(i));
     const V length = hn::Mul(depth, hn::LoadU(d, buffer.ray_scale.data() + at + i));
     const V error = hn::Div(hn::Mul(unit, depth), by_visibility ? seen : one);
-    if (more == hn::Lanes(d)) {
+    if (more == pixels) {
       const auto store = [&](V value, std::vector<double>& plane)
                              HWY_ATTR { hn::StoreU(value, d, plane.data() + k); };
       store(x, s.x), store(centre, s.y), store(front, s.front), store(back, s.back);
       store(length, s.length), store(error, s.allowed);
+      for (std::size_t j = 0; j < more; ++j) s.at[k + j] = static_cast<std::uint32_t>(at + i + j);
     } else {
       keep(x, s.x), keep(centre, s.y), keep(front, s.front), keep(back, s.back);
       keep(length, s.length), keep(error, s.allowed);
+      for (std::size_t j = k; j < k + more; ++j)
+        s.at[j] = static_cast<std::uint32_t>(at + static_cast<std::size_t>(s.x[j]) -
+                                             static_cast<std::size_t>(run.x));
     }
-    const int x0 = run.x;
-    for (std::size_t j = k; j < k + more; ++j)
-      s.at[j] = static_cast<std::uint32_t>(at) + static_cast<std::uint32_t>(s.x[j]) -
-                static_cast<std::uint32_t>(x0);
     s.count += more;
   }
 }

@@ -79,25 +79,32 @@ class TileRenderer {
   [[nodiscard]] const TileCounts& counts() const { return counts_; }
 
  private:
-  [[nodiscard]] CellKernel kernel_for(std::uint32_t rank) const {
+  [[nodiscard]] auto draw_for(std::uint32_t rank) const {
     const CellId cell = order_.cells[rank];
-    const CellKernel kernel = frame_.kernel_cells[cell];
-    const bool is_higher = kernel == CellKernel::quadratic || kernel == CellKernel::cubic;
-    return is_higher && !for_higher_order_kernel(frame_, cell) ? CellKernel::none : kernel;
+    switch (frame_.kernel_cells[cell]) {
+      case CellKernel::linear:
+        return render_tetrahedra;
+      case CellKernel::quadratic:
+        return for_higher_order_kernel(frame_, cell) ? render_quadratic_tetrahedra
+                                                     : render_general_cells;
+      case CellKernel::cubic:
+        return for_higher_order_kernel(frame_, cell) ? render_cubic_tetrahedra
+                                                     : render_general_cells;
+      case CellKernel::none_planar:
+      case CellKernel::none_curved:
+        break;
+    }
+    return render_general_cells;
   }
 
   void render_run(std::span<const std::uint32_t> ranks, SegmentList* group) {
     std::size_t begin = 0;
     while (begin < ranks.size()) {
-      const CellKernel kernel = kernel_for(ranks[begin]);
+      const auto draw = draw_for(ranks[begin]);
       cells_.clear();
-      for (; begin < ranks.size() && kernel_for(ranks[begin]) == kernel; ++begin)
+      for (; begin < ranks.size() && draw_for(ranks[begin]) == draw; ++begin)
         if (const CellId cell = order_.cells[ranks[begin]]; !frame_.is_splatted(cell))
           cells_.push_back(cell);
-      const auto draw = kernel == CellKernel::linear      ? render_tetrahedra
-                        : kernel == CellKernel::quadratic ? render_quadratic_tetrahedra
-                        : kernel == CellKernel::cubic     ? render_cubic_tetrahedra
-                                                          : render_general_cells;
       draw(frame_, cells_, tile_, buffer_, group, counts_);
     }
   }

@@ -6,7 +6,6 @@
 #include <optional>
 #include <span>
 
-#include "hiac/geometry/face_form.hpp"
 #include "hiac/optics/polynomial_piece.hpp"
 #include "hiac/render/cuts_along_ray.hpp"
 #include "hiac/render/face_value.hpp"
@@ -106,7 +105,7 @@ ExtendedCellSegments::Met ExtendedCellSegments::meet(CellId cell, int x, int y) 
   crossings_.clear();
   scan_cell(frame_, cell, {x, y, x + 1, y + 1}, crossings_);
   if (crossings_.empty()) return Met::no;
-  return crossings_.size() > 1 || has_curved_faces(frame_.mesh, cell, frame_.straightness)
+  return crossings_.size() > 1 || frame_.is_curved(cell)
              ? Met::doubtful
              : Met::once;
 }

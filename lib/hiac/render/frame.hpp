@@ -39,6 +39,10 @@ struct Frame {
   [[nodiscard]] const FrameField& color_field() const {
     return optics.same_field ? extinction : color;
   }
+  /// has_curved_faces, which no kernel is for.
+  [[nodiscard]] bool is_curved(CellId cell) const {
+    return kernel_cells[cell] == CellKernel::none_curved;
+  }
   [[nodiscard]] bool is_splatted(CellId cell) const {
     return !splatted_cells.empty() && splatted_cells[cell] != 0;
   }

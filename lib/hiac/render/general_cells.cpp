@@ -54,7 +54,7 @@ class GeneralCellRenderer {
     is_cut_ = cuts_.enter(cell, displacement_);
     if (is_empty_ && !is_cut_) return;
     kind_ = frame_.mesh.kinds[cell];
-    curved_ = has_curved_faces(frame_.mesh, cell, frame_.straightness);
+    curved_ = frame_.is_curved(cell);
     is_uniform_ = uniform_optics();
     const bool together = optics_.rule == PieceRule::exact && !is_cut_ && !is_uniform_ &&
                           !extinction_.nodes.polynomial && !color_.nodes.polynomial;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "hiac/base/parallel.hpp"
+#include "hiac/geometry/face_form.hpp"
 #include "hiac/render/cell_field.hpp"
 
 namespace hiac {
@@ -22,21 +24,21 @@ bool is_thin(const ProjectedNode& a, const ProjectedNode& b, const ProjectedNode
   return !(std::abs(x1 * y2 - x2 * y1) > kThinnest * longest);
 }
 
-CellKernel kernel_of(const ZooMesh& mesh, CellId cell, std::span<const ProjectedNode> nodes,
-                     double straightness) {
+// The kernel for a tetrahedron, if any.
+std::optional<CellKernel> kernel_of(const ZooMesh& mesh, CellId cell,
+                                    std::span<const ProjectedNode> nodes, double straightness) {
   const CellKind kind = mesh.kinds[cell];
-  if (shape_of(kind) != CellShape::tetrahedron) return CellKernel::none;
   const auto ids = mesh.cell_nodes(cell);
   std::array<ProjectedNode, 4> p;
   for (std::size_t k = 0; k < 4; ++k) {
     p[k] = nodes[ids[k]];
-    if (std::isnan(p[k].depth)) return CellKernel::none;
+    if (std::isnan(p[k].depth)) return {};
   }
   if (is_thin(p[0], p[1], p[2]) || is_thin(p[0], p[1], p[3]) || is_thin(p[0], p[2], p[3]) ||
       is_thin(p[1], p[2], p[3]))
-    return CellKernel::none;
+    return {};
   if (kind == CellKind::tetrahedron4) return CellKernel::linear;
-  if (edge_deviation(kind, cell_positions(mesh, cell)) > straightness) return CellKernel::none;
+  if (edge_deviation(kind, cell_positions(mesh, cell)) > straightness) return {};
   return kind == CellKind::tetrahedron10 ? CellKernel::quadratic : CellKernel::cubic;
 }
 
@@ -46,8 +48,15 @@ std::vector<CellKernel> kernel_cells(const ZooMesh& mesh, std::span<const Projec
                                      double straightness) {
   std::vector<CellKernel> kernels(mesh.cell_count());
   parallel_for(kernels.size(), std::size_t{1} << 14, [&](IndexRange range) {
-    for (std::size_t cell = range.begin; cell < range.end; ++cell)
-      kernels[cell] = kernel_of(mesh, static_cast<CellId>(cell), nodes, straightness);
+    for (std::size_t k = range.begin; k < range.end; ++k) {
+      const auto cell = static_cast<CellId>(k);
+      std::optional<CellKernel> kernel;
+      if (shape_of(mesh.kinds[cell]) == CellShape::tetrahedron)
+        kernel = kernel_of(mesh, cell, nodes, straightness);
+      kernels[cell] = kernel                                       ? *kernel
+                      : has_curved_faces(mesh, cell, straightness) ? CellKernel::none_curved
+                                                                   : CellKernel::none_planar;
+    }
   });
   return kernels;
 }

@@ -9,8 +9,9 @@
 
 namespace hiac {
 
-/// By which kernel a cell may be drawn. The others are for render_general_cells.
-enum class CellKernel : std::uint8_t { none, linear, quadratic, cubic };
+/// By which kernel a cell may be drawn. Cells that none is for, with planar faces or with curved
+/// ones (has_curved_faces), are for render_general_cells.
+enum class CellKernel : std::uint8_t { none_planar, none_curved, linear, quadratic, cubic };
 
 /// For every cell the kernel for its kind, when it is a linear tetrahedron, or a quadratic or cubic
 /// one with straight edges (edge_deviation at most `straightness`), with projectable corners, none

@@ -154,7 +154,7 @@ RayDisplacement displacement_in_world(const Frame& frame, CellId cell, const Ari
                     map_error(CellMap(kind, all, frame.straightness), kind, all);
   result.at_ends = result.aside + screen.aside;
   result.along = screen.along;
-  if (!has_curved_faces(frame.mesh, cell, frame.straightness)) return result;
+  if (!frame.is_curved(cell)) return result;
   for (const Vector& p : all) reach = std::max(reach, length(p));
   // coordinates on the screen are from its corner
   const Projector& projector = frame.projector;

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "hiac/base/parallel.hpp"
-#include "hiac/geometry/face_form.hpp"
 #include "hiac/geometry/inverse_map.hpp"
 #include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/shape_functions.hpp"
@@ -157,7 +156,7 @@ class SplatChoice {
       top = std::min(top, p.y);
       bottom = std::max(bottom, p.y);
     }
-    if (has_curved_faces(frame_.mesh, cell, frame_.straightness)) {
+    if (frame_.is_curved(cell)) {
       const ScreenBounds bounds = bounds_of_curved_cell(frame_, cell);
       if (!bounds.in_front || bounds.nearest < projector.near() ||
           bounds.farthest > projector.far())
@@ -180,7 +179,7 @@ class SplatChoice {
     if (in_box < splat_below_) return false;
     const CellSurface surface = cell_surface(frame_.mesh.kinds[cell], frame_.mesh.cell_nodes(cell));
     std::optional<CurvedFaces> curved;
-    if (has_curved_faces(frame_.mesh, cell, frame_.straightness))
+    if (frame_.is_curved(cell))
       curved.emplace(frame_, cell, surface);
     std::int64_t covered = 0;
     for (int y = box.y0; y < box.y1 && covered < splat_below_; ++y) {
@@ -233,7 +232,7 @@ std::vector<std::uint8_t> splatted_cells(const Frame& frame, ImageSize size,
 
 Splat splat_of(const Frame& frame, CellId cell) {
   const Projector& projector = frame.projector;
-  const Gravity gravity = has_curved_faces(frame.mesh, cell, frame.straightness)
+  const Gravity gravity = frame.is_curved(cell)
                               ? gravity_of_curved(frame.mesh, cell)
                               : gravity_of(frame.mesh, cell);
   ProjectedNode center;

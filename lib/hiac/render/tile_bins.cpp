@@ -51,8 +51,7 @@ class Binner {
 
   [[nodiscard]] TileRange range(CellId cell) const {
     if (frame_.is_splatted(cell)) return tiles_of_splat(splat_of(frame_, cell));
-    if (order_of(frame_.mesh.kinds[cell]) != CellOrder::linear &&
-        has_curved_faces(frame_.mesh, cell, frame_.straightness))
+    if (order_of(frame_.mesh.kinds[cell]) != CellOrder::linear && frame_.is_curved(cell))
       return range_of_curved(cell);
     const auto nodes = frame_.mesh.cell_nodes(cell).first(corner_count(frame_.mesh.kinds[cell]));
     Box box;
