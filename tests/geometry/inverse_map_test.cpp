@@ -63,6 +63,20 @@ TEST(InverseMap, KnowsAffineCells) {
   }
 }
 
+// Corners of small cells far from the origin are rounded by more than 1e-14 of the cells' size.
+TEST(InverseMap, KnowsAffineCellsWhoseCornersAreRounded) {
+  for (const CellKind kind : kLinearKinds) {
+    auto corners = moved_corners(kind, affine);
+    for (Point& p : corners)
+      for (double& x : p) x = 1 + 0x1p-10 * x;
+    const CellMap map(kind, corners);
+    EXPECT_TRUE(map.affine()) << kind_name(kind);
+    EXPECT_LE(map.off_affine(), 0x1p-51) << kind_name(kind);
+    corners[2][0] += 1e-14;  // ten times as much
+    EXPECT_EQ(CellMap(kind, corners).affine(), kind == CellKind::tetrahedron4) << kind_name(kind);
+  }
+}
+
 TEST(InverseMap, FindsReferencePointsFromAnyGuess) {
   std::mt19937_64 random(1);
   for (const CellKind kind : kLinearKinds)
