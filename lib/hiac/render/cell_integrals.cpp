@@ -10,322 +10,94 @@
 // must come after foreach_target.h
 #include <hwy/highway.h>
 
-#include "hiac/render/cell_rays-inl.hpp"
-#include "hiac/render/chebyshev_quotient-inl.hpp"
 #include "hiac/render/polynomial_walk-inl.hpp"
+#include "hiac/render/segment_fields-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// One vector of segments after another.
+// Integrates segments with the fields that SegmentFields finds.
 template <bool kEmission>
-class SegmentIntegrator {
+class IntegratingSink {
  public:
-  SegmentIntegrator(const Frame& frame, const CellPolynomials& cell, const CellIntervals& intervals)
-      : frame_(frame),
-        cell_(cell),
+  using D = hn::CappedTag<double, 8>;
+  using V = hn::Vec<D>;
+  using M = hn::Mask<D>;
+
+  IntegratingSink(const Frame& frame, const CellPolynomials& cell, const CellIntervals& intervals)
+      : field_count_(cell.field_count),
         walk_(frame.optics,
               walk_field(cell.fields[cell.field_count - 1],
                          {intervals.color_low, intervals.color_high}),
-              walk_field(cell.fields[0], {intervals.extinction_low, intervals.extinction_high})) {
-    efforts_.fill(kFirstDegree);
-    for (std::size_t a = 0; a < 3; ++a)
-      starts_.front.c[a] = starts_.back.c[a] = hn::Set(D(), cell.middle[a]);
+              walk_field(cell.fields[0], {intervals.extinction_low, intervals.extinction_high})) {}
+
+  HWY_INLINE void begin(std::size_t first, const CellSegments& s) {
+    const D d;
+    length_ = hn::LoadU(d, s.length.data() + first);
+    allowed_ = hn::LoadU(d, s.allowed.data() + first);
+    sum_ = {hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Set(d, 1.0)};
   }
 
-  // Those from `first` on.
-  HWY_INLINE void integrate(std::size_t first, CellSegments& s) {
+  HWY_NOINLINE std::size_t add(double begin, double end, const FieldSeries<V>& series, M& active) {
     const D d;
-    const auto at = [&](const std::vector<double>& of) { return hn::LoadU(d, of.data() + first); };
-    V origin[3], direction[3];
-    set_rays(d, first, s, origin, direction);
-    CellRays<D> rays(d, cell_, origin, direction, at(s.front), at(s.back), starts_);
-    if (s.known) rays.start_at({{at(s.known_u), at(s.known_v), at(s.known_w)}});
-    rays_ = &rays;
-    length_ = at(s.length);
-    allowed_ = at(s.allowed);
-    active_ = hn::Gt(length_, hn::Zero(d));
-    const M wanted = active_;
-    set_negligible(rays);
-    sum_ = {hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Set(d, 1.0)};
-    if (!cell_.affine)
-      interpolate(0, 1, 0);
-    else if (cell_.along_lines.pole_order > 0)
-      expand_quotient(0, 1, 0);
-    else
-      add_polynomial(cell_.along_lines.degree);
+    LanePolynomial<V> extinction, color;
+    to_powers(series, 0, extinction);
+    if (field_count_ > 1) to_powers(series, 1, color);
+    const V part = hn::Set(d, end - begin);
+    const M undone = walk_.add(d, extinction, color, hn::Mul(length_, part),
+                               hn::Mul(allowed_, part), active, sum_);
+    active = hn::AndNot(undone, active);
+    return std::max(extinction.degree, color.degree);
+  }
+
+  HWY_INLINE void store(std::size_t first, M done, CellSegments& s) const {
+    const D d;
     hn::StoreU(sum_.red, d, s.red.data() + first);
     hn::StoreU(sum_.green, d, s.green.data() + first);
     hn::StoreU(sum_.blue, d, s.blue.data() + first);
     hn::StoreU(sum_.transparency, d, s.transparency.data() + first);
-    HWY_ALIGN double done[8];
-    hn::Store(hn::IfThenElseZero(hn::And(wanted, active_), hn::Set(d, 1.0)), d, done);
-    for (std::size_t k = 0; k < hn::Lanes(d); ++k) s.done[first + k] = done[k] != 0 ? 1 : 0;
+    HWY_ALIGN double is_done[8];
+    hn::Store(hn::IfThenElseZero(done, hn::Set(d, 1.0)), d, is_done);
+    for (std::size_t k = 0; k < hn::Lanes(d); ++k) s.done[first + k] = is_done[k] != 0 ? 1 : 0;
   }
 
  private:
-  using D = hn::CappedTag<double, 8>;
-  using V = hn::Vec<D>;
-  using M = hn::Mask<D>;
-  static constexpr int kMostHalvings = 8;
-  static constexpr std::size_t kLeastDegree = 4, kFirstDegree = 8;
-  static constexpr double kLeastShare = 0.2, kOptimism = 1.002;
-
   static WalkField walk_field(const CellPolynomials::Field& field, IntervalRange intervals) {
     return {intervals, field.base,
             std::max(std::abs(field.least - field.base), std::abs(field.most - field.base))};
   }
 
-  // Relative to the cell's origin.
-  HWY_INLINE void set_rays(D d, std::size_t first, const CellSegments& s, V (&origin)[3],
-                           V (&direction)[3]) const {
-    const Projector::Axes axes = frame_.projector.axes();
-    const V scale = hn::Set(d, 1 / frame_.projector.pixels_per_unit());
-    const V x = hn::LoadU(d, s.x.data() + first), y = hn::LoadU(d, s.y.data() + first);
-    const V right = hn::Mul(hn::Sub(x, hn::Set(d, axes.center_x)), scale);
-    const V up = hn::Mul(hn::Sub(hn::Set(d, axes.center_y), y), scale);
-    for (std::size_t a = 0; a < 3; ++a) {
-      const V aside =
-          hn::MulAdd(right, hn::Set(d, axes.right[a]), hn::Mul(up, hn::Set(d, axes.up[a])));
-      const V forward = hn::Set(d, axes.forward[a]), from = hn::Set(d, -cell_.origin[a]);
-      const bool perspective = frame_.projector.perspective();
-      origin[a] = perspective ? from : hn::Add(from, aside);
-      direction[a] = perspective ? hn::Add(forward, aside) : forward;
-    }
-  }
-
-  // What of the fields' polynomials is, and so how exact coordinates in the cell have to be: of the
-  // reference cell they change a field by a few times its spread.
-  HWY_INLINE void set_negligible(CellRays<D>& rays) {
-    const D d;
-    V accuracy = hn::Set(d, 1.0);
-    for (std::size_t f = 0; f < cell_.field_count; ++f) {
-      const CellPolynomials::Field& field = cell_.fields[f];
-      negligible_[f] = hn::Max(rays.rounding(field), hn::Set(d, field.allowed));
-      const double spread = 0x1p4 * (field.most - field.least);
-      if (spread > 0) accuracy = hn::Min(accuracy, hn::Div(negligible_[f], hn::Set(d, spread)));
-    }
-    rays.set_accuracy(accuracy);
-  }
-
-  // Values of field f at the points that are sampled.
-  HWY_INLINE void field_values(std::size_t f, std::size_t degree) {
-    rays_->values(cell_.fields[f], degree, values_);
-    for (std::size_t j = 0; j <= degree; ++j) values_[j] = hn::IfThenElseZero(active_, values_[j]);
-  }
-
-  // Chebyshev coefficients of field f from these.
-  HWY_NOINLINE void transform(std::size_t f, std::size_t degree) {
-    const D d;
-    const ChebyshevPoints& points = chebyshev_points(degree);
-    V(&value)[kMostChebyshevDegree + 1] = values_;
-    // cosines are even and odd in turn
-    const std::size_t half = degree / 2;
-    for (std::size_t j = 0; j < degree - half; ++j) {
-      const V front = value[j], back = value[degree - j];
-      value[j] = hn::Add(front, back);
-      value[degree - j] = hn::Sub(front, back);
-    }
-    for (std::size_t k = 0; k <= degree; ++k) {
-      V sum = hn::Mul(hn::Set(d, points.transform(k, half)),
-                      degree % 2 == 0 ? value[half] : hn::Zero(d));
-      if (k % 2 == 0)
-        for (std::size_t j = 0; j < degree - half; ++j)
-          sum = hn::MulAdd(hn::Set(d, points.transform(k, j)), value[j], sum);
-      else
-        for (std::size_t j = 0; j < degree - half; ++j)
-          sum = hn::MulAdd(hn::Set(d, points.transform(k, j)), value[degree - j], sum);
-      coefficients_[f][k] = sum;
-    }
-  }
-
   // In powers, without what is negligible in all lanes.
-  HWY_NOINLINE void to_powers(std::size_t f, std::size_t degree, LanePolynomial<V>& p) const {
+  static HWY_NOINLINE void to_powers(const FieldSeries<V>& series, std::size_t f,
+                                     LanePolynomial<V>& p) {
     const D d;
-    V dropped = hn::Zero(d);
-    while (degree > 0) {
-      dropped = hn::Add(dropped, hn::Abs(coefficients_[f][degree]));
-      if (!hn::AllTrue(d, hn::Le(dropped, negligible_[f]))) break;
-      --degree;
-    }
-    p.degree = degree;
+    p.degree = series.counted_degree(d, f);
+    const V(&c)[kMostChebyshevDegree + 1] = series.coefficients[f];
     const ChebyshevPowers& powers = chebyshev_powers();
-    for (std::size_t i = 0; i <= degree; ++i) {
-      V sum = hn::Mul(hn::Set(d, powers[i][i]), coefficients_[f][i]);
-      for (std::size_t k = i + 2; k <= degree; k += 2)
-        sum = hn::MulAdd(hn::Set(d, powers[k][i]), coefficients_[f][k], sum);
+    for (std::size_t i = 0; i <= p.degree; ++i) {
+      V sum = hn::Mul(hn::Set(d, powers[i][i]), c[i]);
+      for (std::size_t k = i + 2; k <= p.degree; k += 2)
+        sum = hn::MulAdd(hn::Set(d, powers[k][i]), c[k], sum);
       p.c[i] = sum;
     }
   }
 
-  // Returns the degree that counted.
-  HWY_NOINLINE std::size_t add(double begin, double end, std::size_t degree) {
-    const D d;
-    LanePolynomial<V> extinction, color;
-    to_powers(0, degree, extinction);
-    if (cell_.field_count > 1) to_powers(1, degree, color);
-    const V part = hn::Set(d, end - begin);
-    const M undone = walk_.add(d, extinction, color, hn::Mul(length_, part),
-                               hn::Mul(allowed_, part), active_, sum_);
-    active_ = hn::AndNot(undone, active_);
-    return std::max(extinction.degree, color.degree);
-  }
-
-  // Fields that are polynomials.
-  HWY_INLINE void add_polynomial(std::size_t degree) {
-    rays_->sample(degree, active_);
-    for (std::size_t f = 0; f < cell_.field_count; ++f) {
-      field_values(f, degree);
-      transform(f, degree);
-    }
-    add(0, 1, degree);
-  }
-
-  // Fields that are polynomials over powers of the width to which the cell tapers, on a part of the
-  // segments: from the polynomials' values at a few points, as long a Chebyshev series as there is,
-  // or on two parts.
-  HWY_NOINLINE void expand_quotient(double begin, double end, int splits) {
-    const D d;
-    rays_->open(begin, end, active_);
-    const V h = rays_->taper();
-    const double steepest = steepest_of(h);
-    if (splits == kMostHalvings || std::abs(steepest) <= resolvable_) {
-      const M resolved = expand_at(h);
-      if (splits == kMostHalvings) active_ = resolved;
-      if (hn::AllFalse(d, active_)) return;
-      if (hn::AllTrue(d, hn::Or(hn::Not(active_), resolved))) {
-        // neighbours may do better
-        resolvable_ *= kOptimism;
-        add(begin, end, kMostChebyshevDegree);
-        return;
-      }
-      resolvable_ = std::abs(steepest) / kOptimism;
-    }
-    // either part tapers in the same proportion, but that the tip of a cell cannot
-    const double front = std::sqrt(1 - steepest), back = std::sqrt(1 + steepest);
-    const double share = std::clamp(front / (front + back), kLeastShare, 1 - kLeastShare);
-    const double between = begin + (end - begin) * share;
-    expand_quotient(begin, between, splits + 1);
-    expand_quotient(between, end, splits + 1);
-  }
-
-  // Chebyshev coefficients of these fields. Returns where they are exact enough.
-  HWY_INLINE M expand_at(V h) {
-    const D d;
-    const auto [degree, pole_order] = cell_.along_lines;
-    rays_->sample(degree, active_);
-    const ChebyshevPoints& points = chebyshev_points(degree);
-    M resolved = active_;
-    for (std::size_t f = 0; f < cell_.field_count; ++f) {
-      field_values(f, degree);
-      for (std::size_t j = 0; j <= degree; ++j) {
-        const V width = hn::MulAdd(h, hn::Set(d, 2 * points.place(j) - 1), hn::Set(d, 1.0));
-        for (std::size_t k = 0; k < pole_order; ++k) values_[j] = hn::Mul(values_[j], width);
-      }
-      transform(f, degree);
-      divide_by_width(d, h, pole_order, degree, coefficients_[f]);
-      resolved = hn::And(resolved, hn::Le(last_two(f, kMostChebyshevDegree), negligible_[f]));
-    }
-    return resolved;
-  }
-
-  // That of the active lanes that is farthest from zero.
-  HWY_INLINE double steepest_of(V h) const {
-    const D d;
-    const V counts = hn::IfThenElseZero(active_, h);
-    const double least = hn::GetLane(hn::MinOfLanes(d, counts));
-    const double most = hn::GetLane(hn::MaxOfLanes(d, counts));
-    return most > -least ? most : least;
-  }
-
-  // Fields that are not polynomials, on a part of the segments: of the degree that was enough for
-  // such a part the last time, or of higher ones, or on halves.
-  HWY_NOINLINE void interpolate(double begin, double end, int halvings) {
-    const D d;
-    std::size_t& effort = efforts_[static_cast<std::size_t>(halvings)];
-    std::size_t degree = effort;
-    M resolved = active_;
-    const bool halve = !rays_->open(begin, end, active_) && halvings < kMostHalvings;
-    // points of 8 are points of 16 as well
-    for (; !halve; degree = std::min(degree + 8, kMostChebyshevDegree)) {
-      rays_->sample(degree, active_);
-      resolved = active_;
-      M hopeless = hn::Lt(hn::Set(d, 1.0), hn::Zero(d));
-      for (std::size_t f = 0; f < cell_.field_count; ++f) {
-        field_values(f, degree);
-        transform(f, degree);
-        const V last = last_two(f, degree);
-        resolved = hn::And(resolved, hn::Le(last, negligible_[f]));
-        hopeless = hn::Or(
-            hopeless, hn::Gt(at_most_degree(f, degree), hn::Mul(hn::Set(d, 8.0), negligible_[f])));
-      }
-      if (hn::AllFalse(d, active_)) return;
-      if (hn::AllTrue(d, hn::Or(hn::Not(active_), resolved))) {
-        // the last two coefficients shall be negligible again, and a few more rays
-        const std::size_t enough = add(begin, end, degree) + 3;
-        effort = std::clamp((enough + 1) / 2 * 2, std::max(degree - 2, kLeastDegree),
-                            kMostChebyshevDegree);
-        return;
-      }
-      hopeless = hn::And(hopeless, hn::AndNot(resolved, active_));
-      effort = std::min(degree + 2, kMostChebyshevDegree);
-      if (degree == kMostChebyshevDegree) break;
-      if (halvings < kMostHalvings && !hn::AllFalse(d, hopeless)) break;
-    }
-    if (!halve) effort = kFirstDegree;
-    if (halvings == kMostHalvings) {
-      active_ = resolved;
-      if (!hn::AllFalse(d, active_)) add(begin, end, kMostChebyshevDegree);
-      return;
-    }
-    const double middle = 0.5 * (begin + end);
-    const RayStarts<V> whole = starts_;
-    const auto halves = rays_->halves();
-    starts_ = halves.front;
-    interpolate(begin, middle, halvings + 1);
-    starts_ = halves.back;
-    interpolate(middle, end, halvings + 1);
-    starts_ = whole;
-  }
-
-  HWY_INLINE V last_two(std::size_t f, std::size_t degree) const {
-    return hn::Add(hn::Abs(coefficients_[f][degree]), hn::Abs(coefficients_[f][degree - 1]));
-  }
-
-  // What the highest degree would leave, if coefficients fall off as they do from half of this one.
-  HWY_INLINE V at_most_degree(std::size_t f, std::size_t degree) const {
-    V last = last_two(f, degree);
-    if (degree > 8) return hn::Zero(D());
-    const V rate = hn::Div(last, last_two(f, degree / 2));
-    for (std::size_t at = degree; at + degree / 2 <= kMostChebyshevDegree; at += degree / 2)
-      last = hn::Mul(last, rate);
-    return last;
-  }
-
-  const Frame& frame_;
-  const CellPolynomials& cell_;
+  std::size_t field_count_;
   PolynomialWalk<kEmission> walk_;
-  // what degree was enough for the segments before, by the number of halvings
-  std::array<std::size_t, kMostHalvings + 1> efforts_;
-  // up to what taper of parts quotients seem to be resolved
-  double resolvable_ = 1;
   // of the segments at hand
-  CellRays<D>* rays_ = nullptr;
-  RayStarts<V> starts_;  // of the segments before
-  V length_, allowed_, negligible_[2];
-  V values_[kMostChebyshevDegree + 1], coefficients_[2][kMostChebyshevDegree + 1];
-  M active_;
+  V length_, allowed_;
   Radiance<V> sum_;
 };
 
 template <bool kEmission>
 HWY_NOINLINE void integrate_all(const Frame& frame, const CellPolynomials& cell,
                                 const CellIntervals& intervals, CellSegments& segments) {
-  SegmentIntegrator<kEmission> integrator(frame, cell, intervals);
+  IntegratingSink<kEmission> sink(frame, cell, intervals);
+  SegmentFields<IntegratingSink<kEmission>> fields(frame, cell, sink);
   const std::size_t lanes = hn::Lanes(hn::CappedTag<double, 8>());
   for (std::size_t first = 0; first < segments.count; first += lanes)
-    integrator.integrate(first, segments);
+    sink.store(first, fields.expand(first, segments), segments);
 }
 
 void integrate_segments_here(const Frame& frame, const CellPolynomials& cell,
@@ -345,18 +117,7 @@ HWY_EXPORT(integrate_segments_here);
 void integrate_cell_segments(const Frame& frame, const CellPolynomials& cell,
                              const CellIntervals& intervals, CellSegments& segments) {
   if (segments.count == 0) return;
-  // what a vector has beyond the end is the last segment again, without length
-  const auto first = static_cast<std::ptrdiff_t>(segments.count);
-  const auto pad = [&](std::vector<double>& plane, double value) {
-    std::fill_n(plane.begin() + first, CellSegments::kPadding, value);
-  };
-  for (std::vector<double>* plane :
-       {&segments.x, &segments.y, &segments.front, &segments.back, &segments.allowed})
-    pad(*plane, (*plane)[segments.count - 1]);
-  if (segments.known)
-    for (std::vector<double>* plane : {&segments.known_u, &segments.known_v, &segments.known_w})
-      pad(*plane, (*plane)[segments.count - 1]);
-  pad(segments.length, 0);
+  segments.pad();
   HWY_DYNAMIC_DISPATCH(integrate_segments_here)(frame, cell, intervals, segments);
 }
 

@@ -141,6 +141,17 @@ void CellSegments::start(std::size_t most, bool with_known) {
     for (std::vector<double>* plane : {&known_u, &known_v, &known_w}) plane->resize(places);
 }
 
+void CellSegments::pad() {
+  const auto last = static_cast<std::ptrdiff_t>(count) - 1;
+  const auto repeat = [&](std::vector<double>& plane) {
+    std::fill_n(plane.begin() + last + 1, kPadding, plane[count - 1]);
+  };
+  for (std::vector<double>* plane : {&x, &y, &front, &back, &allowed}) repeat(*plane);
+  if (known)
+    for (std::vector<double>* plane : {&known_u, &known_v, &known_w}) repeat(*plane);
+  std::fill_n(length.begin() + last + 1, kPadding, 0.0);
+}
+
 void collect_runs(const Frame& frame, const CrossingRuns& runs, const TileRect& tile,
                   const TileBuffer& buffer, double allowed, bool by_visibility,
                   CellSegments& segments) {

@@ -26,6 +26,9 @@ struct CellSegments {
 
   /// Makes place for `most` segments and their padding; there are none yet.
   void start(std::size_t most, bool with_known);
+  /// Makes what a vector has behind the last segment that one again, without length. There must be
+  /// one.
+  void pad();
 };
 
 /// Appends the segments of runs (scan_projected_runs) that have depth between the view's clipping

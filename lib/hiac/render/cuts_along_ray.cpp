@@ -78,13 +78,26 @@ void CutsAlongRay::add_doubts(const RayStretch& stretch, const Cut& cut, double 
   if (pieces_.empty() && cut.offsets.least < cut.offsets.most) doubtful_ = true;
 }
 
+void CutsAlongRay::interpolate(const CellMap& map, CellSegments& segments) {
+  for (Cut& cut : cuts_) {
+    if (cut.offsets.polynomial) continue;
+    const CellPolynomials polynomials(kind_, nodes_, map, {&cut.offsets, 1});
+    interpolate_cell_segments(frame_, polynomials, segments, cut.pieces);
+  }
+}
+
 // Fills places_ with the parts of the stretch at which the surface is crossed.
 void CutsAlongRay::add_places(const CellMap& map, const CellCrossing& crossing,
-                              const RayStretch& stretch, const Cut& cut) {
+                              const RayStretch& stretch, std::optional<std::size_t> segment,
+                              const Cut& cut) {
   places_.clear();
   pieces_.clear();
   const FieldAlongRay field(kind_, map, {&cut.offsets, 1});
-  if (stretch.front < stretch.back) field.along(stretch, pieces_);
+  if (segment && !cut.offsets.polynomial) {
+    const auto known = cut.pieces.of(*segment);
+    pieces_.assign(known.begin(), known.end());
+  }
+  if (pieces_.empty() && stretch.front < stretch.back) field.along(stretch, pieces_);
   const auto end_value = [&](const FieldAlongRay::Piece& piece, double t) {
     return evaluate(piece.fields[0], t);
   };
@@ -159,11 +172,12 @@ IsosurfaceCrossing CutsAlongRay::crossing_at(const CellMap& map, const CellCross
 }
 
 void CutsAlongRay::find(const CellMap& map, const CellCrossing& crossing, const RayStretch& stretch,
+                        std::optional<std::size_t> segment,
                         std::vector<IsosurfaceCrossing>& found) {
   found.clear();
   doubtful_ = false;
   for (const Cut& cut : cuts_) {
-    add_places(map, crossing, stretch, cut);
+    add_places(map, crossing, stretch, segment, cut);
     for (std::size_t i = 0; i < places_.size(); ++i)
       found.push_back(
           crossing_at(map, crossing, stretch, cut, places_[i], frame_.with_error ? moved_[i] : 0));

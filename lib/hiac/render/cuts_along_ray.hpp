@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hiac/optics/polynomial_roots.hpp"
+#include "hiac/render/cell_interpolants.hpp"
 #include "hiac/render/cell_scan.hpp"
 #include "hiac/render/error_bound.hpp"
 #include "hiac/render/face_value.hpp"
@@ -48,14 +49,19 @@ class CutsAlongRay {
   /// and nothing else may be asked, when there is none.
   bool enter(CellId cell, const RayDisplacement& displacement);
 
+  /// Finds the fields along segments of the cell many at a time (interpolate_cell_segments), for
+  /// `find`.
+  void interpolate(const CellMap& map, CellSegments& segments);
+
   /// Replaces `found` by the crossings on a stretch, what `crossing` has after z-clipping, in the
-  /// order in which they are met. `map`: of the cell.
+  /// order in which they are met. `map`: of the cell; `segment`: the stretch's number among those
+  /// of the last call of `interpolate`, if it is one of them.
   ///
   /// Between the enclosures of its roots (append_roots) the offset from a surface's value has a
   /// certain sign; what it is on the cell's faces is asked of the faces (face_value.hpp), so that
   /// neighbours agree. A crossing lies wherever one sign follows another.
   void find(const CellMap& map, const CellCrossing& crossing, const RayStretch& stretch,
-            std::vector<IsosurfaceCrossing>& found);
+            std::optional<std::size_t> segment, std::vector<IsosurfaceCrossing>& found);
 
   /// Whether the last call of `find` may have missed a crossing, or found one too many: with values
   /// higher and lower by the error of the field there are not as many. (Where errors are asked
@@ -68,11 +74,12 @@ class CutsAlongRay {
     CellField offsets;
     std::array<FaceOffsets, 6> faces;
     std::uint8_t closed_faces;
-    double error = 0;  // of the offsets
+    double error = 0;      // of the offsets
+    SegmentPieces pieces;  // the offsets, where they were interpolated together
   };
 
   void add_places(const CellMap& map, const CellCrossing& crossing, const RayStretch& stretch,
-                  const Cut& cut);
+                  std::optional<std::size_t> segment, const Cut& cut);
   [[nodiscard]] bool below_at_face(const Cut& cut, const CellCrossing& crossing, std::size_t face,
                                    double t, double offset) const;
   void add_doubts(const RayStretch& stretch, const Cut& cut, double error);

@@ -220,7 +220,7 @@ class RayFollower {
     if (!cuts_.enter(row.cell,
                      frame_.with_error ? ray_displacement(frame_, row.cell) : RayDisplacement{}))
       return;
-    cuts_.find(map, crossing, clipped(crossing), surfaces_);
+    cuts_.find(map, crossing, clipped(crossing), {}, surfaces_);
     for (const IsosurfaceCrossing& met : surfaces_)
       row.surfaces.push_back(
           {static_cast<std::size_t>(met.surface - frame_.isosurfaces.surfaces.data()),

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "hiac/optics/piece_rule.hpp"
@@ -56,19 +57,22 @@ class GeneralCellRenderer {
     kind_ = frame_.mesh.kinds[cell];
     curved_ = frame_.is_curved(cell);
     is_uniform_ = uniform_optics();
-    const bool together = optics_.rule == PieceRule::exact && !is_cut_ && !is_uniform_ &&
+    const bool together = optics_.rule == PieceRule::exact && !is_uniform_ && !is_empty_ &&
                           !extinction_.nodes.polynomial && !color_.nodes.polynomial;
-    scan(cell, together && !curved_);
+    scan(cell, together && !curved_ && !is_cut_);
     if (crossings_.empty() && runs_.count == 0) return;
     nodes_ = relative_positions(frame_.mesh, cell, frame_.projector);
     const CellMap map(kind_, nodes_, frame_.straightness);
     const std::array<CellField, 2> fields{extinction_.nodes, color_.nodes};
     const FieldAlongRay field(kind_, map, std::span(fields).first(optics_.same_field ? 1 : 2));
     if (frame_.with_error) set_errors();
-    if (together)
+    if (is_cut_ && !frame_.with_error)
+      render_cut_together(map, field, std::span(fields).first(optics_.same_field ? 1 : 2),
+                          together);
+    else if (together && !is_cut_)
       render_together(map, field, std::span(fields).first(optics_.same_field ? 1 : 2));
     else
-      for (const CellCrossing& crossing : crossings_) render(crossing, map, field);
+      for (const CellCrossing& crossing : crossings_) render(crossing, map, field, {});
   }
 
  private:
@@ -123,11 +127,7 @@ class GeneralCellRenderer {
     const std::size_t of_runs = segments_.count;
     collect_segments(map);
     if (segments_.count == 0) return;
-    const CellPolynomials polynomials(kind_, nodes_, map, fields);
-    integrate_cell_segments(frame_, polynomials,
-                            {color_.intervals.low, color_.intervals.high, extinction_.intervals.low,
-                             extinction_.intervals.high},
-                            segments_);
+    integrate_together(map, fields);
     const bool one_by_one = group_ != nullptr || frame_.with_details;
     if (!one_by_one) counts_.violations += composite_segments(frame_, segments_, of_runs, buffer_);
     for (std::size_t k = 0; k < of_runs; ++k)
@@ -139,15 +139,94 @@ class GeneralCellRenderer {
       render_or_add(k, crossings_[kept_[k - of_runs]], map, field);
   }
 
+  void integrate_together(const CellMap& map, std::span<const CellField> fields) {
+    const CellPolynomials polynomials(kind_, nodes_, map, fields);
+    integrate_cell_segments(frame_, polynomials,
+                            {color_.intervals.low, color_.intervals.high, extinction_.intervals.low,
+                             extinction_.intervals.high},
+                            segments_);
+  }
+
+  // The surfaces that cross a segment, and what is in front of, between and behind them.
+  struct CutSegment {
+    std::size_t crossing;                   // of crossings_
+    std::size_t first_surface, count;       // of all_surfaces_
+    std::optional<std::size_t> first_part;  // of segments_, which has those that have depth
+  };
+
+  // The same where surfaces cross the cell. `with_parts`: the volume between them, too, can be
+  // integrated together.
+  void render_cut_together(const CellMap& map, const FieldAlongRay& field,
+                           std::span<const CellField> fields, bool with_parts) {
+    segments_.start(crossings_.size(), curved_);
+    collect_segments(map);
+    cuts_.interpolate(map, segments_);
+    find_surfaces(map);
+    if (with_parts) {
+      segments_.start(cut_segments_.size() + all_surfaces_.size(), curved_);
+      for (CutSegment& cut : cut_segments_) {
+        const CellCrossing& crossing = crossings_[cut.crossing];
+        cut.first_part = segments_.count;
+        for_parts(stretch_of(crossing), surfaces_of(cut),
+                  [&](double front, double back) { append_segment(crossing, map, front, back); });
+      }
+      integrate_together(map, fields);
+    }
+    for (const CutSegment& cut : cut_segments_)
+      render(crossings_[cut.crossing], map, field, {.cut = &cut});
+  }
+
+  // Those that cut the crossings, of which segments_ has some.
+  void find_surfaces(const CellMap& map) {
+    cut_segments_.clear();
+    all_surfaces_.clear();
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < crossings_.size(); ++i) {
+      std::optional<std::size_t> segment;
+      if (k < kept_.size() && kept_[k] == i) segment = k++;
+      const RayStretch stretch = stretch_of(crossings_[i]);
+      if (!is_seen(index_of(crossings_[i])) || stretch.front > stretch.back) continue;
+      cuts_.find(map, crossings_[i], stretch, segment, surfaces_);
+      cut_segments_.push_back({i, all_surfaces_.size(), surfaces_.size(), {}});
+      all_surfaces_.insert(all_surfaces_.end(), surfaces_.begin(), surfaces_.end());
+    }
+  }
+
+  [[nodiscard]] std::span<const IsosurfaceCrossing> surfaces_of(const CutSegment& cut) const {
+    return std::span(all_surfaces_).subspan(cut.first_surface, cut.count);
+  }
+
+  [[nodiscard]] bool is_seen(std::size_t at) const {
+    return buffer_.transparency[at] > frame_.least_transparency;
+  }
+
+  // Calls volume(front, back) for the parts of a stretch between surfaces that have depth, and
+  // surface(crossing) for those, front to back.
+  template <class Volume, class Surface = void (*)(const IsosurfaceCrossing&)>
+  static void for_parts(
+      const RayStretch& stretch, std::span<const IsosurfaceCrossing> surfaces, Volume&& volume,
+      Surface&& surface = [](const IsosurfaceCrossing&) {}) {
+    double front = stretch.front;
+    for (const IsosurfaceCrossing& s : surfaces) {
+      if (front < s.t) volume(front, s.t);
+      surface(s);
+      front = std::max(front, s.t);
+    }
+    if (front < stretch.back) volume(front, stretch.back);
+  }
+
+  [[nodiscard]] PlainRadiance integrated_together(std::size_t k) const {
+    return {{segments_.red[k], segments_.green[k], segments_.blue[k]}, segments_.transparency[k]};
+  }
+
   // Segment k, whatever of it is done.
   void render_or_add(std::size_t k, const CellCrossing& crossing, const CellMap& map,
                      const FieldAlongRay& field) {
-    const PlainRadiance radiance{{segments_.red[k], segments_.green[k], segments_.blue[k]},
-                                 segments_.transparency[k]};
+    const PlainRadiance radiance = integrated_together(k);
     if (segments_.done[k] != 0 && !frame_.with_details)
       add_seen(segments_.at[k], segments_.front[k], segments_.back[k], radiance);
     else
-      render(crossing, map, field, segments_.done[k] != 0 ? &radiance : nullptr);
+      render(crossing, map, field, {.radiance = segments_.done[k] != 0 ? &radiance : nullptr});
   }
 
   // Of a segment of runs_, whose faces nobody asks for: beyond the view where that clips it.
@@ -169,24 +248,27 @@ class GeneralCellRenderer {
   void collect_segments(const CellMap& map) {
     kept_.clear();
     const double near = frame_.projector.near(), far = frame_.projector.far();
-    const double allowed = allowed_error(0, 1, 1);
     for (std::size_t i = 0; i < crossings_.size(); ++i) {
       const CellCrossing& crossing = crossings_[i];
-      const std::size_t at = index_of(crossing);
       const double front = std::max(crossing.front, near), back = std::min(crossing.back, far);
-      const double seen = buffer_.transparency[at];
-      if (seen <= frame_.least_transparency || !(front < back)) continue;
-      const std::size_t k = segments_.count++;
+      if (!is_seen(index_of(crossing)) || !(front < back)) continue;
       kept_.push_back(i);
-      segments_.at[k] = static_cast<std::uint32_t>(at);
-      segments_.x[k] = crossing.x + 0.5;
-      segments_.y[k] = crossing.y + 0.5;
-      segments_.front[k] = front;
-      segments_.back[k] = back;
-      segments_.length[k] = (back - front) * buffer_.ray_scale[at];
-      segments_.allowed[k] = allowed * (back - front) / (group_ != nullptr ? 1 : seen);
-      if (curved_) set_known(crossing, map, k);
+      append_segment(crossing, map, front, back);
     }
+  }
+
+  // A part of a crossing, for segments_.
+  void append_segment(const CellCrossing& crossing, const CellMap& map, double front, double back) {
+    const std::size_t k = segments_.count++, at = index_of(crossing);
+    const double seen = group_ != nullptr ? 1 : buffer_.transparency[at];
+    segments_.at[k] = static_cast<std::uint32_t>(at);
+    segments_.x[k] = crossing.x + 0.5;
+    segments_.y[k] = crossing.y + 0.5;
+    segments_.front[k] = front;
+    segments_.back[k] = back;
+    segments_.length[k] = (back - front) * buffer_.ray_scale[at];
+    segments_.allowed[k] = allowed_error(0, 1, 1) * (back - front) / seen;
+    if (curved_) set_known(crossing, map, k);
   }
 
   void set_known(const CellCrossing& crossing, const CellMap& map, std::size_t k) {
@@ -199,7 +281,7 @@ class GeneralCellRenderer {
   }
 
   void add_seen(std::size_t at, double front, double back, const PlainRadiance& radiance) {
-    if (buffer_.transparency[at] <= frame_.least_transparency) return;
+    if (!is_seen(at)) return;
     ++counts_.segments;
     add_to_pixel(at, front, back, radiance);
   }
@@ -212,11 +294,17 @@ class GeneralCellRenderer {
       composite(at, front, back, radiance);
   }
 
-  // `together`: what integrate_cell_segments found, if anything.
+  // What was found of a segment together with others, if anything: its radiance, or that of its
+  // parts between surfaces.
+  struct Together {
+    const PlainRadiance* radiance = nullptr;
+    const CutSegment* cut = nullptr;
+  };
+
   void render(const CellCrossing& crossing, const CellMap& map, const FieldAlongRay& field,
-              const PlainRadiance* together = nullptr) {
+              const Together& together) {
     const std::size_t at = index_of(crossing);
-    if (buffer_.transparency[at] <= frame_.least_transparency) return;
+    if (!is_seen(at)) return;
     const RayStretch stretch = stretch_of(crossing);
     // where surfaces cross a cell without depth, they are seen all the same
     if (is_cut_ ? stretch.front > stretch.back : !(stretch.front < stretch.back)) return;
@@ -226,13 +314,21 @@ class GeneralCellRenderer {
     details_ = {.front = stretch.front, .back = stretch.back, .first = stretch.front};
     weight_ = weighted_depth_ = 0;
     PlainRadiance radiance;
+    if (together.cut != nullptr) {
+      const auto surfaces = surfaces_of(*together.cut);
+      surfaces_.assign(surfaces.begin(), surfaces.end());
+    } else if (is_cut_) {
+      cuts_.find(map, crossing, stretch, {}, surfaces_);
+    }
     if (is_cut_) {
-      radiance = between_surfaces(crossing, map, stretch, scale, field, visible);
-    } else if (together == nullptr || frame_.with_error) {
+      radiance =
+          between_surfaces(stretch, scale, field, visible,
+                           together.cut != nullptr ? together.cut->first_part : std::nullopt);
+    } else if (together.radiance == nullptr || frame_.with_error) {
       radiance = radiance_of(stretch, scale, field, visible);
       add_quadrature(1, radiance);
     }
-    if (together != nullptr) radiance = checked(*together, radiance);
+    if (together.radiance != nullptr) radiance = checked(*together.radiance, radiance);
     if (frame_.with_details) describe(at, crossing, field, stretch, scale, radiance);
     add_to_pixel(at, stretch.front, stretch.back, radiance);
   }
@@ -257,31 +353,32 @@ class GeneralCellRenderer {
     return is_uniform_ ? uniform_radiance(length) : integrated(stretch, length, field, visible);
   }
 
-  // From surface to surface.
-  [[nodiscard]] PlainRadiance between_surfaces(const CellCrossing& crossing, const CellMap& map,
-                                               const RayStretch& stretch, double scale,
-                                               const FieldAlongRay& field, double visible) {
-    cuts_.find(map, crossing, stretch, surfaces_);
+  // From surface to surface, of surfaces_. `part`: the first one's number among segments_.
+  [[nodiscard]] PlainRadiance between_surfaces(const RayStretch& stretch, double scale,
+                                               const FieldAlongRay& field, double visible,
+                                               std::optional<std::size_t> part) {
     PlainRadiance sum;
-    const auto add_volume = [&](double front, double back) {
-      if (is_empty_ || !(front < back)) return;
+    const auto volume = [&](double front, double back) {
+      if (is_empty_) return;
       const double before = sum.transparency;
-      const PlainRadiance r =
-          radiance_of({stretch.origin, stretch.direction, front, back, stretch.known}, scale, field,
-                      std::max(visible * sum.transparency, kLeastVisible));
-      add_quadrature(before, r);
-      sum.add_behind(r);
+      if (part && segments_.done[*part] != 0) {
+        sum.add_behind(integrated_together(*part));
+      } else {
+        const PlainRadiance r =
+            radiance_of({stretch.origin, stretch.direction, front, back, stretch.known}, scale,
+                        field, std::max(visible * sum.transparency, kLeastVisible));
+        add_quadrature(before, r);
+        sum.add_behind(r);
+      }
+      if (part) ++*part;
       add_depth(0.5 * (front + back), before - sum.transparency);
     };
-    double front = stretch.front;
-    for (const IsosurfaceCrossing& surface : surfaces_) {
-      add_volume(front, surface.t);
+    const auto surface = [&](const IsosurfaceCrossing& s) {
       const double before = sum.transparency;
-      sum.add_behind({surface.shade.rgb, surface.shade.transparency});
-      add_depth(surface.t, before - sum.transparency);
-      front = std::max(front, surface.t);
-    }
-    add_volume(front, stretch.back);
+      sum.add_behind({s.shade.rgb, s.shade.transparency});
+      add_depth(s.t, before - sum.transparency);
+    };
+    for_parts(stretch, surfaces_, volume, surface);
     return sum;
   }
 
@@ -464,7 +561,9 @@ class GeneralCellRenderer {
   std::vector<CellCrossing> crossings_;
   CellSegments segments_;          // of runs_, and then of crossings_
   std::vector<std::size_t> kept_;  // of crossings_, those that segments_ has
-  bool curved_ = false;            // the cell has curved faces
+  std::vector<CutSegment> cut_segments_;
+  std::vector<IsosurfaceCrossing> all_surfaces_;  // of these
+  bool curved_ = false;                           // the cell has curved faces
   std::vector<FieldAlongRay::Piece> pieces_;
   std::vector<RootEnclosure> roots_;
   std::vector<IsosurfaceCrossing> surfaces_;

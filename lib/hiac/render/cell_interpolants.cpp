@@ -1,0 +1,117 @@
+#include "hiac/render/cell_interpolants.hpp"
+
+#include <algorithm>
+#include <array>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "hiac/render/cell_interpolants.cpp"
+#include <hwy/foreach_target.h>
+// must come after foreach_target.h
+#include <hwy/highway.h>
+
+#include "hiac/render/segment_fields-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace hiac::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Keeps the polynomials that SegmentFields finds.
+class PieceSink {
+ public:
+  using D = hn::CappedTag<double, 8>;
+  using V = hn::Vec<D>;
+  using M = hn::Mask<D>;
+
+  PieceSink(const CellPolynomials& cell, SegmentPieces& found) : cell_(cell), found_(found) {}
+
+  void begin(std::size_t, const CellSegments&) {
+    for (auto& pieces : of_lane_) pieces.clear();
+  }
+
+  HWY_NOINLINE std::size_t add(double begin, double end, const FieldSeries<V>& series, M& active) {
+    const D d;
+    std::size_t most = 0, degree[2] = {0, 0};
+    for (std::size_t f = 0; f < cell_.field_count; ++f) {
+      degree[f] = series.counted_degree(d, f);
+      most = std::max(most, degree[f]);
+      for (std::size_t k = 0; k <= degree[f]; ++k)
+        hn::Store(series.coefficients[f][k], d, coefficients_[f][k].data());
+    }
+    const auto is_active = lanes_of(active);
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+      if (!is_active[lane]) continue;
+      FieldAlongRay::Piece& piece = of_lane_[lane].emplace_back();
+      piece.begin = begin;
+      piece.end = end;
+      for (std::size_t f = 0; f < cell_.field_count; ++f)
+        piece.fields[f] = polynomial(f, degree[f], lane);
+    }
+    return most;
+  }
+
+  // Of `count` segments of the vector those that are done.
+  void finish(M done, std::size_t count) {
+    const auto is_done = lanes_of(done);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      if (is_done[lane])
+        found_.pieces.insert(found_.pieces.end(), of_lane_[lane].begin(), of_lane_[lane].end());
+      found_.first.push_back(found_.pieces.size());
+    }
+  }
+
+ private:
+  static constexpr std::size_t kMostLanes = 8;
+
+  static HWY_INLINE std::array<bool, kMostLanes> lanes_of(M mask) {
+    const D d;
+    HWY_ALIGN double ones[kMostLanes];
+    hn::Store(hn::IfThenElseZero(mask, hn::Set(d, 1.0)), d, ones);
+    std::array<bool, kMostLanes> lanes{};
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) lanes[lane] = ones[lane] != 0;
+    return lanes;
+  }
+
+  // On [0, 1].
+  [[nodiscard]] BernsteinPolynomial polynomial(std::size_t f, std::size_t degree,
+                                               std::size_t lane) const {
+    std::array<double, kMostChebyshevDegree + 1> c;
+    for (std::size_t k = 0; k <= degree; ++k) c[k] = coefficients_[f][k][lane];
+    BernsteinPolynomial p = bernstein_from_chebyshev(std::span(c).first(degree + 1));
+    for (std::size_t k = 0; k <= degree; ++k) p.c[k] += cell_.fields[f].base;
+    return p;
+  }
+
+  const CellPolynomials& cell_;
+  SegmentPieces& found_;
+  std::array<std::vector<FieldAlongRay::Piece>, kMostLanes> of_lane_;
+  alignas(64) std::array<std::array<double, kMostLanes>, kMostChebyshevDegree + 1> coefficients_[2];
+};
+
+void interpolate_segments_here(const Frame& frame, const CellPolynomials& cell,
+                               const CellSegments& segments, SegmentPieces& found) {
+  PieceSink sink(cell, found);
+  SegmentFields<PieceSink> fields(frame, cell, sink);
+  const std::size_t lanes = hn::Lanes(PieceSink::D());
+  for (std::size_t first = 0; first < segments.count; first += lanes)
+    sink.finish(fields.expand(first, segments), std::min(lanes, segments.count - first));
+}
+
+}  // namespace hiac::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace hiac {
+
+HWY_EXPORT(interpolate_segments_here);
+
+void interpolate_cell_segments(const Frame& frame, const CellPolynomials& cell,
+                               CellSegments& segments, SegmentPieces& found) {
+  found.pieces.clear();
+  found.first.assign(1, 0);
+  if (segments.count == 0) return;
+  segments.pad();
+  HWY_DYNAMIC_DISPATCH(interpolate_segments_here)(frame, cell, segments, found);
+}
+
+}  // namespace hiac
+#endif

@@ -1,0 +1,316 @@
+// Fields along many segments of one cell at a time, compiled once for every instruction set.
+// Include from a file that Highway's foreach_target.h compiles repeatedly.
+
+#if defined(HIAC_RENDER_SEGMENT_FIELDS_INL) == defined(HWY_TARGET_TOGGLE)
+#  ifdef HIAC_RENDER_SEGMENT_FIELDS_INL
+#    undef HIAC_RENDER_SEGMENT_FIELDS_INL
+#  else
+#    define HIAC_RENDER_SEGMENT_FIELDS_INL
+#  endif
+
+#  include <algorithm>
+#  include <array>
+#  include <cmath>
+#  include <vector>
+
+#  include <hwy/highway.h>
+
+#  include "hiac/render/cell_rays-inl.hpp"
+#  include "hiac/render/cell_segments.hpp"
+#  include "hiac/render/chebyshev_quotient-inl.hpp"
+#  include "hiac/render/frame.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace hiac::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// One or two fields on a part of segments, less their bases, as Chebyshev series.
+template <class V>
+struct FieldSeries {
+  std::size_t degree;
+  V coefficients[2][kMostChebyshevDegree + 1];
+  V negligible[2];  // of each field's
+
+  // The degree without what of a field is negligible in all lanes.
+  template <class D>
+  HWY_INLINE std::size_t counted_degree(D d, std::size_t f) const {
+    std::size_t counted = degree;
+    V dropped = hn::Zero(d);
+    while (counted > 0) {
+      dropped = hn::Add(dropped, hn::Abs(coefficients[f][counted]));
+      if (!hn::AllTrue(d, hn::Le(dropped, negligible[f]))) break;
+      --counted;
+    }
+    return counted;
+  }
+};
+
+// Finds the fields along segments, one vector of segments after another.
+//
+// `Sink` takes the series of a vector's segments, front to back, part by part:
+//     void begin(std::size_t first, const CellSegments&)
+//     std::size_t add(double begin, double end, const FieldSeries<V>&, M& active)
+// The parts are of [0, 1]; add() takes lanes that it cannot do off `active`, and returns the degree
+// that counted.
+template <class Sink>
+class SegmentFields {
+ public:
+  using D = hn::CappedTag<double, 8>;
+  using V = hn::Vec<D>;
+  using M = hn::Mask<D>;
+
+  SegmentFields(const Frame& frame, const CellPolynomials& cell, Sink& sink)
+      : frame_(frame), cell_(cell), sink_(sink) {
+    efforts_.fill(kFirstDegree);
+    for (std::size_t a = 0; a < 3; ++a)
+      starts_.front.c[a] = starts_.back.c[a] = hn::Set(D(), cell.middle[a]);
+  }
+
+  // Those from `first` on. Returns the lanes that are done.
+  HWY_INLINE M expand(std::size_t first, const CellSegments& s) {
+    const D d;
+    const auto at = [&](const std::vector<double>& of) { return hn::LoadU(d, of.data() + first); };
+    V origin[3], direction[3];
+    set_rays(d, first, s, origin, direction);
+    CellRays<D> rays(d, cell_, origin, direction, at(s.front), at(s.back), starts_);
+    if (s.known) rays.start_at({{at(s.known_u), at(s.known_v), at(s.known_w)}});
+    rays_ = &rays;
+    active_ = hn::Gt(at(s.length), hn::Zero(d));
+    const M wanted = active_;
+    set_negligible(rays);
+    sink_.begin(first, s);
+    if (!cell_.affine)
+      interpolate(0, 1, 0);
+    else if (cell_.along_lines.pole_order > 0)
+      expand_quotient(0, 1, 0);
+    else
+      add_polynomial(cell_.along_lines.degree);
+    return hn::And(wanted, active_);
+  }
+
+ private:
+  static constexpr int kMostHalvings = 8;
+  static constexpr std::size_t kLeastDegree = 4, kFirstDegree = 8;
+  static constexpr double kLeastShare = 0.2, kOptimism = 1.002;
+
+  // Relative to the cell's origin.
+  HWY_INLINE void set_rays(D d, std::size_t first, const CellSegments& s, V (&origin)[3],
+                           V (&direction)[3]) const {
+    const Projector::Axes axes = frame_.projector.axes();
+    const V scale = hn::Set(d, 1 / frame_.projector.pixels_per_unit());
+    const V x = hn::LoadU(d, s.x.data() + first), y = hn::LoadU(d, s.y.data() + first);
+    const V right = hn::Mul(hn::Sub(x, hn::Set(d, axes.center_x)), scale);
+    const V up = hn::Mul(hn::Sub(hn::Set(d, axes.center_y), y), scale);
+    for (std::size_t a = 0; a < 3; ++a) {
+      const V aside =
+          hn::MulAdd(right, hn::Set(d, axes.right[a]), hn::Mul(up, hn::Set(d, axes.up[a])));
+      const V forward = hn::Set(d, axes.forward[a]), from = hn::Set(d, -cell_.origin[a]);
+      const bool perspective = frame_.projector.perspective();
+      origin[a] = perspective ? from : hn::Add(from, aside);
+      direction[a] = perspective ? hn::Add(forward, aside) : forward;
+    }
+  }
+
+  // What of the fields' polynomials is, and so how exact coordinates in the cell have to be: of the
+  // reference cell they change a field by a few times its spread.
+  HWY_INLINE void set_negligible(CellRays<D>& rays) {
+    const D d;
+    V accuracy = hn::Set(d, 1.0);
+    for (std::size_t f = 0; f < cell_.field_count; ++f) {
+      const CellPolynomials::Field& field = cell_.fields[f];
+      series_.negligible[f] = hn::Max(rays.rounding(field), hn::Set(d, field.allowed));
+      const double spread = 0x1p4 * (field.most - field.least);
+      if (spread > 0)
+        accuracy = hn::Min(accuracy, hn::Div(series_.negligible[f], hn::Set(d, spread)));
+    }
+    rays.set_accuracy(accuracy);
+  }
+
+  // Values of field f at the points that are sampled.
+  HWY_INLINE void field_values(std::size_t f, std::size_t degree) {
+    rays_->values(cell_.fields[f], degree, values_);
+    for (std::size_t j = 0; j <= degree; ++j) values_[j] = hn::IfThenElseZero(active_, values_[j]);
+  }
+
+  // Chebyshev coefficients of field f from these.
+  HWY_NOINLINE void transform(std::size_t f, std::size_t degree) {
+    const D d;
+    const ChebyshevPoints& points = chebyshev_points(degree);
+    V(&value)[kMostChebyshevDegree + 1] = values_;
+    // cosines are even and odd in turn
+    const std::size_t half = degree / 2;
+    for (std::size_t j = 0; j < degree - half; ++j) {
+      const V front = value[j], back = value[degree - j];
+      value[j] = hn::Add(front, back);
+      value[degree - j] = hn::Sub(front, back);
+    }
+    for (std::size_t k = 0; k <= degree; ++k) {
+      V sum = hn::Mul(hn::Set(d, points.transform(k, half)),
+                      degree % 2 == 0 ? value[half] : hn::Zero(d));
+      if (k % 2 == 0)
+        for (std::size_t j = 0; j < degree - half; ++j)
+          sum = hn::MulAdd(hn::Set(d, points.transform(k, j)), value[j], sum);
+      else
+        for (std::size_t j = 0; j < degree - half; ++j)
+          sum = hn::MulAdd(hn::Set(d, points.transform(k, j)), value[degree - j], sum);
+      series_.coefficients[f][k] = sum;
+    }
+  }
+
+  std::size_t add(double begin, double end, std::size_t degree) {
+    series_.degree = degree;
+    return sink_.add(begin, end, series_, active_);
+  }
+
+  // Fields that are polynomials.
+  HWY_INLINE void add_polynomial(std::size_t degree) {
+    rays_->sample(degree, active_);
+    for (std::size_t f = 0; f < cell_.field_count; ++f) {
+      field_values(f, degree);
+      transform(f, degree);
+    }
+    add(0, 1, degree);
+  }
+
+  // Fields that are polynomials over powers of the width to which the cell tapers, on a part of the
+  // segments: from the polynomials' values at a few points, as long a Chebyshev series as there is,
+  // or on two parts.
+  HWY_NOINLINE void expand_quotient(double begin, double end, int splits) {
+    const D d;
+    rays_->open(begin, end, active_);
+    const V h = rays_->taper();
+    const double steepest = steepest_of(h);
+    if (splits == kMostHalvings || std::abs(steepest) <= resolvable_) {
+      const M resolved = expand_at(h);
+      if (splits == kMostHalvings) active_ = resolved;
+      if (hn::AllFalse(d, active_)) return;
+      if (hn::AllTrue(d, hn::Or(hn::Not(active_), resolved))) {
+        // neighbours may do better
+        resolvable_ *= kOptimism;
+        add(begin, end, kMostChebyshevDegree);
+        return;
+      }
+      resolvable_ = std::abs(steepest) / kOptimism;
+    }
+    // either part tapers in the same proportion, but that the tip of a cell cannot
+    const double front = std::sqrt(1 - steepest), back = std::sqrt(1 + steepest);
+    const double share = std::clamp(front / (front + back), kLeastShare, 1 - kLeastShare);
+    const double between = begin + (end - begin) * share;
+    expand_quotient(begin, between, splits + 1);
+    expand_quotient(between, end, splits + 1);
+  }
+
+  // Chebyshev coefficients of these fields. Returns where they are exact enough.
+  HWY_INLINE M expand_at(V h) {
+    const D d;
+    const auto [degree, pole_order] = cell_.along_lines;
+    rays_->sample(degree, active_);
+    const ChebyshevPoints& points = chebyshev_points(degree);
+    M resolved = active_;
+    for (std::size_t f = 0; f < cell_.field_count; ++f) {
+      field_values(f, degree);
+      for (std::size_t j = 0; j <= degree; ++j) {
+        const V width = hn::MulAdd(h, hn::Set(d, 2 * points.place(j) - 1), hn::Set(d, 1.0));
+        for (std::size_t k = 0; k < pole_order; ++k) values_[j] = hn::Mul(values_[j], width);
+      }
+      transform(f, degree);
+      divide_by_width(d, h, pole_order, degree, series_.coefficients[f]);
+      resolved =
+          hn::And(resolved, hn::Le(last_two(f, kMostChebyshevDegree), series_.negligible[f]));
+    }
+    return resolved;
+  }
+
+  // That of the active lanes that is farthest from zero.
+  HWY_INLINE double steepest_of(V h) const {
+    const D d;
+    const V counts = hn::IfThenElseZero(active_, h);
+    const double least = hn::GetLane(hn::MinOfLanes(d, counts));
+    const double most = hn::GetLane(hn::MaxOfLanes(d, counts));
+    return most > -least ? most : least;
+  }
+
+  // Fields that are not polynomials, on a part of the segments: of the degree that was enough for
+  // such a part the last time, or of higher ones, or on halves.
+  HWY_NOINLINE void interpolate(double begin, double end, int halvings) {
+    const D d;
+    std::size_t& effort = efforts_[static_cast<std::size_t>(halvings)];
+    std::size_t degree = effort;
+    M resolved = active_;
+    const bool halve = !rays_->open(begin, end, active_) && halvings < kMostHalvings;
+    // points of 8 are points of 16 as well
+    for (; !halve; degree = std::min(degree + 8, kMostChebyshevDegree)) {
+      rays_->sample(degree, active_);
+      resolved = active_;
+      M hopeless = hn::Lt(hn::Set(d, 1.0), hn::Zero(d));
+      for (std::size_t f = 0; f < cell_.field_count; ++f) {
+        field_values(f, degree);
+        transform(f, degree);
+        const V last = last_two(f, degree);
+        resolved = hn::And(resolved, hn::Le(last, series_.negligible[f]));
+        hopeless = hn::Or(hopeless, hn::Gt(at_most_degree(f, degree),
+                                           hn::Mul(hn::Set(d, 8.0), series_.negligible[f])));
+      }
+      if (hn::AllFalse(d, active_)) return;
+      if (hn::AllTrue(d, hn::Or(hn::Not(active_), resolved))) {
+        // the last two coefficients shall be negligible again, and a few more rays
+        const std::size_t enough = add(begin, end, degree) + 3;
+        effort = std::clamp((enough + 1) / 2 * 2, std::max(degree - 2, kLeastDegree),
+                            kMostChebyshevDegree);
+        return;
+      }
+      hopeless = hn::And(hopeless, hn::AndNot(resolved, active_));
+      effort = std::min(degree + 2, kMostChebyshevDegree);
+      if (degree == kMostChebyshevDegree) break;
+      if (halvings < kMostHalvings && !hn::AllFalse(d, hopeless)) break;
+    }
+    if (!halve) effort = kFirstDegree;
+    if (halvings == kMostHalvings) {
+      active_ = resolved;
+      if (!hn::AllFalse(d, active_)) add(begin, end, kMostChebyshevDegree);
+      return;
+    }
+    const double middle = 0.5 * (begin + end);
+    const RayStarts<V> whole = starts_;
+    const auto halves = rays_->halves();
+    starts_ = halves.front;
+    interpolate(begin, middle, halvings + 1);
+    starts_ = halves.back;
+    interpolate(middle, end, halvings + 1);
+    starts_ = whole;
+  }
+
+  HWY_INLINE V last_two(std::size_t f, std::size_t degree) const {
+    return hn::Add(hn::Abs(series_.coefficients[f][degree]),
+                   hn::Abs(series_.coefficients[f][degree - 1]));
+  }
+
+  // What the highest degree would leave, if coefficients fall off as they do from half of this one.
+  HWY_INLINE V at_most_degree(std::size_t f, std::size_t degree) const {
+    V last = last_two(f, degree);
+    if (degree > 8) return hn::Zero(D());
+    const V rate = hn::Div(last, last_two(f, degree / 2));
+    for (std::size_t at = degree; at + degree / 2 <= kMostChebyshevDegree; at += degree / 2)
+      last = hn::Mul(last, rate);
+    return last;
+  }
+
+  const Frame& frame_;
+  const CellPolynomials& cell_;
+  Sink& sink_;
+  // what degree was enough for the segments before, by the number of halvings
+  std::array<std::size_t, kMostHalvings + 1> efforts_;
+  // up to what taper of parts quotients seem to be resolved
+  double resolvable_ = 1;
+  // of the segments at hand
+  CellRays<D>* rays_ = nullptr;
+  RayStarts<V> starts_;  // of the segments before
+  V values_[kMostChebyshevDegree + 1];
+  FieldSeries<V> series_;
+  M active_;
+};
+
+}  // namespace hiac::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
