@@ -53,6 +53,15 @@ const InterpolationTables<Real>& tables() {
   return t;
 }
 
+/// As numbers, which all of these are.
+constexpr auto kBinomials = [] {
+  std::array<std::array<double, kMaxFieldDegree + 2>, kMaxFieldDegree + 2> table{};
+  for (std::size_t n = 0; n < table.size(); ++n)
+    for (std::size_t k = 0; k <= n; ++k)
+      table[n][k] = k == 0 || k == n ? 1 : table[n - 1][k - 1] + table[n - 1][k];
+  return table;
+}();
+
 /// One degree more for the same function.
 template <class Real>
 void elevate(BasicCoefficients<Real>& c, std::size_t degree) {
@@ -127,11 +136,15 @@ BasicBernstein<Real>::BasicBernstein(std::span<const Real> coefficients) {
 
 template <class Real>
 Real evaluate(const BasicBernstein<Real>& f, std::type_identity_t<Real> t) {
-  BasicCoefficients<Real> c = f.c;
+  const std::size_t n = f.degree;
+  if (n == 0) return f.c[0];
   const Real s = 1 - t;
-  for (std::size_t n = f.degree; n > 0; --n)
-    for (std::size_t i = 0; i < n; ++i) c[i] = s * c[i] + t * c[i + 1];
-  return c[0];
+  Real power = 1, sum = f.c[0] * s;
+  for (std::size_t i = 1; i < n; ++i) {
+    power *= t;
+    sum = (sum + power * (kBinomials[n][i] * f.c[i])) * s;
+  }
+  return sum + power * t * f.c[n];
 }
 
 template <class Real>

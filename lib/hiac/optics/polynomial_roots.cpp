@@ -32,7 +32,7 @@ Real largest_magnitude(const BasicBernstein<Real>& f) {
   return largest;
 }
 
-/// Error of evaluating f in [0, 1]: 2 n operations deep, each of relative error kUnit<Real>.
+/// Error of evaluating f in [0, 1] (bernstein.hpp): its terms add up to no more than the largest.
 template <class Real>
 Real evaluation_error(const BasicBernstein<Real>& f) {
   return 4 * static_cast<Real>(f.degree) * kUnit<Real> * largest_magnitude(f);

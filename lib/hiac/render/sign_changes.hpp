@@ -29,6 +29,9 @@ class SignChanges {
   /// scratch.
   void follow(const BasicBernstein<Real>& offset, Real begin, Real end, Real rounding,
               std::vector<BasicRootEnclosure<Real>>& roots) {
+    // far from the surface, as most rays are
+    const auto [least, most] = std::ranges::minmax(offset.coefficients());
+    if (least > rounding || most < -rounding) return certain(least < 0, begin, end);
     roots.clear();
     append_roots(offset, 0, roots);
     std::ranges::sort(roots, {}, &BasicRootEnclosure<Real>::low);
