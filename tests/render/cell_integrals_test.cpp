@@ -1,5 +1,6 @@
-// Segments integrated many at a time against the same integrated one at a time. Both together are
-// held against brute force by higher_orders_test.cpp.
+// Segments integrated many at a time against the same integrated one at a time (both together are
+// held against brute force by higher_orders_test.cpp), and the fields along them against shape
+// functions.
 
 #include "hiac/render/cell_integrals.hpp"
 
@@ -13,6 +14,7 @@
 
 #include "hiac/mesh/shape_functions.hpp"
 #include "hiac/optics/polynomial_piece.hpp"
+#include "hiac/render/cell_interpolants.hpp"
 #include "hiac/render/cell_scan.hpp"
 #include "hiac/render/chebyshev_points.hpp"
 #include "hiac/render/field_along_ray.hpp"
@@ -66,25 +68,81 @@ class Comparison {
   double difference(double allowed) {
     double largest = 0;
     for (CellId cell = 0; cell < mesh_.cell_count(); ++cell)
-      largest = std::max(largest, difference(cell, allowed));
+      largest = std::max(largest, difference(Crossed(*this, cell, allowed), allowed));
+    return largest;
+  }
+
+  // The largest difference of fields from what shape functions give, along segments on which they
+  // may be wrong by `allowed`.
+  double field_difference(double allowed) {
+    double largest = 0;
+    for (CellId cell = 0; cell < mesh_.cell_count(); ++cell) {
+      Crossed crossed(*this, cell, 100 * allowed);
+      SegmentPieces found;
+      interpolate_cell_segments(
+          frame_, CellPolynomials(crossed.kind, crossed.nodes, crossed.map, crossed.fields),
+          crossed.segments, found);
+      for (std::size_t k = 0; k < crossed.crossings.size(); ++k) {
+        ++segments;
+        const auto pieces = found.of(k);
+        if (pieces.empty()) ++undone;
+        for (const FieldAlongRay::Piece& piece : pieces)
+          largest = std::max(largest, field_difference(crossed, crossed.crossings[k], piece));
+      }
+    }
     return largest;
   }
 
  private:
-  double difference(CellId cell, double allowed) {
-    const OpticsTables& optics = frame_.optics;
-    const CellKind kind = mesh_.kinds[cell];
-    const auto nodes = relative_positions(mesh_, cell, projector_);
-    const CellMap map(kind, nodes, frame_.straightness);
-    std::vector<CellField> fields{cell_field(mesh_, cell, frame_.extinction)};
-    if (!optics.same_field) fields.push_back(cell_field(mesh_, cell, frame_.color));
-    for (CellField& field : fields) field.allowed = allowed / 100;
-    const FieldAlongRay along(kind, map, fields);
+  // A cell and the rays that cross it.
+  struct Crossed {
+    CellKind kind;
+    std::array<CellMap::Point, CellMap::kMostNodes> nodes;
+    CellMap map;
+    std::vector<CellField> fields;
     std::vector<CellCrossing> crossings;
-    scan_cell(frame_, cell, tile_, crossings);
-    CellSegments together;
-    together.start(crossings.size(), true);
-    for (const CellCrossing& c : crossings) add(c, kind, map, allowed, together);
+    CellSegments segments;
+
+    Crossed(const Comparison& of, CellId cell, double allowed)
+        : kind(of.mesh_.kinds[cell]),
+          nodes(relative_positions(of.mesh_, cell, of.projector_)),
+          map(kind, nodes, of.frame_.straightness),
+          fields{cell_field(of.mesh_, cell, of.frame_.extinction)} {
+      if (!of.frame_.optics.same_field)
+        fields.push_back(cell_field(of.mesh_, cell, of.frame_.color));
+      for (CellField& field : fields) field.allowed = allowed / 100;
+      scan_cell(of.frame_, cell, of.tile_, crossings);
+      segments.start(crossings.size(), true);
+      for (const CellCrossing& c : crossings) of.add(c, kind, map, allowed, segments);
+    }
+  };
+
+  [[nodiscard]] double field_difference(const Crossed& crossed, const CellCrossing& c,
+                                        const FieldAlongRay::Piece& piece) const {
+    const RayStretch stretch = stretch_of(c);
+    double largest = 0;
+    for (const double u : {0.0, 0.21, 0.5, 0.83, 1.0}) {
+      const double part = piece.begin + u * (piece.end - piece.begin);
+      const auto xi =
+          crossed.map.reference(stretch.at(stretch.front + part * (stretch.back - stretch.front)),
+                                stretch.guess(crossed.map));
+      std::array<double, kMaxNodesPerCell> shape;
+      shape_functions<double>(crossed.kind, xi, shape);
+      for (std::size_t f = 0; f < crossed.fields.size(); ++f) {
+        double value = 0;
+        for (std::size_t k = 0; k < node_count(crossed.kind); ++k)
+          value += shape[k] * crossed.fields[f].values[k];
+        largest = std::max(largest, std::abs(value - evaluate(piece.fields[f], u)));
+      }
+    }
+    return largest;
+  }
+
+  double difference(Crossed crossed, double allowed) {
+    const OpticsTables& optics = frame_.optics;
+    const auto& [kind, nodes, map, fields, crossings, unused] = crossed;
+    CellSegments& together = crossed.segments;
+    const FieldAlongRay along(kind, map, fields);
     const auto of = [](const CellField& field, const auto& table) {
       return std::array{classify_value(field.least, table).low,
                         classify_value(field.most, table).high};
@@ -173,6 +231,26 @@ TEST_P(CellIntegrals, AreThoseOfSingleSegments) {
         scene.volume.extinction->points = {{0, {1}}, {0.4, {2}}, {0.4, {9}}, {1, {40}}};
       Comparison comparison(mesh, scene);
       EXPECT_LE(comparison.difference(allowed), std::max(2 * allowed, 1e-12))
+          << map << " " << cells << ", allowed " << allowed;
+      segments += comparison.segments;
+      undone += comparison.undone;
+    }
+  }
+  EXPECT_LE(undone, segments / 50);
+}
+
+TEST_P(CellIntegrals, FieldsAreThoseOfShapeFunctions) {
+  unsigned trial = 0;
+  std::size_t segments = 0, undone = 0;
+  for (auto& [cells, map, mesh] : meshes_of(GetParam())) {
+    test::add_random_field(mesh, "f", FieldLocation::node, 19);
+    test::add_random_field(mesh, "g", FieldLocation::node, 20);
+    for (const double allowed : {1e-9, 0.0}) {
+      Scene scene =
+          cube_scene(++trial % 3 == 0 ? Projection::perspective : Projection::orthographic, 14, 12);
+      if (trial % 2 == 0) scene.volume.color->field = mesh.fields[1].name;
+      Comparison comparison(mesh, scene);
+      EXPECT_LE(comparison.field_difference(allowed), std::max(2 * allowed, 1e-12))
           << map << " " << cells << ", allowed " << allowed;
       segments += comparison.segments;
       undone += comparison.undone;
