@@ -9,7 +9,7 @@
 
 #include "hiac/optics/piece_rule.hpp"
 #include "hiac/optics/polynomial_piece.hpp"
-#include "hiac/optics/polynomial_roots.hpp"
+#include "hiac/render/cell_errors.hpp"
 #include "hiac/render/cell_integrals.hpp"
 #include "hiac/render/cell_scalars.hpp"
 #include "hiac/render/cell_scan.hpp"
@@ -17,7 +17,6 @@
 #include "hiac/render/cuts_along_ray.hpp"
 #include "hiac/render/error_bound.hpp"
 #include "hiac/render/field_along_ray.hpp"
-#include "hiac/render/gradient_bound.hpp"
 #include "hiac/render/ray_displacement.hpp"
 
 namespace hiac {
@@ -42,17 +41,16 @@ class GeneralCellRenderer {
         group_(group),
         counts_(counts),
         glow_(optics_.emission ? Glow::emission : Glow::chromaticity),
-        cuts_(frame) {
-    for (const int x : {tile.x0, tile.x1})
-      for (const int y : {tile.y0, tile.y1})
-        longest_unit_ = std::max(longest_unit_, frame.projector.ray_scale(x, y));
-  }
+        longest_unit_(longest_unit(frame.projector, tile)),
+        cuts_(frame),
+        errors_(frame, frame.depth * longest_unit_) {}
 
   void render(CellId cell) {
     load(cell);
     is_empty_ = is_empty_space(optics_, color_.intervals, extinction_.intervals);
-    if (frame_.with_error) displacement_ = ray_displacement(frame_, cell);
-    is_cut_ = cuts_.enter(cell, displacement_);
+    const RayDisplacement displacement =
+        frame_.with_error ? ray_displacement(frame_, cell) : RayDisplacement{};
+    is_cut_ = cuts_.enter(cell, displacement);
     if (is_empty_ && !is_cut_) return;
     kind_ = frame_.mesh.kinds[cell];
     curved_ = frame_.is_curved(cell);
@@ -65,7 +63,7 @@ class GeneralCellRenderer {
     const CellMap map(kind_, nodes_, frame_.straightness);
     const std::array<CellField, 2> fields{extinction_.nodes, color_.nodes};
     const FieldAlongRay field(kind_, map, std::span(fields).first(optics_.same_field ? 1 : 2));
-    if (frame_.with_error) set_errors();
+    if (frame_.with_error) errors_.enter(cell, nodes_, color_, extinction_, displacement);
     if (is_cut_ && !frame_.with_error)
       render_cut_together(map, field, std::span(fields).first(optics_.same_field ? 1 : 2),
                           together);
@@ -76,6 +74,13 @@ class GeneralCellRenderer {
   }
 
  private:
+  static double longest_unit(const Projector& projector, const TileRect& tile) {
+    double longest = 0;
+    for (const int x : {tile.x0, tile.x1})
+      for (const int y : {tile.y0, tile.y1}) longest = std::max(longest, projector.ray_scale(x, y));
+    return longest;
+  }
+
   void load(CellId cell) {
     extinction_ = cell_scalars(frame_.mesh, cell, frame_.extinction, optics_.extinction);
     color_ = optics_.same_field ? extinction_
@@ -440,24 +445,6 @@ class GeneralCellRenderer {
     weighted_depth_ += opacity * t;
   }
 
-  // What the fields are wrong by, rounding along the ray and what is allowed of their polynomials
-  // included.
-  void set_errors() {
-    const auto range = [](const CellScalars& s) { return ValueRange{s.nodes.least, s.nodes.most}; };
-    optics_here_ = cell_optics(optics_, range(color_), range(extinction_));
-    end_doubts_ = EndDoubts(kind_, nodes_);
-    const GradientBound gradient(kind_, nodes_, frame_.straightness);
-    const auto error = [&](const CellScalars& s) {
-      const double difference = s.nodes.most - s.nodes.least;
-      if (difference == 0) return 0.0;
-      const double allowed = std::isfinite(s.nodes.allowed) ? s.nodes.allowed : difference;
-      return field_error(range(s), gradient(s.nodes), displacement_, kAlongRayRounding) +
-             std::min(difference, 2 * allowed);
-    };
-    color_error_ = error(color_);
-    extinction_error_ = error(extinction_);
-  }
-
   // Completes details_ and tells the pixel, or the group.
   void describe(std::size_t at, const CellCrossing& crossing, const FieldAlongRay& field,
                 const RayStretch& stretch, double scale, const PlainRadiance& radiance) {
@@ -465,65 +452,14 @@ class GeneralCellRenderer {
     details_.transparency = radiance.transparency;
     details_.mean = weight_ > 0 ? weighted_depth_ / weight_ : 0.5 * (stretch.front + stretch.back);
     if (is_empty_ && !surfaces_.empty()) details_.first = surfaces_.front().t;
-    if (frame_.with_error) add_errors(crossing, field, stretch, scale);
+    if (frame_.with_error) {
+      std::optional<CellErrors::Cut> cut;
+      if (is_cut_) cut = {surfaces_, cuts_.doubtful()};
+      errors_.add(crossing, stretch, scale, field, cut, details_);
+    }
     if (group_ != nullptr) return group_->details.push_back(details_);
     details_.out_of_order = out_of_order(at, stretch.front, stretch.back);
     buffer_.describe(at, details_);
-  }
-
-  void add_errors(const CellCrossing& crossing, const FieldAlongRay& field,
-                  const RayStretch& stretch, double scale) {
-    const bool emission = optics_.emission;
-    const double length = (stretch.back - stretch.front) * scale;
-    FieldDoubt color{color_error_, 0}, extinction{extinction_error_, 0};
-    if (optics_here_.color_jump > 0 || optics_here_.tau_jump > 0) {
-      field.along(stretch, pieces_);
-      color = polynomial_doubt(optics_.color, optics_here_.color_rounding, color_, pieces_,
-                               optics_.same_field ? 0 : 1, color_error_, length, roots_);
-      extinction = polynomial_doubt(optics_.extinction, optics_here_.tau_rounding, extinction_,
-                                    pieces_, 0, extinction_error_, length, roots_);
-    }
-    ErrorBound sum = segment_bound(optics_here_, emission,
-                                   {.length = length,
-                                    .seen = length,
-                                    .color = color,
-                                    .extinction = extinction,
-                                    .opacity = 1 - details_.transparency,
-                                    .transparency = is_cut_ ? 1 : details_.transparency});
-    const double largest = frame_.isosurfaces.largest_light;
-    const ErrorBound whole = whole_bound(optics_here_, emission, largest, length);
-    if (is_cut_) {
-      for (const IsosurfaceCrossing& surface : surfaces_) {
-        const double moved = edge_bound(optics_here_, emission, surface.moved * scale);
-        sum.radiance += surface.shade_error.radiance + moved * (1 + largest);
-        sum.transparency += surface.shade_error.transparency;
-      }
-      if (cuts_.doubtful()) sum = whole;
-      sum.radiance += (sum.transparency + details_.transparency_error) * whole.radiance;
-    }
-    details_.radiance_error += sum.radiance;
-    details_.transparency_error = std::min(1.0, details_.transparency_error + sum.transparency);
-    EndDoubts::Doubts doubts = end_doubts_.at(stretch.origin, stretch.direction, displacement_);
-    if (curved_) {
-      // the planar ones of a cell with curved faces, each by itself
-      doubts.front = end_doubts_.through(crossing.front_face, stretch.direction, displacement_);
-      doubts.back = end_doubts_.through(crossing.back_face, stretch.direction, displacement_);
-    }
-    const double most = frame_.depth * longest_unit_;
-    const auto edge = [&](double planar, double curved_doubt, bool clipped) {
-      // where the view clips the cell is known
-      const double doubt = clipped                    ? displacement_.along
-                           : std::isnan(curved_doubt) ? planar
-                                                      : curved_doubt + displacement_.along;
-      return edge_bound(optics_here_, emission, std::min(doubt, most));
-    };
-    details_.front_edge = edge(doubts.front, crossing.front_doubt, stretch.front > crossing.front);
-    details_.back_edge = edge(doubts.back, crossing.back_doubt, stretch.back < crossing.back);
-    if (frame_.color_field().location == FieldLocation::node &&
-        frame_.extinction.location == FieldLocation::node)
-      return;
-    details_.radiance_error += details_.front_edge + details_.back_edge;
-    details_.transparency_error += details_.front_edge + details_.back_edge;
   }
 
   // A segment shorter than the tolerance may be rounding, and lie anywhere.
@@ -550,7 +486,7 @@ class GeneralCellRenderer {
   SegmentList* group_;
   TileCounts& counts_;
   Glow glow_;
-  double longest_unit_ = 0;  // world length per unit of the ray parameter, at most
+  double longest_unit_;  // world length per unit of the ray parameter, at most
   // of the cell at hand
   CellScalars extinction_{}, color_{};
   CutsAlongRay cuts_;
@@ -565,15 +501,11 @@ class GeneralCellRenderer {
   std::vector<IsosurfaceCrossing> all_surfaces_;  // of these
   bool curved_ = false;                           // the cell has curved faces
   std::vector<FieldAlongRay::Piece> pieces_;
-  std::vector<RootEnclosure> roots_;
   std::vector<IsosurfaceCrossing> surfaces_;
   CellKind kind_{};
   std::array<CellMap::Point, CellMap::kMostNodes> nodes_{};  // relative (projection.hpp)
   // where details are asked for
-  CellOptics optics_here_;
-  EndDoubts end_doubts_;
-  RayDisplacement displacement_;
-  double color_error_ = 0, extinction_error_ = 0;
+  CellErrors errors_;
   SegmentDetails details_;  // of the segment at hand
   ErrorBound quadrature_;   // of its part that was integrated last
   double weight_ = 0, weighted_depth_ = 0;
