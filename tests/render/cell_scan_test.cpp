@@ -222,8 +222,7 @@ std::size_t expect_same_crossings(const NamedMesh& m, const Scene& scene) {
   CrossingRuns runs;
   for (CellId cell = 0; cell < m.mesh.cell_count(); ++cell) {
     const CellSurface surface = cell_surface(m.mesh.kinds[cell], m.mesh.cell_nodes(cell));
-    if (!is_projectable(frame, surface) || frame.is_curved(cell))
-      continue;
+    if (!is_projectable(frame, surface) || frame.is_curved(cell)) continue;
     std::vector<CellCrossing> expected, others;
     scan_projected_cell(frame, surface, nullptr, tile, expected);
     runs.clear();

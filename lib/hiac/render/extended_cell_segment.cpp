@@ -105,9 +105,7 @@ ExtendedCellSegments::Met ExtendedCellSegments::meet(CellId cell, int x, int y) 
   crossings_.clear();
   scan_cell(frame_, cell, {x, y, x + 1, y + 1}, crossings_);
   if (crossings_.empty()) return Met::no;
-  return crossings_.size() > 1 || frame_.is_curved(cell)
-             ? Met::doubtful
-             : Met::once;
+  return crossings_.size() > 1 || frame_.is_curved(cell) ? Met::doubtful : Met::once;
 }
 
 // False where there is nothing of it in the cell.

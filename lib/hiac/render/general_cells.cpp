@@ -64,13 +64,13 @@ class GeneralCellRenderer {
     const std::array<CellField, 2> fields{extinction_.nodes, color_.nodes};
     const FieldAlongRay field(kind_, map, std::span(fields).first(optics_.same_field ? 1 : 2));
     if (frame_.with_error) errors_.enter(cell, nodes_, color_, extinction_, displacement);
-    if (is_cut_ && !frame_.with_error)
+    if (is_cut_)
       render_cut_together(map, field, std::span(fields).first(optics_.same_field ? 1 : 2),
                           together);
-    else if (together && !is_cut_)
+    else if (together)
       render_together(map, field, std::span(fields).first(optics_.same_field ? 1 : 2));
     else
-      for (const CellCrossing& crossing : crossings_) render(crossing, map, field, {});
+      for (const CellCrossing& crossing : crossings_) render(crossing, field, {});
   }
 
  private:
@@ -137,11 +137,11 @@ class GeneralCellRenderer {
     if (!one_by_one) counts_.violations += composite_segments(frame_, segments_, of_runs, buffer_);
     for (std::size_t k = 0; k < of_runs; ++k)
       if (one_by_one || segments_.done[k] == 0)
-        render_or_add(k, plain_crossing(k), map, field);
+        render_or_add(k, plain_crossing(k), field);
       else
         ++counts_.segments;
     for (std::size_t k = of_runs; k < segments_.count; ++k)
-      render_or_add(k, crossings_[kept_[k - of_runs]], map, field);
+      render_or_add(k, crossings_[kept_[k - of_runs]], field);
   }
 
   void integrate_together(const CellMap& map, std::span<const CellField> fields) {
@@ -156,6 +156,7 @@ class GeneralCellRenderer {
   struct CutSegment {
     std::size_t crossing;                   // of crossings_
     std::size_t first_surface, count;       // of all_surfaces_
+    bool doubtful;                          // CutsAlongRay::doubtful
     std::optional<std::size_t> first_part;  // of segments_, which has those that have depth
   };
 
@@ -178,7 +179,7 @@ class GeneralCellRenderer {
       integrate_together(map, fields);
     }
     for (const CutSegment& cut : cut_segments_)
-      render(crossings_[cut.crossing], map, field, {.cut = &cut});
+      render(crossings_[cut.crossing], field, {.cut = &cut});
   }
 
   // Those that cut the crossings, of which segments_ has some.
@@ -192,9 +193,32 @@ class GeneralCellRenderer {
       const RayStretch stretch = stretch_of(crossings_[i]);
       if (!is_seen(index_of(crossings_[i])) || stretch.front > stretch.back) continue;
       cuts_.find(map, crossings_[i], stretch, segment, surfaces_);
-      cut_segments_.push_back({i, all_surfaces_.size(), surfaces_.size(), {}});
+      bool doubtful = cuts_.doubtful();
+      if (segment && frame_.with_error) doubtful = !check_surfaces(map, crossings_[i], stretch);
+      cut_segments_.push_back({i, all_surfaces_.size(), surfaces_.size(), doubtful, {}});
       all_surfaces_.insert(all_surfaces_.end(), surfaces_.begin(), surfaces_.end());
     }
+  }
+
+  // Gives surfaces_, found of fields of which no bound is known, the bounds of what is found of
+  // this ray alone: how far they are apart counts besides. False where they may be others.
+  bool check_surfaces(const CellMap& map, const CellCrossing& crossing, const RayStretch& stretch) {
+    cuts_.find(map, crossing, stretch, {}, alone_);
+    if (cuts_.doubtful() || alone_.size() != surfaces_.size()) return false;
+    for (std::size_t i = 0; i < alone_.size(); ++i) {
+      const IsosurfaceCrossing& alone = alone_[i];
+      IsosurfaceCrossing& together = surfaces_[i];
+      if (alone.surface != together.surface) return false;
+      together.moved = alone.moved + std::abs(together.t - alone.t);
+      together.shade_error = alone.shade_error;
+      double apart = 0;
+      for (std::size_t c = 0; c < 3; ++c)
+        apart = std::max(apart, std::abs(together.shade.rgb[c] - alone.shade.rgb[c]));
+      together.shade_error.radiance += apart;
+      together.shade_error.transparency +=
+          std::abs(together.shade.transparency - alone.shade.transparency);
+    }
+    return true;
   }
 
   [[nodiscard]] std::span<const IsosurfaceCrossing> surfaces_of(const CutSegment& cut) const {
@@ -225,13 +249,12 @@ class GeneralCellRenderer {
   }
 
   // Segment k, whatever of it is done.
-  void render_or_add(std::size_t k, const CellCrossing& crossing, const CellMap& map,
-                     const FieldAlongRay& field) {
+  void render_or_add(std::size_t k, const CellCrossing& crossing, const FieldAlongRay& field) {
     const PlainRadiance radiance = integrated_together(k);
     if (segments_.done[k] != 0 && !frame_.with_details)
       add_seen(segments_.at[k], segments_.front[k], segments_.back[k], radiance);
     else
-      render(crossing, map, field, {.radiance = segments_.done[k] != 0 ? &radiance : nullptr});
+      render(crossing, field, {.radiance = segments_.done[k] != 0 ? &radiance : nullptr});
   }
 
   // Of a segment of runs_, whose faces nobody asks for: beyond the view where that clips it.
@@ -306,8 +329,7 @@ class GeneralCellRenderer {
     const CutSegment* cut = nullptr;
   };
 
-  void render(const CellCrossing& crossing, const CellMap& map, const FieldAlongRay& field,
-              const Together& together) {
+  void render(const CellCrossing& crossing, const FieldAlongRay& field, const Together& together) {
     const std::size_t at = index_of(crossing);
     if (!is_seen(at)) return;
     const RayStretch stretch = stretch_of(crossing);
@@ -322,31 +344,28 @@ class GeneralCellRenderer {
     if (together.cut != nullptr) {
       const auto surfaces = surfaces_of(*together.cut);
       surfaces_.assign(surfaces.begin(), surfaces.end());
-    } else if (is_cut_) {
-      cuts_.find(map, crossing, stretch, {}, surfaces_);
-    }
-    if (is_cut_) {
-      radiance =
-          between_surfaces(stretch, scale, field, visible,
-                           together.cut != nullptr ? together.cut->first_part : std::nullopt);
+      are_doubtful_ = together.cut->doubtful;
+      radiance = between_surfaces(stretch, scale, field, visible, together.cut->first_part);
     } else if (together.radiance == nullptr || frame_.with_error) {
       radiance = radiance_of(stretch, scale, field, visible);
       add_quadrature(1, radiance);
     }
-    if (together.radiance != nullptr) radiance = checked(*together.radiance, radiance);
+    if (together.radiance != nullptr) radiance = checked(1, *together.radiance, radiance);
     if (frame_.with_details) describe(at, crossing, field, stretch, scale, radiance);
     add_to_pixel(at, stretch.front, stretch.back, radiance);
   }
 
   // What was found together with other segments, of which no bound is known, with the bounds of
-  // what was found of this segment alone: how far they are apart counts besides.
-  [[nodiscard]] PlainRadiance checked(const PlainRadiance& together, const PlainRadiance& alone) {
+  // what was found of this segment alone: how far they are apart counts besides. Both are seen
+  // through `visible` of the segment.
+  [[nodiscard]] PlainRadiance checked(double visible, const PlainRadiance& together,
+                                      const PlainRadiance& alone) {
     if (!frame_.with_error) return together;
     double apart = 0;
     for (std::size_t c = 0; c < 3; ++c)
       apart = std::max(apart, std::abs(together.rgb[c] - alone.rgb[c]));
-    details_.radiance_error += apart;
-    details_.transparency_error += std::abs(together.transparency - alone.transparency);
+    details_.radiance_error += visible * apart;
+    details_.transparency_error += visible * std::abs(together.transparency - alone.transparency);
     return together;
   }
 
@@ -366,15 +385,14 @@ class GeneralCellRenderer {
     const auto volume = [&](double front, double back) {
       if (is_empty_) return;
       const double before = sum.transparency;
-      if (part && segments_.done[*part] != 0) {
-        sum.add_behind(integrated_together(*part));
-      } else {
-        const PlainRadiance r =
-            radiance_of({stretch.origin, stretch.direction, front, back, stretch.known}, scale,
-                        field, std::max(visible * sum.transparency, kLeastVisible));
+      const bool is_known = part && segments_.done[*part] != 0;
+      PlainRadiance r;
+      if (!is_known || frame_.with_error) {
+        r = radiance_of({stretch.origin, stretch.direction, front, back, stretch.known}, scale,
+                        field, std::max(visible * before, kLeastVisible));
         add_quadrature(before, r);
-        sum.add_behind(r);
       }
+      sum.add_behind(is_known ? checked(before, integrated_together(*part), r) : r);
       if (part) ++*part;
       add_depth(0.5 * (front + back), before - sum.transparency);
     };
@@ -454,7 +472,7 @@ class GeneralCellRenderer {
     if (is_empty_ && !surfaces_.empty()) details_.first = surfaces_.front().t;
     if (frame_.with_error) {
       std::optional<CellErrors::Cut> cut;
-      if (is_cut_) cut = {surfaces_, cuts_.doubtful()};
+      if (is_cut_) cut = {surfaces_, are_doubtful_};
       errors_.add(crossing, stretch, scale, field, cut, details_);
     }
     if (group_ != nullptr) return group_->details.push_back(details_);
@@ -501,7 +519,9 @@ class GeneralCellRenderer {
   std::vector<IsosurfaceCrossing> all_surfaces_;  // of these
   bool curved_ = false;                           // the cell has curved faces
   std::vector<FieldAlongRay::Piece> pieces_;
-  std::vector<IsosurfaceCrossing> surfaces_;
+  std::vector<IsosurfaceCrossing> surfaces_;  // of the segment at hand
+  bool are_doubtful_ = false;                 // CutsAlongRay::doubtful
+  std::vector<IsosurfaceCrossing> alone_;     // scratch
   CellKind kind_{};
   std::array<CellMap::Point, CellMap::kMostNodes> nodes_{};  // relative (projection.hpp)
   // where details are asked for

@@ -179,8 +179,7 @@ class SplatChoice {
     if (in_box < splat_below_) return false;
     const CellSurface surface = cell_surface(frame_.mesh.kinds[cell], frame_.mesh.cell_nodes(cell));
     std::optional<CurvedFaces> curved;
-    if (frame_.is_curved(cell))
-      curved.emplace(frame_, cell, surface);
+    if (frame_.is_curved(cell)) curved.emplace(frame_, cell, surface);
     std::int64_t covered = 0;
     for (int y = box.y0; y < box.y1 && covered < splat_below_; ++y) {
       crossings_.clear();
@@ -232,9 +231,8 @@ std::vector<std::uint8_t> splatted_cells(const Frame& frame, ImageSize size,
 
 Splat splat_of(const Frame& frame, CellId cell) {
   const Projector& projector = frame.projector;
-  const Gravity gravity = frame.is_curved(cell)
-                              ? gravity_of_curved(frame.mesh, cell)
-                              : gravity_of(frame.mesh, cell);
+  const Gravity gravity =
+      frame.is_curved(cell) ? gravity_of_curved(frame.mesh, cell) : gravity_of(frame.mesh, cell);
   ProjectedNode center;
   projector.project(gravity.center, center);
   const double t = projector.parameter(gravity.center);
