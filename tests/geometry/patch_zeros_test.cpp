@@ -157,7 +157,6 @@ TEST(PatchZeros, TheWindingNumberDecides) {
   }
 }
 
-// A ray along an edge meets all faces around it where the edge is nearest.
 // Rays that run along a face: the search ends, though every part along the curve holds zeros.
 TEST(PatchZeros, CurvesOfZerosAreNotFollowedToTheEnd) {
   for (const PatchShape& shape : kShapes) {
@@ -177,6 +176,33 @@ TEST(PatchZeros, CurvesOfZerosAreNotFollowedToTheEnd) {
   }
 }
 
+// A ray in a patch seen edge-on meets it where it comes in, not at the corner that is nearest to
+// it.
+TEST(PatchZeros, SeenEdgeOnThePatchIsMetWhereTheRayComesIn) {
+  for (const PatchShape& shape : kShapes)
+    for (const double bend : {0.0, 1e-15, 1e-13}) {
+      std::mt19937 random(11);
+      std::uniform_real_distribution<double> number(-1, 1);
+      Map map{shape, {}, {}, {}};
+      const std::size_t n = shape.degree, side = n + 1;
+      for (std::size_t j = 0; j < side; ++j)
+        for (std::size_t i = 0; i < side; ++i) {
+          const auto u = static_cast<double>(i) / static_cast<double>(n),
+                     v = static_cast<double>(j) / static_cast<double>(n);
+          map.a[i + side * j] = u - v + 0.1;
+          map.b[i + side * j] = 2 * (u - v + 0.1) + bend * number(random);
+          map.depth[i + side * j] = 2 + u + 3 * v;
+        }
+      PatchZeroQuestion question = map.question(1, false);
+      question.rounding = 0x1p-36;
+      const PatchZeros found = patch_zeros(question);
+      ASSERT_EQ(found.size(), 1U);
+      EXPECT_EQ(found[0].u, 0) << int{shape.degree} << ' ' << bend;
+      EXPECT_NEAR(found[0].v, 0.1, 1e-12);
+    }
+}
+
+// A ray along an edge meets all faces around it where the edge is nearest.
 TEST(PatchZeros, OnAnEdgeTheLeastDeepCornerIsTaken) {
   for (const PatchShape& shape : kShapes) {
     std::mt19937 random(10);
