@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "formats/printable.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::exodus {
@@ -136,7 +137,7 @@ class Header {
     std::vector<Variable> variables;
     for (std::uint64_t left = list(kVariableTag); left > 0; --left) {
       Variable variable;
-      variable.name = name();
+      variable.name = printable(name());
       std::uint64_t values = 1;
       const std::uint64_t rank = count();
       for (std::uint64_t d = 0; d < rank; ++d) {

@@ -112,7 +112,13 @@ class NeuReader {
     return true;
   }
 
+  /// Both are told in one section, whose length the head has.
+  void expect_none(const std::vector<std::int64_t>& numbers, const char* what) const {
+    if (!numbers.empty()) cursor_.fail(fmt::format("a second section of {}", what));
+  }
+
   void read_nodes() {
+    expect_none(mesh_.node_numbers, "nodes");
     for (std::size_t i = 0; i < nodes_; ++i) {
       mesh_.node_numbers.push_back(cursor_.integer("a node number"));
       for (int c = 0; c < 3; ++c)
@@ -123,6 +129,7 @@ class NeuReader {
   }
 
   void read_cells() {
+    expect_none(mesh_.cell_numbers, "elements");
     for (std::size_t i = 0; i < cells_; ++i) {
       mesh_.cell_numbers.push_back(cursor_.integer("an element number"));
       cursor_.skip_space();

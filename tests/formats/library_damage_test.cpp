@@ -2,7 +2,11 @@
 // libraries make of them.
 #include <random>
 
+#include "hiac/base/error.hpp"
 #include "tests/formats/files.hpp"
+#ifdef HIAC_WITH_NETCDF
+#  include "formats/exodus/classic_layout.hpp"
+#endif
 
 namespace hiac::formats {
 namespace {
@@ -57,6 +61,22 @@ TEST(LibraryDamage, ChangedBytesAreSurvived) {
     }
   }
 }
+
+#ifdef HIAC_WITH_NETCDF
+// A header whose one variable, of no dimensions, lies behind the file's end.
+TEST(LibraryDamage, NamesWithLineEndsAreShownInOneLine) {
+  using namespace std::string_literals;
+  const std::string header = "CDF\1"s + "\0\0\0\0"s + "\0\0\0\0\0\0\0\0"s + "\0\0\0\0\0\0\0\0"s +
+                             "\0\0\0\x0b\0\0\0\1"s + "\0\0\0\3a\nb\0"s + "\0\0\0\0"s +
+                             "\0\0\0\0\0\0\0\0"s + "\0\0\0\6\0\0\0\x08\0\0\x10\0"s;
+  try {
+    exodus::check_classic_layout(header, "x.e");
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("'a b'"));
+  }
+}
+#endif
 
 }  // namespace
 }  // namespace hiac::formats

@@ -323,5 +323,25 @@ TEST(XdmfHabits, EntitiesJoinedItemsAndWordsOfAnyCase) {
   EXPECT_THAT(refusal(folder.write("b.xmf", sum)), HasSubstr("is not computed (JOIN expected)"));
 }
 
+// The head counts the nodes and the elements of one section each.
+TEST(GambitHabits, SectionsToldAgainAreRefused) {
+  const ScratchFolder folder;
+  const std::string head =
+      "        CONTROL INFO 1.2.1\n** GAMBIT NEUTRAL FILE\none\nPROGRAM: Gambit VERSION: 1\n now\n"
+      " NUMNP NELEM NGRPS NBSETS NDFCD NDFVL\n 4 1 1 0 3 3\nENDOFSECTION\n";
+  const std::string nodes =
+      "   NODAL COORDINATES 1.2.1\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\nENDOFSECTION\n";
+  const std::string cells = "      ELEMENTS/CELLS 1.2.1\n1 6 4 1 2 3 4\nENDOFSECTION\n";
+  const std::string others = "      ELEMENTS/CELLS 1.2.1\n9 6 4 1 2 3 4\nENDOFSECTION\n";
+  const std::string group =
+      "       ELEMENT GROUP 1.2.1\nGROUP: 1 ELEMENTS: 1 MATERIAL: 2 NFLAGS: 1\nall\n0\n9\n"
+      "ENDOFSECTION\n";
+  EXPECT_EQ(read_any(folder.write("once.neu", head + nodes + cells)).mesh.cell_count(), 1U);
+  EXPECT_THAT(refusal(folder.write("cells.neu", head + nodes + cells + others + group)),
+              HasSubstr("a second section of elements"));
+  EXPECT_THAT(refusal(folder.write("nodes.neu", head + nodes + nodes + cells)),
+              HasSubstr("a second section of nodes"));
+}
+
 }  // namespace
 }  // namespace hiac::formats
