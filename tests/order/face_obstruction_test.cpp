@@ -102,7 +102,7 @@ Truth truth_of(const SeenFace& f, const SeenFace& g, const View& view) {
     least = std::min(least, beyond);
     most = std::max(most, beyond);
   }
-  truth.pierce = least < 0 && most > 0;
+  truth.pierce = least < -1e-12L && most > 1e-12L;
   truth.first_is_nearer = least + most > 0;
   return truth;
 }
@@ -120,7 +120,7 @@ Corners random_face(std::mt19937_64& random, std::size_t count) {
 
 void expect_truth(const View& view, std::uint64_t seed) {
   std::mt19937_64 random(seed);
-  int overlapping = 0, apart = 0;
+  int overlapping = 0, apart = 0, piercing = 0;
   for (int i = 0; i < 20000; ++i) {
     const std::size_t f_count = 3 + random() % 2, g_count = 3 + random() % 2;
     const Corners f_corners = random_face(random, f_count),
@@ -132,12 +132,14 @@ void expect_truth(const View& view, std::uint64_t seed) {
     ++(truth.overlap ? overlapping : apart);
     ASSERT_EQ(projections_overlap(f, g, view), truth.overlap) << "pair " << i;
     ASSERT_EQ(projections_overlap(g, f, view), truth.overlap) << "pair " << i;
-    if (!truth.overlap || truth.pierce) continue;
-    ASSERT_EQ(reached_first(f, g, view, 0), truth.first_is_nearer) << "pair " << i;
-    ASSERT_EQ(reached_first(g, f, view, 0), !truth.first_is_nearer) << "pair " << i;
+    if (!truth.overlap) continue;
+    piercing += truth.pierce ? 1 : 0;
+    ASSERT_EQ(reached_first(f, g, view, 0), truth.pierce || truth.first_is_nearer) << "pair " << i;
+    ASSERT_EQ(reached_first(g, f, view, 0), truth.pierce || !truth.first_is_nearer) << "pair " << i;
   }
   EXPECT_GT(overlapping, 1000);
   EXPECT_GT(apart, 1000);
+  EXPECT_GT(piercing, 300);
 }
 
 TEST(FaceObstruction, FromOutside) { expect_truth({true, {-2.5, -1.5, 1.25}, {}}, 1); }
@@ -162,6 +164,21 @@ TEST(FaceObstruction, FacesThatTouchAreMetInEitherOrder) {
   for (auto& corner : q) corner[2] -= 1e-6;
   EXPECT_FALSE(reached_first(f, seen(q, 4, view), view, 0));
   EXPECT_TRUE(reached_first(f, seen(q, 4, view), view, 2e-6));
+}
+
+// Two squares seen along z, g tilted: its left part is behind f and its right part in front; in the
+// middle they pierce each other, or a hair from an edge.
+TEST(FaceObstruction, FacesThatPierceByLessThanTheSlackAreInOneOrder) {
+  const View view{false, {}, {0, 0, 1}};
+  const Corners p{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}};
+  for (const double at : {0.5, 1e-6, 1 - 1e-6}) {
+    const Corners q{{{0, 0.25, at}, {1, 0.25, at - 1}, {1, 0.75, at - 1}, {0, 0.75, at}}};
+    const SeenFace f = seen(p, 4, view), g = seen(q, 4, view);
+    EXPECT_TRUE(reached_first(f, g, view, 0));
+    EXPECT_TRUE(reached_first(g, f, view, 0));
+    EXPECT_EQ(reached_first(f, g, view, 2e-6), at > 0.1);
+    EXPECT_EQ(reached_first(g, f, view, 2e-6), at < 0.9);
+  }
 }
 
 // Faces that share an edge or a corner on the screen, and nothing more, hide nothing of each other.

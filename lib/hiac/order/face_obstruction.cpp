@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "hiac/geometry/vector.hpp"
 #include "hiac/order/eye_side.hpp"
 
 namespace hiac {
@@ -91,58 +93,81 @@ Sides sides_of(const SeenFace& plane, const SeenFace& face) {
   return sides;
 }
 
-std::optional<bool> by_crossing_edges(const SeenFace& f, const SeenFace& g, const View& view) {
-  for (std::size_t k = 0; k < f.count; ++k)
-    for (std::size_t j = 0; j < g.count; ++j) {
-      const auto nearer =
-          nearer_edge(f.corner(k), f.corner(k + 1), g.corner(j), g.corner(j + 1), view);
-      if (nearer && *nearer != 0) return *nearer < 0;
-    }
-  return std::nullopt;
+Vector normal_of(const SeenFace& face) {
+  const Point3 a = face.corner(0);
+  return cross(minus(face.corner(1), a), minus(face.corner(2), a));
 }
 
-bool strictly_covers(const SeenFace& face, Point3 p, const View& view) {
-  for (std::size_t k = 0; k < face.count; ++k)
-    if (face.winding * side_of_edge(face.corner(k), face.corner(k + 1), p, view) <= 0) return false;
-  return true;
+// Of a point on the positive side of the plane positive.
+double height_over(const SeenFace& plane, Point3 p) {
+  const Vector n = normal_of(plane);
+  return dot(n, minus(p, plane.corner(0))) / length(n);
 }
 
-// Whether a corner of `face` that `cover` hides or is hidden by lies beyond the plane of `cover`.
-std::optional<bool> corner_beyond(const SeenFace& cover, const SeenFace& face, const View& view) {
-  for (std::size_t k = 0; k < face.count; ++k) {
-    if (!strictly_covers(cover, face.corner(k), view)) continue;
-    const int side = orientation(cover.corner(0), cover.corner(1), cover.corner(2), face.corner(k));
-    if (side != 0) return side != cover.winding;
-  }
-  return std::nullopt;
-}
-
-std::array<double, 3> normal_of(const SeenFace& face) {
-  const Point3 a = face.corner(0), b = face.corner(1), c = face.corner(2);
-  const std::array<double, 3> u{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-  const std::array<double, 3> v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+double distance_of_lines(Point3 a, Point3 b, Point3 c, Point3 d) {
+  const Vector n = cross(minus(b, a), minus(d, c));
+  return std::abs(dot(n, minus(c, a))) / length(n);
 }
 
 // Whether the eye sees both faces from the same side. Faces of one wall that rounding tilts, seen
 // nearly edge-on, are seen from either side: they lie close to one plane, but touch nowhere.
 bool face_alike(const SeenFace& f, const SeenFace& g) {
   const auto m = normal_of(f), n = normal_of(g);
-  return f.winding * g.winding * (m[0] * n[0] + m[1] * n[1] + m[2] * n[2]) > 0;
+  return f.winding * g.winding * dot(m, n) > 0;
 }
 
 // Distance of the corner of `face` that is farthest in front of the plane of `plane`.
 double depth_in_front(const SeenFace& plane, const SeenFace& face) {
-  const Point3 a = plane.corner(0);
-  const auto n = normal_of(plane);
-  const double length = std::hypot(n[0], n[1], n[2]);
   double most = 0;
+  for (std::size_t k = 0; k < face.count; ++k)
+    most = std::max(most, plane.winding * height_over(plane, face.corner(k)));
+  return most;
+}
+
+bool covers(const SeenFace& face, Point3 p, const View& view) {
+  for (std::size_t k = 0; k < face.count; ++k)
+    if (face.winding * side_of_edge(face.corner(k), face.corner(k + 1), p, view) < 0) return false;
+  return true;
+}
+
+// How far, at most, each of two faces lies before the other where both are seen: 0 where it
+// nowhere does, exactly; else rounded, world units.
+struct Ahead {
+  double first = 0, second = 0;
+
+  // At one place: -1 where the first face is nearer, +1 where the second is.
+  void include(int nearer, double distance) {
+    if (nearer == 0) return;
+    double& most = nearer < 0 ? first : second;
+    most = std::max({most, distance, std::numeric_limits<double>::min()});
+  }
+};
+
+// Corners of `face` that are seen where `cover` is; `nearer`: what is told of those on the eye's
+// side of its plane.
+void include_corners(const SeenFace& face, const SeenFace& cover, const View& view, int nearer,
+                     Ahead& ahead) {
   for (std::size_t k = 0; k < face.count; ++k) {
     const Point3 p = face.corner(k);
-    const double height = (n[0] * (p[0] - a[0]) + n[1] * (p[1] - a[1]) + n[2] * (p[2] - a[2]));
-    most = std::max(most, plane.winding * height / length);
+    const int side = orientation(cover.corner(0), cover.corner(1), cover.corner(2), p);
+    if (side != 0 && covers(cover, p, view))
+      ahead.include(side == cover.winding ? nearer : -nearer, std::abs(height_over(cover, p)));
   }
-  return most;
+}
+
+// What is seen of both faces is a polygon, and the first is nearer on one side of a line there: all
+// is told at the polygon's corners, where edges cross or which are those of the faces.
+Ahead ahead_of_one_another(const SeenFace& f, const SeenFace& g, const View& view) {
+  Ahead ahead;
+  for (std::size_t k = 0; k < f.count; ++k)
+    for (std::size_t j = 0; j < g.count; ++j) {
+      const Point3 a = f.corner(k), b = f.corner(k + 1), c = g.corner(j), d = g.corner(j + 1);
+      if (const auto nearer = nearer_edge(a, b, c, d, view))
+        ahead.include(*nearer, distance_of_lines(a, b, c, d));
+    }
+  include_corners(f, g, view, -1, ahead);
+  include_corners(g, f, view, +1, ahead);
+  return ahead;
 }
 
 }  // namespace
@@ -170,11 +195,10 @@ bool reached_first(const SeenFace& f, const SeenFace& g, const View& view, doubl
   if (!f_to_g.any_beyond) return true;  // all of f lies before the plane of g, or in it
   if (face_alike(f, g) && depth_in_front(f, g) <= slack) return true;
   if (!g_to_f.any_beyond || !f_to_g.any_nearer) return false;
-  // each plane cuts the other face: a ray that crosses both must be asked
-  if (const auto first = by_crossing_edges(f, g, view)) return *first;
-  if (const auto beyond = corner_beyond(f, g, view)) return *beyond;
-  if (const auto beyond = corner_beyond(g, f, view)) return !*beyond;
-  return true;
+  // each plane cuts the other face: rays that cross both must be asked
+  const Ahead ahead = ahead_of_one_another(f, g, view);
+  const bool pierce = std::min(ahead.first, ahead.second) > slack;
+  return pierce || ahead.first >= ahead.second;
 }
 
 }  // namespace hiac

@@ -29,9 +29,11 @@ std::optional<int> nearer_edge(Point3 a, Point3 b, Point3 c, Point3 d, const Vie
 /// a corner of each. The faces must not be seen edge-on.
 bool projections_overlap(const SeenFace& f, const SeenFace& g, const View& view);
 
-/// True when `f` is met no later than `g` by rays that cross both, given that there are such rays
-/// and that the faces do not pierce each other. `slack` is the distance, world units, that g may
-/// lie in front of f and still count as touching it, where the eye sees both from the same side.
+/// True when `f` is met before `g` by some ray that crosses both, or no later by all of them, given
+/// that there are such rays: of faces that pierce each other, whichever is asked about first.
+/// `slack` is the distance, world units, that g may lie in front of f and still count as touching
+/// it, where the eye sees both from the same side; of faces that pierce each other by no more only
+/// the one is first that is farther in front of the other where it is.
 bool reached_first(const SeenFace& f, const SeenFace& g, const View& view, double slack);
 
 }  // namespace hiac
