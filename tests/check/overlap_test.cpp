@@ -31,6 +31,14 @@ Pairs pairs_of(const OverlapReport& report, Defect defect) {
   return pairs;
 }
 
+Pairs for_an_order(const ZooMesh& mesh, double planarity = 0) {
+  Pairs pairs;
+  for (const auto& [a, b] :
+       overlapping_cells(order_basis(mesh, build_face_adjacency(mesh)), planarity))
+    pairs.emplace(a, b);
+  return pairs;
+}
+
 Pairs by_brute_force(const ZooMesh& mesh) {
   Pairs pairs;
   for (CellId a = 0; a < mesh.cell_count(); ++a)
@@ -81,6 +89,7 @@ TEST(Overlap, PairsAsInRationalNumbers) {
     Pairs expected;
     for (const auto& pair : by_brute_force(mesh)) expected.insert(pair);
     EXPECT_EQ(found, expected);
+    EXPECT_EQ(for_an_order(mesh), expected);
   }
 }
 
@@ -92,6 +101,8 @@ TEST(Overlap, ByOneUlp) {
     EXPECT_EQ(pairs_of(overlaps(deeper), Defect::overlap), (Pairs{{0, 1}}));
     EXPECT_EQ(pairs_of(overlaps(deeper, 1e-10), Defect::grazing_overlap), (Pairs{{0, 1}}));
     EXPECT_TRUE(pairs_of(overlaps(deeper, 1e-10), Defect::overlap).empty());
+    EXPECT_EQ(for_an_order(deeper), (Pairs{{0, 1}}));
+    EXPECT_TRUE(for_an_order(deeper, 1e-10).empty());
   }
 }
 

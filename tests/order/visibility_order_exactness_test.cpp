@@ -204,5 +204,41 @@ TEST(VisibilityOrderExactness, CollapsedEdges) {
   }
 }
 
+// Whatever overlaps is named to the order: then all that does not is in order, and cells are in one
+// group exactly when the relation, to which cells that overlap belong both ways, has a cycle.
+std::size_t expect_exact_where_cells_overlap(const ZooMesh& mesh, const View& view) {
+  const ExactRelation truth = exact_relation(mesh, view);
+  OrderBasis basis = order_basis(mesh, build_face_adjacency(mesh));
+  Arrows arrows = truth.arrows;
+  for (const auto& [a, b] : truth.overlapping) {
+    basis.overlaps.push_back({a, b});
+    arrows.emplace_back(a, b);
+    arrows.emplace_back(b, a);
+  }
+  std::ranges::sort(arrows);
+  EXPECT_TRUE(is_order_of(struck(arrows, truth.flat), mesh.cell_count() - truth.flat.size(),
+                          struck(exact_order(basis, view, 1e-10).order, truth.flat)));
+  return truth.overlapping.size();
+}
+
+// Bodies moved through one another, by a part of a cell or by whole ones; and one within a cell.
+TEST(VisibilityOrderExactness, BodiesThatOverlap) {
+  for (const CellShape shape : kShapes)
+    for (const Position& by : {Position{3, 1, 5}, {4, 4, 4}, {0, 0, 7}, {-1, 6.5, 2}, {2, 0, 0}}) {
+      SCOPED_TRACE(name_of(shape) + " moved by " + std::to_string(by[0]));
+      const ZooMesh body = blocks(2, [&](int, int, int) { return Block{shape}; });
+      const ZooMesh other = moved(body, [&](const Position& p) {
+        return Position{p[0] + by[0], p[1] + by[1], p[2] + by[2]};
+      });
+      const ZooMesh mesh = distorted(side_by_side(body, other), 1);
+      std::size_t overlapping = 0;
+      for (const auto& [name, view] : special_views(mesh, 2)) {
+        SCOPED_TRACE(name);
+        overlapping += expect_exact_where_cells_overlap(mesh, view);
+      }
+      EXPECT_GT(overlapping, 0U);
+    }
+}
+
 }  // namespace
 }  // namespace hiac::test

@@ -134,6 +134,29 @@ TEST_F(SortTool, ACycleIsAGroupOrARefusal) {
   EXPECT_FALSE(std::filesystem::exists(file("n.order")));
 }
 
+// A cube and a bar through it: what does not overlap is in order where what does is looked for.
+TEST_F(SortTool, CellsThatOverlapAreKeptTogetherWhereTheyAreLookedFor) {
+  const ZooMesh cube = structured(3, Cut::bricks);
+  const ZooMesh bar = moved(cube, [](const Position& p) {
+    return Position{p[0] + 0.1, 0.3 * p[1] + 0.2, 0.3 * p[2] + 0.3};
+  });
+  ZooMesh both = side_by_side(cube, bar);
+  add_node_field(both, "f", smooth_field);
+  write_zoo_file(file("both.zoo"), {both, {}});
+  EXPECT_EQ(run("$SORT both.zoo --view view.toml -o m.order --verify"), 1);
+  ASSERT_EQ(run("$SORT both.zoo --view view.toml -o m.order --verify --overlap --json facts.json"),
+            0)
+      << complaint();
+  EXPECT_GT(facts()["order"]["overlapping_pairs"], 20);
+  EXPECT_EQ(run("$SORT both.zoo --view view.toml --order m.order --verify --overlap"), 0)
+      << complaint();
+  const std::string draw = "$RENDER both.zoo --view view.toml -o ";
+  EXPECT_EQ(run(draw + "given.npy --order m.order"), 0) << complaint();
+  EXPECT_EQ(run(draw + "looked.npy --overlap"), 0) << complaint();
+  EXPECT_EQ(bytes_of(file("given.npy")), bytes_of(file("looked.npy")));
+  EXPECT_EQ(run(draw + "both.npy --order m.order --overlap"), 2);
+}
+
 TEST_F(SortTool, OptionsThatDoNotFitAreUsageErrors) {
   for (const char* options :
        {"--algorithm best -o o.order", "--tiles 3x3 -o o.order", "--balanced -o o.order",

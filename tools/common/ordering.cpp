@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/check/overlap.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
 
 namespace hiac::tools {
@@ -29,6 +30,11 @@ const OrderBasis& Orderer::basis() {
     return mesh_.adjacency ? *mesh_.adjacency : build_face_adjacency(mesh_);
   });
   basis_ = tool_.timed("basis", [&] { return order_basis(mesh_, std::move(adjacency)); });
+  if (overlap_planarity_) {
+    basis_->overlaps =
+        tool_.timed("overlap", [&] { return overlapping_cells(*basis_, *overlap_planarity_); });
+    tool_.note(fmt::format("{} pairs of cells overlap, or may", basis_->overlaps.size()));
+  }
   return *basis_;
 }
 
@@ -51,6 +57,7 @@ MeshOrder Orderer::exact(const Scene& scene) {
                      {"edge_on", s.edge_on},
                      {"arrows_both_ways", s.both_ways},
                      {"convex", s.convex},
+                     {"overlapping_pairs", common.overlaps.size()},
                      {"gap_pairs", s.gap_pairs},
                      {"gap_arrows", s.gap_arrows},
                      {"planarity", planarity},

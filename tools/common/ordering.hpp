@@ -31,6 +31,10 @@ class Orderer {
   /// Both have to outlive the orderer.
   Orderer(Tool& tool, const ZooMesh& mesh) : tool_(tool), mesh_(mesh) {}
 
+  /// Cells that overlap will be looked for, and each two of them put into one group (the option
+  /// --overlap). Before the first order.
+  void look_for_overlaps(double planarity) { overlap_planarity_ = planarity; }
+
   /// The exact visibility order for a scene's camera (a scene of one frame).
   MeshOrder exact(const Scene& scene);
 
@@ -41,9 +45,15 @@ class Orderer {
  private:
   Tool& tool_;
   const ZooMesh& mesh_;
+  std::optional<double> overlap_planarity_;
   std::optional<OrderBasis> basis_;
   std::string mesh_hash_;
 };
+
+/// What the option --overlap says of itself.
+inline constexpr const char* kOverlapHelp =
+    "Look for cells that overlap, as hiac-check --overlap does; cells that do not are in order "
+    "then";
 
 /// Orders that came in an order file, or behind a mesh.
 struct GivenOrders {

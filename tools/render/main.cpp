@@ -48,6 +48,7 @@ struct Options {
   PictureOptions picture;
   int depth = 0;
   bool no_background = false, linear = false, all_frames = false, skip_invalid = false;
+  bool overlap = false;
   std::optional<std::uint32_t> frame;
 };
 
@@ -118,10 +119,11 @@ Json note_work(Tool& tool, bool one_of_many, const RenderStatistics& s) {
     one_of_many ? tool.detail(splats) : tool.note(splats);
   }
   if (s.violations > 0)
-    tool.warn(
-        fmt::format("{} ray segments were met out of order: the picture is wrong there (cells "
-                    "overlap, or the order does not fit)",
-                    s.violations));
+    tool.warn(fmt::format(
+        "{} ray segments were met out of order: the picture is wrong there (cells "
+        "overlap, or the order does not fit; --overlap keeps those in order that do not "
+        "overlap)",
+        s.violations));
   return {{"segments", s.segments},
           {"covered_pixels", s.covered_pixels},
           {"splatted_cells", s.splatted_cells},
@@ -144,6 +146,14 @@ class Renderer {
         orderer_(tool, file.mesh),
         given_(given_orders(options, file)),
         channels_(parse_channels(options.channels)) {}
+
+  // Throws where the order is there already.
+  void look_for_overlaps(double planarity) {
+    if (given_)
+      throw UsageError("--overlap: " + given_->subject +
+                       " has an order that is there already (hiac-sort --overlap makes it anew)");
+    orderer_.look_for_overlaps(planarity);
+  }
 
   // Throws unless there is, or will be, an order for the scene.
   void require_order(const Scene& scene) {
@@ -327,8 +337,10 @@ void explain(Tool& tool, Options options) {
   const ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
   std::vector<CellId> skipped = check_mesh(tool, options, file.mesh, parsed.scene);
   note_model(tool, file.mesh, parsed.scene);
-  Renderer(tool, options, file, std::move(skipped), std::nullopt)
-      .explain(options.frame ? scene_of_frame(parsed.scene, *options.frame) : parsed.scene);
+  const std::optional<Image> nothing;
+  Renderer renderer(tool, options, file, std::move(skipped), nothing);
+  if (options.overlap) renderer.look_for_overlaps(parsed.scene.render.planarity);
+  renderer.explain(options.frame ? scene_of_frame(parsed.scene, *options.frame) : parsed.scene);
 }
 
 void render(Tool& tool, Options options) {
@@ -346,6 +358,7 @@ void render(Tool& tool, Options options) {
   note_model(tool, file.mesh, scene);
   if (!options.color_bar.empty()) write_color_bar(tool, options, file.mesh, scene.volume);
   Renderer renderer(tool, options, file, std::move(skipped), under);
+  if (options.overlap) renderer.look_for_overlaps(scene.render.planarity);
   if (scene.path) {
     render_frames(tool, options, scene, renderer);
     return;
@@ -376,9 +389,10 @@ int main(int argc, char** argv) {
   app.add_option("--view", options.view, "Image specification (TOML)")
       ->required()
       ->type_name("SPEC");
-  app.add_option("--order", options.order,
-                 "Order file of hiac-sort; without one the mesh is sorted first")
-      ->type_name("FILE");
+  auto* order = app.add_option("--order", options.order,
+                               "Order file of hiac-sort; without one the mesh is sorted first")
+                    ->type_name("FILE");
+  app.add_flag("--overlap", options.overlap, kOverlapHelp)->excludes(order);
   app.add_option("-o,--output", options.output, "Image: " + image_extensions())->type_name("IMAGE");
   app.add_option("--size", options.size, "Size in pixels instead of the specification's")
       ->type_name("WxH");

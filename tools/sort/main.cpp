@@ -39,7 +39,7 @@ struct Options {
   std::optional<std::uint32_t> frame;
   std::string algorithm;  // empty: the exact one
   std::string tiles;
-  bool balanced = false, statistics = false, verify = false;
+  bool balanced = false, statistics = false, verify = false, overlap = false;
 };
 
 // How to sort, as the options say.
@@ -84,6 +84,7 @@ class Sorting {
         mesh_(mesh),
         method_(method_of(options)),
         orderer_(tool, mesh) {
+    if (options.overlap) orderer_.look_for_overlaps(scene.render.planarity);
     if (scene.path) tool.frames().begin("frames", frames_.size());
   }
 
@@ -299,6 +300,7 @@ int main(int argc, char** argv) {
                fmt::format("Prove the order: up to {} cells every two of them by brute force, "
                            "beyond that every arrow of the relation; exit 1 where it is wrong",
                            kMostCellsForPairs));
+  app.add_flag("--overlap", options.overlap, kOverlapHelp)->excludes(algorithm);
   app.add_option("--order", options.given, "Verify the order in FILE; make and write none")
       ->type_name("FILE")
       ->excludes(output)

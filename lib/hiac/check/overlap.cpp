@@ -287,4 +287,18 @@ OverlapReport find_overlaps(const ZooMesh& mesh, const FaceAdjacency& adjacency,
   return report;
 }
 
+std::vector<std::array<CellId, 2>> overlapping_cells(const OrderBasis& basis, double planarity) {
+  // cells on one side of a face that they share are not settled
+  const bool folded = !basis.unsettled.empty();
+  const OverlapReport report = find_overlaps(
+      *basis.mesh, basis.adjacency, judge_cells(*basis.mesh, planarity), folded, planarity);
+  std::vector<std::array<CellId, 2>> pairs;
+  for (const Finding& finding : report.findings) {
+    if (finding.defect == Defect::grazing_overlap) continue;
+    for (const Offender& pair : finding.offenders)
+      pairs.push_back({static_cast<CellId>(pair.id), static_cast<CellId>(pair.other)});
+  }
+  return pairs;
+}
+
 }  // namespace hiac

@@ -7,6 +7,7 @@
 #include "hiac/check/cells.hpp"
 #include "hiac/check/defect.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
+#include "hiac/order/order_basis.hpp"
 
 namespace hiac {
 
@@ -70,5 +71,9 @@ struct OverlapReport {
 /// meet.
 OverlapReport find_overlaps(const ZooMesh& mesh, const FaceAdjacency& adjacency,
                             const CellShapes& shapes, bool folded, double planarity);
+
+/// The pairs of cells that find_overlaps names, but for those that only graze each other: for
+/// OrderBasis::overlaps. With them no two cells that do not overlap are in the wrong order.
+std::vector<std::array<CellId, 2>> overlapping_cells(const OrderBasis& basis, double planarity);
 
 }  // namespace hiac

@@ -228,6 +228,24 @@ class PairSearch {
   std::vector<GapFace> faces_;
 };
 
+// Returns the number of pairs of faces that were decided.
+std::uint64_t add_gap_arrows(const OrderBasis& basis, const View& view, double planarity,
+                             std::vector<GapArrow>& arrows) {
+  Question question{basis, view, planarity, {}};
+  question.bent.resize(basis.unmatched.size());
+  parallel_for(question.bent.size(), kFaceGrain, [&](IndexRange range) {
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      question.bent[i] = bent_face(*basis.mesh, basis.unmatched[i], view, planarity);
+  });
+  std::vector<Vector> points;
+  for (const BentFace& face : question.bent)
+    points.insert(points.end(), face.hull.begin(), face.hull.end());
+  std::uint64_t pairs = 0;
+  for (const Window& window : windows_of(*basis.mesh, points, view))
+    pairs += PairSearch(question, window).run(arrows);
+  return pairs;
+}
+
 }  // namespace
 
 GapRelation sorted_by_cell(std::size_t cells, std::span<const GapArrow> arrows) {
@@ -258,20 +276,13 @@ GapRelation sorted_by_cell(std::size_t cells, std::span<const GapArrow> arrows) 
 }
 
 GapRelation gap_relation(const OrderBasis& basis, const View& view, double planarity) {
-  if (basis.convex) return {};  // no ray leaves the mesh and enters it again
-  Question question{basis, view, planarity, {}};
-  question.bent.resize(basis.unmatched.size());
-  parallel_for(question.bent.size(), kFaceGrain, [&](IndexRange range) {
-    for (std::size_t i = range.begin; i < range.end; ++i)
-      question.bent[i] = bent_face(*basis.mesh, basis.unmatched[i], view, planarity);
-  });
-  std::vector<Vector> points;
-  for (const BentFace& face : question.bent)
-    points.insert(points.end(), face.hull.begin(), face.hull.end());
   std::vector<GapArrow> arrows;
-  std::uint64_t pairs = 0;
-  for (const Window& window : windows_of(*basis.mesh, points, view))
-    pairs += PairSearch(question, window).run(arrows);
+  for (const auto& [a, b] : basis.overlaps) {
+    arrows.push_back({a, b});
+    arrows.push_back({b, a});
+  }
+  // of a convex mesh no ray leaves it and enters it again
+  const std::uint64_t pairs = basis.convex ? 0 : add_gap_arrows(basis, view, planarity, arrows);
   GapRelation relation = sorted_by_cell(basis.mesh->cell_count(), arrows);
   relation.candidate_pairs = pairs;
   return relation;

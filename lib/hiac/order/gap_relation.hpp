@@ -9,7 +9,7 @@
 
 namespace hiac {
 
-/// An arrow of the behind-relation between cells that share no face.
+/// An arrow of the behind-relation that no shared face tells of.
 struct GapArrow {
   CellId front, behind;
 };
@@ -40,6 +40,8 @@ GapRelation sorted_by_cell(std::size_t cells, std::span<const GapArrow> arrows);
 /// is in front. A face that is not planar is asked as the hull that it lies in (bent_face.hpp), and
 /// an arrow put unless it is certain that none is needed. Faces that touch to within `planarity` of
 /// their size count as touching: a ray that leaves one there enters the other.
+///
+/// Besides, both ways, those between the cells of basis.overlaps.
 ///
 /// With those of shared_face_relation these arrows order all cells along every ray: consecutive
 /// cells on a ray either share a face or are joined by an arrow from here.

@@ -51,6 +51,9 @@ struct OrderBasis {
   std::vector<UnmatchedFace> unmatched;  ///< by cell, then face
   std::uint64_t shared_faces = 0;        ///< each counted once
   bool convex = false;                   ///< boundary_is_convex()
+  /// Pairs of cells that have inner points in common: rays meet either one first. order_basis does
+  /// not look for them (overlapping_cells in check/overlap.hpp does), as most meshes have none.
+  std::vector<std::array<CellId, 2>> overlaps = {};
 };
 
 /// Decides by exact determinants on which side of each of its faces a cell lies, and whether the
