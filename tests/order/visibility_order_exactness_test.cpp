@@ -240,5 +240,25 @@ TEST(VisibilityOrderExactness, BodiesThatOverlap) {
     }
 }
 
+// Nodes pushed until cells are turned inside out, and lie on one side of faces that they share.
+TEST(VisibilityOrderExactness, TangledMeshes) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    const double most = seed % 2 == 0 ? 0.125 : 0.25;
+    const ZooMesh mesh = moved(random_delaunay(5, seed), [&](const Position& p) {
+      Position place = p;
+      for (double& x : place) x += most * (static_cast<double>(random() % 1024) / 512 - 1);
+      return place;
+    });
+    std::size_t overlapping = 0;
+    for (const auto& [name, view] : special_views(mesh, seed)) {
+      SCOPED_TRACE(name);
+      overlapping += expect_exact_where_cells_overlap(mesh, view);
+    }
+    EXPECT_GT(overlapping, 0U);
+  }
+}
+
 }  // namespace
 }  // namespace hiac::test

@@ -17,6 +17,26 @@ namespace {
 
 constexpr std::size_t kGrain = 1 << 13;
 
+// `plane`: the face's corners; `side`: the cell's to them.
+UnmatchedFace unmatched_face(const ZooMesh& mesh, CellId cell, std::size_t f,
+                             const std::array<std::uint8_t, 4>& plane, int side) {
+  UnmatchedFace face{cell,
+                     static_cast<std::uint8_t>(f),
+                     {},
+                     topology_of(mesh.kinds[cell]).faces[f].corner_count,
+                     static_cast<std::int8_t>(side),
+                     0};
+  for (std::size_t k = 0; k < 4; ++k) face.nodes[k] = mesh.cell_nodes(cell)[plane[k]];
+  const auto at = [&](std::size_t k) { return mesh.position(face.nodes[k]); };
+  // an edge without length is none: it has no side on which other faces could be
+  if (std::ranges::equal(at(3), at(0)) || std::ranges::equal(at(3), at(2))) {
+    face.corner_count = 3;
+    face.nodes[3] = face.nodes[2];
+  }
+  if (face.corner_count == 4) face.deviation = quadrilateral_deviation(at(0), at(1), at(2), at(3));
+  return face;
+}
+
 // The sides of one cell to its shared faces, and its unmatched faces.
 CellSides sides_of(const ZooMesh& mesh, CellId cell, std::span<const CellId> neighbors,
                    std::vector<UnmatchedFace>& unmatched) {
@@ -38,22 +58,7 @@ CellSides sides_of(const ZooMesh& mesh, CellId cell, std::span<const CellId> nei
     const auto plane = corners_from(faces[f], start);
     const int side = tetrahedron || one_side != 0 ? one_side : side_of_cell(mesh, cell, plane);
     if (neighbors[f] == kNoCell) {
-      UnmatchedFace face{cell,
-                         static_cast<std::uint8_t>(f),
-                         {},
-                         faces[f].corner_count,
-                         static_cast<std::int8_t>(side),
-                         0};
-      for (std::size_t k = 0; k < 4; ++k) face.nodes[k] = nodes[plane[k]];
-      const auto at = [&](std::size_t k) { return mesh.position(face.nodes[k]); };
-      // an edge without length is none: it has no side on which other faces could be
-      if (std::ranges::equal(at(3), at(0)) || std::ranges::equal(at(3), at(2))) {
-        face.corner_count = 3;
-        face.nodes[3] = face.nodes[2];
-      }
-      if (face.corner_count == 4)
-        face.deviation = quadrilateral_deviation(at(0), at(1), at(2), at(3));
-      unmatched.push_back(face);
+      unmatched.push_back(unmatched_face(mesh, cell, f, plane, side));
       continue;
     }
     const auto bit = static_cast<std::uint8_t>(1U << f);
@@ -87,10 +92,8 @@ std::span<const CellId> neighbors_of(const OrderBasis& basis, CellId cell) {
   return basis.adjacency.neighbors.view().subspan(basis.faces.first(cell), basis.faces.count(cell));
 }
 
-// Whether nothing but the eye's place decides about a shared face: it is the only one that its two
-// cells share, and they lie on either side of it.
-bool settled(const OrderBasis& basis, CellId cell, std::size_t face) {
-  const CellId other = neighbors_of(basis, cell)[face];
+// How often two neighbours have one another; throws unless both say so.
+std::ptrdiff_t shared_faces(const OrderBasis& basis, CellId cell, CellId other) {
   const auto here = neighbors_of(basis, cell);
   const auto there = other < basis.mesh->cell_count() && other != cell ? neighbors_of(basis, other)
                                                                        : std::span<const CellId>();
@@ -101,10 +104,37 @@ bool settled(const OrderBasis& basis, CellId cell, std::size_t face) {
                      fmt::format("cells {} and {} are not neighbours of one another ({} common "
                                  "faces expected, {} found)",
                                  cell, other, shared, shared_back));
-  if (shared != 1) return false;
-  const auto back = static_cast<std::size_t>(std::ranges::find(there, cell) - there.begin());
-  const int winding = same_winding(plane_nodes(basis, cell, face), plane_nodes(basis, other, back));
-  return winding * basis.sides[cell].side(face) * basis.sides[other].side(back) < 0;
+  return shared;
+}
+
+// -1 when two cells lie on either side of a face that they share, +1 when on one; 0 when that
+// cannot be told.
+int sides_across(const OrderBasis& basis, CellId cell, std::size_t face) {
+  const CellId other = neighbors_of(basis, cell)[face];
+  const auto there = neighbors_of(basis, other);
+  for (std::size_t back = 0; back < there.size(); ++back) {
+    if (there[back] != cell) continue;
+    const int winding =
+        same_winding(plane_nodes(basis, cell, face), plane_nodes(basis, other, back));
+    if (winding != 0) return winding * basis.sides[cell].side(face) * basis.sides[other].side(back);
+  }
+  return 0;
+}
+
+// Faces with both of their cells on one side count as unmatched besides: rays enter both there, or
+// leave both. Returns whether there are any.
+bool add_folded_faces(OrderBasis& basis) {
+  const std::size_t before = basis.unmatched.size();
+  for (const auto& [cell, f] : basis.unsettled) {
+    if (sides_across(basis, cell, f) <= 0) continue;
+    const CellSides& sides = basis.sides[cell];
+    const auto plane = corners_from(topology_of(basis.mesh->kinds[cell]).faces[f], sides.start(f));
+    basis.unmatched.push_back(unmatched_face(*basis.mesh, cell, f, plane, sides.side(f)));
+  }
+  if (basis.unmatched.size() == before) return false;
+  std::ranges::sort(basis.unmatched, {},
+                    [](const UnmatchedFace& face) { return std::pair(face.cell, face.face); });
+  return true;
 }
 
 // Whether an unmatched face has nodes off its plane: convexity is asked of corners alone.
@@ -129,17 +159,22 @@ OrderBasis order_basis(const ZooMesh& mesh, FaceAdjacency adjacency) {
     const auto cell = static_cast<CellId>(i);
     basis.sides[i] = sides_of(mesh, cell, neighbors_of(basis, cell), unmatched);
   });
+  basis.shared_faces = (basis.adjacency.neighbors.size() - basis.unmatched.size()) / 2;
+  // nothing but the eye's place decides about a face that is the only one of two cells on either
+  // side of it
   basis.unsettled = collect<UnsettledFace>(cells, kGrain, [&](std::size_t i, auto& unsettled) {
     const auto cell = static_cast<CellId>(i);
     const auto neighbors = neighbors_of(basis, cell);
     for (std::size_t f = 0; f < neighbors.size(); ++f)
-      if (neighbors[f] != kNoCell && !settled(basis, cell, f))
+      if (neighbors[f] != kNoCell &&
+          (shared_faces(basis, cell, neighbors[f]) != 1 || sides_across(basis, cell, f) >= 0))
         unsettled.push_back({cell, static_cast<std::uint32_t>(f)});
   });
   for (const auto& [cell, face] : basis.unsettled)
     basis.sides[cell].unsettled |= static_cast<std::uint8_t>(1U << face);
-  basis.shared_faces = (basis.adjacency.neighbors.size() - basis.unmatched.size()) / 2;
-  basis.convex = !has_curved_boundary(basis) && boundary_is_convex(mesh, basis.adjacency);
+  const bool folded = add_folded_faces(basis);
+  basis.convex =
+      !folded && !has_curved_boundary(basis) && boundary_is_convex(mesh, basis.adjacency);
   return basis;
 }
 

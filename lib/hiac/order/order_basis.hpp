@@ -24,7 +24,8 @@ struct CellSides {
   [[nodiscard]] unsigned start(std::size_t face) const { return (plane_start >> (2 * face)) & 3U; }
 };
 
-/// A face without neighbour: its plane_corners() and how its cell lies to them.
+/// A face without neighbour, or folded: shared with a cell on the same side of it. Its
+/// plane_corners() and how its cell lies to them.
 struct UnmatchedFace {
   CellId cell;
   std::uint8_t face;            ///< of the cell
