@@ -5,6 +5,7 @@
 #include <string>
 
 #include "hiac/render/splatting.hpp"
+#include "hiac/render/tolerance_shares.hpp"
 
 namespace hiac {
 namespace {
@@ -12,11 +13,6 @@ namespace {
 // Segments may begin this much before the one in front of them ended, relative to the depth of the
 // mesh: faces computed by different routes differ by rounding.
 constexpr double kWitnessTolerance = 1e-9;
-
-// Of the tolerance, for what is not seen behind where rays are ended early. Like the other shares
-// (general_cells.cpp) it is so small that at the default tolerance of 1e-9 all of them together
-// leave a pixel's bound below 1e-10; a ray is followed through 3.5 more of optical depth.
-constexpr double kEndShare = 0x1p-5;
 
 double depth_of_mesh(const ZooMesh& mesh, const Projector& projector) {
   double least = std::numeric_limits<double>::infinity(), most = -least;

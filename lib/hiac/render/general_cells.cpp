@@ -18,14 +18,10 @@
 #include "hiac/render/error_bound.hpp"
 #include "hiac/render/field_along_ray.hpp"
 #include "hiac/render/ray_displacement.hpp"
+#include "hiac/render/tolerance_shares.hpp"
 
 namespace hiac {
 namespace {
-
-// Of the tolerance, for what becomes of fields that are not polynomials, and for integration: of
-// the bound that the channel "error" claims, the first counts four times at most, and both are a
-// small part of what the early end of rays has (frame.cpp).
-constexpr double kFieldShare = 0x1p-8, kIntegrationShare = 0x1p-7;
 
 // Behind an opaque surface nothing is seen; a tolerance divided by this is a number still.
 constexpr double kLeastVisible = 1e-100;
@@ -85,8 +81,9 @@ class GeneralCellRenderer {
     extinction_ = cell_scalars(frame_.mesh, cell, frame_.extinction, optics_.extinction);
     color_ = optics_.same_field ? extinction_
                                 : cell_scalars(frame_.mesh, cell, frame_.color, optics_.color);
-    set_allowed_errors(frame_, frame_.depth * longest_unit_, kFieldShare * frame_.tolerance, color_,
-                       extinction_);
+    shares_ = tolerance_shares(order_of(frame_.mesh.kinds[cell]));
+    set_allowed_errors(frame_, frame_.depth * longest_unit_, shares_.field * frame_.tolerance,
+                       color_, extinction_);
   }
 
   // Into runs_ what can be `by_runs`, the rest into crossings_.
@@ -120,7 +117,7 @@ class GeneralCellRenderer {
 
   // Of a segment, as a part of the tolerance in proportion to its length.
   [[nodiscard]] double allowed_error(double front, double back, double visible) const {
-    return kIntegrationShare * frame_.tolerance * ((back - front) / frame_.depth) / visible;
+    return shares_.integration * frame_.tolerance * ((back - front) / frame_.depth) / visible;
   }
 
   // Segments of the cell many at a time.
@@ -523,6 +520,7 @@ class GeneralCellRenderer {
   bool are_doubtful_ = false;                 // CutsAlongRay::doubtful
   std::vector<IsosurfaceCrossing> alone_;     // scratch
   CellKind kind_{};
+  ToleranceShares shares_{};
   std::array<CellMap::Point, CellMap::kMostNodes> nodes_{};  // relative (projection.hpp)
   // where details are asked for
   CellErrors errors_;

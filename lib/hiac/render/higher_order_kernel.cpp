@@ -14,13 +14,11 @@
 #include "hiac/render/higher_order_shading-inl.hpp"
 #include "hiac/render/scan_conversion-inl.hpp"
 #include "hiac/render/segment_sink-inl.hpp"
+#include "hiac/render/tolerance_shares.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-// Of the tolerance, as in all other cells (general_cells.cpp).
-inline constexpr double kQuadratureShare = 0x1p-7;
 
 // What rounding does to coefficients of fields of an order, of their size.
 inline constexpr double kCoefficientRounding[] = {0, 0, 0x1p-49, 0x1p-46};
@@ -58,6 +56,8 @@ struct HigherOrderField {
 template <bool kEmission, std::size_t kOrder>
 class HigherOrderRenderer {
  public:
+  static constexpr double kShare = tolerance_shares(static_cast<CellOrder>(kOrder)).integration;
+
   HigherOrderRenderer(const Frame& frame, const TileRect& tile, TileBuffer& buffer,
                       SegmentList* group, TileCounts& counts)
       : frame_(frame),
@@ -219,8 +219,7 @@ class HigherOrderRenderer {
     s.color = frame_.optics.same_field ? s.extinction : scalar_between(d, color_, in, out);
     s.length =
         hn::IfThenElseZero(active, hn::Mul(depth, hn::LoadU(d, buffer_.ray_scale.data() + at)));
-    const V allowed =
-        hn::Mul(hn::Set(d, kQuadratureShare * frame_.tolerance / frame_.depth), depth);
+    const V allowed = hn::Mul(hn::Set(d, kShare * frame_.tolerance / frame_.depth), depth);
     s.weight = hn::Div(group_ == nullptr ? behind : one, allowed);
     const Radiance<V> radiance = walk.run(d, s, active);
     sink_.add(d, {at, front, back, radiance, active, behind});
