@@ -8,7 +8,7 @@
 namespace hiac {
 
 /// Largest degree of a field along a ray that the optics take.
-inline constexpr std::size_t kMaxFieldDegree = 16;
+inline constexpr std::size_t kMaxFieldDegree = 20;
 
 /// Coefficients of a polynomial of degree `degree`, entries beyond it unused; there is room for the
 /// integral of a field. `Real`, here and below: double or long double, in which all is computed.

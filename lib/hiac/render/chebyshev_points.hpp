@@ -7,7 +7,7 @@
 namespace hiac {
 
 /// Largest number of intervals between Chebyshev points that fields are interpolated in.
-inline constexpr std::size_t kMostChebyshevDegree = 16;
+inline constexpr std::size_t kMostChebyshevDegree = 20;
 
 /// The Chebyshev points x_j = cos(pi j / n) and the transform from values there to coefficients.
 class ChebyshevPoints {

@@ -85,10 +85,12 @@ class InverseSeries {
   // Whether Chebyshev coefficients of kMostChebyshevDegree are too large, if those of powers fall
   // off from kProbe on as they did from half of it: T_n has z^n by 2^(n-1).
   static HWY_INLINE M exceeds(D d, V early, V both, V accuracy) {
-    static_assert(kMostChebyshevDegree == 2 * kProbe);
     const V rate = hn::Div(both, early);
-    const V left = hn::Mul(both, hn::Mul(rate, rate));
-    return hn::Gt(left, hn::Mul(hn::Set(d, 0x1p18), accuracy));
+    V left = both;
+    for (std::size_t k = kProbe; k < kMostChebyshevDegree; k += kProbe / 2)
+      left = hn::Mul(left, rate);
+    constexpr double kLeading = std::size_t{1} << (kMostChebyshevDegree - 1);
+    return hn::Gt(left, hn::Mul(hn::Set(d, 0x1p3 * kLeading), accuracy));
   }
 
   // Coefficients of z^0 and z^1, and the constants of those that follow.

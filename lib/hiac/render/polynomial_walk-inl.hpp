@@ -305,7 +305,7 @@ class PolynomialWalk {
 
   template <class F>
   static HWY_INLINE auto with_top(std::size_t top, F&& f) {
-    static_assert(kMostTop == 8);
+    static_assert(kMostTop == 10);
     switch (top) {
       case 0:
       case 1:
@@ -322,8 +322,12 @@ class PolynomialWalk {
         return f.template operator()<6>();
       case 7:
         return f.template operator()<7>();
-      default:
+      case 8:
         return f.template operator()<8>();
+      case 9:
+        return f.template operator()<9>();
+      default:
+        return f.template operator()<10>();
     }
   }
 
