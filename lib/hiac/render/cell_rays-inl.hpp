@@ -289,7 +289,10 @@ class CellRays {
 
   // In the reference cell quotients are in [0, 1].
   [[nodiscard]] HWY_INLINE V quotient(V a, V b) const {
-    const V q = hn::Div(a, hn::Max(b, hn::Set(d_, 1e-300)));
+    return near_cell(hn::Div(a, at_least_tiny(b)));
+  }
+  [[nodiscard]] HWY_INLINE V at_least_tiny(V b) const { return hn::Max(b, hn::Set(d_, 1e-300)); }
+  [[nodiscard]] HWY_INLINE V near_cell(V q) const {
     return hn::Min(hn::Max(q, hn::Set(d_, -kMargin)), hn::Set(d_, 1 + kMargin));
   }
 
@@ -303,8 +306,8 @@ class CellRays {
         return {{quotient(x, rest), quotient(rest, w), w}};
       }
       case CellShape::pyramid: {
-        const V w = hn::Sub(one, z);
-        return {{quotient(x, w), quotient(y, w), w}};
+        const V w = hn::Sub(one, z), inverse = hn::Div(one, at_least_tiny(w));
+        return {{near_cell(hn::Mul(x, inverse)), near_cell(hn::Mul(y, inverse)), w}};
       }
       case CellShape::prism: {
         const V v = hn::Sub(one, y);

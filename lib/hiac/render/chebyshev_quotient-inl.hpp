@@ -18,56 +18,110 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// From the coefficients of a polynomial of z in [-1, 1] to those, up to kMostChebyshevDegree, of it
-// over (1 + h z)^pole_order, -1 < h < 1, pole_order from 1 to 3.
+// The Chebyshev series of polynomials of degree n over (1 + h z)^p, -1 < h < 1, p from 1 to 3 and
+// less than n, from the polynomials of degree n that agree with them at the Chebyshev points.
 //
-// With z T_k = (T_(k-1) + T_(k+1)) / 2 the coefficients of p = (1 + h z) q are
-//     p_k = q_k + h/2 (q_(k-1) + q_(k+1)),  p_1 = q_1 + h/2 (2 q_0 + q_2),  p_0 = q_0 + h/2 q_1.
-// With s = sqrt(1 - h^2) and r = h / (1 + s) all pivots of the elimination from behind are
-// 1 - h r / 2 = h / (2 r):
-//     q_k = a_k - r q_(k-1) (q_1 = a_1 - 2 r q_0),  a_k = (2 r / h) p_k - r a_(k+1),
-// and q_0 = (p_0 - h/2 a_1) / s. |r| < 1: errors do not grow. Behind the degree n of the polynomial
-// every quotient is (-r)^m (C_0 + C_1 m + C_2 m^2) at n + m: with
-//     a_(n+m) = (2 r / h) sum over j of (-r)^j p_(n+m+j) = (-r)^m (C_0 + C_1 (m + g)) / s,
-// g = r^2 / (1 - r^2), where C_2 is still zero, the next one's numbers are
-//     q_n,  (C_0 + C_1 (g + 1/2)) / s,  C_1 / (2 s).
+// Behind the degree n - p of what is left by the division, the coefficients c_k of the quotient are
+// those of its poles alone: with r = h / (1 + sqrt(1 - h^2)),
+//     c_(n+m) = (-r)^m (C_0 + C_1 m + C_2 m^2),  m > -p, the last 3 - p of C_0, C_1, C_2 zero.
+// At the Chebyshev points T_(2ln-k) and T_(2ln+k) are T_k: the coefficients that are found there
+// count all of them together. With the sums of every 2n-th one
+//     D_m = c_(n+m) + c_(3n+m) + c_(5n+m) + ... = (-r)^m (a + b m + e m^2)
+// they are a_n = D_0 = a, a_k = c_k + D_(n-k) + D_(n+k), a_0 = c_0 + D_n and, where k > n - p,
+// D_(k-n) + D_(n-k), so that
+//     r a_(n-1) = (1 - r^2) b - (1 + r^2) (a + e),
+//     r^2 a_(n-2) = (1 + r^4) (a + 4 e) - 2 (1 - r^4) b
+// give b and e; and c_(n+m) = D_m - D_(m+2n).
 template <class D, class V = hn::Vec<D>>
-HWY_NOINLINE void divide_by_width(D d, V h, std::size_t pole_order, std::size_t n, V* c) {
-  const V one = hn::Set(d, 1.0), half = hn::Set(d, 0.5), half_h = hn::Mul(h, half);
-  const V s = hn::Sqrt(hn::Mul(hn::Sub(one, h), hn::Add(one, h)));
-  const V pivot = hn::Div(hn::Set(d, 2.0), hn::Add(one, s)), inverse = hn::Div(one, s);
-  const V r = hn::Mul(half_h, pivot), minus = hn::Neg(r), square = hn::Mul(r, r);
-  const V g = hn::Mul(square, hn::Mul(hn::MulAdd(half, s, half), inverse));
-  const auto divide = [&](V a_n) HWY_ATTR {
-    c[n] = a_n;
-    for (std::size_t k = n; k-- > 1;) c[k] = hn::MulAdd(minus, c[k + 1], hn::Mul(pivot, c[k]));
-    c[0] = hn::Mul(hn::NegMulAdd(half_h, c[1], c[0]), inverse);
-    c[1] = hn::MulAdd(hn::Add(minus, minus), c[0], c[1]);
-    for (std::size_t k = 2; k <= n; ++k) c[k] = hn::MulAdd(minus, c[k - 1], c[k]);
-  };
-  divide(hn::Mul(pivot, c[n]));
-  V first = hn::Zero(d), second = first;  // C_1, C_2
-  for (std::size_t order = 1; order < pole_order; ++order) {
-    const V of_first = hn::Mul(first, inverse),
-            a_n = hn::MulAdd(of_first, g, hn::Mul(c[n], inverse));
-    divide(a_n);
-    second = hn::Mul(half, of_first);
-    first = hn::Add(a_n, second);
+class ChebyshevQuotient {
+ public:
+  // Of the width 1 + h z.
+  HWY_INLINE ChebyshevQuotient(D d, V h) : d_(d) {
+    const V one = hn::Set(d, 1.0);
+    const V s = hn::Sqrt(hn::Mul(hn::Sub(one, h), hn::Add(one, h)));
+    r_ = hn::Div(h, hn::Add(one, s));
+    square_ = hn::Mul(r_, r_);
+    inverse_ = hn::Div(one, hn::Sub(one, square_));
   }
-  // two powers of -r at a time
-  V power = minus, next = square;
-  for (std::size_t k = n + 1; k <= kMostChebyshevDegree; ++k) {
-    V value = c[n];
-    if (pole_order > 1) {
-      const V m = hn::Set(d, static_cast<double>(k - n));
-      value = hn::MulAdd(m, hn::MulAdd(m, second, first), value);
+
+  // From c[k] = a_k, k up to n, to all the c_k that count: up to `end`, or more, where the last two
+  // are together below `negligible` in all lanes of `active`. Returns the degree; 0 where it would
+  // be more than kMostChebyshevDegree in lanes that come off `active`.
+  HWY_INLINE std::size_t expand(std::size_t p, std::size_t n, std::size_t end, V negligible,
+                                hn::Mask<D>& active, V* c) const {
+    if (p == 1) return expand_by<1>(n, end, negligible, active, c);
+    if (p == 2) return expand_by<2>(n, end, negligible, active, c);
+    return expand_by<3>(n, end, negligible, active, c);
+  }
+
+ private:
+  template <std::size_t p>
+  HWY_NOINLINE std::size_t expand_by(std::size_t n, std::size_t end, V negligible,
+                                     hn::Mask<D>& active, V* c) const {
+    const V a = c[n];
+    const auto [b, e] = slopes<p>(c + n);
+    V sum[kMostChebyshevDegree + 1];  // D_m
+    sum[0] = a;
+    V power = hn::Neg(r_), next = square_;
+    std::size_t m = 1;
+    for (;; m += 2) {
+      sum[m] = hn::Mul(power, at<p>(m, a, b, e));
+      sum[m + 1] = hn::Mul(next, at<p>(m + 1, a, b, e));
+      if (n + m + 1 >= end && m >= n) {
+        const V last = hn::Add(hn::Abs(sum[m]), hn::Abs(sum[m + 1]));
+        const auto ended = hn::Le(last, negligible);
+        if (hn::AllTrue(d_, hn::Or(hn::Not(active), ended))) break;
+        if (n + m + 3 > kMostChebyshevDegree) {
+          active = hn::And(active, ended);
+          return 0;
+        }
+      }
+      power = hn::Mul(power, square_);
+      next = hn::Mul(next, square_);
     }
-    c[k] = hn::Mul(power, value);
-    const V after = hn::Mul(power, square);
-    power = next;
-    next = after;
+    // what is behind the last one, not before D_n, is negligible
+    const std::size_t last = m + 1;
+    c[0] = hn::Sub(c[0], sum[n]);
+    for (std::size_t k = 1; k < n; ++k) c[k] = hn::Sub(c[k], sum[n - k]);
+    for (std::size_t k = n + 1; k <= last && k < 2 * n; ++k) c[k - n] = hn::Sub(c[k - n], sum[k]);
+    for (std::size_t k = 0; k <= last; ++k) c[n + k] = sum[k];
+    for (std::size_t k = 2 * n; k <= last; ++k) c[k - n] = hn::Sub(c[k - n], sum[k]);
+    return n + last;
   }
-}
+
+  struct Slopes {
+    V b, e;
+  };
+  // `a`: a_n, behind those before it.
+  template <std::size_t p>
+  [[nodiscard]] HWY_INLINE Slopes slopes(const V* a) const {
+    V b = hn::Zero(d_), e = b;
+    if constexpr (p > 1) {
+      const V one = hn::Set(d_, 1.0), wide = hn::Add(one, square_);
+      const V before = hn::Mul(r_, a[-1]);
+      if constexpr (p > 2) {
+        // 2 (1 - r^2)^2 e = r^2 a_(n-2) + 2 (1 + r^2) r a_(n-1) + (1 + 4 r^2 + r^4) a
+        const V inner = hn::MulAdd(square_, hn::Add(square_, hn::Set(d_, 4.0)), one);
+        const V twice = hn::MulAdd(square_, a[-2], hn::Mul(inner, a[0]));
+        e = hn::MulAdd(wide, before, hn::Mul(twice, hn::Set(d_, 0.5)));
+        e = hn::Mul(hn::Mul(e, inverse_), inverse_);
+      }
+      b = hn::Mul(hn::MulAdd(wide, hn::Add(a[0], e), before), inverse_);
+    }
+    return {b, e};
+  }
+
+  // a + b m + e m^2.
+  template <std::size_t p>
+  [[nodiscard]] HWY_INLINE V at(std::size_t m, V a, V b, V e) const {
+    const V place = hn::Set(d_, static_cast<double>(m));
+    if constexpr (p > 2) b = hn::MulAdd(place, e, b);
+    return p > 1 ? hn::MulAdd(place, b, a) : a;
+  }
+
+  D d_;
+  V r_, square_, inverse_;
+};
 
 }  // namespace hiac::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

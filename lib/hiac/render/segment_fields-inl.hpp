@@ -27,14 +27,14 @@ namespace hn = hwy::HWY_NAMESPACE;
 // One or two fields on a part of segments, less their bases, as Chebyshev series.
 template <class V>
 struct FieldSeries {
-  std::size_t degree;
+  std::size_t degree[2];
   V coefficients[2][kMostChebyshevDegree + 1];
   V negligible[2];  // of each field's
 
   // The degree without what of a field is negligible in all lanes.
   template <class D>
   HWY_INLINE std::size_t counted_degree(D d, std::size_t f) const {
-    std::size_t counted = degree;
+    std::size_t counted = degree[f];
     V dropped = hn::Zero(d);
     while (counted > 0) {
       dropped = hn::Add(dropped, hn::Abs(coefficients[f][counted]));
@@ -158,7 +158,7 @@ class SegmentFields {
   }
 
   std::size_t add(double begin, double end, std::size_t degree) {
-    series_.degree = degree;
+    series_.degree[0] = series_.degree[1] = degree;
     return sink_.add(begin, end, series_, active_);
   }
 
@@ -173,21 +173,21 @@ class SegmentFields {
   }
 
   // Fields that are polynomials over powers of the width to which the cell tapers, on a part of the
-  // segments: from the polynomials' values at a few points, as long a Chebyshev series as there is,
-  // or on two parts.
+  // segments: from their values at a few points, as long a Chebyshev series as there is, or on two
+  // parts.
   HWY_NOINLINE void expand_quotient(double begin, double end, int splits) {
-    const D d;
     rays_->open(begin, end, active_);
     const V h = rays_->taper();
     const double steepest = steepest_of(h);
     if (splits == kMostHalvings || std::abs(steepest) <= resolvable_) {
-      const M resolved = expand_at(h);
-      if (splits == kMostHalvings) active_ = resolved;
-      if (hn::AllFalse(d, active_)) return;
-      if (hn::AllTrue(d, hn::Or(hn::Not(active_), resolved))) {
+      M resolved = active_;
+      bool expanded = expand_at(h, resolved);
+      if (splits == kMostHalvings)
+        for (; !expanded; expanded = expand_at(h, resolved)) active_ = resolved;
+      if (expanded) {
         // neighbours may do better
         resolvable_ *= kOptimism;
-        add(begin, end, kMostChebyshevDegree);
+        sink_.add(begin, end, series_, active_);
         return;
       }
       resolvable_ = std::abs(steepest) / kOptimism;
@@ -200,25 +200,25 @@ class SegmentFields {
     expand_quotient(between, end, splits + 1);
   }
 
-  // Chebyshev coefficients of these fields. Returns where they are exact enough.
-  HWY_INLINE M expand_at(V h) {
+  // Chebyshev coefficients of these fields. False where they would be too many, in lanes that are
+  // not `resolved` then.
+  HWY_INLINE bool expand_at(V h, M& resolved) {
     const D d;
     const auto [degree, pole_order] = cell_.along_lines;
     rays_->sample(degree, active_);
-    const ChebyshevPoints& points = chebyshev_points(degree);
-    M resolved = active_;
+    const ChebyshevQuotient<D> quotient(d, h);
     for (std::size_t f = 0; f < cell_.field_count; ++f) {
       field_values(f, degree);
-      for (std::size_t j = 0; j <= degree; ++j) {
-        const V width = hn::MulAdd(h, hn::Set(d, 2 * points.place(j) - 1), hn::Set(d, 1.0));
-        for (std::size_t k = 0; k < pole_order; ++k) values_[j] = hn::Mul(values_[j], width);
-      }
       transform(f, degree);
-      divide_by_width(d, h, pole_order, degree, series_.coefficients[f]);
-      resolved =
-          hn::And(resolved, hn::Le(last_two(f, kMostChebyshevDegree), series_.negligible[f]));
+      std::size_t& effort = quotient_efforts_[f];
+      effort = quotient.expand(pole_order, degree, effort, series_.negligible[f], resolved,
+                               series_.coefficients[f]);
+      series_.degree[f] = effort;
+      if (effort == 0) return false;
+      // neighbours may need less
+      effort -= 2;
     }
-    return resolved;
+    return true;
   }
 
   // That of the active lanes that is farthest from zero.
@@ -302,6 +302,8 @@ class SegmentFields {
   std::array<std::size_t, kMostHalvings + 1> efforts_;
   // up to what taper of parts quotients seem to be resolved
   double resolvable_ = 1;
+  // what degree of either field was enough for them, less two that may have been too many
+  std::array<std::size_t, 2> quotient_efforts_{};
   // of the segments at hand
   CellRays<D>* rays_ = nullptr;
   RayStarts<V> starts_;  // of the segments before
