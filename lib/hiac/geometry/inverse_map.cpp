@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/shape_functions.hpp"
@@ -139,28 +140,62 @@ bool near_reference_cell(CellShape shape, const Point& xi) {
   return false;
 }
 
+// Where nodes that are no corners lie in cells with straight edges: a mean of some corners.
+struct StraightPlace {
+  struct Share {
+    std::size_t corner;
+    double weight;
+  };
+  std::vector<Share> shares;  // but for the first corner's
+};
+
+// Of a kind's nodes behind the corners.
+std::vector<StraightPlace> straight_places(CellKind kind) {
+  const CellKind linear = kind_of(shape_of(kind), CellOrder::linear);
+  const auto reference = reference_nodes(kind);
+  std::vector<StraightPlace> places;
+  for (std::size_t k = corner_count(kind); k < node_count(kind); ++k) {
+    std::array<double, kMaxNodesPerCell> shape;
+    shape_functions<double>(linear, reference[k], shape);
+    StraightPlace& place = places.emplace_back();
+    for (std::size_t c = 1; c < corner_count(kind); ++c)
+      if (shape[c] != 0) place.shares.push_back({c, shape[c]});
+  }
+  return places;
+}
+
+const std::vector<StraightPlace>& straight_places_of(CellKind kind) {
+  static const auto kPlaces = [] {
+    std::vector<std::vector<StraightPlace>> places;
+    for (std::size_t k = 0; k < kKindCount; ++k)
+      places.push_back(straight_places(static_cast<CellKind>(k)));
+    return places;
+  }();
+  return kPlaces[static_cast<std::size_t>(kind)];
+}
+
 }  // namespace
 
 double edge_deviation(CellKind kind, std::span<const Point> nodes) {
   if (order_of(kind) == CellOrder::linear) return 0;
-  const CellKind linear = kind_of(shape_of(kind), CellOrder::linear);
   const std::size_t corners = corner_count(kind);
-  const auto reference = reference_nodes(kind);
+  const std::vector<StraightPlace>& places = straight_places_of(kind);
   double size = 0, deviation = 0;
   for (std::size_t k = 1; k < corners; ++k) size = std::max(size, largest(nodes[k] - nodes[0]));
-  for (std::size_t k = corners; k < node_count(kind); ++k) {
-    std::array<double, kMaxNodesPerCell> shape;
-    shape_functions<double>(linear, reference[k], shape);
-    Point off = nodes[0] - nodes[k];
-    for (std::size_t c = 1; c < corners; ++c) off = off + shape[c] * (nodes[c] - nodes[0]);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    Point off = nodes[0] - nodes[corners + k];
+    for (const auto& [corner, weight] : places[k].shares)
+      off = off + weight * (nodes[corner] - nodes[0]);
     deviation = std::max(deviation, largest(off));
   }
   return deviation == 0 ? 0 : deviation / size;
 }
 
 CellMap::CellMap(CellKind kind, std::span<const Point> nodes, double straightness)
-    : kind_(edge_deviation(kind, nodes) <= straightness ? kind_of(shape_of(kind), CellOrder::linear)
-                                                        : kind),
+    : CellMap(kind, nodes, edge_deviation(kind, nodes), straightness) {}
+
+CellMap::CellMap(CellKind kind, std::span<const Point> nodes, double deviation, double straightness)
+    : kind_(deviation <= straightness ? kind_of(shape_of(kind), CellOrder::linear) : kind),
       count_(node_count(kind_)),
       origin_(nodes[0]) {
   const auto reference = reference_nodes(kind_);
@@ -187,7 +222,7 @@ CellMap::CellMap(CellKind kind, std::span<const Point> nodes, double straightnes
   if (!affine_) off_affine_ = 0;
   if (straight()) {
     set_terms();
-    straightened_ = 4 * edge_deviation(kind, nodes) * size_;
+    straightened_ = 4 * deviation * size_;
   }
   Point unused;
   if (!affine_) evaluate(middle_, unused, jacobian);

@@ -71,6 +71,9 @@ class CellMap {
     Point x, y, z;
   };
 
+  /// `deviation`: of the edges.
+  CellMap(CellKind kind, std::span<const Point> nodes, double deviation, double straightness);
+
   void set_terms();
   void evaluate(const Point& xi, Point& position, Jacobian& jacobian) const;
   void evaluate_curved(const Point& xi, Point& position, Jacobian& jacobian) const;
