@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -42,6 +43,63 @@ HWY_INLINE RowCrossing cross_row(const ProjectedNode& a, const ProjectedNode& b,
           first_center(x, tile.x0, tile.x1, on_crossing(slope))};
 }
 
+// The edges of a surface on the screen, and where the row at hand crosses them: cross_row for many
+// edges at a time.
+class EdgesOnScreen {
+ public:
+  HWY_INLINE EdgesOnScreen(const CellSurface& surface, const Nodes& nodes) : surface_(surface) {
+    for (std::size_t e = 0; e < surface.edge_count; ++e) {
+      const ProjectedNode &a = nodes[surface.edges[e][0]], &b = nodes[surface.edges[e][1]];
+      x_[e] = a.x;
+      y_[e] = a.y;
+      other_y_[e] = b.y;
+      height_[e] = b.y - a.y;
+      slope_[e] = (b.x - a.x) / height_[e];
+      on_it_[e] = 0.5 + on_crossing(slope_[e]);
+      depth_[e] = a.depth;
+      deeper_[e] = b.depth - a.depth;
+    }
+  }
+
+  // Returns those that the row crosses, a bit each; only these are in `at`.
+  HWY_INLINE std::uint32_t cross(double center, const TileRect& tile,
+                                 std::array<RowCrossing, CellSurface::kMostEdges>& at) const {
+    const hn::CappedTag<double, 8> d;
+    const auto row = hn::Set(d, center), left = hn::Set(d, tile.x0), right = hn::Set(d, tile.x1);
+    HWY_ALIGN double x[kPlaces], depth[kPlaces], column[kPlaces];
+    std::uint32_t crossed = 0;
+    for (std::size_t e = 0; e < surface_.edge_count; e += hn::Lanes(d)) {
+      const auto y = hn::Load(d, y_ + e), down = hn::Sub(row, y);
+      std::uint8_t bits[8];
+      hn::StoreMaskBits(d, hn::Xor(hn::Le(y, row), hn::Le(hn::Load(d, other_y_ + e), row)), bits);
+      crossed |= std::uint32_t{bits[0]} << e;
+      const auto here = hn::Add(hn::Load(d, x_ + e), hn::Mul(down, hn::Load(d, slope_ + e)));
+      const auto s = hn::Div(down, hn::Load(d, height_ + e));
+      hn::Store(here, d, x + e);
+      hn::Store(hn::Add(hn::Load(d, depth_ + e), hn::Mul(s, hn::Load(d, deeper_ + e))), d,
+                depth + e);
+      const auto first = hn::Sub(here, hn::Load(d, on_it_ + e));
+      hn::Store(hn::Ceil(hn::Min(hn::Max(first, left), right)), d, column + e);
+    }
+    crossed &= (std::uint32_t{1} << surface_.edge_count) - 1;
+    for (std::uint32_t rest = crossed; rest != 0; rest &= rest - 1) {
+      const auto e = static_cast<std::size_t>(std::countr_zero(rest));
+      at[e] = {x[e], depth[e], static_cast<int>(column[e])};
+    }
+    return crossed;
+  }
+
+ private:
+  static constexpr std::size_t kPlaces = (CellSurface::kMostEdges + 7) / 8 * 8;
+
+  const CellSurface& surface_;
+  // of an edge's first corner; `other_y_`: of its second one
+  HWY_ALIGN double x_[kPlaces]{}, y_[kPlaces]{}, depth_[kPlaces]{}, other_y_[kPlaces]{};
+  // from the one to the other
+  HWY_ALIGN double height_[kPlaces]{}, slope_[kPlaces]{}, deeper_[kPlaces]{};
+  HWY_ALIGN double on_it_[kPlaces]{};  // how far left of a pixel's right edge counts as on it
+};
+
 // Triangles off the screen are seen edge-on (kEdgeOnWidth) when they are narrower than this,
 // relative to their distance from the eye.
 constexpr double kEdgeOn = 64 * std::numeric_limits<double>::epsilon();
@@ -53,21 +111,21 @@ struct CrossedTriangle {
 
 // What one row crosses.
 struct RowSection {
-  std::array<bool, CellSurface::kMostEdges> crossed;
   std::array<CrossedTriangle, CellSurface::kMostTriangles> triangles;
   std::size_t triangle_count;
 
-  // `above`: corners on the row or above it. Triangles of curved faces are left out.
-  HWY_INLINE RowSection(const CellSurface& surface, const CurvedFaces* curved, const bool* above)
+  // `crossed`: edges that the row crosses, a bit each. Triangles of curved faces are left out.
+  HWY_INLINE RowSection(const CellSurface& surface, const CurvedFaces* curved,
+                        std::uint32_t crossed)
       : triangle_count(0) {
-    for (std::size_t e = 0; e < surface.edge_count; ++e)
-      crossed[e] = above[surface.edges[e][0]] != above[surface.edges[e][1]];
+    const auto is_crossed = [&](std::uint8_t e) { return (crossed >> e & 1U) != 0; };
     for (std::size_t k = 0; k < surface.triangle_count; ++k) {
       if (curved != nullptr && curved->holds(surface.triangles[k].face)) continue;
       // two edges of a triangle are crossed, or none
       const auto& [a, b, c] = surface.triangles[k].edges;
-      if (!crossed[a] && !crossed[b]) continue;
-      triangles[triangle_count++] = {k, crossed[a] ? a : b, crossed[a] && crossed[b] ? b : c};
+      if (!is_crossed(a) && !is_crossed(b)) continue;
+      triangles[triangle_count++] = {k, is_crossed(a) ? a : b,
+                                     is_crossed(a) && is_crossed(b) ? b : c};
     }
   }
 };
@@ -127,6 +185,7 @@ class ScreenScan {
         tile_(tile),
         runs_(runs),
         nodes_(projected_nodes(frame, surface)),
+        on_screen_(surface, nodes_),
         depth_(surface, nodes_) {}
 
   void scan(std::vector<CellCrossing>& crossings) {
@@ -147,22 +206,22 @@ class ScreenScan {
  private:
   void scan_row(int y, std::vector<CellCrossing>& crossings) {
     const double center = y + 0.5;
-    std::array<bool, CellSurface::kMostCorners> above;
-    for (std::size_t k = 0; k < surface_.corner_count; ++k) above[k] = is_above(nodes_[k], center);
-    const RowSection section(surface_, curved_, above.data());
     std::array<RowCrossing, CellSurface::kMostEdges> edges;
+    const std::uint32_t crossed = on_screen_.cross(center, tile_, edges);
+    const RowSection section(surface_, curved_, crossed);
     int first = tile_.x1, last = tile_.x0;
     if (curved_ != nullptr) {
+      std::array<bool, CellSurface::kMostCorners> above;
+      for (std::size_t k = 0; k < surface_.corner_count; ++k)
+        above[k] = is_above(nodes_[k], center);
       curved_->begin_row(center, tile_, above.data());
       first = curved_->columns()[0];
       last = curved_->columns()[1];
     }
-    for (std::size_t e = 0; e < surface_.edge_count; ++e) {
-      if (!section.crossed[e]) continue;
-      edges[e] =
-          cross_row(nodes_[surface_.edges[e][0]], nodes_[surface_.edges[e][1]], center, tile_);
-      first = std::min(first, edges[e].column);
-      last = std::max(last, edges[e].column);
+    for (std::uint32_t rest = crossed; rest != 0; rest &= rest - 1) {
+      const int column = edges[static_cast<std::size_t>(std::countr_zero(rest))].column;
+      first = std::min(first, column);
+      last = std::max(last, column);
     }
     if (first < last && runs_ != nullptr && add_run(section, edges, first, last, y)) return;
     if (curved_ == nullptr) return meet_row(section, edges, first, last, y, crossings);
@@ -216,30 +275,33 @@ class ScreenScan {
     }
     double* front = runs_->front.data() + runs_->count;
     double* back = runs_->back.data() + runs_->count;
-    const auto infinity = hn::Set(d, std::numeric_limits<double>::infinity());
-    for (std::size_t j = 0; j < pixels; j += hn::Lanes(d)) {
-      hn::StoreU(infinity, d, front + j);
-      hn::StoreU(hn::Neg(infinity), d, back + j);
-    }
+    struct Part {
+      SurfaceDepth::Row depth;
+      double from, to;  // columns
+    };
+    std::array<Part, CellSurface::kMostTriangles> parts;
+    std::size_t count = 0;
     for (std::size_t i = 0; i < section.triangle_count; ++i) {
       const auto& [k, e, f] = section.triangles[i];
       const auto [from, to] = std::minmax(edges[e].column, edges[f].column);
-      const auto offset = static_cast<std::size_t>(from - first);
-      depth_.along_row(k, edges[e], edges[f], from + 0.5, y + 0.5,
-                       static_cast<std::size_t>(to - from),
-                       [&](std::size_t j, auto depth, auto within) HWY_ATTR {
-                         double *near = front + offset + j, *far = back + offset + j;
-                         const auto here = hn::LoadU(d, near), there = hn::LoadU(d, far);
-                         hn::StoreU(hn::IfThenElse(within, hn::Min(here, depth), here), d, near);
-                         hn::StoreU(hn::IfThenElse(within, hn::Max(there, depth), there), d, far);
-                       });
+      if (from == to) continue;
+      parts[count++] = {depth_.row(k, edges[e], edges[f], y + 0.5), static_cast<double>(from),
+                        static_cast<double>(to)};
     }
-    if (perspective_) {
-      const auto minus_one = hn::Set(d, -1.0);
-      for (std::size_t j = 0; j < pixels; j += hn::Lanes(d)) {
-        hn::StoreU(hn::Div(minus_one, hn::LoadU(d, front + j)), d, front + j);
-        hn::StoreU(hn::Div(minus_one, hn::LoadU(d, back + j)), d, back + j);
+    const auto infinity = hn::Set(d, std::numeric_limits<double>::infinity());
+    const auto minus_one = hn::Set(d, -1.0), half = hn::Set(d, 0.5);
+    for (std::size_t j = 0; j < pixels; j += hn::Lanes(d)) {
+      const auto column = hn::Iota(d, first + static_cast<double>(j)), x = hn::Add(column, half);
+      auto near = infinity, far = hn::Neg(infinity);
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto within = hn::And(hn::Ge(column, hn::Set(d, parts[i].from)),
+                                    hn::Lt(column, hn::Set(d, parts[i].to)));
+        const auto depth = parts[i].depth.at(d, x);
+        near = hn::IfThenElse(within, hn::Min(near, depth), near);
+        far = hn::IfThenElse(within, hn::Max(far, depth), far);
       }
+      hn::StoreU(perspective_ ? hn::Div(minus_one, near) : near, d, front + j);
+      hn::StoreU(perspective_ ? hn::Div(minus_one, far) : far, d, back + j);
     }
     runs_->runs.push_back({first, y, runs_->count, pixels});
     runs_->count += pixels;
@@ -262,9 +324,10 @@ class ScreenScan {
       if (from == to) continue;
       const auto pixels = static_cast<std::size_t>(to - from);
       const hn::CappedTag<double, 8> d;
-      depth_.along_row(k, edges[e], edges[f], from + 0.5, y + 0.5, pixels,
-                       [&](std::size_t j, auto depth, auto)
-                           HWY_ATTR { hn::StoreU(depth, d, depths.data() + j); });
+      const SurfaceDepth::Row depth = depth_.row(k, edges[e], edges[f], y + 0.5);
+      for (std::size_t j = 0; j < pixels; j += hn::Lanes(d))
+        hn::StoreU(depth.at(d, hn::Iota(d, from + 0.5 + static_cast<double>(j))), d,
+                   depths.data() + j);
       const auto offset = static_cast<std::size_t>(from - first);
       if (perspective_)
         for (std::size_t j = 0; j < pixels; ++j) depths[j] = -1 / depths[j];
@@ -302,6 +365,7 @@ class ScreenScan {
   const TileRect& tile_;
   CrossingRuns* runs_;  // for rows that are one
   Nodes nodes_;
+  EdgesOnScreen on_screen_;
   SurfaceDepth depth_;
 };
 
@@ -369,11 +433,14 @@ class LineScan {
       height_[k] = straightened(up - slope * forward, std::abs(right) + std::abs(forward));
       above[k] = projectable_[k] ? is_above(nodes_[k], center) : height_[k] >= 0;
     }
-    const RowSection section(surface_, curved_, above.data());
-    if (!cut_edges(section, center) && curved_ == nullptr) return;
+    std::uint32_t crossed = 0;
+    for (std::size_t e = 0; e < surface_.edge_count; ++e)
+      if (above[surface_.edges[e][0]] != above[surface_.edges[e][1]]) crossed |= 1U << e;
+    const RowSection section(surface_, curved_, crossed);
+    if (!cut_edges(crossed, center) && curved_ == nullptr) return;
     if (curved_ != nullptr) curved_->begin_row(center, tile_, above.data());
     for (int x = tile_.x0; x < tile_.x1; ++x) {
-      set_sides(section, x);
+      set_sides(crossed, x);
       RayCrossings ray;
       for (std::size_t i = 0; i < section.triangle_count; ++i) {
         const CrossedTriangle& t = section.triangles[i];
@@ -399,10 +466,10 @@ class LineScan {
   };
 
   // False when all that the row crosses lies behind the eye.
-  bool cut_edges(const RowSection& section, double center) {
+  bool cut_edges(std::uint32_t crossed, double center) {
     bool in_front = false;
-    for (std::size_t e = 0; e < surface_.edge_count; ++e) {
-      if (!section.crossed[e]) continue;
+    for (std::uint32_t rest = crossed; rest != 0; rest &= rest - 1) {
+      const auto e = static_cast<std::size_t>(std::countr_zero(rest));
       const auto [a, b] = surface_.edges[e];
       const double difference = height_[a] - height_[b];
       // nodes told apart by their screen coordinates alone may have heights of one sign
@@ -417,11 +484,10 @@ class LineScan {
     return in_front;
   }
 
-  void set_sides(const RowSection& section, int x) {
+  void set_sides(std::uint32_t crossed, int x) {
     const double slope = frame_.projector.slopes(x + 0.5, 0)[0];
-    for (std::size_t e = 0; e < surface_.edge_count; ++e) {
-      if (!section.crossed[e]) continue;
-      CrossedEdge& edge = edges_[e];
+    for (std::uint32_t rest = crossed; rest != 0; rest &= rest - 1) {
+      CrossedEdge& edge = edges_[static_cast<std::size_t>(std::countr_zero(rest))];
       edge.offset = straightened(edge.right - slope * edge.forward,
                                  std::abs(edge.right) + std::abs(edge.forward));
       edge.left_of_pixel = edge.projectable ? x >= edge.on_screen.column : edge.offset <= 0;

@@ -71,26 +71,25 @@ class TriangleDepth {
     qs_ = swapped ? q1 : q2;
   }
 
-  // At a row of points, `x` and what follows it by steps of 1, in bounds: takes vectors of depths
-  // from point i on, of which those `within` count.
-  template <class Take>
-  HWY_INLINE void along_row(double x, double y, std::size_t count, double least, double most,
-                            const Take& take) const {
-    const hn::CappedTag<double, 8> d;
+  // What a row has in common.
+  struct Row {
+    double cy_dy, gy_dy;
+  };
+  [[nodiscard]] HWY_INLINE Row row(double y) const {
     const double dy = y - base_.y;
-    const auto cy_dy = hn::Set(d, cy_ * dy), gy_dy = hn::Set(d, gy_ * dy);
-    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-      const auto dx = hn::Sub(hn::Iota(d, x + static_cast<double>(i)), hn::Set(d, base_.x));
-      const auto s = hn::MulAdd(dx, hn::Set(d, cx_), cy_dy);
-      const auto m = hn::NegMulAdd(hn::Set(d, h_), s, hn::MulAdd(dx, hn::Set(d, gx_), gy_dy));
-      const auto depth =
-          hn::MulAdd(s, hn::Set(d, qs_), hn::MulAdd(m, hn::Set(d, qm_), hn::Set(d, base_.depth)));
-      take(i, hn::Min(hn::Max(depth, hn::Set(d, least)), hn::Set(d, most)),
-           hn::FirstN(d, count - i));
-    }
+    return {cy_ * dy, gy_ * dy};
+  }
+  // At points of it.
+  template <class D, class V = hn::Vec<D>>
+  HWY_INLINE V along(D d, const Row& row, V x) const {
+    const V dx = hn::Sub(x, hn::Set(d, base_.x));
+    const V s = hn::MulAdd(dx, hn::Set(d, cx_), hn::Set(d, row.cy_dy));
+    const V m =
+        hn::NegMulAdd(hn::Set(d, h_), s, hn::MulAdd(dx, hn::Set(d, gx_), hn::Set(d, row.gy_dy)));
+    return hn::MulAdd(s, hn::Set(d, qs_), hn::MulAdd(m, hn::Set(d, qm_), hn::Set(d, base_.depth)));
   }
 
-  // The same at one point, without bounds.
+  // At one point.
   [[nodiscard]] HWY_INLINE double at(double x, double y) const {
     const double dx = x - base_.x, dy = y - base_.y;
     const double s = mul_add(dx, cx_, cy_ * dy);
@@ -127,18 +126,22 @@ class SurfaceDepth {
     return std::min(std::max(on(triangle).at(x, y), least), most);
   }
 
-  // The same for `count` pixels, from x on (TriangleDepth::along_row).
-  template <class Take>
-  HWY_INLINE void along_row(std::size_t triangle, const RowCrossing& e, const RowCrossing& f,
-                            double x, double y, std::size_t count, const Take& take) {
-    const double least = std::min(e.depth, f.depth), most = std::max(e.depth, f.depth);
-    if (std::abs(e.x - f.x) < kEdgeOnWidth) {
-      const hn::CappedTag<double, 8> d;
-      for (std::size_t i = 0; i < count; i += hn::Lanes(d))
-        take(i, hn::Set(d, least), hn::FirstN(d, count - i));
-    } else {
-      on(triangle).along_row(x, y, count, least, most, take);
+  // The same for vectors of pixels of a row.
+  struct Row {
+    const TriangleDepth* triangle;  // none where it is seen edge-on
+    double least, most;
+    TriangleDepth::Row along;
+
+    template <class D, class V = hn::Vec<D>>
+    HWY_INLINE V at(D d, V x) const {
+      if (triangle == nullptr) return hn::Set(d, least);
+      return hn::Min(hn::Max(triangle->along(d, along, x), hn::Set(d, least)), hn::Set(d, most));
     }
+  };
+  HWY_INLINE Row row(std::size_t triangle, const RowCrossing& e, const RowCrossing& f, double y) {
+    const double least = std::min(e.depth, f.depth), most = std::max(e.depth, f.depth);
+    if (std::abs(e.x - f.x) < kEdgeOnWidth) return {nullptr, least, most, {}};
+    return {&on(triangle), least, most, on(triangle).row(y)};
   }
 
  private:
