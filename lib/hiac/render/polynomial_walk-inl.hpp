@@ -258,7 +258,7 @@ class PolynomialWalk {
     return c;
   }
 
-  // Sums over coefficients are compiled for every number of them: up to those of z^(2 top + 1), a
+  // Sums over coefficients are compiled for some numbers of them: up to those of z^(2 top + 1), a
   // factor's (below) up to those of z^(2 top + 1 - kFactorBelow).
   static constexpr std::size_t kMostTop = (kMaxFieldDegree + 1) / 2;
   static constexpr std::size_t kMostCoefficients = 2 * kMostTop + 2;
@@ -303,29 +303,24 @@ class PolynomialWalk {
     return depth;
   }
 
+  // The least of the numbers that sums are compiled for, for some degree.
+  static HWY_INLINE std::size_t top_for(std::size_t degree) {
+    return degree < 4 ? 1 : (degree / 2 + 1) / 2 * 2;
+  }
   template <class F>
   static HWY_INLINE auto with_top(std::size_t top, F&& f) {
     static_assert(kMostTop == 10);
     switch (top) {
-      case 0:
       case 1:
         return f.template operator()<1>();
       case 2:
         return f.template operator()<2>();
-      case 3:
-        return f.template operator()<3>();
       case 4:
         return f.template operator()<4>();
-      case 5:
-        return f.template operator()<5>();
       case 6:
         return f.template operator()<6>();
-      case 7:
-        return f.template operator()<7>();
       case 8:
         return f.template operator()<8>();
-      case 9:
-        return f.template operator()<9>();
       default:
         return f.template operator()<10>();
     }
@@ -358,8 +353,7 @@ class PolynomialWalk {
         factor[k - 1] = hn::Mul(hn::Set(d, kTwice[k]), field.c[k]);
       if (degree > 0) --degree;
     }
-    const std::size_t top =
-        std::max<std::size_t>(std::max(depth.degree, degree + kFactorBelow) / 2, 1);
+    const std::size_t top = top_for(std::max(depth.degree, degree + kFactorBelow));
     pad(hn::Zero(d), depth.alpha, depth.degree, top);
     pad(hn::Zero(d), factor, degree, top - kFactorBelow / 2);
     const V weight = hn::IfThenElseZero(active, hn::Div(sum.transparency, allowed));
