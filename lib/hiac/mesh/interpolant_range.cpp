@@ -46,8 +46,8 @@ struct KindTable {
   };
 
   std::size_t nodes = 0, count = 0;
-  std::vector<Share>
-      shares;  // but for zeros: of linear kinds, every coefficient is a corner's value
+  // But for zeros: of linear kinds, every coefficient is a corner's value.
+  std::vector<Share> shares;
   std::array<std::uint32_t, InterpolantCoefficients::kMost + 1> first{};  // of a coefficient's
   double largest_sum = 0;  // of a coefficient's weights, without signs
 

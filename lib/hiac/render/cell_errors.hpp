@@ -21,13 +21,8 @@ class CellErrors {
   /// `longest`: of segments, world units.
   CellErrors(const Frame& frame, double longest) : frame_(frame), longest_(longest) {}
 
-  /// One field in the cell, which must outlive what is asked, and what it may be wrong by.
-  struct Field {
-    const CellScalars* scalars = nullptr;
-    double error = 0;
-  };
-
-  /// Takes a cell of the frame's mesh. `nodes`: relative_positions.
+  /// Takes a cell of the frame's mesh. `nodes`: relative_positions; the fields must outlive what is
+  /// asked of it.
   void enter(CellId cell, std::span<const CellMap::Point> nodes, const CellScalars& color,
              const CellScalars& extinction, const RayDisplacement& displacement);
 
@@ -44,6 +39,12 @@ class CellErrors {
            const FieldAlongRay& field, const std::optional<Cut>& cut, SegmentDetails& details);
 
  private:
+  // One field in the cell, and what it may be wrong by.
+  struct Field {
+    const CellScalars* scalars = nullptr;
+    double error = 0;
+  };
+
   void add_doubts(const RayStretch& stretch, const FieldAlongRay& field, double length,
                   FieldDoubt& color, FieldDoubt& extinction);
   void add_edges(const CellCrossing& crossing, const RayStretch& stretch,

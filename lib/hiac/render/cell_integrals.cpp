@@ -57,9 +57,8 @@ class IntegratingSink {
     hn::StoreU(sum_.green, d, s.green.data() + first);
     hn::StoreU(sum_.blue, d, s.blue.data() + first);
     hn::StoreU(sum_.transparency, d, s.transparency.data() + first);
-    HWY_ALIGN double is_done[8];
-    hn::Store(hn::IfThenElseZero(done, hn::Set(d, 1.0)), d, is_done);
-    for (std::size_t k = 0; k < hn::Lanes(d); ++k) s.done[first + k] = is_done[k] != 0 ? 1 : 0;
+    const auto is_done = lanes_of(d, done);
+    for (std::size_t k = 0; k < hn::Lanes(d); ++k) s.done[first + k] = is_done[k] ? 1 : 0;
   }
 
  private:

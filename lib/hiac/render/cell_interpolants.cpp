@@ -37,7 +37,7 @@ class PieceSink {
       for (std::size_t k = 0; k <= degree[f]; ++k)
         hn::Store(series.coefficients[f][k], d, coefficients_[f][k].data());
     }
-    const auto is_active = lanes_of(active);
+    const auto is_active = lanes_of(d, active);
     for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
       if (!is_active[lane]) continue;
       FieldAlongRay::Piece& piece = of_lane_[lane].emplace_back();
@@ -51,7 +51,7 @@ class PieceSink {
 
   // Of `count` segments of the vector those that are done.
   void finish(M done, std::size_t count) {
-    const auto is_done = lanes_of(done);
+    const auto is_done = lanes_of(D(), done);
     for (std::size_t lane = 0; lane < count; ++lane) {
       if (is_done[lane])
         found_.pieces.insert(found_.pieces.end(), of_lane_[lane].begin(), of_lane_[lane].end());
@@ -61,15 +61,6 @@ class PieceSink {
 
  private:
   static constexpr std::size_t kMostLanes = 8;
-
-  static HWY_INLINE std::array<bool, kMostLanes> lanes_of(M mask) {
-    const D d;
-    HWY_ALIGN double ones[kMostLanes];
-    hn::Store(hn::IfThenElseZero(mask, hn::Set(d, 1.0)), d, ones);
-    std::array<bool, kMostLanes> lanes{};
-    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) lanes[lane] = ones[lane] != 0;
-    return lanes;
-  }
 
   // On [0, 1].
   [[nodiscard]] BernsteinPolynomial polynomial(std::size_t f, std::size_t degree,

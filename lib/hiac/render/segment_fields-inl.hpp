@@ -24,6 +24,17 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+// A mask's lanes, one by one.
+template <class D>
+HWY_INLINE std::array<bool, 8> lanes_of(D d, hn::Mask<D> mask) {
+  static_assert(hn::MaxLanes(D()) <= 8);
+  HWY_ALIGN double ones[8];
+  hn::Store(hn::IfThenElseZero(mask, hn::Set(d, 1.0)), d, ones);
+  std::array<bool, 8> lanes{};
+  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) lanes[lane] = ones[lane] != 0;
+  return lanes;
+}
+
 // One or two fields on a part of segments, less their bases, as Chebyshev series.
 template <class V>
 struct FieldSeries {
