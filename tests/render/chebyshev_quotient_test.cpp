@@ -76,7 +76,8 @@ Expanded expand(const Quotient& q, double negligible, std::size_t end) {
   V c[kMostChebyshevDegree + 1];
   for (std::size_t k = 0; k <= n; ++k) c[k] = Set(d, agreeing[k]);
   auto active = Eq(Zero(d), Zero(d));
-  const simd::ChebyshevQuotient<decltype(d)> quotient(d, Set(d, q.h));
+  const double r = q.h / (1 + std::sqrt((1 - q.h) * (1 + q.h)));
+  const simd::ChebyshevQuotient<decltype(d)> quotient(d, Set(d, r));
   Expanded expanded{};
   expanded.degree = quotient.expand(q.pole_order, n, end, Set(d, negligible), active, c);
   expanded.resolved = AllTrue(d, active);

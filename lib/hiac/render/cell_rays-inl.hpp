@@ -105,16 +105,15 @@ class CellRays {
   }
 
   // In affine cells, along the part, z from -1 to 1, the width to which the cell tapers is in
-  // proportion to 1 + h z. Returns h.
+  // proportion to 1 + h z. Returns r = h / (1 + sqrt(1 - h^2)), which with the widths a and b at
+  // both ends is (b - a) / (a + b + 2 sqrt(a b)).
   [[nodiscard]] HWY_INLINE V taper() const {
-    const auto width = [&](double part) HWY_ATTR {
-      const LanePoint<V> xi = on_line(part);
-      const V rest = hn::Sub(hn::Set(d_, 1.0), xi.c[2]);
-      return cell_.shape == CellShape::wedge ? hn::Add(rest, hn::Sub(hn::Set(d_, 1.0), xi.c[1]))
-                                             : rest;
-    };
+    const auto width = [&](double part)
+                           HWY_ATTR { return hn::Max(width_of(on_line(part)), hn::Zero(d_)); };
     const V front = width(0), back = width(1);
-    return hn::Div(hn::Sub(back, front), hn::Add(back, front));
+    const V between = hn::Sqrt(hn::Mul(front, back));
+    return hn::Div(hn::Sub(back, front),
+                   at_least_tiny(hn::Add(hn::Add(front, back), hn::Add(between, between))));
   }
 
   // From where the halves of the part are found.
@@ -294,6 +293,13 @@ class CellRays {
   [[nodiscard]] HWY_INLINE V at_least_tiny(V b) const { return hn::Max(b, hn::Set(d_, 1e-300)); }
   [[nodiscard]] HWY_INLINE V near_cell(V q) const {
     return hn::Min(hn::Max(q, hn::Set(d_, -kMargin)), hn::Set(d_, 1 + kMargin));
+  }
+
+  // What x is divided by in collapsed(), and y in pyramids, in cells that taper to an edge or a
+  // tip.
+  [[nodiscard]] HWY_INLINE V width_of(const LanePoint<V>& xi) const {
+    const V one = hn::Set(d_, 1.0), width = hn::Sub(one, xi.c[2]);
+    return cell_.shape == CellShape::wedge ? hn::Add(width, hn::Sub(one, xi.c[1])) : width;
   }
 
   // collapsed() of cell_polynomials.hpp.

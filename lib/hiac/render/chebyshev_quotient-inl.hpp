@@ -35,14 +35,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <class D, class V = hn::Vec<D>>
 class ChebyshevQuotient {
  public:
-  // Of the width 1 + h z.
-  HWY_INLINE ChebyshevQuotient(D d, V h) : d_(d) {
-    const V one = hn::Set(d, 1.0);
-    const V s = hn::Sqrt(hn::Mul(hn::Sub(one, h), hn::Add(one, h)));
-    r_ = hn::Div(h, hn::Add(one, s));
-    square_ = hn::Mul(r_, r_);
-    inverse_ = hn::Div(one, hn::Sub(one, square_));
-  }
+  HWY_INLINE ChebyshevQuotient(D d, V r) : d_(d), r_(r), square_(hn::Mul(r, r)) {}
 
   // From c[k] = a_k, k up to n, to all the c_k that count: up to `end`, or more, where the last two
   // are together below `negligible` in all lanes of `active`. Returns the degree; 0 where it would
@@ -98,15 +91,16 @@ class ChebyshevQuotient {
     V b = hn::Zero(d_), e = b;
     if constexpr (p > 1) {
       const V one = hn::Set(d_, 1.0), wide = hn::Add(one, square_);
+      const V inverse = hn::Div(one, hn::Sub(one, square_));
       const V before = hn::Mul(r_, a[-1]);
       if constexpr (p > 2) {
         // 2 (1 - r^2)^2 e = r^2 a_(n-2) + 2 (1 + r^2) r a_(n-1) + (1 + 4 r^2 + r^4) a
         const V inner = hn::MulAdd(square_, hn::Add(square_, hn::Set(d_, 4.0)), one);
         const V twice = hn::MulAdd(square_, a[-2], hn::Mul(inner, a[0]));
         e = hn::MulAdd(wide, before, hn::Mul(twice, hn::Set(d_, 0.5)));
-        e = hn::Mul(hn::Mul(e, inverse_), inverse_);
+        e = hn::Mul(hn::Mul(e, inverse), inverse);
       }
-      b = hn::Mul(hn::MulAdd(wide, hn::Add(a[0], e), before), inverse_);
+      b = hn::Mul(hn::MulAdd(wide, hn::Add(a[0], e), before), inverse);
     }
     return {b, e};
   }
@@ -120,7 +114,7 @@ class ChebyshevQuotient {
   }
 
   D d_;
-  V r_, square_, inverse_;
+  V r_, square_;
 };
 
 }  // namespace hiac::HWY_NAMESPACE

@@ -188,13 +188,13 @@ class SegmentFields {
   // parts.
   HWY_NOINLINE void expand_quotient(double begin, double end, int splits) {
     rays_->open(begin, end, active_);
-    const V h = rays_->taper();
-    const double steepest = steepest_of(h);
+    const V taper = rays_->taper();
+    const double steepest = steepest_of(taper);
     if (splits == kMostHalvings || std::abs(steepest) <= resolvable_) {
       M resolved = active_;
-      bool expanded = expand_at(h, resolved);
+      bool expanded = expand_at(taper, resolved);
       if (splits == kMostHalvings)
-        for (; !expanded; expanded = expand_at(h, resolved)) active_ = resolved;
+        for (; !expanded; expanded = expand_at(taper, resolved)) active_ = resolved;
       if (expanded) {
         // neighbours may do better
         resolvable_ *= kOptimism;
@@ -203,9 +203,9 @@ class SegmentFields {
       }
       resolvable_ = std::abs(steepest) / kOptimism;
     }
-    // either part tapers in the same proportion, but that the tip of a cell cannot
-    const double front = std::sqrt(1 - steepest), back = std::sqrt(1 + steepest);
-    const double share = std::clamp(front / (front + back), kLeastShare, 1 - kLeastShare);
+    // either part tapers in the same proportion, but that the tip of a cell cannot: the front one
+    // has the share sqrt(a) / (sqrt(a) + sqrt(b)), of the widths at both ends
+    const double share = std::clamp(0.5 * (1 - steepest), kLeastShare, 1 - kLeastShare);
     const double between = begin + (end - begin) * share;
     expand_quotient(begin, between, splits + 1);
     expand_quotient(between, end, splits + 1);
@@ -213,11 +213,11 @@ class SegmentFields {
 
   // Chebyshev coefficients of these fields. False where they would be too many, in lanes that are
   // not `resolved` then.
-  HWY_INLINE bool expand_at(V h, M& resolved) {
+  HWY_INLINE bool expand_at(V taper, M& resolved) {
     const D d;
     const auto [degree, pole_order] = cell_.along_lines;
     rays_->sample(degree, active_);
-    const ChebyshevQuotient<D> quotient(d, h);
+    const ChebyshevQuotient<D> quotient(d, taper);
     for (std::size_t f = 0; f < cell_.field_count; ++f) {
       field_values(f, degree);
       transform(f, degree);
@@ -233,9 +233,9 @@ class SegmentFields {
   }
 
   // That of the active lanes that is farthest from zero.
-  HWY_INLINE double steepest_of(V h) const {
+  HWY_INLINE double steepest_of(V taper) const {
     const D d;
-    const V counts = hn::IfThenElseZero(active_, h);
+    const V counts = hn::IfThenElseZero(active_, taper);
     const double least = hn::GetLane(hn::MinOfLanes(d, counts));
     const double most = hn::GetLane(hn::MaxOfLanes(d, counts));
     return most > -least ? most : least;
@@ -311,7 +311,7 @@ class SegmentFields {
   Sink& sink_;
   // what degree was enough for the segments before, by the number of halvings
   std::array<std::size_t, kMostHalvings + 1> efforts_;
-  // up to what taper of parts quotients seem to be resolved
+  // up to what CellRays::taper of parts quotients seem to be resolved
   double resolvable_ = 1;
   // what degree of either field was enough for them, less two that may have been too many
   std::array<std::size_t, 2> quotient_efforts_{};
