@@ -32,6 +32,14 @@ std::array<std::uint8_t, 4> canonical_corners(const ShapeFace& face,
   return corners;
 }
 
+// Whether |a| > scale |b|. A vector is up to sqrt(3) times as long as its largest component: that
+// mostly decides.
+bool is_longer(const Vector& a, double scale, const Vector& b) {
+  const double least_a = largest(a), least_b = scale * largest(b);
+  if (2 * least_a <= least_b) return false;
+  return least_a > 2 * least_b || length(a) > scale * length(b);
+}
+
 }  // namespace
 
 double quadrilateral_deviation(Point3 a, Point3 b, Point3 c, Point3 d) {
@@ -60,14 +68,14 @@ EdgeNodes edge_nodes(CellKind kind, std::span<const NodeId> nodes, std::size_t e
 bool is_curved(const ZooMesh& mesh, const EdgeNodes& edge, double straightness) {
   const Point3 a = mesh.position(edge.nodes[0]);
   const Vector along = minus(mesh.position(edge.nodes[edge.count - 1]), a);
-  double off = 0;
   for (std::size_t k = 1; k + 1 < edge.count; ++k) {
     const double s = static_cast<double>(k) / static_cast<double>(edge.count - 1);
     const Vector from = minus(mesh.position(edge.nodes[k]), a);
-    off = std::max(
-        off, length({from[0] - s * along[0], from[1] - s * along[1], from[2] - s * along[2]}));
+    if (is_longer({from[0] - s * along[0], from[1] - s * along[1], from[2] - s * along[2]},
+                  straightness, along))
+      return true;
   }
-  return off > straightness * length(along);
+  return false;
 }
 
 namespace {
@@ -77,6 +85,17 @@ bool is_bent(const ZooMesh& mesh, std::span<const NodeId> nodes,
              const std::array<std::uint8_t, 4>& corners, std::size_t n, double straightness) {
   const auto at = [&](std::size_t k) { return mesh.position(nodes[corners[k]]); };
   return n == 4 && quadrilateral_deviation(at(0), at(1), at(2), at(3)) > straightness;
+}
+
+// Whether the centre node of a cubic tetrahedron's face is off the mean of the face's corners.
+bool is_centre_off(const ZooMesh& mesh, std::span<const NodeId> nodes,
+                   const std::array<std::uint8_t, 4>& corners, std::size_t face,
+                   double straightness) {
+  const auto at = [&](std::size_t k) { return mesh.position(nodes[corners[k]]); };
+  const Point3 centre = mesh.position(nodes[16 + face]);
+  const Vector u = minus(at(1), at(0)), v = minus(at(2), at(0)), w = minus(centre, at(0));
+  const Vector off{w[0] - (u[0] + v[0]) / 3, w[1] - (u[1] + v[1]) / 3, w[2] - (u[2] + v[2]) / 3};
+  return is_longer(off, straightness, u) && is_longer(off, straightness, v);
 }
 
 }  // namespace
@@ -93,12 +112,8 @@ FaceForm face_form(const ZooMesh& mesh, CellId cell, std::size_t number, double 
                            is_curved(mesh, edge_nodes(kind, nodes, form.edges[k]), straightness);
     if (form.curved_edges[k]) form.shape.degree = static_cast<std::uint8_t>(order_of(kind));
   }
-  const auto at = [&](std::size_t k) { return mesh.position(nodes[form.corners[k]]); };
   if (kind == CellKind::tetrahedron20) {
-    const Point3 centre = mesh.position(nodes[16 + number]);
-    const Vector u = minus(at(1), at(0)), v = minus(at(2), at(0)), w = minus(centre, at(0));
-    const Vector off{w[0] - (u[0] + v[0]) / 3, w[1] - (u[1] + v[1]) / 3, w[2] - (u[2] + v[2]) / 3};
-    if (length(off) > straightness * std::max(length(u), length(v))) form.shape.degree = 3;
+    if (is_centre_off(mesh, nodes, form.corners, number, straightness)) form.shape.degree = 3;
     form.shape.centre = form.shape.degree == 3;
   }
   form.curved = form.shape.degree > 1 || is_bent(mesh, nodes, form.corners, n, straightness);
@@ -126,14 +141,17 @@ std::array<NodeId, kMostPatchNodes> patch_nodes(const ZooMesh& mesh, CellId cell
 bool has_curved_faces(const ZooMesh& mesh, CellId cell, double straightness) {
   const CellKind kind = mesh.kinds[cell];
   const auto nodes = mesh.cell_nodes(cell);
-  const bool linear = order_of(kind) == CellOrder::linear;
+  if (order_of(kind) != CellOrder::linear)
+    for (std::size_t e = 0; e < edge_count(kind); ++e)
+      if (is_curved(mesh, edge_nodes(kind, nodes, e), straightness)) return true;
   const auto faces = topology_of(kind).faces;
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    const ShapeFace& face = faces[f];
-    if (linear ? face.corner_count == 4 &&
-                     is_bent(mesh, nodes, canonical_corners(face, nodes), 4, straightness)
-               : face_form(mesh, cell, f, straightness).curved)
-      return true;
+    const std::size_t n = faces[f].corner_count;
+    const bool has_centre = kind == CellKind::tetrahedron20;
+    if (n == 3 && !has_centre) continue;
+    const auto corners = canonical_corners(faces[f], nodes);
+    if (is_bent(mesh, nodes, corners, n, straightness)) return true;
+    if (has_centre && is_centre_off(mesh, nodes, corners, f, straightness)) return true;
   }
   return false;
 }

@@ -1,0 +1,105 @@
+#include "hiac/geometry/face_form.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "hiac/mesh/shape_functions.hpp"
+#include "tests/support/meshes.hpp"
+
+namespace hiac {
+namespace {
+
+constexpr double kStraightness = 1e-10;
+
+// Cells with straight edges and planar faces, some node of which is moved by about as much as
+// counts.
+class NearlyStraightCells {
+ public:
+  ZooMesh next(CellKind kind) {
+    const auto reference = reference_nodes(kind);
+    std::vector<test::Position> positions(reference.begin(), reference.end());
+    test::Cell cell{kind, {}};
+    for (NodeId i = 0; i < positions.size(); ++i) cell.nodes.push_back(i);
+    std::array<test::Position, 3> columns;
+    for (test::Position& column : columns)
+      for (double& x : column) x = number_(random_);
+    for (test::Position& p : positions) {
+      const test::Position xi = p;
+      for (std::size_t a = 0; a < 3; ++a)
+        p[a] = xi[0] * columns[0][a] + xi[1] * columns[1][a] + xi[2] * columns[2][a];
+    }
+    const std::size_t moved = random_() % (2 * positions.size());
+    const double by = std::pow(10.0, -9.75 + number_(random_));
+    if (moved < positions.size())
+      for (double& x : positions[moved]) x += by * number_(random_);
+    return test::make_mesh(positions, {cell});
+  }
+
+ private:
+  std::mt19937 random_{5};
+  std::uniform_real_distribution<double> number_{-1, 1};
+};
+
+// By their lengths.
+bool is_curved_by_length(const ZooMesh& mesh, const EdgeNodes& edge) {
+  const auto at = [&](std::size_t k) { return mesh.position(edge.nodes[k]); };
+  const std::size_t last = edge.count - 1;
+  const auto distance = [](const auto& a, const auto& b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  };
+  for (std::size_t k = 1; k < last; ++k) {
+    const double s = static_cast<double>(k) / static_cast<double>(last);
+    std::array<double, 3> straight;
+    for (std::size_t a = 0; a < 3; ++a) straight[a] = at(0)[a] + s * (at(last)[a] - at(0)[a]);
+    if (distance(at(k), straight) > kStraightness * distance(at(last), at(0))) return true;
+  }
+  return false;
+}
+
+TEST(FaceForm, CurvedEdgesAreOffByALength) {
+  NearlyStraightCells cells;
+  std::size_t curved = 0, straight = 0;
+  for (int trial = 0; trial < 200; ++trial)
+    for (std::size_t k = 0; k < kKindCount; ++k) {
+      const auto kind = static_cast<CellKind>(k);
+      const ZooMesh mesh = cells.next(kind);
+      for (std::size_t e = 0; e < edge_count(kind); ++e) {
+        const EdgeNodes edge = edge_nodes(kind, mesh.cell_nodes(0), e);
+        const bool is = is_curved(mesh, edge, kStraightness);
+        EXPECT_EQ(is, is_curved_by_length(mesh, edge)) << kind_name(kind) << " edge " << e;
+        ++(is ? curved : straight);
+      }
+    }
+  EXPECT_GT(curved, 100);
+  EXPECT_GT(straight, 100);
+}
+
+// A cell's answer is that of its faces.
+TEST(FaceForm, ACellHasCurvedFacesWhereAFaceIsCurved) {
+  NearlyStraightCells cells;
+  std::array<std::array<std::size_t, 2>, kKindCount> count{};
+  for (int trial = 0; trial < 200; ++trial)
+    for (std::size_t k = 0; k < kKindCount; ++k) {
+      const auto kind = static_cast<CellKind>(k);
+      const ZooMesh mesh = cells.next(kind);
+      bool is_curved = false;
+      for (std::size_t f = 0; f < face_count(kind); ++f)
+        is_curved = is_curved || face_form(mesh, 0, f, kStraightness).curved;
+      EXPECT_EQ(has_curved_faces(mesh, 0, kStraightness), is_curved) << kind_name(kind);
+      ++count[k][is_curved ? 1 : 0];
+    }
+  for (std::size_t k = 0; k < kKindCount; ++k) {
+    const auto kind = static_cast<CellKind>(k);
+    EXPECT_GT(count[k][0], 10) << kind_name(kind);
+    // triangles are planar
+    EXPECT_GE(count[k][1], kind == CellKind::tetrahedron4 ? 0U : 10U) << kind_name(kind);
+  }
+}
+
+}  // namespace
+}  // namespace hiac
