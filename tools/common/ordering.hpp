@@ -52,8 +52,8 @@ class Orderer {
 
 /// What the option --overlap says of itself.
 inline constexpr const char* kOverlapHelp =
-    "Look for cells that overlap, as hiac-check --overlap does; cells that do not are in order "
-    "then";
+    "Look for cells that overlap, as hiac-check --overlap does, so that all others are in the "
+    "right order";
 
 /// Orders that came in an order file, or behind a mesh.
 struct GivenOrders {
