@@ -164,9 +164,9 @@ class Renderer {
   void explain(const Scene& scene) {
     Json order_facts;
     const OrderRecord record = find_order(scene, order_facts);
-    const auto [x, y] = parse_pixel(options_.pixel);
+    const auto at = parse_pixel(options_.pixel);
     const PixelExplanation pixel = tool_.timed("explain", [&] {
-      return explain_pixel(mesh_, record.order, scene, x, y, !options_.no_background);
+      return explain_pixel(mesh_, record.order, scene, at[0], at[1], !options_.no_background);
     });
     tool_.facts()["order"] = order_facts;
     tool_.facts()["pixel"] = pixel_json(pixel, scene);

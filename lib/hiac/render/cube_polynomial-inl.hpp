@@ -86,7 +86,7 @@ template <std::size_t P, class D, class V = hn::Vec<D>>
 HWY_INLINE void value_and_gradient(D d, const CubePolynomial& f, const LanePoint<V>& at, V& value,
                                    V (&gradient)[3]) {
   constexpr std::size_t kN = P + 1;
-  const auto& [u, v, w] = at.c;
+  const V u = at.c[0], v = at.c[1], w = at.c[2];
   if constexpr (P == 1) {  // as most maps are
     const auto along_u = [&](std::size_t k) {
       return hn::MulAdd(hn::Set(d, f.c[k + 1]), u, hn::Set(d, f.c[k]));

@@ -505,22 +505,22 @@ class GeneralCellRenderer {
   // of the cell at hand
   CellScalars extinction_{}, color_{};
   CutsAlongRay cuts_;
-  bool is_empty_ = false;    // neither absorbs nor shines
-  bool is_cut_ = false;      // by surfaces
-  bool is_uniform_ = false;  // colour and extinction have one value
+  ToleranceShares shares_{};
+  CellKind kind_{};
+  bool curved_ = false;        // it has curved faces
+  bool is_empty_ = false;      // neither absorbs nor shines
+  bool is_cut_ = false;        // by surfaces
+  bool is_uniform_ = false;    // colour and extinction have one value
+  bool are_doubtful_ = false;  // CutsAlongRay::doubtful of the segment at hand
   CrossingRuns runs_;
   std::vector<CellCrossing> crossings_;
   CellSegments segments_;          // of runs_, and then of crossings_
   std::vector<std::size_t> kept_;  // of crossings_, those that segments_ has
   std::vector<CutSegment> cut_segments_;
   std::vector<IsosurfaceCrossing> all_surfaces_;  // of these
-  bool curved_ = false;                           // the cell has curved faces
   std::vector<FieldAlongRay::Piece> pieces_;
-  std::vector<IsosurfaceCrossing> surfaces_;  // of the segment at hand
-  bool are_doubtful_ = false;                 // CutsAlongRay::doubtful
-  std::vector<IsosurfaceCrossing> alone_;     // scratch
-  CellKind kind_{};
-  ToleranceShares shares_{};
+  std::vector<IsosurfaceCrossing> surfaces_;                 // of the segment at hand
+  std::vector<IsosurfaceCrossing> alone_;                    // scratch
   std::array<CellMap::Point, CellMap::kMostNodes> nodes_{};  // relative (projection.hpp)
   // where details are asked for
   CellErrors errors_;
