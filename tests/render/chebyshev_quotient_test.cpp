@@ -89,6 +89,7 @@ TEST(ChebyshevQuotients, HaveTheCoefficientsOfTheFunction) {
   Quotients quotients;
   const auto compare = [](const Quotient& q, const Expanded& found, double most) {
     ASSERT_GT(found.degree, 0);
+    ASSERT_LE(found.degree, kMostChebyshevDegree);
     EXPECT_TRUE(found.resolved);
     for (std::size_t k = 0; k <= found.degree; ++k)
       EXPECT_NEAR(found.c[k], static_cast<double>(q.coefficient(k)), most) << k << " of " << q.h;

@@ -37,9 +37,10 @@ class ChebyshevQuotient {
  public:
   HWY_INLINE ChebyshevQuotient(D d, V r) : d_(d), r_(r), square_(hn::Mul(r, r)) {}
 
-  // From c[k] = a_k, k up to n, to all the c_k that count: up to `end`, or more, where the last two
-  // are together below `negligible` in all lanes of `active`. Returns the degree; 0 where it would
-  // be more than kMostChebyshevDegree in lanes that come off `active`.
+  // From c[k] = a_k, k up to n, to all the c_k that count: up to `end` if there are as many, or
+  // more, where the last two are together below `negligible` in all lanes of `active`. Returns the
+  // degree; 0 where it would be more than kMostChebyshevDegree in lanes that come off `active`. 2 n
+  // is less than that.
   HWY_INLINE std::size_t expand(std::size_t p, std::size_t n, std::size_t end, V negligible,
                                 hn::Mask<D>& active, V* c) const {
     if (p == 1) return expand_by<1>(n, end, negligible, active, c);
@@ -60,11 +61,12 @@ class ChebyshevQuotient {
     for (;; m += 2) {
       sum[m] = hn::Mul(power, at<p>(m, a, b, e));
       sum[m + 1] = hn::Mul(next, at<p>(m + 1, a, b, e));
-      if (n + m + 1 >= end && m >= n) {
+      const bool are_most = n + m + 3 > kMostChebyshevDegree;
+      if ((n + m + 1 >= end && m >= n) || are_most) {
         const V last = hn::Add(hn::Abs(sum[m]), hn::Abs(sum[m + 1]));
         const auto ended = hn::Le(last, negligible);
         if (hn::AllTrue(d_, hn::Or(hn::Not(active), ended))) break;
-        if (n + m + 3 > kMostChebyshevDegree) {
+        if (are_most) {
           active = hn::And(active, ended);
           return 0;
         }
