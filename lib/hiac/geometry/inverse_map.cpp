@@ -140,14 +140,13 @@ bool near_reference_cell(CellShape shape, const Point& xi) {
   return false;
 }
 
-// Where nodes that are no corners lie in cells with straight edges: a mean of some corners.
-struct StraightPlace {
-  struct Share {
-    std::size_t corner;
-    double weight;
-  };
-  std::vector<Share> shares;  // but for the first corner's
+// Where a node that is no corner lies in cells with straight edges: the mean of some corners with
+// these weights, of which the first corner's is left out.
+struct CornerShare {
+  std::size_t corner;
+  double weight;
 };
+using StraightPlace = std::vector<CornerShare>;
 
 // Of a kind's nodes behind the corners.
 std::vector<StraightPlace> straight_places(CellKind kind) {
@@ -159,7 +158,7 @@ std::vector<StraightPlace> straight_places(CellKind kind) {
     shape_functions<double>(linear, reference[k], shape);
     StraightPlace& place = places.emplace_back();
     for (std::size_t c = 1; c < corner_count(kind); ++c)
-      if (shape[c] != 0) place.shares.push_back({c, shape[c]});
+      if (shape[c] != 0) place.push_back({c, shape[c]});
   }
   return places;
 }
@@ -184,8 +183,7 @@ double edge_deviation(CellKind kind, std::span<const Point> nodes) {
   for (std::size_t k = 1; k < corners; ++k) size = std::max(size, largest(nodes[k] - nodes[0]));
   for (std::size_t k = 0; k < places.size(); ++k) {
     Point off = nodes[0] - nodes[corners + k];
-    for (const auto& [corner, weight] : places[k].shares)
-      off = off + weight * (nodes[corner] - nodes[0]);
+    for (const auto& [corner, weight] : places[k]) off = off + weight * (nodes[corner] - nodes[0]);
     deviation = std::max(deviation, largest(off));
   }
   return deviation == 0 ? 0 : deviation / size;

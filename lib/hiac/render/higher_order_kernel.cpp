@@ -56,8 +56,6 @@ struct HigherOrderField {
 template <bool kEmission, std::size_t kOrder>
 class HigherOrderRenderer {
  public:
-  static constexpr double kShare = tolerance_shares(static_cast<CellOrder>(kOrder)).integration;
-
   HigherOrderRenderer(const Frame& frame, const TileRect& tile, TileBuffer& buffer,
                       SegmentList* group, TileCounts& counts)
       : frame_(frame),
@@ -219,6 +217,7 @@ class HigherOrderRenderer {
     s.color = frame_.optics.same_field ? s.extinction : scalar_between(d, color_, in, out);
     s.length =
         hn::IfThenElseZero(active, hn::Mul(depth, hn::LoadU(d, buffer_.ray_scale.data() + at)));
+    constexpr double kShare = tolerance_shares(static_cast<CellOrder>(kOrder)).integration;
     const V allowed = hn::Mul(hn::Set(d, kShare * frame_.tolerance / frame_.depth), depth);
     s.weight = hn::Div(group_ == nullptr ? behind : one, allowed);
     const Radiance<V> radiance = walk.run(d, s, active);

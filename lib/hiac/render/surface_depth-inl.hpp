@@ -22,10 +22,6 @@ namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // Fused where the instruction set has it, as the same operation on vectors is.
-HWY_INLINE double mul_add(double a, double b, double c) {
-  const hn::CappedTag<double, 1> d;
-  return hn::GetLane(hn::MulAdd(hn::Set(d, a), hn::Set(d, b), hn::Set(d, c)));
-}
 HWY_INLINE double neg_mul_add(double a, double b, double c) {
   const hn::CappedTag<double, 1> d;
   return hn::GetLane(hn::NegMulAdd(hn::Set(d, a), hn::Set(d, b), hn::Set(d, c)));
@@ -89,14 +85,6 @@ class TriangleDepth {
     return hn::MulAdd(s, hn::Set(d, qs_), hn::MulAdd(m, hn::Set(d, qm_), hn::Set(d, base_.depth)));
   }
 
-  // At one point.
-  [[nodiscard]] HWY_INLINE double at(double x, double y) const {
-    const double dx = x - base_.x, dy = y - base_.y;
-    const double s = mul_add(dx, cx_, cy_ * dy);
-    const double m = neg_mul_add(h_, s, mul_add(dx, gx_, gy_ * dy));
-    return mul_add(s, qs_, mul_add(m, qm_, base_.depth));
-  }
-
  private:
   ProjectedNode base_;
   double cx_, cy_, gx_, gy_, h_, qm_, qs_;
@@ -116,17 +104,9 @@ class SurfaceDepth {
   HWY_INLINE SurfaceDepth(const CellSurface& surface, const Nodes& nodes)
       : surface_(surface), nodes_(nodes) {}
 
-  // On a row, between the two edges that it crosses; never beyond the depths there. A triangle seen
+  // A row, between the two edges that it crosses; never beyond the depths there. A triangle seen
   // edge-on is as deep as the nearer of the two: of the cells that it parts, one gets all of the
   // ray. The ray's cells then follow one another whatever rounding does.
-  HWY_INLINE double at(std::size_t triangle, const RowCrossing& e, const RowCrossing& f, double x,
-                       double y) {
-    const double least = std::min(e.depth, f.depth), most = std::max(e.depth, f.depth);
-    if (std::abs(e.x - f.x) < kEdgeOnWidth) return least;
-    return std::min(std::max(on(triangle).at(x, y), least), most);
-  }
-
-  // The same for vectors of pixels of a row.
   struct Row {
     const TriangleDepth* triangle;  // none where it is seen edge-on
     double least, most;
@@ -142,6 +122,13 @@ class SurfaceDepth {
     const double least = std::min(e.depth, f.depth), most = std::max(e.depth, f.depth);
     if (std::abs(e.x - f.x) < kEdgeOnWidth) return {nullptr, least, most, {}};
     return {&on(triangle), least, most, on(triangle).row(y)};
+  }
+
+  // The same at one point.
+  HWY_INLINE double at(std::size_t triangle, const RowCrossing& e, const RowCrossing& f, double x,
+                       double y) {
+    const hn::CappedTag<double, 1> d;
+    return hn::GetLane(row(triangle, e, f, y).at(d, hn::Set(d, x)));
   }
 
  private:
