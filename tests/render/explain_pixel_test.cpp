@@ -225,6 +225,32 @@ TEST(ExplainPixel, NamesTheIsosurfacesThatTheRayMeets) {
     }
 }
 
+// Of quadratic wedges, whose polynomials in the world have quadratic fields exactly.
+TEST(ExplainPixel, SaysWhatPolynomialsInTheWorldAre) {
+  ZooMesh mesh = test::of_order(test::wedge_grid(2), CellOrder::quadratic);
+  test::add_node_field(mesh, "z", [](const test::Position& p) { return p[2] * p[2]; });
+  test::add_node_field(mesh, "x", [](const test::Position& p) { return p[0] * p[2]; });
+  Scene scene = scene_from_above(Projection::orthographic);
+  scene.render.interpolation = Interpolation::polynomial;
+  scene.isosurfaces = {surface_of("z", 0.3, 0.25)};
+  for (std::uint32_t x = 0; x < 6; ++x) {
+    const PixelExplanation pixel = explain_pixel(mesh, order_of(mesh, scene), scene, x, 1, false);
+    EXPECT_FALSE(pixel.error);
+    std::size_t met = 0;
+    for (const PixelSegment& s : pixel.segments) {
+      for (const SegmentEnd& end : {s.front, s.back}) {
+        const double z = 4 - end.depth;
+        EXPECT_NEAR(end.extinction_field, z * z, 1e-12);
+        EXPECT_NEAR(end.color_field, z * (0.5 + (x + 0.5 - 3) / 3 * 0.35), 1e-12);
+      }
+      for (const MetIsosurface& surface : s.surfaces)
+        EXPECT_NEAR(surface.depth, 4 - std::sqrt(0.3), 1e-12);
+      met += s.surfaces.size();
+    }
+    EXPECT_EQ(met, 1U);
+  }
+}
+
 TEST(ExplainPixel, HasNoSegmentsWhereNothingIs) {
   const ZooMesh mesh = mesh_from_above(Cut::bricks);
   Scene scene = scene_from_above(Projection::perspective);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <random>
 
 #include "hiac/mesh/face_adjacency.hpp"
@@ -44,6 +45,12 @@ Position bent(const Position& p) {
 Position rippled(const Position& p, double by) {
   return {p[0] + by * std::sin(5 * p[1] + 3 * p[2] + 1), p[1] + by * std::sin(4 * p[2] + 6 * p[0]),
           p[2] + by * std::sin(5 * p[0] + 4 * p[1] + 2)};
+}
+
+ZooMesh one_cell(CellKind kind, const std::vector<Position>& corners) {
+  Cell cell{kind_of(shape_of(kind), CellOrder::linear), std::vector<NodeId>(corners.size())};
+  std::iota(cell.nodes.begin(), cell.nodes.end(), NodeId{0});
+  return of_order(make_mesh(corners, {cell}), order_of(kind));
 }
 
 ZooMesh two_wedges() {

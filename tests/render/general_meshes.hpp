@@ -27,6 +27,9 @@ Position bent(const Position& p);
 /// too.
 Position rippled(const Position& p, double by);
 
+/// One cell with these corners and straight edges; its nodes are numbered as the kind's.
+ZooMesh one_cell(CellKind kind, const std::vector<Position>& corners);
+
 /// Two 7-node wedges that share a quadrilateral face, as large as the unit cube.
 ZooMesh two_wedges();
 

@@ -33,6 +33,14 @@ BernsteinPolynomial without_tail(const double* c, std::size_t degree, double neg
   return bernstein_from_chebyshev({c, degree + 1});
 }
 
+// Of fields that are polynomials in the world; 0 where none is.
+std::size_t degree_in_world(std::span<const CellField> fields) {
+  std::size_t degree = 0;
+  for (const CellField& field : fields)
+    if (field.polynomial) degree = std::max(degree, field.polynomial->degree());
+  return degree;
+}
+
 }  // namespace
 
 std::size_t degree_along_lines(CellKind kind) {
@@ -62,9 +70,10 @@ FieldAlongRay::FieldAlongRay(CellKind kind, const CellMap& map, std::span<const 
     : kind_(kind),
       map_(map),
       fields_(fields),
-      in_world_(std::ranges::any_of(
-          fields, [](const CellField& field) { return field.polynomial.has_value(); })),
-      exact_degree_(map.affine() || in_world_ ? degree_along_lines(kind) : 0) {}
+      in_world_(degree_in_world(fields) > 0),
+      exact_degree_(in_world_      ? degree_in_world(fields)
+                    : map.affine() ? degree_along_lines(kind)
+                                   : 0) {}
 
 double FieldAlongRay::rounding(const RayStretch& stretch, const CellField& field) const {
   const double point =

@@ -138,31 +138,24 @@ void check_geometry(const ZooMesh& mesh, double planarity) {
                                fault_of(mesh, failures.first, planarity), others(failures)));
 }
 
-// Whether every cell has the polynomial that fields are to be interpolated by. `skip_invalid`: but
-// those that are left out.
+// Whether every cell's nodes determine the polynomial that fields are to be interpolated by.
+// `skip_invalid`: but those that are left out.
 void check_polynomials(const ZooMesh& mesh, double planarity, bool skip_invalid) {
-  const auto of_interest = [&](std::size_t cell) {
-    return !skip_invalid || fault_of(mesh, cell, planarity) == nullptr;
-  };
-  Failures failures = count_failures(mesh.cell_count(), [&](std::size_t cell) {
-    return !WorldPolynomial::exists(mesh.kinds[cell]) && of_interest(cell);
-  });
-  if (failures.count > 0)
-    throw InputError(
-        cell_name(mesh, failures.first),
-        fmt::format("`render.interpolation` = \"polynomial\" has no function for the "
-                    "kind (tetrahedra, prism6, brick8 or brick20 expected, {} found{})",
-                    kind_name(mesh.kinds[failures.first]), others(failures)));
   const std::array<double, kMaxNodesPerCell> any{};
-  failures = count_failures(mesh.cell_count(), [&](std::size_t cell) {
-    return !WorldPolynomial::through(mesh, static_cast<CellId>(cell), any) && of_interest(cell);
+  const Failures failures = count_failures(mesh.cell_count(), [&](std::size_t cell) {
+    return !WorldPolynomial::through(mesh, static_cast<CellId>(cell), any) &&
+           !(skip_invalid && fault_of(mesh, cell, planarity) != nullptr);
   });
-  if (failures.count > 0)
-    throw InputError(cell_name(mesh, failures.first),
-                     fmt::format("`render.interpolation` = \"polynomial\": the nodes do not "
-                                 "determine the function (independent equations expected, a pivot "
-                                 "below 1e-10 found{})",
-                                 others(failures)));
+  if (failures.count == 0) return;
+  const char* fault =
+      WorldPolynomial::is_of_paper(mesh.kinds[failures.first])
+          ? "the nodes do not determine the paper's function, which depends on how the cell lies "
+            "(independent equations expected, a pivot below 1e-10 found"
+          : "the nodes do not determine a polynomial (nodes that are apart and not in one plane "
+            "expected, others found";
+  throw InputError(
+      cell_name(mesh, failures.first),
+      fmt::format("`render.interpolation` = \"polynomial\": {}{})", fault, others(failures)));
 }
 
 // The cells' values of a field, by entry of ZooMesh::nodes (nodes and corners) or by cell.
