@@ -1,11 +1,14 @@
 // How the picture of a smooth field converges as cells of every kind get smaller: the largest and
 // the mean error of any channel against the field itself (cubic tetrahedra far finer than all),
-// and the order of convergence from one mesh to the next. Then, what of it is left where bricks are
-// distorted, with fields interpolated isoparametrically and by polynomials in the world.
+// and the order of convergence of the mean from one mesh to the next, with fields interpolated
+// isoparametrically and by polynomials in the world. Then, what of it is left where cells are
+// distorted.
 
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <span>
 #include <string>
 
 #include <fmt/format.h>
@@ -56,20 +59,25 @@ Errors errors_of(const Image& image, const Image& exact) {
   return errors;
 }
 
-ZooMesh sheared_cells(CellShape shape, std::size_t n) {
+ZooMesh cells_of(CellShape shape, std::size_t n) {
   switch (shape) {
     case CellShape::tetrahedron:
-      return test::moved(test::structured(n, Cut::tetrahedra), test::sheared);
+      return test::structured(n, Cut::tetrahedra);
     case CellShape::pyramid:
-      return test::moved(test::structured(n, Cut::pyramids), test::sheared);
+      return test::structured(n, Cut::pyramids);
     case CellShape::prism:
-      return test::moved(test::structured(n, Cut::prisms), test::sheared);
+      return test::structured(n, Cut::prisms);
     case CellShape::wedge:
-      return test::moved(test::wedge_grid(n), test::sheared);
+      return test::wedge_grid(n);
     case CellShape::brick:
       break;
   }
-  return test::moved(test::structured(n, Cut::bricks), test::sheared);
+  return test::structured(n, Cut::bricks);
+}
+
+ZooMesh moved_cells(CellShape shape, std::size_t n,
+                    const std::function<test::Position(const test::Position&)>& map) {
+  return test::moved(cells_of(shape, n), map);
 }
 
 std::string plural(CellShape shape) {
@@ -77,24 +85,64 @@ std::string plural(CellShape shape) {
                                          : fmt::format("{}s", topology_of(shape).name);
 }
 
+// Rows of a table, one for each mesh: what they begin with, and for each interpolation the errors
+// and the order of convergence.
+void print_convergence(const std::string& begin, CellOrder order, const Image& exact,
+                       std::span<const std::size_t> counts,
+                       const std::function<ZooMesh(std::size_t)>& mesh_of) {
+  constexpr std::array kInterpolations{Interpolation::isoparametric, Interpolation::polynomial};
+  std::array<Errors, kInterpolations.size()> before;
+  for (const std::size_t n : counts) {
+    const ZooMesh mesh = mesh_of(n);
+    fmt::print("| {} | {} | {} |", begin, static_cast<int>(order), n);
+    for (std::size_t i = 0; i < kInterpolations.size(); ++i) {
+      const Errors e = errors_of(picture(mesh, order, kInterpolations[i]), exact);
+      fmt::print(" {:.1e} | {:.1e} |", e.largest, e.mean);
+      if (n == counts.front())
+        fmt::print(" |");
+      else
+        fmt::print(" {:.1f} |", std::log2(before[i].mean / e.mean));
+      before[i] = e;
+    }
+    fmt::print("\n");
+  }
+}
+
+constexpr const char* kErrors =
+    "isoparametric: largest error | mean error | order of convergence | "
+    "polynomial: largest error | mean error | order of convergence |";
+
 void print_kinds() {
-  const Image exact = picture(sheared_cells(CellShape::tetrahedron, 20), CellOrder::cubic);
-  fmt::print("| cells | order | per edge | largest error | mean error | order of convergence |\n");
-  fmt::print("|---|---|---|---|---|---|\n");
+  constexpr std::array<std::size_t, 4> kCounts{1, 2, 4, 8};
+  const Image exact =
+      picture(moved_cells(CellShape::tetrahedron, 20, test::sheared), CellOrder::cubic);
+  fmt::print("| cells | order | per edge | {}\n|---|---|---|---|---|---|---|---|---|\n", kErrors);
   for (std::size_t shape = 0; shape < kShapeCount; ++shape)
     for (const CellOrder order : {CellOrder::linear, CellOrder::quadratic, CellOrder::cubic}) {
-      Errors before;
-      for (const std::size_t n : {1U, 2U, 4U, 8U}) {
-        const auto cells = static_cast<CellShape>(shape);
-        const Errors e = errors_of(picture(sheared_cells(cells, n), order), exact);
-        fmt::print("| {} | {} | {} | {:.1e} | {:.1e} |", plural(cells), static_cast<int>(order), n,
-                   e.largest, e.mean);
-        if (n == 1)
-          fmt::print(" |\n");
-        else
-          fmt::print(" {:.1f} |\n", std::log2(before.mean / e.mean));
-        before = e;
-      }
+      const auto cells = static_cast<CellShape>(shape);
+      print_convergence(plural(cells), order, exact, kCounts,
+                        [&](std::size_t n) { return moved_cells(cells, n, test::sheared); });
+    }
+}
+
+constexpr double kMoved = 0.15;
+
+// Cells of all shapes whose corners inside are moved by a part of a cube's size.
+void print_distorted_kinds() {
+  constexpr std::array<std::size_t, 3> kCounts{2, 4, 8};
+  const Image exact = picture(test::structured(20, Cut::tetrahedra), CellOrder::cubic);
+  fmt::print(
+      "\n| moved by | cells | order | per edge | {}\n|---|---|---|---|---|---|---|---|---|---|\n",
+      kErrors);
+  for (std::size_t shape = 0; shape < kShapeCount; ++shape)
+    for (const CellOrder order : {CellOrder::quadratic, CellOrder::cubic}) {
+      const auto cells = static_cast<CellShape>(shape);
+      print_convergence(fmt::format("{:.0f} % | {}", 100 * kMoved, plural(cells)), order, exact,
+                        kCounts, [&](std::size_t n) {
+                          return moved_cells(cells, n, [&](const test::Position& p) {
+                            return test::warped(p, kMoved / static_cast<double>(n));
+                          });
+                        });
     }
 }
 
@@ -105,8 +153,8 @@ void print_interpolations() {
   const Image exact = picture(fine, CellOrder::cubic);
   fmt::print(
       "\n| order | per edge | moved by | isoparametric: largest | mean | polynomial: largest | "
-      "mean "
-      "|\n|---|---|---|---|---|---|---|\n");
+      "mean |\n"
+      "|---|---|---|---|---|---|---|\n");
   for (const CellOrder order : {CellOrder::linear, CellOrder::quadratic})
     for (const std::size_t n : {2U, 4U, 8U})
       for (const double part : {0.0, 0.05, 0.15, 0.25}) {
@@ -127,5 +175,6 @@ void print_interpolations() {
 
 int main() {
   hiac::print_kinds();
+  hiac::print_distorted_kinds();
   hiac::print_interpolations();
 }

@@ -159,8 +159,8 @@ struct Background {
 /// How radiance along a ray is integrated (Williams, Max, Stein 1998, section 4).
 enum class Integration : std::uint8_t { exact, gauss5, approximate, approximate_unsliced };
 
-/// How a field is interpolated in cells that are not simplices: by the finite element's shape
-/// functions, or by the paper's monomials in world coordinates (section 3).
+/// How a field is interpolated in cells: by the finite element's shape functions, or by polynomials
+/// in world coordinates, the paper's (section 3) where it has them.
 enum class Interpolation : std::uint8_t { isoparametric, polynomial };
 
 struct RenderSettings {
