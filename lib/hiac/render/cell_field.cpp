@@ -25,7 +25,8 @@ CellField cell_field(const ZooMesh& mesh, CellId cell, const FrameField& field, 
     result.values[k] = field.values[field.index(cell, mesh.elems[cell] + k, nodes[k])] - level;
   const auto [low, high] = std::ranges::minmax(std::span(result.values).first(nodes.size()));
   if (field.polynomial && low < high && !is_straight_tetrahedron(mesh, cell)) {
-    result.polynomial = WorldPolynomial::through(mesh, cell, result.values);
+    if (const auto found = WorldPolynomial::through(mesh, cell, result.values))
+      result.polynomial = std::make_shared<const WorldPolynomial>(*found);
     result.least = result.polynomial ? result.polynomial->least() : low;
     result.most = result.polynomial ? result.polynomial->most() : low;
     return result;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <array>
-#include <optional>
+#include <memory>
 
 #include "hiac/geometry/inverse_map.hpp"
 #include "hiac/mesh/interpolant_range.hpp"
@@ -17,8 +17,9 @@ namespace hiac {
 struct CellField {
   std::array<double, kMaxNodesPerCell> values;
   double least, most;
-  double allowed = 0;                         ///< absolute error of the field that is allowed
-  std::optional<WorldPolynomial> polynomial;  ///< instead of the isoparametric interpolant
+  double allowed = 0;  ///< absolute error of the field that is allowed
+  /// Instead of the isoparametric interpolant. Apart, because fields are copied, mostly without.
+  std::shared_ptr<const WorldPolynomial> polynomial;
 };
 
 /// A field in a cell, less `level`. A polynomial that the nodes do not determine is taken as
