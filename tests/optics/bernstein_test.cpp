@@ -53,6 +53,20 @@ TEST(ChebyshevPolynomial, IsTheSameFunctionAsItsBernsteinForm) {
   }
 }
 
+TEST(BernsteinPolynomial, OfPowersIsTheirSum) {
+  std::mt19937_64 engine(4);
+  for (std::size_t degree = 0; degree <= kMaxFieldDegree; ++degree) {
+    const BernsteinPolynomial powers = random_polynomial(engine, degree);
+    const BernsteinPolynomial f = bernstein_from_powers(powers.coefficients());
+    ASSERT_EQ(f.degree, degree);
+    for (double t = 0; t <= 1; t += 0.0625) {
+      long double sum = 0;
+      for (std::size_t k = degree + 1; k-- > 0;) sum = sum * (2 * t - 1) + powers.c[k];
+      EXPECT_NEAR(evaluate(f, t), static_cast<double>(sum), 1e-14) << degree;
+    }
+  }
+}
+
 TEST(ChebyshevPolynomial, InterpolatesInExtendedPrecision) {
   for (std::size_t degree = 1; degree <= kMaxFieldDegree; ++degree) {
     BasicCoefficients<long double> values{};
@@ -98,6 +112,9 @@ TEST(BernsteinPolynomial, RefusesNoCoefficientsAndTooMany) {
   EXPECT_THROW(BernsteinPolynomial(std::vector<double>(kMaxFieldDegree + 2)),
                std::invalid_argument);
   EXPECT_THROW(bernstein_from_chebyshev(std::vector<double>{}), std::invalid_argument);
+  EXPECT_THROW(bernstein_from_powers(std::vector<double>{}), std::invalid_argument);
+  EXPECT_THROW(bernstein_from_powers(std::vector<double>(kMaxFieldDegree + 2)),
+               std::invalid_argument);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -39,19 +38,14 @@ constexpr std::array<std::array<std::array<Real, 4>, 4>, 4> kFromValues{
 
 // The coefficients of every shape function of a kind.
 struct KindTable {
-  // What a coefficient has of a node other than the first.
-  struct Share {
-    std::uint32_t node;
-    double weight;
-  };
+  // What every coefficient has of a node, the first one's left out.
+  using Shares = std::array<double, InterpolantCoefficients::kMost>;
 
   std::size_t nodes = 0, count = 0;
-  // But for zeros: of linear kinds, every coefficient is a corner's value.
-  std::vector<Share> shares;
-  std::array<std::uint32_t, InterpolantCoefficients::kMost + 1> first{};  // of a coefficient's
-  double largest_sum = 0;  // of a coefficient's weights, without signs
+  std::vector<Shares> of_node;
+  double largest_sum = 0;  // of a coefficient's shares, without signs
 
-  explicit KindTable(CellKind kind) : nodes(node_count(kind)) {
+  explicit KindTable(CellKind kind) : nodes(node_count(kind)), of_node(nodes) {
     const auto p = static_cast<std::size_t>(order_of(kind));
     const std::size_t n = p + 1;
     count = n * n * n;
@@ -65,12 +59,10 @@ struct KindTable {
     for (std::size_t i = 0; i < count; ++i) {
       double sum = 0;
       for (std::size_t k = 0; k < nodes; ++k) {
-        const auto weight = static_cast<double>(values[i][k]);
-        sum += std::abs(weight);
-        if (k > 0 && std::abs(weight) > kZero)
-          shares.push_back({static_cast<std::uint32_t>(k), weight});
+        const auto share = static_cast<double>(values[i][k]);
+        sum += std::abs(share);
+        if (k > 0 && std::abs(share) > kZero) of_node[k][i] = share;
       }
-      first[i + 1] = static_cast<std::uint32_t>(shares.size());
       largest_sum = std::max(largest_sum, sum);
     }
   }
@@ -118,12 +110,11 @@ InterpolantCoefficients interpolant_coefficients(CellKind kind, std::span<const 
   }
   InterpolantCoefficients result;
   result.count = table.count;
-  for (std::size_t i = 0; i < table.count; ++i) {
-    double sum = 0;
-    for (std::uint32_t s = table.first[i]; s < table.first[i + 1]; ++s)
-      sum += table.shares[s].weight * difference[table.shares[s].node];
-    result.c[i] = values[0] + sum;
-  }
+  result.c.fill(0);
+  for (std::size_t k = 1; k < table.nodes; ++k)
+    for (std::size_t i = 0; i < table.count; ++i)
+      result.c[i] += table.of_node[k][i] * difference[k];
+  for (std::size_t i = 0; i < table.count; ++i) result.c[i] += values[0];
   if (largest > 0)
     result.rounding =
         kEpsilon * ((static_cast<double>(table.nodes) + 4) * table.largest_sum * largest +

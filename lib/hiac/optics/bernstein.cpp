@@ -8,6 +8,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
 #include "hiac/base/binomial.hpp"
 
 namespace hiac {
@@ -15,7 +17,8 @@ namespace {
 
 void check_count(std::size_t count) {
   if (count == 0 || count > kMaxFieldDegree + 1)
-    throw std::invalid_argument("a field along a ray needs 1 to 17 coefficients");
+    throw std::invalid_argument(
+        fmt::format("a field along a ray needs 1 to {} coefficients", kMaxFieldDegree + 1));
 }
 
 constexpr std::size_t kCount = kMaxFieldDegree + 1;
@@ -227,6 +230,22 @@ BernsteinPolynomial bernstein_from_chebyshev(std::span<const double> coefficient
 }
 ExtendedBernstein bernstein_from_chebyshev(std::span<const long double> coefficients) {
   return from_chebyshev(coefficients);
+}
+
+BernsteinPolynomial bernstein_from_powers(std::span<const double> coefficients) {
+  check_count(coefficients.size());
+  BernsteinPolynomial f;
+  f.c[0] = coefficients.back();
+  for (std::size_t k = coefficients.size() - 1; k-- > 0;) {
+    // Horner's scheme: times x, which is -1 at t = 0 and 1 at t = 1, and more
+    const std::size_t n = ++f.degree;
+    for (std::size_t i = n + 1; i-- > 0;) {
+      const double before = i > 0 ? static_cast<double>(i) * f.c[i - 1] : 0;
+      const double here = i < n ? static_cast<double>(n - i) * f.c[i] : 0;
+      f.c[i] = (before - here) / static_cast<double>(n) + coefficients[k];
+    }
+  }
+  return f;
 }
 
 template <class Real>

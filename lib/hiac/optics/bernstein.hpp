@@ -76,6 +76,11 @@ BasicChebyshev<Real> chebyshev_from_bernstein(const BasicBernstein<Real>& f);
 BernsteinPolynomial bernstein_from_chebyshev(std::span<const double> coefficients);
 ExtendedBernstein bernstein_from_chebyshev(std::span<const long double> coefficients);
 
+/// f(x) = sum_k c[k] x^k on [-1, 1], the same with t = (1 + x) / 2. No coefficient of it is larger
+/// than the sum of all |c[k]|.
+/// Throws std::invalid_argument when there is no coefficient or more than kMaxFieldDegree + 1.
+BernsteinPolynomial bernstein_from_powers(std::span<const double> coefficients);
+
 /// The polynomial of degree n < `values`' size with these values at the Chebyshev points
 /// x = cos(pi j / n), j = 0..n.
 template <class Real>

@@ -26,8 +26,7 @@ class IntegratingSink {
   using M = hn::Mask<D>;
 
   IntegratingSink(const Frame& frame, const CellPolynomials& cell, const CellIntervals& intervals)
-      : field_count_(cell.field_count),
-        walk_(frame.optics,
+      : walk_(frame.optics,
               walk_field(cell.fields[cell.field_count - 1],
                          {intervals.color_low, intervals.color_high}),
               walk_field(cell.fields[0], {intervals.extinction_low, intervals.extinction_high})) {}
@@ -39,16 +38,12 @@ class IntegratingSink {
     sum_ = {hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Set(d, 1.0)};
   }
 
-  HWY_NOINLINE std::size_t add(double begin, double end, const FieldSeries<V>& series, M& active) {
+  HWY_NOINLINE void add(double begin, double end, const FieldPolynomials<V>& fields, M& active) {
     const D d;
-    LanePolynomial<V> extinction, color;
-    to_powers(series, 0, extinction);
-    if (field_count_ > 1) to_powers(series, 1, color);
     const V part = hn::Set(d, end - begin);
-    const M undone = walk_.add(d, extinction, color, hn::Mul(length_, part),
+    const M undone = walk_.add(d, fields[0], fields[1], hn::Mul(length_, part),
                                hn::Mul(allowed_, part), active, sum_);
     active = hn::AndNot(undone, active);
-    return std::max(extinction.degree, color.degree);
   }
 
   HWY_INLINE void store(std::size_t first, M done, CellSegments& s) const {
@@ -67,22 +62,6 @@ class IntegratingSink {
             std::max(std::abs(field.least - field.base), std::abs(field.most - field.base))};
   }
 
-  // In powers, without what is negligible in all lanes.
-  static HWY_NOINLINE void to_powers(const FieldSeries<V>& series, std::size_t f,
-                                     LanePolynomial<V>& p) {
-    const D d;
-    p.degree = series.counted_degree(d, f);
-    const V(&c)[kMostChebyshevDegree + 1] = series.coefficients[f];
-    const ChebyshevPowers& powers = chebyshev_powers();
-    for (std::size_t i = 0; i <= p.degree; ++i) {
-      V sum = hn::Mul(hn::Set(d, powers[i][i]), c[i]);
-      for (std::size_t k = i + 2; k <= p.degree; k += 2)
-        sum = hn::MulAdd(hn::Set(d, powers[k][i]), c[k], sum);
-      p.c[i] = sum;
-    }
-  }
-
-  std::size_t field_count_;
   PolynomialWalk<kEmission> walk_;
   // of the segments at hand
   V length_, allowed_;

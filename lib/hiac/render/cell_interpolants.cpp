@@ -28,15 +28,11 @@ class PieceSink {
     for (auto& pieces : of_lane_) pieces.clear();
   }
 
-  HWY_NOINLINE std::size_t add(double begin, double end, const FieldSeries<V>& series, M& active) {
+  HWY_NOINLINE void add(double begin, double end, const FieldPolynomials<V>& fields, M& active) {
     const D d;
-    std::size_t most = 0, degree[2] = {0, 0};
-    for (std::size_t f = 0; f < cell_.field_count; ++f) {
-      degree[f] = series.counted_degree(d, f);
-      most = std::max(most, degree[f]);
-      for (std::size_t k = 0; k <= degree[f]; ++k)
-        hn::Store(series.coefficients[f][k], d, coefficients_[f][k].data());
-    }
+    for (std::size_t f = 0; f < cell_.field_count; ++f)
+      for (std::size_t k = 0; k <= fields[f].degree; ++k)
+        hn::Store(fields[f].c[k], d, powers_[f][k].data());
     const auto is_active = lanes_of(d, active);
     for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
       if (!is_active[lane]) continue;
@@ -44,9 +40,8 @@ class PieceSink {
       piece.begin = begin;
       piece.end = end;
       for (std::size_t f = 0; f < cell_.field_count; ++f)
-        piece.fields[f] = polynomial(f, degree[f], lane);
+        piece.fields[f] = polynomial(f, fields[f].degree, lane);
     }
-    return most;
   }
 
   // Of `count` segments of the vector those that are done.
@@ -65,9 +60,9 @@ class PieceSink {
   // On [0, 1].
   [[nodiscard]] BernsteinPolynomial polynomial(std::size_t f, std::size_t degree,
                                                std::size_t lane) const {
-    std::array<double, kMostChebyshevDegree + 1> c;
-    for (std::size_t k = 0; k <= degree; ++k) c[k] = coefficients_[f][k][lane];
-    BernsteinPolynomial p = bernstein_from_chebyshev(std::span(c).first(degree + 1));
+    std::array<double, kMaxFieldDegree + 1> c;
+    for (std::size_t k = 0; k <= degree; ++k) c[k] = powers_[f][k][lane];
+    BernsteinPolynomial p = bernstein_from_powers(std::span(c).first(degree + 1));
     for (std::size_t k = 0; k <= degree; ++k) p.c[k] += cell_.fields[f].base;
     return p;
   }
@@ -75,7 +70,7 @@ class PieceSink {
   const CellPolynomials& cell_;
   SegmentPieces& found_;
   std::array<std::vector<FieldAlongRay::Piece>, kMostLanes> of_lane_;
-  alignas(64) std::array<std::array<double, kMostLanes>, kMostChebyshevDegree + 1> coefficients_[2];
+  alignas(64) std::array<std::array<double, kMostLanes>, kMaxFieldDegree + 1> powers_[2];
 };
 
 void interpolate_segments_here(const Frame& frame, const CellPolynomials& cell,

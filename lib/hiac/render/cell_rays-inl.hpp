@@ -88,20 +88,20 @@ class CellRays {
     return outcome_ != Outcome::hopeless;
   }
 
-  // Collapsed coordinates at the Chebyshev points of that part; an even `degree` where the cell is
+  // Collapsed coordinates at the Chebyshev points of that part; of an even degree where the cell is
   // not affine. Lanes for which they are not found are taken off `active`.
-  HWY_NOINLINE void sample(std::size_t degree, M& active) {
+  HWY_NOINLINE void sample(const ChebyshevPoints& points, M& active) {
     if (cell_.affine)
-      sample_line(degree);
+      sample_line(points);
     else if (cell_.twisted_pyramid)
-      sample_twisted(degree, active);
+      sample_twisted(points, active);
     else if (by_series_)
-      sample_series(degree, active);
+      sample_series(points, active);
     else if (sampled_ == 0)
-      sample_map(degree, active);
+      sample_map(points, active);
     else
-      sample_map_again(degree, active);
-    sampled_ = degree;
+      sample_map_again(points, active);
+    sampled_ = points.degree();
   }
 
   // In affine cells, along the part, z from -1 to 1, the width to which the cell tapers is in
@@ -195,9 +195,24 @@ class CellRays {
   }
 
   // sample() in affine cells.
-  HWY_INLINE void sample_line(std::size_t degree) {
-    const ChebyshevPoints& points = chebyshev_points(degree);
-    for (std::size_t j = 0; j <= degree; ++j) at_[j] = collapsed_in(on_line(points.place(j)));
+  HWY_INLINE void sample_line(const ChebyshevPoints& points) {
+    switch (cell_.shape) {
+      case CellShape::tetrahedron:
+        return sample_line_in<CellShape::tetrahedron>(points);
+      case CellShape::pyramid:
+        return sample_line_in<CellShape::pyramid>(points);
+      case CellShape::prism:
+        return sample_line_in<CellShape::prism>(points);
+      case CellShape::wedge:
+        return sample_line_in<CellShape::wedge>(points);
+      case CellShape::brick:
+        return sample_line_in<CellShape::brick>(points);
+    }
+  }
+  template <CellShape kShape>
+  HWY_INLINE void sample_line_in(const ChebyshevPoints& points) {
+    for (std::size_t j = 0; j <= points.degree(); ++j)
+      at_[j] = collapsed_in<kShape>(on_line(points.place(j)));
   }
 
   // In twisted pyramids: with p what `inverse` gives, xi = p - twist q makes q (1 - z) = x y
@@ -205,8 +220,8 @@ class CellRays {
   //     beta = 1 - p_2 + twist_0 p_1 + twist_1 p_0.
   // 2 alpha q + beta is the Jacobian's determinant by that of A and 1 - z: positive, so that q is
   // the root in which the square root is added.
-  HWY_INLINE void sample_twisted(std::size_t degree, M& active) {
-    const ChebyshevPoints& points = chebyshev_points(degree);
+  HWY_INLINE void sample_twisted(const ChebyshevPoints& points, M& active) {
+    const std::size_t degree = points.degree();
     const V one = hn::Set(d_, 1.0), zero = hn::Zero(d_);
     const V t[3] = {hn::Set(d_, cell_.twist[0]), hn::Set(d_, cell_.twist[1]),
                     hn::Set(d_, cell_.twist[2])};
@@ -223,14 +238,14 @@ class CellRays {
       const V q = hn::Div(hn::IfThenElse(plus, product, hn::Sub(root, beta)),
                           hn::IfThenElse(plus, hn::Add(root, beta), two_alpha));
       for (std::size_t a = 0; a < 3; ++a) xi.c[a] = hn::NegMulAdd(t[a], q, xi.c[a]);
-      at_[j] = collapsed_in(xi);
+      at_[j] = collapsed_in<CellShape::pyramid>(xi);
       active = hn::And(active, inside(at_[j]));
     }
   }
 
   // By the series, or from where it has them.
-  HWY_INLINE void sample_series(std::size_t degree, M& active) {
-    const ChebyshevPoints& points = chebyshev_points(degree);
+  HWY_INLINE void sample_series(const ChebyshevPoints& points, M& active) {
+    const std::size_t degree = points.degree();
     for (std::size_t j = 0; 2 * j <= degree; ++j)
       series_.at(d_, 1 - 2 * points.place(j), at_[j], at_[degree - j]);
     if (outcome_ == Outcome::converged)
@@ -241,8 +256,8 @@ class CellRays {
       for (std::size_t j = 0; j <= degree; ++j) at_[j].c[0] = quotient(at_[j].c[0], at_[j].c[1]);
   }
 
-  HWY_INLINE void sample_map(std::size_t degree, M& active) {
-    const ChebyshevPoints& points = chebyshev_points(degree);
+  HWY_INLINE void sample_map(const ChebyshevPoints& points, M& active) {
+    const std::size_t degree = points.degree();
     at_[0] = starts_.front;
     at_[degree] = starts_.back;
     find_at(points.place(0), at_[0], active);
@@ -255,10 +270,10 @@ class CellRays {
   }
 
   // The same where they are known at the points of another degree.
-  HWY_INLINE void sample_map_again(std::size_t degree, M& active) {
+  HWY_INLINE void sample_map_again(const ChebyshevPoints& points, M& active) {
+    const std::size_t degree = points.degree();
     LanePoint<V> before[kMostChebyshevDegree + 1];
     for (std::size_t j = 0; j <= sampled_; ++j) before[j] = at_[j];
-    const ChebyshevPoints& points = chebyshev_points(degree);
     for (const PointPrediction& p : points_from(sampled_, degree)) {
       at_[p.point] = predicted(p, before);
       if (p.from.size() == 1) continue;
@@ -303,30 +318,25 @@ class CellRays {
   }
 
   // collapsed() of cell_polynomials.hpp.
+  template <CellShape kShape>
   [[nodiscard]] HWY_INLINE LanePoint<V> collapsed_in(const LanePoint<V>& xi) const {
     const auto& [x, y, z] = xi.c;
     const V one = hn::Set(d_, 1.0);
-    switch (cell_.shape) {
-      case CellShape::tetrahedron: {
-        const V w = hn::Sub(one, z), rest = hn::Sub(w, y);
-        return {{quotient(x, rest), quotient(rest, w), w}};
-      }
-      case CellShape::pyramid: {
-        const V w = hn::Sub(one, z), inverse = hn::Div(one, at_least_tiny(w));
-        return {{near_cell(hn::Mul(x, inverse)), near_cell(hn::Mul(y, inverse)), w}};
-      }
-      case CellShape::prism: {
-        const V v = hn::Sub(one, y);
-        return {{quotient(x, v), v, z}};
-      }
-      case CellShape::wedge: {
-        const V v = hn::Sub(one, y), w = hn::Sub(one, z);
-        return {{quotient(x, hn::Add(v, w)), v, w}};
-      }
-      case CellShape::brick:
-        break;
+    if constexpr (kShape == CellShape::tetrahedron) {
+      const V w = hn::Sub(one, z), rest = hn::Sub(w, y);
+      return {{quotient(x, rest), quotient(rest, w), w}};
+    } else if constexpr (kShape == CellShape::pyramid) {
+      const V w = hn::Sub(one, z), inverse = hn::Div(one, at_least_tiny(w));
+      return {{near_cell(hn::Mul(x, inverse)), near_cell(hn::Mul(y, inverse)), w}};
+    } else if constexpr (kShape == CellShape::prism) {
+      const V v = hn::Sub(one, y);
+      return {{quotient(x, v), v, z}};
+    } else if constexpr (kShape == CellShape::wedge) {
+      const V v = hn::Sub(one, y), w = hn::Sub(one, z);
+      return {{quotient(x, hn::Add(v, w)), v, w}};
+    } else {
+      return xi;
     }
-    return xi;
   }
 
   [[nodiscard]] HWY_INLINE LanePoint<V> predicted(const PointPrediction& prediction,

@@ -20,6 +20,9 @@ ChebyshevPoints::ChebyshevPoints(std::size_t n) : n_(n) {
     for (std::size_t k = 0; k <= n; ++k)
       transform_[k][j] =
           2 * halved(k) * halved(j) * cosine[(n - j) * k % (2 * n)] / static_cast<double>(n);
+    for (std::size_t i = 0; i <= n; ++i)
+      for (std::size_t k = i; k <= n; k += 2)
+        power_[i][j] += chebyshev_powers()[k][i] * transform_[k][j];
   }
 }
 

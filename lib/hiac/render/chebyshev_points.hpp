@@ -14,10 +14,15 @@ class ChebyshevPoints {
  public:
   explicit ChebyshevPoints(std::size_t n);
 
+  [[nodiscard]] std::size_t degree() const { return n_; }
+
   /// The j-th point from the front, in [0, 1].
   [[nodiscard]] double place(std::size_t j) const { return place_[j]; }
   /// What coefficient k has of the value at the j-th point from the front.
   [[nodiscard]] double transform(std::size_t k, std::size_t j) const { return transform_[k][j]; }
+  /// What the coefficient of x^k has of the value at the j-th point from the front, in the
+  /// polynomial through them.
+  [[nodiscard]] double power(std::size_t k, std::size_t j) const { return power_[k][j]; }
 
   /// `values[j * stride]`: at the j-th point from the front.
   void coefficients(const double* values, std::size_t stride, double* c) const;
@@ -25,15 +30,17 @@ class ChebyshevPoints {
  private:
   std::size_t n_;
   std::array<double, kMostChebyshevDegree + 1> place_{};
-  std::array<std::array<double, kMostChebyshevDegree + 1>, kMostChebyshevDegree + 1> transform_{};
+  std::array<std::array<double, kMostChebyshevDegree + 1>, kMostChebyshevDegree + 1> transform_{},
+      power_{};
 };
 
 /// 1 <= n <= kMostChebyshevDegree.
 const ChebyshevPoints& chebyshev_points(std::size_t n);
 
-/// Chebyshev polynomials in powers: the coefficient of z^i in T_k is [k][i].
+/// Chebyshev polynomials in powers, up to that of degree kMostChebyshevDegree + 1: the coefficient
+/// of z^i in T_k is [k][i].
 using ChebyshevPowers =
-    std::array<std::array<double, kMostChebyshevDegree + 1>, kMostChebyshevDegree + 1>;
+    std::array<std::array<double, kMostChebyshevDegree + 2>, kMostChebyshevDegree + 2>;
 const ChebyshevPowers& chebyshev_powers();
 
 /// How points between known ones are found from these: by polynomials through what is known.

@@ -13,6 +13,7 @@
 #  include <hwy/highway.h>
 
 #  include "hiac/optics/bernstein.hpp"
+#  include "hiac/render/chebyshev_points.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
@@ -31,6 +32,31 @@ struct LanePolynomial {
     for (std::size_t k = 0; k <= degree; ++k) c[k] = other.c[k];
   }
 };
+
+// The polynomial of degree n with these values at the n + 1 Chebyshev points, which are
+// overwritten.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void powers_from_points(D d, const ChebyshevPoints& points, std::size_t n, V* value,
+                                   V* c) {
+  // even powers have the sums of values at points that lie opposite, odd ones their differences
+  const std::size_t pairs = (n + 1) / 2;
+  for (std::size_t j = 0; j < pairs; ++j) {
+    const V front = value[j], back = value[n - j];
+    value[j] = hn::Add(back, front);
+    value[n - j] = hn::Sub(back, front);
+  }
+  for (std::size_t k = 0; k <= n; ++k) {
+    V sum = hn::Zero(d);
+    if (k % 2 == 0) {
+      for (std::size_t j = 0; 2 * j <= n; ++j)
+        sum = hn::MulAdd(hn::Set(d, points.power(k, j)), value[j], sum);
+    } else {
+      for (std::size_t j = 0; j < pairs; ++j)
+        sum = hn::MulAdd(hn::Set(d, points.power(k, n - j)), value[n - j], sum);
+    }
+    c[k] = sum;
+  }
+}
 
 // Some steps of Horner's scheme for coefficients about another point, from step `r` on: each adds
 // `by` times the next coefficient to those of r and above, the highest first. Together they load

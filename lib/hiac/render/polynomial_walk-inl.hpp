@@ -65,9 +65,15 @@ class PolynomialWalk {
                                hn::Mask<D> active, Radiance<V>& sum) {
     const V one = hn::Set(d, 1.0), half = hn::Set(d, 0.5), narrow = hn::Set(d, kNarrow);
     V u = hn::Set(d, -1.0), v = one;
+    const std::size_t top =
+        top_for(optics_.same_field ? extinction.degree : std::max(extinction.degree, color.degree));
     Fields<V> f;
     f.extinction.set(extinction);
-    if (!optics_.same_field) f.color.set(color);
+    pad(d, f.extinction, top);
+    if (!optics_.same_field) {
+      f.color.set(color);
+      pad(d, f.color, top);
+    }
     bool settled = never_cut_;  // no breakpoint is left between u and v
     for (int round = 0; round < kMostRounds; ++round) {
       if (hn::AllFalse(d, active)) return active;
@@ -79,8 +85,13 @@ class PolynomialWalk {
         if (!settled) continue;
       }
       const bool may_refuse = hn::AllTrue(d, hn::Or(hn::Not(active), hn::Gt(part, narrow)));
-      if (!add_piece(d, f.extinction, optics_.same_field ? f.extinction : f.color,
-                     hn::Mul(length, part), hn::Mul(allowed, part), active, may_refuse, sum)) {
+      const LanePolynomial<V>& field = optics_.same_field ? f.extinction : f.color;
+      const V piece = hn::Mul(length, part), piece_allowed = hn::Mul(allowed, part);
+      const bool added = with_top(top, [&]<std::size_t kTop>() {
+        return add_piece<kTop>(d, f.extinction, field, piece, piece_allowed, active, may_refuse,
+                               sum);
+      });
+      if (!added) {
         shorten(d, hn::Zero(d), f, u, v);
         continue;
       }
@@ -258,54 +269,17 @@ class PolynomialWalk {
     return c;
   }
 
-  // Sums over coefficients are compiled for some numbers of them: up to those of z^(2 top + 1), a
-  // factor's (below) up to those of z^(2 top + 1 - kFactorBelow).
+  // Pieces are compiled for fields of some degrees, 2 top, less than which is padded with zeros:
+  // the optical depth has coefficients up to that of z^(2 top + 1).
   static constexpr std::size_t kMostTop = (kMaxFieldDegree + 1) / 2;
-  static constexpr std::size_t kMostCoefficients = 2 * kMostTop + 2;
-  static constexpr std::size_t kFactorBelow = kEmission ? 0 : 2;
 
-  // The optical depth along a piece in powers of z, and at its end.
-  template <class V>
-  struct Depth {
-    std::size_t degree;
-    V alpha[kMostCoefficients];
-    V total;
-  };
-
-  template <class V>
-  static HWY_INLINE void pad(const V& zero, V* c, std::size_t degree, std::size_t top) {
-    for (std::size_t k = degree + 1; k <= 2 * top + 1; ++k) c[k] = zero;
-  }
-
-  // Of an extinction offset + slope f.
-  template <class D, class V = hn::Vec<D>>
-  static HWY_INLINE Depth<V> depth_of(D d, const LanePolynomial<V>& f, V offset, V slope,
-                                      V length) {
-    static constexpr auto kInverse = [] {
-      std::array<double, kMaxFieldDegree + 2> inverse{};
-      for (std::size_t k = 1; k < inverse.size(); ++k) inverse[k] = 1 / static_cast<double>(k);
-      return inverse;
-    }();
-    Depth<V> depth;
-    depth.degree = f.degree + 1;
-    const V scale = hn::Mul(hn::Set(d, 0.5), length);
-    slope = hn::Mul(slope, scale);
-    V odd = hn::MulAdd(slope, f.c[0], hn::Mul(offset, scale)), even = hn::Zero(d);
-    depth.alpha[1] = odd;
-    for (std::size_t k = 1; k <= f.degree; ++k) {
-      const V alpha = hn::Mul(hn::Mul(slope, f.c[k]), hn::Set(d, kInverse[k + 1]));
-      depth.alpha[k + 1] = alpha;
-      (k % 2 == 0 ? odd : even) = hn::Add(k % 2 == 0 ? odd : even, alpha);
-    }
-    // no depth at the front
-    depth.alpha[0] = hn::Sub(odd, even);
-    depth.total = hn::Max(hn::Add(odd, odd), hn::Zero(d));
-    return depth;
-  }
-
-  // The least of the numbers that sums are compiled for, for some degree.
+  // The least of the tops that pieces are compiled for, for some degree.
   static HWY_INLINE std::size_t top_for(std::size_t degree) {
-    return degree < 4 ? 1 : (degree / 2 + 1) / 2 * 2;
+    return degree < 3 ? 1 : (degree + 3) / 4 * 2;
+  }
+  template <class D, class V = hn::Vec<D>>
+  static HWY_INLINE void pad(D d, LanePolynomial<V>& f, std::size_t top) {
+    for (std::size_t k = f.degree + 1; k <= 2 * top; ++k) f.c[k] = hn::Zero(d);
   }
   template <class F>
   static HWY_INLINE auto with_top(std::size_t top, F&& f) {
@@ -326,8 +300,40 @@ class PolynomialWalk {
     }
   }
 
+  // The optical depth along a piece in powers of z, and at its end.
+  template <std::size_t kTop, class V>
+  struct Depth {
+    V alpha[2 * kTop + 2];
+    V total;
+  };
+
+  // Of an extinction offset + slope f.
+  template <std::size_t kTop, class D, class V = hn::Vec<D>>
+  static HWY_INLINE Depth<kTop, V> depth_of(D d, const LanePolynomial<V>& f, V offset, V slope,
+                                            V length) {
+    Depth<kTop, V> depth;
+    const V scale = hn::Mul(hn::Set(d, 0.5), length);
+    slope = hn::Mul(slope, scale);
+    V odd = hn::MulAdd(slope, f.c[0], hn::Mul(offset, scale)), even = hn::Zero(d);
+    depth.alpha[1] = odd;
+    for (std::size_t k = 1; k <= 2 * kTop; ++k) {
+      const V alpha = hn::Mul(hn::Mul(slope, f.c[k]), hn::Set(d, 1 / static_cast<double>(k + 1)));
+      depth.alpha[k + 1] = alpha;
+      (k % 2 == 0 ? odd : even) = hn::Add(k % 2 == 0 ? odd : even, alpha);
+    }
+    // no depth at the front
+    depth.alpha[0] = hn::Sub(odd, even);
+    depth.total = hn::Max(hn::Add(odd, odd), hn::Zero(d));
+    return depth;
+  }
+
+  // What integrands have besides exp(-A): with emission the field less the anchor, else its
+  // derivative over the length of a piece.
+  template <std::size_t kTop>
+  static constexpr std::size_t kFactorTop = kEmission ? kTop : kTop - 1;
+
   // False when no rule meets what is allowed and the piece `may_refuse`.
-  template <class D, class V = hn::Vec<D>>
+  template <std::size_t kTop, class D, class V = hn::Vec<D>>
   HWY_NOINLINE bool add_piece(D d, const LanePolynomial<V>& tau_field,
                               const LanePolynomial<V>& field, V length, V allowed,
                               hn::Mask<D> active, bool may_refuse, Radiance<V>& sum) {
@@ -340,43 +346,33 @@ class PolynomialWalk {
     const V anchor = hn::Sub(extinction(optics_.extinction.anchor), hn::Set(d, extinction_.base));
     const V offset = hn::NegMulAdd(slope, anchor, extinction(optics_.extinction.value[0]));
     // nothing of what other lanes have may pass what numbers reach
-    Depth<V> depth = depth_of(d, tau_field, offset, slope, hn::IfThenElseZero(active, length));
-    // the field less the anchor for emission, else its derivative over the length of a piece
-    V factor[kMostCoefficients];
-    std::size_t degree = field.degree;
+    const Depth<kTop, V> depth =
+        depth_of<kTop>(d, tau_field, offset, slope, hn::IfThenElseZero(active, length));
+    V factor[2 * kFactorTop<kTop> + 2], front = hn::Sub(field.c[0], channels.anchor), back = front;
+    factor[2 * kFactorTop<kTop> + 1] = hn::Zero(d);
     if constexpr (kEmission) {
-      factor[0] = hn::Sub(field.c[0], channels.anchor);
-      for (std::size_t k = 1; k <= degree; ++k) factor[k] = field.c[k];
+      factor[0] = front;
+      for (std::size_t k = 1; k <= 2 * kTop; ++k) factor[k] = field.c[k];
     } else {
-      factor[0] = hn::Zero(d);
-      for (std::size_t k = 1; k <= degree; ++k)
-        factor[k - 1] = hn::Mul(hn::Set(d, kTwice[k]), field.c[k]);
-      if (degree > 0) --degree;
+      for (std::size_t k = 1; k <= 2 * kTop; ++k) {
+        factor[k - 1] = hn::Mul(hn::Set(d, 2 * static_cast<double>(k)), field.c[k]);
+        front = k % 2 == 0 ? hn::Add(front, field.c[k]) : hn::Sub(front, field.c[k]);
+        back = hn::Add(back, field.c[k]);
+      }
     }
-    const std::size_t top = top_for(std::max(depth.degree, degree + kFactorBelow));
-    pad(hn::Zero(d), depth.alpha, depth.degree, top);
-    pad(hn::Zero(d), factor, degree, top - kFactorBelow / 2);
     const V weight = hn::IfThenElseZero(active, hn::Div(sum.transparency, allowed));
-    const std::size_t nodes = with_top(top, [&]<std::size_t kTop>() {
-      return nodes_for<kTop>(d, depth, factor, channels, length, weight);
-    });
+    const std::size_t nodes = nodes_for<kTop>(d, depth, factor, channels, length, weight);
     if (nodes == 0 && may_refuse) return false;
     const SymmetricRule& rule = rules_[(nodes == 0 ? kMostSymmetricNodes : nodes) - 1];
     const Thickness thickness(
         hn::GetLane(hn::MaxOfLanes(d, hn::IfThenElseZero(active, depth.total))));
     const V zeta = transparency(d, depth.total, thickness);
-    const Means<V> means = with_top(
-        top, [&]<std::size_t kTop>() { return means_of<kTop>(d, rule, depth, thickness, factor); });
+    const Means<V> means = means_of<kTop>(d, rule, depth, thickness, factor);
     V constant, linear;  // a channel is value * constant + slope * linear
     if constexpr (kEmission) {
       constant = hn::Mul(means.of_one, length);
       linear = hn::Mul(means.of_factor, length);
     } else {
-      V front = hn::Sub(field.c[0], channels.anchor), back = front;
-      for (std::size_t k = 1; k <= field.degree; ++k) {
-        front = k % 2 == 0 ? hn::Add(front, field.c[k]) : hn::Sub(front, field.c[k]);
-        back = hn::Add(back, field.c[k]);
-      }
       constant = hn::Sub(hn::Set(d, 1.0), zeta);
       linear = hn::Add(hn::NegMulAdd(back, zeta, front), means.of_factor);
     }
@@ -390,9 +386,10 @@ class PolynomialWalk {
   // How many nodes give the mean of p exp(-A) with an error of at most 1 / weight, p being kappa'
   // or g: the best of some ellipses, for the lane that needs most. 0: more than there are.
   template <std::size_t kTop, class D, class V = hn::Vec<D>>
-  HWY_NOINLINE std::size_t nodes_for(D d, const Depth<V>& depth, const V* factor,
+  HWY_NOINLINE std::size_t nodes_for(D d, const Depth<kTop, V>& depth, const V* factor,
                                      const Channels<V>& channels, V length, V weight) {
-    constexpr std::size_t kDepth = 2 * kTop + 1, kFactor = kDepth - kFactorBelow;
+    constexpr std::size_t kDepth = 2 * kTop + 1,
+                          kFactor = 2 * kFactorTop<kTop> + (kEmission ? 0 : 1);
     FactorBound<V, kFactor> bound;
     for (std::size_t k = 0; k <= kFactor; ++k) bound.size[k] = hn::Abs(factor[k]);
     bound.brightest = hn::Zero(d);
@@ -414,7 +411,7 @@ class PolynomialWalk {
   };
 
   template <std::size_t kTop, class D, class V = hn::Vec<D>>
-  static HWY_NOINLINE Means<V> means_of(D d, const SymmetricRule& rule, const Depth<V>& depth,
+  static HWY_NOINLINE Means<V> means_of(D d, const SymmetricRule& rule, const Depth<kTop, V>& depth,
                                         const Thickness& thickness, const V* factor) {
     Means<V> means{hn::Zero(d), hn::Zero(d)};
     if (rule.middle != 0) {
@@ -430,7 +427,7 @@ class PolynomialWalk {
       const V weight = hn::Set(d, rule.weight[k]);
       const V both = hn::Mul(weight, hn::Add(behind, before));
       const V apart = hn::Mul(hn::Mul(weight, z), hn::Sub(behind, before));
-      const EvenAndOdd<V> f = even_and_odd<kTop - kFactorBelow / 2>(factor, square);
+      const EvenAndOdd<V> f = even_and_odd<kFactorTop<kTop>>(factor, square);
       if constexpr (kEmission) means.of_one = hn::Add(means.of_one, both);
       means.of_factor = hn::MulAdd(f.even, both, hn::MulAdd(f.odd, apart, means.of_factor));
     }

@@ -17,8 +17,9 @@
 
 #  include "hiac/render/cell_rays-inl.hpp"
 #  include "hiac/render/cell_segments.hpp"
-#  include "hiac/render/chebyshev_quotient-inl.hpp"
 #  include "hiac/render/frame.hpp"
+#  include "hiac/render/lane_polynomial-inl.hpp"
+#  include "hiac/render/quotient_powers-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
@@ -35,34 +36,16 @@ HWY_INLINE std::array<bool, 8> lanes_of(D d, hn::Mask<D> mask) {
   return lanes;
 }
 
-// One or two fields on a part of segments, less their bases, as Chebyshev series.
+// One or two fields on a part of segments, less their bases.
 template <class V>
-struct FieldSeries {
-  std::size_t degree[2];
-  V coefficients[2][kMostChebyshevDegree + 1];
-  V negligible[2];  // of each field's
-
-  // The degree without what of a field is negligible in all lanes.
-  template <class D>
-  HWY_INLINE std::size_t counted_degree(D d, std::size_t f) const {
-    std::size_t counted = degree[f];
-    V dropped = hn::Zero(d);
-    while (counted > 0) {
-      dropped = hn::Add(dropped, hn::Abs(coefficients[f][counted]));
-      if (!hn::AllTrue(d, hn::Le(dropped, negligible[f]))) break;
-      --counted;
-    }
-    return counted;
-  }
-};
+using FieldPolynomials = std::array<LanePolynomial<V>, 2>;
 
 // Finds the fields along segments, one vector of segments after another.
 //
-// `Sink` takes the series of a vector's segments, front to back, part by part:
+// `Sink` takes those of a vector's segments, front to back, part by part:
 //     void begin(std::size_t first, const CellSegments&)
-//     std::size_t add(double begin, double end, const FieldSeries<V>&, M& active)
-// The parts are of [0, 1]; add() takes lanes that it cannot do off `active`, and returns the degree
-// that counted.
+//     void add(double begin, double end, const FieldPolynomials<V>&, M& active)
+// The parts are of [0, 1]; add() takes lanes that it cannot do off `active`.
 template <class Sink>
 class SegmentFields {
  public:
@@ -71,7 +54,10 @@ class SegmentFields {
   using M = hn::Mask<D>;
 
   SegmentFields(const Frame& frame, const CellPolynomials& cell, Sink& sink)
-      : frame_(frame), cell_(cell), sink_(sink) {
+      : frame_(frame),
+        cell_(cell),
+        line_points_(chebyshev_points(std::max(cell.along_lines.degree, std::size_t{1}))),
+        sink_(sink) {
     efforts_.fill(kFirstDegree);
     for (std::size_t a = 0; a < 3; ++a)
       starts_.front.c[a] = starts_.back.c[a] = hn::Set(D(), cell.middle[a]);
@@ -95,7 +81,7 @@ class SegmentFields {
     else if (cell_.along_lines.pole_order > 0)
       expand_quotient(0, 1, 0);
     else
-      add_polynomial(cell_.along_lines.degree);
+      add_polynomial();
     return hn::And(wanted, active_);
   }
 
@@ -129,10 +115,9 @@ class SegmentFields {
     V accuracy = hn::Set(d, 1.0);
     for (std::size_t f = 0; f < cell_.field_count; ++f) {
       const CellPolynomials::Field& field = cell_.fields[f];
-      series_.negligible[f] = hn::Max(rays.rounding(field), hn::Set(d, field.allowed));
+      negligible_[f] = hn::Max(rays.rounding(field), hn::Set(d, field.allowed));
       const double spread = 0x1p4 * (field.most - field.least);
-      if (spread > 0)
-        accuracy = hn::Min(accuracy, hn::Div(series_.negligible[f], hn::Set(d, spread)));
+      if (spread > 0) accuracy = hn::Min(accuracy, hn::Div(negligible_[f], hn::Set(d, spread)));
     }
     rays.set_accuracy(accuracy);
   }
@@ -144,9 +129,9 @@ class SegmentFields {
   }
 
   // Chebyshev coefficients of field f from these.
-  HWY_NOINLINE void transform(std::size_t f, std::size_t degree) {
+  HWY_NOINLINE void transform(std::size_t f, const ChebyshevPoints& points) {
     const D d;
-    const ChebyshevPoints& points = chebyshev_points(degree);
+    const std::size_t degree = points.degree();
     V(&value)[kMostChebyshevDegree + 1] = values_;
     // cosines are even and odd in turn
     const std::size_t half = degree / 2;
@@ -164,28 +149,62 @@ class SegmentFields {
       else
         for (std::size_t j = 0; j < degree - half; ++j)
           sum = hn::MulAdd(hn::Set(d, points.transform(k, j)), value[degree - j], sum);
-      series_.coefficients[f][k] = sum;
+      chebyshev_[f][k] = sum;
     }
   }
 
+  // Fields whose series are of this degree. Returns the degree that counts.
   std::size_t add(double begin, double end, std::size_t degree) {
-    series_.degree[0] = series_.degree[1] = degree;
-    return sink_.add(begin, end, series_, active_);
+    std::size_t counted = 0;
+    for (std::size_t f = 0; f < cell_.field_count; ++f) {
+      to_powers(f, counted_degree(chebyshev_[f], f, degree));
+      counted = std::max(counted, polynomials_[f].degree);
+    }
+    sink_.add(begin, end, polynomials_, active_);
+    return counted;
+  }
+
+  // Without what of field f's coefficients is negligible in all lanes.
+  HWY_INLINE std::size_t counted_degree(const V* c, std::size_t f, std::size_t degree) const {
+    const D d;
+    V dropped = hn::Zero(d);
+    while (degree > 0) {
+      dropped = hn::Add(dropped, hn::Abs(c[degree]));
+      if (!hn::AllTrue(d, hn::Le(dropped, negligible_[f]))) break;
+      --degree;
+    }
+    return degree;
+  }
+
+  HWY_NOINLINE void to_powers(std::size_t f, std::size_t degree) {
+    const D d;
+    const V(&c)[kMostChebyshevDegree + 1] = chebyshev_[f];
+    const ChebyshevPowers& powers = chebyshev_powers();
+    LanePolynomial<V>& p = polynomials_[f];
+    p.degree = degree;
+    for (std::size_t i = 0; i <= degree; ++i) {
+      V sum = hn::Mul(hn::Set(d, powers[i][i]), c[i]);
+      for (std::size_t k = i + 2; k <= degree; k += 2)
+        sum = hn::MulAdd(hn::Set(d, powers[k][i]), c[k], sum);
+      p.c[i] = sum;
+    }
   }
 
   // Fields that are polynomials.
-  HWY_INLINE void add_polynomial(std::size_t degree) {
-    rays_->sample(degree, active_);
+  HWY_INLINE void add_polynomial() {
+    const std::size_t degree = line_points_.degree();
+    rays_->sample(line_points_, active_);
     for (std::size_t f = 0; f < cell_.field_count; ++f) {
       field_values(f, degree);
-      transform(f, degree);
+      LanePolynomial<V>& p = polynomials_[f];
+      powers_from_points(D(), line_points_, degree, values_, p.c);
+      p.degree = counted_degree(p.c, f, degree);
     }
-    add(0, 1, degree);
+    sink_.add(0, 1, polynomials_, active_);
   }
 
   // Fields that are polynomials over powers of the width to which the cell tapers, on a part of the
-  // segments: from their values at a few points, as long a Chebyshev series as there is, or on two
-  // parts.
+  // segments: from their values at a few points, or on two parts.
   HWY_NOINLINE void expand_quotient(double begin, double end, int splits) {
     rays_->open(begin, end, active_);
     const V taper = rays_->taper();
@@ -198,7 +217,7 @@ class SegmentFields {
       if (expanded) {
         // neighbours may do better
         resolvable_ *= kOptimism;
-        sink_.add(begin, end, series_, active_);
+        sink_.add(begin, end, polynomials_, active_);
         return;
       }
       resolvable_ = std::abs(steepest) / kOptimism;
@@ -211,23 +230,29 @@ class SegmentFields {
     expand_quotient(between, end, splits + 1);
   }
 
-  // Chebyshev coefficients of these fields. False where they would be too many, in lanes that are
-  // not `resolved` then.
+  // These fields' polynomials. False where their degrees would be too high, in lanes that are not
+  // `resolved` then.
   HWY_INLINE bool expand_at(V taper, M& resolved) {
-    const D d;
-    const auto [degree, pole_order] = cell_.along_lines;
-    rays_->sample(degree, active_);
-    const ChebyshevQuotient<D> quotient(d, taper);
+    rays_->sample(line_points_, active_);
+    taper = hn::IfThenElseZero(active_, taper);
+    switch (cell_.along_lines.degree) {
+      case 2:
+        return expand_as<1, 2>(taper, resolved);
+      case 3:
+        return expand_as<1, 3>(taper, resolved);
+      case 5:
+        return expand_as<2, 5>(taper, resolved);
+      default:
+        return expand_as<3, 7>(taper, resolved);
+    }
+  }
+
+  template <std::size_t kPoleOrder, std::size_t kDegree>
+  HWY_INLINE bool expand_as(V taper, M& resolved) {
+    const QuotientPowers<kPoleOrder, kDegree, D> quotient(D(), line_points_, taper);
     for (std::size_t f = 0; f < cell_.field_count; ++f) {
-      field_values(f, degree);
-      transform(f, degree);
-      std::size_t& effort = quotient_efforts_[f];
-      effort = quotient.expand(pole_order, degree, effort, series_.negligible[f], resolved,
-                               series_.coefficients[f]);
-      series_.degree[f] = effort;
-      if (effort == 0) return false;
-      // neighbours may need less
-      effort -= 2;
+      field_values(f, kDegree);
+      if (!quotient.expand(values_, negligible_[f], resolved, polynomials_[f])) return false;
     }
     return true;
   }
@@ -251,16 +276,17 @@ class SegmentFields {
     const bool halve = !rays_->open(begin, end, active_) && halvings < kMostHalvings;
     // points of 8 are points of 16 as well
     for (; !halve; degree = std::min(degree + 8, kMostChebyshevDegree)) {
-      rays_->sample(degree, active_);
+      const ChebyshevPoints& points = chebyshev_points(degree);
+      rays_->sample(points, active_);
       resolved = active_;
       M hopeless = hn::Lt(hn::Set(d, 1.0), hn::Zero(d));
       for (std::size_t f = 0; f < cell_.field_count; ++f) {
         field_values(f, degree);
-        transform(f, degree);
+        transform(f, points);
         const V last = last_two(f, degree);
-        resolved = hn::And(resolved, hn::Le(last, series_.negligible[f]));
-        hopeless = hn::Or(hopeless, hn::Gt(at_most_degree(f, degree),
-                                           hn::Mul(hn::Set(d, 8.0), series_.negligible[f])));
+        resolved = hn::And(resolved, hn::Le(last, negligible_[f]));
+        hopeless = hn::Or(
+            hopeless, hn::Gt(at_most_degree(f, degree), hn::Mul(hn::Set(d, 8.0), negligible_[f])));
       }
       if (hn::AllFalse(d, active_)) return;
       if (hn::AllTrue(d, hn::Or(hn::Not(active_), resolved))) {
@@ -292,8 +318,7 @@ class SegmentFields {
   }
 
   HWY_INLINE V last_two(std::size_t f, std::size_t degree) const {
-    return hn::Add(hn::Abs(series_.coefficients[f][degree]),
-                   hn::Abs(series_.coefficients[f][degree - 1]));
+    return hn::Add(hn::Abs(chebyshev_[f][degree]), hn::Abs(chebyshev_[f][degree - 1]));
   }
 
   // What the highest degree would leave, if coefficients fall off as they do from half of this one.
@@ -308,18 +333,19 @@ class SegmentFields {
 
   const Frame& frame_;
   const CellPolynomials& cell_;
+  const ChebyshevPoints& line_points_;  // in affine cells
   Sink& sink_;
   // what degree was enough for the segments before, by the number of halvings
   std::array<std::size_t, kMostHalvings + 1> efforts_;
   // up to what CellRays::taper of parts quotients seem to be resolved
   double resolvable_ = 1;
-  // what degree of either field was enough for them, less two that may have been too many
-  std::array<std::size_t, 2> quotient_efforts_{};
   // of the segments at hand
   CellRays<D>* rays_ = nullptr;
   RayStarts<V> starts_;  // of the segments before
   V values_[kMostChebyshevDegree + 1];
-  FieldSeries<V> series_;
+  V chebyshev_[2][kMostChebyshevDegree + 1];  // of the fields
+  V negligible_[2];                           // of these
+  FieldPolynomials<V> polynomials_;
   M active_;
 };
 
