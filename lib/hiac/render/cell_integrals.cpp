@@ -38,7 +38,7 @@ class IntegratingSink {
     sum_ = {hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Set(d, 1.0)};
   }
 
-  HWY_NOINLINE void add(double begin, double end, const FieldPolynomials<V>& fields, M& active) {
+  HWY_NOINLINE void add(double begin, double end, FieldPolynomials<V>& fields, M& active) {
     const D d;
     const V part = hn::Set(d, end - begin);
     const M undone = walk_.add(d, fields[0], fields[1], hn::Mul(length_, part),

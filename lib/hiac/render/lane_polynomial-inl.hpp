@@ -25,12 +25,6 @@ template <class V>
 struct LanePolynomial {
   std::size_t degree = 0;
   V c[kMaxFieldDegree + 1];
-
-  // Without what is not there: assignment would move all of them.
-  HWY_INLINE void set(const LanePolynomial& other) {
-    degree = other.degree;
-    for (std::size_t k = 0; k <= degree; ++k) c[k] = other.c[k];
-  }
 };
 
 // The polynomial of degree n with these values at the n + 1 Chebyshev points, which are

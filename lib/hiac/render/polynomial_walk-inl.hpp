@@ -58,22 +58,19 @@ class PolynomialWalk {
   // Adds segments behind what is in `sum`. `length`: of z from -1 to 1, in the world; `allowed`:
   // absolute error that may be made on it, over the transparency in front of `sum`. Lanes that are
   // active must have finite numbers, and those that are not, too. Returns the lanes that could not
-  // be done.
+  // be done. Polynomials come to have zeros behind their last coefficients.
   template <class D, class V = hn::Vec<D>>
-  HWY_NOINLINE hn::Mask<D> add(D d, const LanePolynomial<V>& extinction,
-                               const LanePolynomial<V>& color, V length, V allowed,
-                               hn::Mask<D> active, Radiance<V>& sum) {
+  HWY_NOINLINE hn::Mask<D> add(D d, LanePolynomial<V>& extinction, LanePolynomial<V>& color,
+                               V length, V allowed, hn::Mask<D> active, Radiance<V>& sum) {
     const V one = hn::Set(d, 1.0), half = hn::Set(d, 0.5), narrow = hn::Set(d, kNarrow);
-    V u = hn::Set(d, -1.0), v = one;
     const std::size_t top =
         top_for(optics_.same_field ? extinction.degree : std::max(extinction.degree, color.degree));
+    pad(d, extinction, top);
+    if (!optics_.same_field) pad(d, color, top);
+    V u = hn::Set(d, -1.0), v = one;
     Fields<V> f;
-    f.extinction.set(extinction);
-    pad(d, f.extinction, top);
-    if (!optics_.same_field) {
-      f.color.set(color);
-      pad(d, f.color, top);
-    }
+    f.extinction.now = &extinction;
+    f.color.now = &color;
     bool settled = never_cut_;  // no breakpoint is left between u and v
     for (int round = 0; round < kMostRounds; ++round) {
       if (hn::AllFalse(d, active)) return active;
@@ -81,18 +78,18 @@ class PolynomialWalk {
       if (!settled) {
         V end = one;
         settled = find_end(d, f, hn::And(active, hn::Gt(part, narrow)), end);
-        if (!hn::AllTrue(d, hn::Eq(end, one))) part = shorten(d, end, f, u, v);
+        if (!hn::AllTrue(d, hn::Eq(end, one))) part = shorten(d, end, top, f, u, v);
         if (!settled) continue;
       }
       const bool may_refuse = hn::AllTrue(d, hn::Or(hn::Not(active), hn::Gt(part, narrow)));
-      const LanePolynomial<V>& field = optics_.same_field ? f.extinction : f.color;
+      const LanePolynomial<V>& tau_field = *f.extinction.now;
+      const LanePolynomial<V>& field = optics_.same_field ? tau_field : *f.color.now;
       const V piece = hn::Mul(length, part), piece_allowed = hn::Mul(allowed, part);
       const bool added = with_top(top, [&]<std::size_t kTop>() {
-        return add_piece<kTop>(d, f.extinction, field, piece, piece_allowed, active, may_refuse,
-                               sum);
+        return add_piece<kTop>(d, tau_field, field, piece, piece_allowed, active, may_refuse, sum);
       });
       if (!added) {
-        shorten(d, hn::Zero(d), f, u, v);
+        shorten(d, hn::Zero(d), top, f, u, v);
         continue;
       }
       u = v;
@@ -102,12 +99,9 @@ class PolynomialWalk {
       active = hn::And(active,
                        hn::And(hn::Lt(u, one), hn::Gt(sum.transparency, hn::Set(d, kInvisible))));
       if (hn::AllFalse(d, active)) return active;
-      const V middle = hn::Mul(half, hn::Add(one, u)), rest = hn::Mul(half, hn::Sub(one, u));
-      f.extinction.set(extinction);
-      keep_part(d, f.extinction, middle, rest);
-      if (optics_.same_field) continue;
-      f.color.set(color);
-      keep_part(d, f.color, middle, rest);
+      f.extinction.now = &extinction;
+      f.color.now = &color;
+      keep(d, top, hn::Mul(half, hn::Add(one, u)), hn::Mul(half, hn::Sub(one, u)), f);
     }
     return active;
   }
@@ -117,23 +111,41 @@ class PolynomialWalk {
   static constexpr double kNarrow = 0x1p-40;  // breakpoints in shorter pieces do not count
   static constexpr double kInvisible = 1e-20;
 
-  // What is between u and v, on [-1, 1].
+  // A field between u and v, on [-1, 1]: the whole segment's, which mostly is not cut, or a part.
+  template <class V>
+  struct Between {
+    const LanePolynomial<V>* now;
+    LanePolynomial<V> part;
+  };
   template <class V>
   struct Fields {
-    LanePolynomial<V> extinction, color;
+    Between<V> extinction, color;
   };
+
+  // Keeps what is in [middle - half, middle + half] of them.
+  template <class D, class V = hn::Vec<D>>
+  HWY_INLINE void keep(D d, std::size_t top, V middle, V half, Fields<V>& f) const {
+    const auto keep_of = [&](Between<V>& field) HWY_ATTR {
+      if (field.now != &field.part) {
+        field.part.degree = field.now->degree;
+        for (std::size_t k = 0; k <= 2 * top; ++k) field.part.c[k] = field.now->c[k];
+        field.now = &field.part;
+      }
+      keep_part(d, field.part, middle, half);
+    };
+    keep_of(f.extinction);
+    if (!optics_.same_field) keep_of(f.color);
+  }
 
   // Keeps what is in front of `end`, or as much as a narrow piece has. Returns what part of the
   // whole that is.
   template <class D, class V = hn::Vec<D>>
-  HWY_NOINLINE V shorten(D d, V end, Fields<V>& f, V u, V& v) const {
+  HWY_NOINLINE V shorten(D d, V end, std::size_t top, Fields<V>& f, V u, V& v) const {
     const V one = hn::Set(d, 1.0), half = hn::Set(d, 0.5), width = hn::Sub(v, u);
     V part = hn::MulAdd(half, end, half);
     part = hn::Max(part, hn::Min(hn::Div(hn::Set(d, kNarrow), width), one));
     v = hn::IfThenElse(hn::Eq(part, one), v, hn::MulAdd(width, part, u));
-    const V middle = hn::Sub(part, one);
-    keep_part(d, f.extinction, middle, part);
-    if (!optics_.same_field) keep_part(d, f.color, middle, part);
+    keep(d, top, hn::Sub(part, one), part, f);
     return hn::Mul(half, hn::Sub(v, u));
   }
 
@@ -141,9 +153,9 @@ class PolynomialWalk {
   // known, or halfway; at 1 the others. False where pieces may meet a breakpoint before that.
   template <class D, class V = hn::Vec<D>>
   HWY_INLINE bool find_end(D d, const Fields<V>& f, hn::Mask<D> wide, V& end) const {
-    bool settled = cut_at(d, f.extinction, optics_.extinction.upper, extinction_, wide, end);
+    bool settled = cut_at(d, *f.extinction.now, optics_.extinction.upper, extinction_, wide, end);
     if (!optics_.same_field)
-      settled = cut_at(d, f.color, optics_.color.upper, color_, wide, end) && settled;
+      settled = cut_at(d, *f.color.now, optics_.color.upper, color_, wide, end) && settled;
     return settled;
   }
 

@@ -44,8 +44,9 @@ using FieldPolynomials = std::array<LanePolynomial<V>, 2>;
 //
 // `Sink` takes those of a vector's segments, front to back, part by part:
 //     void begin(std::size_t first, const CellSegments&)
-//     void add(double begin, double end, const FieldPolynomials<V>&, M& active)
-// The parts are of [0, 1]; add() takes lanes that it cannot do off `active`.
+//     void add(double begin, double end, FieldPolynomials<V>&, M& active)
+// The parts are of [0, 1]; add() takes lanes that it cannot do off `active`, and may write behind
+// the polynomials' last coefficients.
 template <class Sink>
 class SegmentFields {
  public:
