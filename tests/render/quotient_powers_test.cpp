@@ -70,8 +70,9 @@ Expanded expand_as(const Quotient& q, double negligible) {
   for (std::size_t j = 0; j <= n; ++j)
     values[j] = Set(d, static_cast<double>(q.at(2 * points.place(j) - 1)));
   auto active = Eq(Zero(d), Zero(d));
-  const double r = q.h / (1 + std::sqrt((1 - q.h) * (1 + q.h)));
-  const simd::QuotientPowers<p, n, decltype(d)> quotient(d, points, Set(d, r));
+  // widths of any size
+  const simd::Taper<decltype(d)> taper(d, {Set(d, 3 * (1 - q.h)), Set(d, 3 * (1 + q.h))}, active);
+  const simd::QuotientPowers<p, n, decltype(d)> quotient(d, points, taper);
   simd::LanePolynomial<V> found;
   const bool resolved = quotient.expand(values, Set(d, negligible), active, found);
   EXPECT_EQ(resolved, AllTrue(d, active));
@@ -102,6 +103,34 @@ Real distance(const Quotient& q, const std::vector<double>& powers) {
     most = std::max(most, std::abs(value_of(powers, z) - q.at(z)));
   }
   return most;
+}
+
+TEST(Taper, IsThatOfWidths) {
+  namespace simd = HWY_NAMESPACE;
+  const hwy::HWY_NAMESPACE::CappedTag<double, 1> d;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> number(0, 1);
+  const auto yes = Eq(Zero(d), Zero(d)), no = Lt(Set(d, 1.0), Zero(d));
+  for (int trial = 0; trial < 1000; ++trial) {
+    const double a = number(random), b = number(random) * (trial % 2 == 0 ? 1 : 1e-12);
+    const simd::Taper<decltype(d)> taper(d, {Set(d, a), Set(d, b)}, yes);
+    const Real root_a = std::sqrt(Real(a)), root_b = std::sqrt(Real(b));
+    const Real r = (root_b - root_a) / (root_b + root_a), h = 2 * r / (1 + r * r);
+    const auto near = [](double value, Real expected) {
+      EXPECT_NEAR(value, static_cast<double>(expected), 4e-15 * std::abs(value));
+    };
+    near(GetLane(taper.h), h);
+    near(GetLane(taper.r), r);
+    near(GetLane(taper.inverse_gap), (Real(a) + b) / (2 * std::min(a, b)));
+    near(GetLane(taper.g), (Real(a) + b) / (2 * std::sqrt(Real(a) * b)));
+    const simd::Taper<decltype(d)> none(d, {Set(d, a), Set(d, b)}, no);
+    EXPECT_EQ(GetLane(none.r), 0);
+    EXPECT_EQ(GetLane(none.g), 1);
+  }
+  const simd::Taper<decltype(d)> tip(d, {Zero(d), Set(d, 1.0)}, yes);
+  EXPECT_NEAR(GetLane(tip.r), 1, 1e-15);
+  EXPECT_GT(GetLane(tip.inverse_gap), 1e50);
+  EXPECT_TRUE(std::isfinite(GetLane(tip.g)));
 }
 
 TEST(QuotientPowers, AreOffByNoMoreThanIsNegligible) {

@@ -110,17 +110,10 @@ InterpolantCoefficients interpolant_coefficients(CellKind kind, std::span<const 
   }
   InterpolantCoefficients result;
   result.count = table.count;
-  // as many sums at a time as stay in registers
-  constexpr std::size_t kTogether = 8;
-  static_assert(InterpolantCoefficients::kMost % kTogether == 0);
-  for (std::size_t first = 0; first < table.count; first += kTogether) {
-    std::array<double, kTogether> sum{};
-    for (std::size_t k = 1; k < table.nodes; ++k) {
-      const double* share = table.of_node[k].data() + first;
-      for (std::size_t i = 0; i < kTogether; ++i) sum[i] += share[i] * difference[k];
-    }
-    for (std::size_t i = 0; i < kTogether; ++i) result.c[first + i] = values[0] + sum[i];
-  }
+  add_shares(
+      table.nodes, table.count, [&](std::size_t k) { return table.of_node[k].data(); }, difference,
+      result.c);
+  for (std::size_t i = 0; i < table.count; ++i) result.c[i] += values[0];
   if (largest > 0)
     result.rounding =
         kEpsilon * ((static_cast<double>(table.nodes) + 4) * table.largest_sum * largest +

@@ -30,6 +30,24 @@ struct InterpolantCoefficients {
   double rounding = 0;    ///< what each of them may be wrong by
 };
 
+/// Into `sums`, `count` of them and up to 7 more, what every node but the first has of them:
+/// shares_of(k), for node k, points to what one unit of its value adds.
+template <class SharesOf>
+void add_shares(std::size_t nodes, std::size_t count, const SharesOf& shares_of,
+                std::span<const double> values,
+                std::array<double, InterpolantCoefficients::kMost>& sums) {
+  // as many sums at a time as stay in registers
+  constexpr std::size_t kTogether = 8;
+  for (std::size_t first = 0; first < count; first += kTogether) {
+    std::array<double, kTogether> sum{};
+    for (std::size_t k = 1; k < nodes; ++k) {
+      const double* share = shares_of(k) + first;
+      for (std::size_t i = 0; i < kTogether; ++i) sum[i] += share[i] * values[k];
+    }
+    for (std::size_t i = 0; i < kTogether; ++i) sums[first + i] = sum[i];
+  }
+}
+
 /// `values`: of the kind's nodes.
 InterpolantCoefficients interpolant_coefficients(CellKind kind, std::span<const double> values);
 

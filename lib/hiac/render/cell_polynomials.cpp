@@ -1,6 +1,7 @@
 #include "hiac/render/cell_polynomials.hpp"
 
 #include <algorithm>
+#include <vector>
 
 #include "hiac/render/field_along_ray.hpp"
 
@@ -30,8 +31,7 @@ bool is_width_w(CellShape shape) {
          shape == CellShape::wedge;
 }
 
-CubePolynomial cube_polynomial(CellKind kind, std::span<const double> values) {
-  const InterpolantCoefficients b = interpolant_coefficients(kind, values);
+CubePolynomial from_coefficients(CellKind kind, const InterpolantCoefficients& b) {
   CubePolynomial f;
   f.degree = static_cast<std::size_t>(order_of(kind));
   const std::size_t n = f.degree + 1;
@@ -44,6 +44,35 @@ CubePolynomial cube_polynomial(CellKind kind, std::span<const double> values) {
     }
   for (const std::size_t stride : {std::size_t{1}, f.degree + 1, (f.degree + 1) * (f.degree + 1)})
     to_powers(f, stride);
+  return f;
+}
+
+// The shape functions of a kind, but for that of the first node.
+std::vector<CubePolynomial> shape_polynomials(CellKind kind) {
+  std::vector<CubePolynomial> of_node(node_count(kind));
+  std::array<double, kMaxNodesPerCell> values{};
+  for (std::size_t k = 1; k < of_node.size(); ++k) {
+    values[k] = 1;
+    of_node[k] = from_coefficients(kind, interpolant_coefficients(kind, values));
+    values[k] = 0;
+  }
+  return of_node;
+}
+
+// Of values that are zero at the first node.
+CubePolynomial cube_polynomial(CellKind kind, std::span<const double> values) {
+  static const auto kShapes = [] {
+    std::vector<std::vector<CubePolynomial>> shapes;
+    for (std::size_t k = 0; k < kKindCount; ++k)
+      shapes.push_back(shape_polynomials(static_cast<CellKind>(k)));
+    return shapes;
+  }();
+  const auto& of_node = kShapes[static_cast<std::size_t>(kind)];
+  CubePolynomial f;
+  f.degree = static_cast<std::size_t>(order_of(kind));
+  add_shares(
+      of_node.size(), (f.degree + 1) * (f.degree + 1) * (f.degree + 1),
+      [&](std::size_t k) { return of_node[k].c.data(); }, values, f.c);
   return f;
 }
 

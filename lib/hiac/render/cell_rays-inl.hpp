@@ -14,6 +14,7 @@
 #  include "hiac/render/chebyshev_points.hpp"
 #  include "hiac/render/cube_polynomial-inl.hpp"
 #  include "hiac/render/inverse_series-inl.hpp"
+#  include "hiac/render/quotient_powers-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
@@ -104,16 +105,11 @@ class CellRays {
     sampled_ = points.degree();
   }
 
-  // In affine cells, along the part, z from -1 to 1, the width to which the cell tapers is in
-  // proportion to 1 + h z. Returns r = h / (1 + sqrt(1 - h^2)), which with the widths a and b at
-  // both ends is (b - a) / (a + b + 2 sqrt(a b)).
-  [[nodiscard]] HWY_INLINE V taper() const {
+  // In affine cells, the width to which the cell tapers at both ends of the part.
+  [[nodiscard]] HWY_INLINE EndWidths<V> end_widths() const {
     const auto width = [&](double part)
                            HWY_ATTR { return hn::Max(width_of(on_line(part)), hn::Zero(d_)); };
-    const V front = width(0), back = width(1);
-    const V between = hn::Sqrt(hn::Mul(front, back));
-    return hn::Div(hn::Sub(back, front),
-                   at_least_tiny(hn::Add(hn::Add(front, back), hn::Add(between, between))));
+    return {width(0), width(1)};
   }
 
   // From where the halves of the part are found.

@@ -19,12 +19,45 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+// A width that is linear along a part of a ray, at both ends; not negative.
+template <class V>
+struct EndWidths {
+  V front, back;
+};
+
+// Along the part, z from -1 to 1, a width is in proportion to 1 + h z; r = h / (1 + sqrt(1 - h^2)).
+template <class D, class V = hn::Vec<D>>
+struct Taper {
+  V r, h;
+  V inverse_gap;  // 1 / (1 - |h|)
+  V g;            // (1 + r^2) / (1 - r^2)
+
+  // With the widths a and b: h = (b - a) / (a + b), r = (b - a) / (a + b + 2 sqrt(a b)),
+  // 1 - |h| = 2 min(a, b) / (a + b), g = (a + b) / (2 sqrt(a b)). Lanes that are not `active` have
+  // no taper; a width that vanishes is as good as none.
+  Taper(D d, const EndWidths<V>& widths, hn::Mask<D> active) {
+    const V one = hn::Set(d, 1.0), tiny = hn::Set(d, 1e-60);
+    const V a = hn::IfThenElse(active, hn::Max(widths.front, tiny), one);
+    const V b = hn::IfThenElse(active, hn::Max(widths.back, tiny), one);
+    const V sum = hn::Add(a, b), between = hn::Sqrt(hn::Mul(a, b)), least = hn::Min(a, b);
+    const V wide = hn::Add(sum, hn::Add(between, between)), narrow = hn::Mul(between, least);
+    // one division for all
+    const V inverse = hn::Div(one, hn::Mul(hn::Mul(sum, wide), narrow));
+    const V over_ends = hn::Mul(inverse, narrow), change = hn::Sub(b, a);
+    r = hn::Mul(hn::Mul(over_ends, sum), change);
+    h = hn::Mul(hn::Mul(over_ends, wide), change);
+    const V half = hn::Mul(hn::Mul(hn::Mul(inverse, wide), hn::Mul(sum, sum)), hn::Set(d, 0.5));
+    inverse_gap = hn::Mul(half, between);
+    g = hn::Mul(half, least);
+  }
+};
+
 // Of f(z) = P(z) / (1 + h z)^p, P of degree d and -1 < h < 1, the polynomial on [-1, 1]
 //     Q = (P - T_m L) / (1 + h z)^p,
 // where L, of degree less than p, leaves no remainder: it agrees with P / T_m at the pole z = -1/h
 // to as many derivatives. Q is of degree m - 1, m >= d, and what it is off is T_m L / (1 + h z)^p.
 //
-// With s = -h z, s = 1 at the pole, r = h / (1 + sqrt(1 - h^2)) and g = (1 + r^2) / (1 - r^2),
+// With s = -h z, s = 1 at the pole, and r and g of Taper,
 //     P = h^-d sum of e_k s^k,  e_k = (-1)^k h^(d-k) p_k,
 //     T_m = (-1)^m T_m(1/h) (1 + t_1 (s - 1) + t_2 (s - 1)^2 + ...),  T_m(1/h) = (r^m + r^-m) / 2,
 //     t_1 = m g (1 - r^2m) / (1 + r^2m),  t_2 = g^2 (m^2 - t_1) / 2,
@@ -39,21 +72,17 @@ class QuotientPowers {
   static constexpr std::size_t kMostM = kMostChebyshevDegree + 1;
   static_assert(kMostM % 2 == 1);
 
-  // `points`: those of degree d; `r`: in lanes that do not count, 0.
-  QuotientPowers(D tag, const ChebyshevPoints& points, V r)
-      : tag_(tag), points_(points), r_(r), square_(hn::Mul(r, r)) {
-    const V one = hn::Set(tag, 1.0), wide = hn::Add(one, square_), gap = hn::Sub(one, hn::Abs(r));
-    const V half = hn::Mul(wide, hn::Set(tag, 0.5));  // r / h
-    h_ = hn::Div(r, half);
-    inverse_gap_ = hn::Div(wide, hn::Mul(gap, gap));
-    if constexpr (p > 1) g_ = hn::Div(wide, hn::Sub(one, square_));
+  // `points`: those of degree d. `taper`: none in lanes that do not count.
+  QuotientPowers(D tag, const ChebyshevPoints& points, const Taper<D>& taper)
+      : tag_(tag), points_(points), taper_(taper), square_(hn::Mul(taper.r, taper.r)) {
     // 2 (r / h)^d, and with the sign of (-1)^(m-d)
-    scale_ = power_of<d>(half);
+    const V half = hn::Set(tag, 0.5);
+    scale_ = power_of<d>(hn::MulAdd(square_, half, half));
     scale_ = hn::Add(scale_, scale_);
     if constexpr (d % 2 == 0) scale_ = hn::Neg(scale_);
   }
 
-  // Q of the least m with which it is off by no more than `negligible` in all lanes of `active`,
+  // Q with the least m with which it is off by no more than `negligible` in all lanes of `active`,
   // from the values of f at the Chebyshev points of degree d. False where m would have to be more
   // than kMostM, in lanes that come off `active`.
   HWY_NOINLINE bool expand(const V* values, V negligible, hn::Mask<D>& active,
@@ -63,7 +92,7 @@ class QuotientPowers {
     V b[p];
     about_pole(numerator, b);
     // r^(m-d)
-    V power = d % 2 == 0 ? r_ : hn::Set(tag_, 1.0);
+    V power = d % 2 == 0 ? taper_.r : hn::Set(tag_, 1.0);
     for (std::size_t m = d + 1 - d % 2;; m += 2) {
       const auto near =
           hn::Le(hn::Mul(hn::Abs(power), bound(static_cast<double>(m), b)), negligible);
@@ -71,7 +100,7 @@ class QuotientPowers {
         divide(numerator, m, power, b, q);
         return true;
       }
-      if (m + 2 > kMostM) {
+      if (m == kMostM) {
         active = hn::And(active, near);
         return false;
       }
@@ -85,7 +114,7 @@ class QuotientPowers {
     const V one = hn::Set(tag_, 1.0);
     V value[d + 1];
     for (std::size_t j = 0; j <= d; ++j) {
-      const V width = hn::MulAdd(h_, hn::Set(tag_, 2 * points_.place(j) - 1), one);
+      const V width = hn::MulAdd(taper_.h, hn::Set(tag_, 2 * points_.place(j) - 1), one);
       value[j] = hn::Mul(values[j], width);
       for (std::size_t k = 1; k < p; ++k) value[j] = hn::Mul(value[j], width);
     }
@@ -102,7 +131,7 @@ class QuotientPowers {
       b[0] = hn::Add(b[0], e);
       if constexpr (p > 1) b[1] = hn::MulAdd(e, hn::Set(tag_, order), b[1]);
       if constexpr (p > 2) b[2] = hn::MulAdd(e, hn::Set(tag_, order * (order - 1) / 2), b[2]);
-      power = hn::Neg(hn::Mul(power, h_));
+      power = hn::Neg(hn::Mul(power, taper_.h));
     }
   }
 
@@ -112,7 +141,8 @@ class QuotientPowers {
     if constexpr (p > 1) a[1] = hn::NegMulAdd(b[0], t1, b[1]);
     if constexpr (p > 2) {
       const V half = hn::Set(tag_, 0.5);
-      const V t2 = hn::Mul(hn::Mul(g_, g_), hn::Mul(hn::Sub(hn::Set(tag_, m * m), t1), half));
+      const V t2 =
+          hn::Mul(hn::Mul(taper_.g, taper_.g), hn::Mul(hn::Sub(hn::Set(tag_, m * m), t1), half));
       a[2] = hn::NegMulAdd(a[1], t1, hn::NegMulAdd(b[0], t2, b[2]));
     }
   }
@@ -120,34 +150,33 @@ class QuotientPowers {
   // What Q is off, over r^(m-d); r^2m does not count in it.
   [[nodiscard]] HWY_INLINE V bound(double m, const V (&b)[p]) const {
     V a[p];
-    quotient(m, p > 1 ? hn::Mul(hn::Set(tag_, m), g_) : r_, b, a);
-    V off = hn::Mul(hn::Abs(a[0]), inverse_gap_);
-    for (std::size_t i = 1; i < p; ++i) off = hn::Mul(hn::Add(off, hn::Abs(a[i])), inverse_gap_);
+    quotient(m, hn::Mul(hn::Set(tag_, m), taper_.g), b, a);
+    V off = hn::Mul(hn::Abs(a[0]), taper_.inverse_gap);
+    for (std::size_t i = 1; i < p; ++i)
+      off = hn::Mul(hn::Add(off, hn::Abs(a[i])), taper_.inverse_gap);
     return off;
   }
 
   // Q. `power`: r^(m-d).
   HWY_INLINE void divide(const V* numerator, std::size_t m, V power, const V (&b)[p],
                          LanePolynomial<V>& q) const {
-    const V one = hn::Set(tag_, 1.0);
-    const V fallen = hn::Mul(power, power_of<d>(r_)), twice = hn::Mul(fallen, fallen);  // r^m, r^2m
-    const V inverse = hn::Div(one, hn::Add(one, twice)), scale = hn::Mul(power, inverse);
+    // with r^2m = x, 1 - x for 1 / (1 + x): what that is off by Q is off by far more
+    const V one = hn::Set(tag_, 1.0), fallen = hn::Mul(power, power_of<d>(taper_.r));
+    const V rest = hn::NegMulAdd(fallen, fallen, one), scale = hn::Mul(power, rest);
     const auto count = static_cast<double>(m);
-    V t1 = r_, a[p];
-    if constexpr (p > 1)
-      t1 = hn::Mul(hn::Mul(hn::Set(tag_, count), g_), hn::Mul(hn::Sub(one, twice), inverse));
-    quotient(count, t1, b, a);
+    V a[p];
+    quotient(count, hn::Mul(hn::Mul(hn::Set(tag_, count), taper_.g), hn::Mul(rest, rest)), b, a);
     // L in powers of z
     V line[3];
     line[0] = a[0];
     if constexpr (p > 1) {
       line[0] = hn::Sub(a[0], a[1]);
-      line[1] = hn::Neg(hn::Mul(h_, a[1]));
+      line[1] = hn::Neg(hn::Mul(taper_.h, a[1]));
     }
     if constexpr (p > 2) {
       line[0] = hn::Add(line[0], a[2]);
-      line[1] = hn::Mul(h_, hn::Sub(hn::Add(a[2], a[2]), a[1]));
-      line[2] = hn::Mul(hn::Mul(h_, h_), a[2]);
+      line[1] = hn::Mul(taper_.h, hn::Sub(hn::Add(a[2], a[2]), a[1]));
+      line[2] = hn::Mul(hn::Mul(taper_.h, taper_.h), a[2]);
     }
     for (std::size_t i = 0; i < p; ++i) line[i] = hn::Mul(line[i], scale);
     // T_m is odd: of T_m L powers of either parity have other terms
@@ -156,7 +185,7 @@ class QuotientPowers {
     for (V& v : before) v = hn::Zero(tag_);
     q.degree = m - 1;
     const auto add = [&](std::size_t k, V v) HWY_ATTR {
-      for (V& part : before) part = v = hn::NegMulAdd(h_, part, v);
+      for (V& part : before) part = v = hn::NegMulAdd(taper_.h, part, v);
       q.c[k] = v;
     };
     const auto add_even = [&](std::size_t k, V v) HWY_ATTR {
@@ -195,9 +224,8 @@ class QuotientPowers {
 
   D tag_;
   const ChebyshevPoints& points_;
-  V r_, square_, h_, scale_;
-  V inverse_gap_;  // 1 / (1 - |h|)
-  V g_;            // where p > 1
+  Taper<D> taper_;
+  V square_, scale_;  // r^2
 };
 
 }  // namespace hiac::HWY_NAMESPACE

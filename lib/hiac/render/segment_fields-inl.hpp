@@ -208,24 +208,28 @@ class SegmentFields {
   // segments: from their values at a few points, or on two parts.
   HWY_NOINLINE void expand_quotient(double begin, double end, int splits) {
     rays_->open(begin, end, active_);
-    const V taper = rays_->taper();
-    const double steepest = steepest_of(taper);
-    if (splits == kMostHalvings || std::abs(steepest) <= resolvable_) {
+    const EndWidths<V> widths = rays_->end_widths();
+    const Taper<D> taper(D(), widths, active_);
+    const double steepest = hn::GetLane(hn::MaxOfLanes(D(), hn::Abs(taper.r)));
+    if (splits == kMostHalvings || steepest <= resolvable_) {
       M resolved = active_;
       bool expanded = expand_at(taper, resolved);
       if (splits == kMostHalvings)
-        for (; !expanded; expanded = expand_at(taper, resolved)) active_ = resolved;
+        while (!expanded) {
+          active_ = resolved;
+          expanded = expand_at(Taper<D>(D(), widths, active_), resolved);
+        }
       if (expanded) {
         // neighbours may do better
         resolvable_ *= kOptimism;
         sink_.add(begin, end, polynomials_, active_);
         return;
       }
-      resolvable_ = std::abs(steepest) / kOptimism;
+      resolvable_ = steepest / kOptimism;
     }
     // either part tapers in the same proportion, but that the tip of a cell cannot: the front one
     // has the share sqrt(a) / (sqrt(a) + sqrt(b)), of the widths at both ends
-    const double share = std::clamp(0.5 * (1 - steepest), kLeastShare, 1 - kLeastShare);
+    const double share = std::clamp(0.5 * (1 - steepest_of(taper.r)), kLeastShare, 1 - kLeastShare);
     const double between = begin + (end - begin) * share;
     expand_quotient(begin, between, splits + 1);
     expand_quotient(between, end, splits + 1);
@@ -233,9 +237,8 @@ class SegmentFields {
 
   // These fields' polynomials. False where their degrees would be too high, in lanes that are not
   // `resolved` then.
-  HWY_INLINE bool expand_at(V taper, M& resolved) {
+  HWY_INLINE bool expand_at(const Taper<D>& taper, M& resolved) {
     rays_->sample(line_points_, active_);
-    taper = hn::IfThenElseZero(active_, taper);
     switch (cell_.along_lines.degree) {
       case 2:
         return expand_as<1, 2>(taper, resolved);
@@ -249,7 +252,7 @@ class SegmentFields {
   }
 
   template <std::size_t kPoleOrder, std::size_t kDegree>
-  HWY_INLINE bool expand_as(V taper, M& resolved) {
+  HWY_INLINE bool expand_as(const Taper<D>& taper, M& resolved) {
     const QuotientPowers<kPoleOrder, kDegree, D> quotient(D(), line_points_, taper);
     for (std::size_t f = 0; f < cell_.field_count; ++f) {
       field_values(f, kDegree);
@@ -258,12 +261,11 @@ class SegmentFields {
     return true;
   }
 
-  // That of the active lanes that is farthest from zero.
-  HWY_INLINE double steepest_of(V taper) const {
+  // What is farthest from zero.
+  static HWY_INLINE double steepest_of(V taper) {
     const D d;
-    const V counts = hn::IfThenElseZero(active_, taper);
-    const double least = hn::GetLane(hn::MinOfLanes(d, counts));
-    const double most = hn::GetLane(hn::MaxOfLanes(d, counts));
+    const double least = hn::GetLane(hn::MinOfLanes(d, taper));
+    const double most = hn::GetLane(hn::MaxOfLanes(d, taper));
     return most > -least ? most : least;
   }
 
@@ -338,7 +340,7 @@ class SegmentFields {
   Sink& sink_;
   // what degree was enough for the segments before, by the number of halvings
   std::array<std::size_t, kMostHalvings + 1> efforts_;
-  // up to what CellRays::taper of parts quotients seem to be resolved
+  // up to what Taper::r of parts quotients seem to be resolved
   double resolvable_ = 1;
   // of the segments at hand
   CellRays<D>* rays_ = nullptr;
