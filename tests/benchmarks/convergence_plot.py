@@ -94,12 +94,13 @@ def main():
         out += draw_panel(name, orders, Panel(LEFT + index * (WIDTH + GAP), finest))
     labels = [("linear: order 2", 1), ("quadratic: order 3", 2), ("cubic: order 4", 3)]
     for index, (label, order) in enumerate(labels):
-        x = LEFT + index * 170
+        x = LEFT + index * 140
         out.append(f'<rect x="{x}" y="{height - 28}" width="12" height="12" '
                    f'fill="{COLORS[order]}"/>')
-        out.append(f'<text x="{x + 18}" y="{height - 18}">{label} dashed</text>')
+        out.append(f'<text x="{x + 18}" y="{height - 18}">{label}</text>')
     out.append(f'<text x="{width - GAP}" y="{height - 18}" text-anchor="end">mean error of a '
-               'pixel over cells per edge; dots: isoparametric, circles: polynomial</text>')
+               'pixel over cells per edge; dots: isoparametric, circles: polynomial, '
+               'dashed: the order</text>')
     out.append("</svg>")
     print("\n".join(out))
 
