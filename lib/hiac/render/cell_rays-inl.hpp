@@ -14,7 +14,7 @@
 #  include "hiac/render/chebyshev_points.hpp"
 #  include "hiac/render/cube_polynomial-inl.hpp"
 #  include "hiac/render/inverse_series-inl.hpp"
-#  include "hiac/render/quotient_powers-inl.hpp"
+#  include "hiac/render/taper-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {

@@ -109,14 +109,15 @@ class SegmentFields {
     }
   }
 
-  // What of the fields' polynomials is, and so how exact coordinates in the cell have to be: of the
-  // reference cell they change a field by a few times its spread.
+  // What of the fields' polynomials is, and so how exact coordinates in the cell have to be where
+  // they are not a line's: of the reference cell they change a field by a few times its spread.
   HWY_INLINE void set_negligible(CellRays<D>& rays) {
     const D d;
     V accuracy = hn::Set(d, 1.0);
     for (std::size_t f = 0; f < cell_.field_count; ++f) {
       const CellPolynomials::Field& field = cell_.fields[f];
       negligible_[f] = hn::Max(rays.rounding(field), hn::Set(d, field.allowed));
+      if (cell_.affine) continue;
       const double spread = 0x1p4 * (field.most - field.least);
       if (spread > 0) accuracy = hn::Min(accuracy, hn::Div(negligible_[f], hn::Set(d, spread)));
     }
