@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/format.hpp"
+#include "formats/common/mesh/format.hpp"
 
 namespace hiac::formats {
 

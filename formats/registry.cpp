@@ -12,12 +12,12 @@
 #include "formats/abaqus/abaqus.hpp"
 #include "formats/ansys/ansys.hpp"
 #include "formats/calculix/frd.hpp"
+#include "formats/common/io/input_text.hpp"
+#include "formats/common/io/named_file.hpp"
 #include "formats/gambit/gambit.hpp"
 #include "formats/gmsh/gmsh.hpp"
-#include "formats/input_text.hpp"
 #include "formats/library_formats.hpp"
 #include "formats/medit/medit.hpp"
-#include "formats/named_file.hpp"
 #include "formats/nastran/nastran.hpp"
 #include "formats/netgen/netgen.hpp"
 #include "formats/su2/su2.hpp"
@@ -27,7 +27,7 @@
 #include "formats/ugrid/ugrid.hpp"
 #include "formats/unv/unv.hpp"
 #include "formats/vtk/vtk_formats.hpp"
-#include "formats/zoo_format.hpp"
+#include "formats/zoo/zoo_format.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats {

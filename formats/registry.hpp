@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "formats/format.hpp"
+#include "formats/common/mesh/format.hpp"
 
 namespace hiac::formats {
 

@@ -3,8 +3,8 @@
 #include <cctype>
 
 #include "formats/abaqus/inp_parser.hpp"
-#include "formats/assemble.hpp"
-#include "formats/text_cursor.hpp"
+#include "formats/common/io/text_cursor.hpp"
+#include "formats/common/mesh/assemble.hpp"
 
 namespace hiac::formats {
 namespace {

@@ -5,7 +5,7 @@
 #include <cctype>
 #include <optional>
 
-#include "formats/solid_orders.hpp"
+#include "formats/common/cells/solid_orders.hpp"
 
 namespace hiac::formats::abaqus {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "formats/foreign_mesh.hpp"
+#include "formats/common/mesh/foreign_mesh.hpp"
 
 namespace hiac::formats::abaqus {
 

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "formats/deck_numbers.hpp"
-#include "formats/last_definitions.hpp"
+#include "formats/common/io/deck_numbers.hpp"
+#include "formats/common/mesh/last_definitions.hpp"
 
 namespace hiac::formats::abaqus {
 namespace {

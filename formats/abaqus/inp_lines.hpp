@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "formats/comma_fields.hpp"
-#include "formats/text_cursor.hpp"
+#include "formats/common/io/comma_fields.hpp"
+#include "formats/common/io/text_cursor.hpp"
 
 namespace hiac::formats::abaqus {
 

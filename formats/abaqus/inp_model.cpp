@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "formats/number_index.hpp"
-#include "formats/text_cursor.hpp"
+#include "formats/common/io/number_index.hpp"
+#include "formats/common/io/text_cursor.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::abaqus {

@@ -6,7 +6,7 @@
 
 #include "formats/abaqus/inp_placement.hpp"
 #include "formats/abaqus/inp_sets.hpp"
-#include "formats/foreign_mesh.hpp"
+#include "formats/common/mesh/foreign_mesh.hpp"
 
 namespace hiac::formats::abaqus {
 

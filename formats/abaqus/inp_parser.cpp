@@ -8,11 +8,11 @@
 
 #include "formats/abaqus/inp_elements.hpp"
 #include "formats/abaqus/inp_generation.hpp"
-#include "formats/comma_fields.hpp"
-#include "formats/input_text.hpp"
-#include "formats/large_reserve.hpp"
-#include "formats/named_file.hpp"
-#include "formats/text_cursor.hpp"
+#include "formats/common/io/comma_fields.hpp"
+#include "formats/common/io/input_text.hpp"
+#include "formats/common/io/large_reserve.hpp"
+#include "formats/common/io/named_file.hpp"
+#include "formats/common/io/text_cursor.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::abaqus {

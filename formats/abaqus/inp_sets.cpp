@@ -4,7 +4,7 @@
 #include <set>
 #include <unordered_set>
 
-#include "formats/text_cursor.hpp"
+#include "formats/common/io/text_cursor.hpp"
 
 namespace hiac::formats::abaqus {
 

@@ -1,8 +1,8 @@
 #include "formats/ansys/ansys.hpp"
 
 #include "formats/ansys/cdb_file.hpp"
-#include "formats/assemble.hpp"
-#include "formats/text_cursor.hpp"
+#include "formats/common/io/text_cursor.hpp"
+#include "formats/common/mesh/assemble.hpp"
 
 namespace hiac::formats {
 namespace {

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 
 #include "formats/ansys/cdb_elements.hpp"
-#include "formats/deck_numbers.hpp"
-#include "formats/last_definitions.hpp"
+#include "formats/common/io/deck_numbers.hpp"
+#include "formats/common/mesh/last_definitions.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::ansys {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "formats/ansys/cdb_model.hpp"
-#include "formats/comma_fields.hpp"
-#include "formats/text_cursor.hpp"
+#include "formats/common/io/comma_fields.hpp"
+#include "formats/common/io/text_cursor.hpp"
 
 namespace hiac::formats::ansys {
 

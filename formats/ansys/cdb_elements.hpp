@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "formats/foreign_mesh.hpp"
+#include "formats/common/mesh/foreign_mesh.hpp"
 
 namespace hiac::formats::ansys {
 

@@ -13,9 +13,9 @@
 
 #include "formats/ansys/cdb_commands.hpp"
 #include "formats/ansys/cdb_model.hpp"
-#include "formats/comma_fields.hpp"
-#include "formats/number_index.hpp"
-#include "formats/text_cursor.hpp"
+#include "formats/common/io/comma_fields.hpp"
+#include "formats/common/io/number_index.hpp"
+#include "formats/common/io/text_cursor.hpp"
 
 namespace hiac::formats::ansys {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "formats/foreign_mesh.hpp"
+#include "formats/common/mesh/foreign_mesh.hpp"
 
 namespace hiac::formats::ansys {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "formats/assemble.hpp"
 #include "formats/calculix/frd_file.hpp"
+#include "formats/common/mesh/assemble.hpp"
 
 namespace hiac::formats {
 

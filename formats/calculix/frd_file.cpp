@@ -16,8 +16,8 @@
 #include <fmt/ranges.h>
 
 #include "formats/calculix/frd_records.hpp"
-#include "formats/number_index.hpp"
-#include "formats/solid_orders.hpp"
+#include "formats/common/cells/solid_orders.hpp"
+#include "formats/common/io/number_index.hpp"
 
 namespace hiac::formats::frd {
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/text_cursor.hpp"
+#include "formats/common/io/text_cursor.hpp"
 
 namespace hiac::formats::frd {
 

@@ -8,14 +8,14 @@
 
 #include <fmt/format.h>
 
-#include "formats/assemble.hpp"
 #include "formats/cgns/cgns_file.hpp"
 #include "formats/cgns/element_types.hpp"
-#include "formats/foreign_mesh.hpp"
+#include "formats/common/io/isolated.hpp"
+#include "formats/common/mesh/assemble.hpp"
+#include "formats/common/mesh/foreign_mesh.hpp"
+#include "formats/common/mesh/structured.hpp"
+#include "formats/common/mesh/vector_names.hpp"
 #include "formats/hdf5/hdf5_model.hpp"
-#include "formats/isolated.hpp"
-#include "formats/structured.hpp"
-#include "formats/vector_names.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats {

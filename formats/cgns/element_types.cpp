@@ -3,9 +3,9 @@
 #include <map>
 #include <vector>
 
-#include "formats/cell_conversion.hpp"
-#include "formats/edge_order.hpp"
-#include "formats/upright_edges.hpp"
+#include "formats/common/cells/cell_conversion.hpp"
+#include "formats/common/cells/edge_order.hpp"
+#include "formats/common/cells/upright_edges.hpp"
 
 namespace hiac::formats::cgns {
 namespace {

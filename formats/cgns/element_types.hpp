@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "formats/cell_conversion.hpp"
+#include "formats/common/cells/cell_conversion.hpp"
 
 namespace hiac::formats::cgns {
 

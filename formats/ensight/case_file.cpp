@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "formats/input_text.hpp"
-#include "formats/named_file.hpp"
-#include "formats/text_cursor.hpp"
+#include "formats/common/io/input_text.hpp"
+#include "formats/common/io/named_file.hpp"
+#include "formats/common/io/text_cursor.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::ensight {

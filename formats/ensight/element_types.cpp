@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "formats/edge_order.hpp"
+#include "formats/common/cells/edge_order.hpp"
 
 namespace hiac::formats::ensight {
 

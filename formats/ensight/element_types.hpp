@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "formats/foreign_mesh.hpp"
+#include "formats/common/mesh/foreign_mesh.hpp"
 
 namespace hiac::formats::ensight {
 

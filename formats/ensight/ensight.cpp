@@ -11,15 +11,15 @@
 
 #include <fmt/format.h>
 
-#include "formats/assemble.hpp"
+#include "formats/common/io/text_cursor.hpp"
+#include "formats/common/mesh/assemble.hpp"
+#include "formats/common/mesh/foreign_mesh.hpp"
+#include "formats/common/mesh/steps.hpp"
+#include "formats/common/mesh/structured.hpp"
 #include "formats/ensight/case_file.hpp"
 #include "formats/ensight/element_types.hpp"
 #include "formats/ensight/gold_file.hpp"
 #include "formats/ensight/six_file.hpp"
-#include "formats/foreign_mesh.hpp"
-#include "formats/steps.hpp"
-#include "formats/structured.hpp"
-#include "formats/text_cursor.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "formats/input_text.hpp"
-#include "formats/text_cursor.hpp"
+#include "formats/common/io/input_text.hpp"
+#include "formats/common/io/text_cursor.hpp"
 
 namespace hiac::formats::ensight {
 

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "formats/common/io/input_text.hpp"
+#include "formats/common/io/text_cursor.hpp"
 #include "formats/ensight/element_types.hpp"
-#include "formats/input_text.hpp"
-#include "formats/text_cursor.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::ensight {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "formats/printable.hpp"
+#include "formats/common/io/printable.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::exodus {

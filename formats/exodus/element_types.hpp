@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "formats/cell_conversion.hpp"
+#include "formats/common/cells/cell_conversion.hpp"
 
 namespace hiac::formats::exodus {
 

@@ -7,13 +7,13 @@
 
 #include <fmt/format.h>
 
-#include "formats/assemble.hpp"
+#include "formats/common/io/isolated.hpp"
+#include "formats/common/mesh/assemble.hpp"
+#include "formats/common/mesh/foreign_mesh.hpp"
 #include "formats/exodus/classic_layout.hpp"
 #include "formats/exodus/element_types.hpp"
 #include "formats/exodus/netcdf_file.hpp"
-#include "formats/foreign_mesh.hpp"
 #include "formats/hdf5/hdf5_model.hpp"
-#include "formats/isolated.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats {

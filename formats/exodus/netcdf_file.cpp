@@ -8,9 +8,9 @@
 #include <netcdf.h>
 #include <netcdf_meta.h>
 
+#include "formats/common/io/mapped_file.hpp"
+#include "formats/common/io/product.hpp"
 #include "formats/exodus/classic_layout.hpp"
-#include "formats/mapped_file.hpp"
-#include "formats/product.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::exodus {

@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "formats/assemble.hpp"
-#include "formats/input_text.hpp"
-#include "formats/number_index.hpp"
-#include "formats/solid_orders.hpp"
-#include "formats/text_cursor.hpp"
+#include "formats/common/cells/solid_orders.hpp"
+#include "formats/common/io/input_text.hpp"
+#include "formats/common/io/number_index.hpp"
+#include "formats/common/io/text_cursor.hpp"
+#include "formats/common/mesh/assemble.hpp"
 
 namespace hiac::formats {
 namespace {

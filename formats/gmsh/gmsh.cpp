@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "formats/assemble.hpp"
+#include "formats/common/mesh/assemble.hpp"
 #include "formats/gmsh/gmsh_data.hpp"
 #include "formats/gmsh/gmsh_writer.hpp"
 

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "formats/node_resolver.hpp"
-#include "formats/number_index.hpp"
+#include "formats/common/io/number_index.hpp"
+#include "formats/common/mesh/node_resolver.hpp"
 
 namespace hiac::formats::gmsh {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "formats/common/io/large_reserve.hpp"
 #include "formats/gmsh/gmsh_sections.hpp"
 #include "formats/gmsh/gmsh_types.hpp"
-#include "formats/large_reserve.hpp"
 
 namespace hiac::formats::gmsh {
 namespace {

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "formats/foreign_mesh.hpp"
+#include "formats/common/io/input_text.hpp"
+#include "formats/common/mesh/foreign_mesh.hpp"
 #include "formats/gmsh/gmsh_stream.hpp"
-#include "formats/input_text.hpp"
 
 namespace hiac::formats::gmsh {
 

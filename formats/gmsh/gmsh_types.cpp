@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "formats/edge_order.hpp"
+#include "formats/common/cells/edge_order.hpp"
 
 namespace hiac::formats::gmsh {
 namespace {

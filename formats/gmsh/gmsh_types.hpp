@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "formats/foreign_mesh.hpp"
+#include "formats/common/mesh/foreign_mesh.hpp"
 
 namespace hiac::formats::gmsh {
 

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "formats/binary_output.hpp"
+#include "formats/common/io/binary_output.hpp"
 #include "formats/gmsh/gmsh_types.hpp"
 #include "hiac/base/error.hpp"
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <hdf5.h>
 
-#include "formats/product.hpp"
+#include "formats/common/io/product.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::hdf5 {

@@ -3,8 +3,8 @@
 #include <array>
 #include <fstream>
 
+#include "formats/common/io/isolated.hpp"
 #include "formats/hdf5/hdf5_file.hpp"
-#include "formats/isolated.hpp"
 
 namespace hiac::formats::hdf5 {
 namespace {

@@ -7,10 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "formats/assemble.hpp"
+#include "formats/common/io/mapped_file.hpp"
+#include "formats/common/mesh/assemble.hpp"
+#include "formats/common/mesh/steps.hpp"
 #include "formats/lsdyna/d3plot_layout.hpp"
-#include "formats/mapped_file.hpp"
-#include "formats/steps.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats {

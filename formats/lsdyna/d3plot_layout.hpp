@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "formats/byte_stream.hpp"
+#include "formats/common/io/byte_stream.hpp"
 
 namespace hiac::formats::lsdyna {
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "formats/cell_conversion.hpp"
-#include "formats/edge_order.hpp"
+#include "formats/common/cells/cell_conversion.hpp"
+#include "formats/common/cells/edge_order.hpp"
 
 namespace hiac::formats::med {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string_view>
 
-#include "formats/cell_conversion.hpp"
+#include "formats/common/cells/cell_conversion.hpp"
 
 namespace hiac::formats::med {
 

@@ -9,11 +9,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "formats/assemble.hpp"
-#include "formats/foreign_mesh.hpp"
+#include "formats/common/io/isolated.hpp"
+#include "formats/common/mesh/assemble.hpp"
+#include "formats/common/mesh/foreign_mesh.hpp"
 #include "formats/hdf5/hdf5_file.hpp"
 #include "formats/hdf5/hdf5_model.hpp"
-#include "formats/isolated.hpp"
 #include "formats/med/element_types.hpp"
 #include "hiac/base/error.hpp"
 

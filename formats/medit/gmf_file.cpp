@@ -10,9 +10,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "formats/byte_stream.hpp"
-#include "formats/solid_orders.hpp"
-#include "formats/text_cursor.hpp"
+#include "formats/common/cells/solid_orders.hpp"
+#include "formats/common/io/byte_stream.hpp"
+#include "formats/common/io/text_cursor.hpp"
 
 namespace hiac::formats::medit {
 namespace {

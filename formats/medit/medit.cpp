@@ -1,6 +1,6 @@
 #include "formats/medit/medit.hpp"
 
-#include "formats/assemble.hpp"
+#include "formats/common/mesh/assemble.hpp"
 #include "formats/medit/gmf_file.hpp"
 
 namespace hiac::formats {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "formats/format.hpp"
+#include "formats/common/mesh/format.hpp"
 
 namespace hiac::formats {
 

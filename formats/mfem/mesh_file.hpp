@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/text_cursor.hpp"
+#include "formats/common/io/text_cursor.hpp"
 
 namespace hiac::formats::mfem {
 

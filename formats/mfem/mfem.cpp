@@ -8,10 +8,10 @@
 
 #include <fmt/format.h>
 
-#include "formats/assemble.hpp"
-#include "formats/edge_order.hpp"
-#include "formats/foreign_mesh.hpp"
-#include "formats/input_text.hpp"
+#include "formats/common/cells/edge_order.hpp"
+#include "formats/common/io/input_text.hpp"
+#include "formats/common/mesh/assemble.hpp"
+#include "formats/common/mesh/foreign_mesh.hpp"
 #include "formats/mfem/dof_map.hpp"
 #include "formats/mfem/interpolation.hpp"
 #include "formats/mfem/mesh_file.hpp"

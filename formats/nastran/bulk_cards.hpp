@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/text_cursor.hpp"
+#include "formats/common/io/text_cursor.hpp"
 
 namespace hiac::formats::nastran {
 

@@ -9,12 +9,12 @@
 
 #include <fmt/format.h>
 
-#include "formats/input_text.hpp"
-#include "formats/named_file.hpp"
+#include "formats/common/cells/solid_orders.hpp"
+#include "formats/common/io/input_text.hpp"
+#include "formats/common/io/named_file.hpp"
+#include "formats/common/io/number_index.hpp"
 #include "formats/nastran/bulk_cards.hpp"
 #include "formats/nastran/coordinate_systems.hpp"
-#include "formats/number_index.hpp"
-#include "formats/solid_orders.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::nastran {

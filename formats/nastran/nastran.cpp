@@ -1,8 +1,8 @@
 #include "formats/nastran/nastran.hpp"
 
-#include "formats/assemble.hpp"
+#include "formats/common/io/text_cursor.hpp"
+#include "formats/common/mesh/assemble.hpp"
 #include "formats/nastran/bulk_data.hpp"
-#include "formats/text_cursor.hpp"
 
 namespace hiac::formats {
 namespace {

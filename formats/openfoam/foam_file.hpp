@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "formats/input_text.hpp"
+#include "formats/common/io/input_text.hpp"
 
 namespace hiac::formats::openfoam {
 

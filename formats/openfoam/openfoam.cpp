@@ -8,14 +8,14 @@
 
 #include <fmt/format.h>
 
-#include "formats/assemble.hpp"
-#include "formats/face_cells.hpp"
-#include "formats/foreign_mesh.hpp"
+#include "formats/common/cells/face_cells.hpp"
+#include "formats/common/io/printable.hpp"
+#include "formats/common/mesh/assemble.hpp"
+#include "formats/common/mesh/foreign_mesh.hpp"
+#include "formats/common/mesh/steps.hpp"
 #include "formats/openfoam/case_part.hpp"
 #include "formats/openfoam/foam_file.hpp"
 #include "formats/openfoam/joined_parts.hpp"
-#include "formats/printable.hpp"
-#include "formats/steps.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats {

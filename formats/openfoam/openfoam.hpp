@@ -1,6 +1,6 @@
 #pragma once
 
-#include "formats/foreign_mesh.hpp"
+#include "formats/common/mesh/foreign_mesh.hpp"
 
 namespace hiac::formats {
 

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "formats/mapped_file.hpp"
-#include "formats/named_file.hpp"
+#include "formats/common/io/mapped_file.hpp"
+#include "formats/common/io/named_file.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::plot3d {

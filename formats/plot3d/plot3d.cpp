@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "formats/assemble.hpp"
+#include "formats/common/mesh/assemble.hpp"
+#include "formats/common/mesh/steps.hpp"
+#include "formats/common/mesh/structured.hpp"
 #include "formats/plot3d/index_file.hpp"
 #include "formats/plot3d/sections.hpp"
-#include "formats/steps.hpp"
-#include "formats/structured.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats {

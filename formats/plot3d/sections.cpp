@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "formats/mapped_file.hpp"
+#include "formats/common/io/mapped_file.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::plot3d {

@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "formats/assemble.hpp"
+#include "formats/common/io/isolated.hpp"
+#include "formats/common/mesh/assemble.hpp"
+#include "formats/common/mesh/structured.hpp"
 #include "formats/hdf5/hdf5_model.hpp"
-#include "formats/isolated.hpp"
 #include "formats/silo/silo_file.hpp"
-#include "formats/structured.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats {

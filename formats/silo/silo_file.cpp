@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "formats/named_file.hpp"
+#include "formats/common/io/named_file.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::silo {

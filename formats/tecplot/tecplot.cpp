@@ -7,12 +7,12 @@
 
 #include <fmt/format.h>
 
-#include "formats/assemble.hpp"
-#include "formats/solid_orders.hpp"
-#include "formats/steps.hpp"
+#include "formats/common/cells/solid_orders.hpp"
+#include "formats/common/io/text_cursor.hpp"
+#include "formats/common/mesh/assemble.hpp"
+#include "formats/common/mesh/steps.hpp"
 #include "formats/tecplot/tecplot_binary.hpp"
 #include "formats/tecplot/tecplot_zones.hpp"
-#include "formats/text_cursor.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats {

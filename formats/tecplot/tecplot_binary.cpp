@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "formats/byte_stream.hpp"
-#include "formats/text_cursor.hpp"
+#include "formats/common/io/byte_stream.hpp"
+#include "formats/common/io/text_cursor.hpp"
 
 namespace hiac::formats::tecplot {
 namespace {

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "formats/text_cursor.hpp"
+#include "formats/common/io/text_cursor.hpp"
 
 namespace hiac::formats::tecplot {
 namespace {

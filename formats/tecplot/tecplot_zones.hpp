@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/input_text.hpp"
+#include "formats/common/io/input_text.hpp"
 
 namespace hiac::formats::tecplot {
 

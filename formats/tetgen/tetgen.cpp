@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "formats/assemble.hpp"
-#include "formats/input_text.hpp"
-#include "formats/solid_orders.hpp"
-#include "formats/text_cursor.hpp"
+#include "formats/common/cells/solid_orders.hpp"
+#include "formats/common/io/input_text.hpp"
+#include "formats/common/io/text_cursor.hpp"
+#include "formats/common/mesh/assemble.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats {

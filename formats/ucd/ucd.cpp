@@ -1,6 +1,6 @@
 #include "formats/ucd/ucd.hpp"
 
-#include "formats/assemble.hpp"
+#include "formats/common/mesh/assemble.hpp"
 #include "formats/ucd/ucd_file.hpp"
 
 namespace hiac::formats {

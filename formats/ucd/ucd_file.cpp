@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "formats/number_index.hpp"
-#include "formats/solid_orders.hpp"
-#include "formats/text_cursor.hpp"
+#include "formats/common/cells/solid_orders.hpp"
+#include "formats/common/io/number_index.hpp"
+#include "formats/common/io/text_cursor.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::ucd {

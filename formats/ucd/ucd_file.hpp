@@ -1,7 +1,7 @@
 #pragma once
 
-#include "formats/foreign_mesh.hpp"
-#include "formats/input_text.hpp"
+#include "formats/common/io/input_text.hpp"
+#include "formats/common/mesh/foreign_mesh.hpp"
 
 namespace hiac::formats::ucd {
 

@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "formats/assemble.hpp"
-#include "formats/byte_stream.hpp"
-#include "formats/input_text.hpp"
-#include "formats/solid_orders.hpp"
-#include "formats/text_cursor.hpp"
+#include "formats/common/cells/solid_orders.hpp"
+#include "formats/common/io/byte_stream.hpp"
+#include "formats/common/io/input_text.hpp"
+#include "formats/common/io/text_cursor.hpp"
+#include "formats/common/mesh/assemble.hpp"
 
 namespace hiac::formats {
 namespace {

@@ -1,7 +1,7 @@
 #include "formats/unv/unv.hpp"
 
-#include "formats/assemble.hpp"
-#include "formats/text_cursor.hpp"
+#include "formats/common/io/text_cursor.hpp"
+#include "formats/common/mesh/assemble.hpp"
 #include "formats/unv/unv_file.hpp"
 
 namespace hiac::formats {

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "formats/solid_orders.hpp"
+#include "formats/common/cells/solid_orders.hpp"
 
 namespace hiac::formats::unv {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "formats/foreign_mesh.hpp"
+#include "formats/common/mesh/foreign_mesh.hpp"
 
 namespace hiac::formats::unv {
 

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "formats/number_index.hpp"
-#include "formats/text_cursor.hpp"
+#include "formats/common/io/number_index.hpp"
+#include "formats/common/io/text_cursor.hpp"
 #include "formats/unv/unv_elements.hpp"
 #include "formats/unv/unv_results.hpp"
 

@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "formats/number_index.hpp"
+#include "formats/common/io/number_index.hpp"
 
 namespace hiac::formats::unv {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "formats/foreign_mesh.hpp"
-#include "formats/input_text.hpp"
-#include "formats/text_cursor.hpp"
+#include "formats/common/io/input_text.hpp"
+#include "formats/common/io/text_cursor.hpp"
+#include "formats/common/mesh/foreign_mesh.hpp"
 
 namespace hiac::formats::unv {
 

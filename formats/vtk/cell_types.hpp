@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-#include "formats/cell_conversion.hpp"
+#include "formats/common/cells/cell_conversion.hpp"
 
 namespace hiac::formats::vtk {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "formats/cell_collector.hpp"
-#include "formats/format.hpp"
+#include "formats/common/cells/cell_collector.hpp"
+#include "formats/common/mesh/format.hpp"
 
 class vtkDataSet;
 

@@ -6,7 +6,7 @@
 
 #include <vtkSmartPointer.h>
 
-#include "formats/format.hpp"
+#include "formats/common/mesh/format.hpp"
 
 class vtkDataArray;
 class vtkDataSet;

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "formats/foreign_mesh.hpp"
+#include "formats/common/mesh/foreign_mesh.hpp"
 
 class vtkDataSet;
 

@@ -8,8 +8,8 @@
 #include <vtkPoints.h>
 #include <vtkUnstructuredGrid.h>
 
-#include "formats/assemble.hpp"
-#include "formats/gate.hpp"
+#include "formats/common/mesh/assemble.hpp"
+#include "formats/common/mesh/gate.hpp"
 #include "formats/vtk/cells_from_vtk.hpp"
 #include "formats/vtk/fields_from_vtk.hpp"
 #include "formats/vtk/foreign_from_vtk.hpp"

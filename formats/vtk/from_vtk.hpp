@@ -4,7 +4,7 @@
 
 #include <vtkSmartPointer.h>
 
-#include "formats/format.hpp"
+#include "formats/common/mesh/format.hpp"
 
 class vtkDataSet;
 

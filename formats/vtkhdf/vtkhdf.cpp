@@ -7,14 +7,14 @@
 
 #include <fmt/format.h>
 
-#include "formats/assemble.hpp"
-#include "formats/foreign_mesh.hpp"
+#include "formats/common/io/isolated.hpp"
+#include "formats/common/mesh/assemble.hpp"
+#include "formats/common/mesh/foreign_mesh.hpp"
+#include "formats/common/mesh/merge_pieces.hpp"
+#include "formats/common/mesh/steps.hpp"
+#include "formats/common/mesh/structured.hpp"
 #include "formats/hdf5/hdf5_file.hpp"
 #include "formats/hdf5/hdf5_model.hpp"
-#include "formats/isolated.hpp"
-#include "formats/merge_pieces.hpp"
-#include "formats/steps.hpp"
-#include "formats/structured.hpp"
 #include "formats/vtk/cell_types.hpp"
 #include "formats/vtkhdf/vtkhdf_writer.hpp"
 #include "hiac/base/error.hpp"

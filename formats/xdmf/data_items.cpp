@@ -10,9 +10,9 @@
 
 #include <fmt/format.h>
 
-#include "formats/mapped_file.hpp"
-#include "formats/named_file.hpp"
-#include "formats/product.hpp"
+#include "formats/common/io/mapped_file.hpp"
+#include "formats/common/io/named_file.hpp"
+#include "formats/common/io/product.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::xdmf {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <vtkCellType.h>
 
-#include "formats/foreign_mesh.hpp"
+#include "formats/common/mesh/foreign_mesh.hpp"
 #include "formats/vtk/cell_types.hpp"
 #include "hiac/base/error.hpp"
 

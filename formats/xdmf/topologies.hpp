@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "formats/foreign_mesh.hpp"
+#include "formats/common/mesh/foreign_mesh.hpp"
 
 namespace hiac::formats::xdmf {
 

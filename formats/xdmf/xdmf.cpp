@@ -8,13 +8,13 @@
 
 #include <fmt/format.h>
 
-#include "formats/assemble.hpp"
-#include "formats/foreign_mesh.hpp"
-#include "formats/isolated.hpp"
-#include "formats/mapped_file.hpp"
-#include "formats/sorted_tetrahedra.hpp"
-#include "formats/steps.hpp"
-#include "formats/structured.hpp"
+#include "formats/common/cells/sorted_tetrahedra.hpp"
+#include "formats/common/io/isolated.hpp"
+#include "formats/common/io/mapped_file.hpp"
+#include "formats/common/mesh/assemble.hpp"
+#include "formats/common/mesh/foreign_mesh.hpp"
+#include "formats/common/mesh/steps.hpp"
+#include "formats/common/mesh/structured.hpp"
 #include "formats/xdmf/data_items.hpp"
 #include "formats/xdmf/topologies.hpp"
 #include "hiac/base/error.hpp"

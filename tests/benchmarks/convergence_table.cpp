@@ -14,7 +14,7 @@
 #include <fmt/format.h>
 
 #include "hiac/render/engine.hpp"
-#include "tests/render/general_meshes.hpp"
+#include "tests/render/truth/general_meshes.hpp"
 
 namespace hiac {
 namespace {

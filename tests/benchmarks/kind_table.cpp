@@ -13,7 +13,7 @@
 
 #include "hiac/base/parallel.hpp"
 #include "hiac/render/engine.hpp"
-#include "tests/render/general_meshes.hpp"
+#include "tests/render/truth/general_meshes.hpp"
 
 namespace hiac {
 namespace {

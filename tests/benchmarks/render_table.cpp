@@ -21,7 +21,7 @@
 #include "hiac/mesh/face_adjacency.hpp"
 #include "hiac/render/engine.hpp"
 #include "tests/benchmarks/cube_scene.hpp"
-#include "tests/render/general_meshes.hpp"
+#include "tests/render/truth/general_meshes.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace hiac {

@@ -1,13 +1,13 @@
 // The assembly on meshes made by hand: left-out nodes, sparse numbers, fields in all three places,
 // steps and blocks.
-#include "formats/assemble.hpp"
+#include "formats/common/mesh/assemble.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "formats/solid_orders.hpp"
-#include "formats/sorted_tetrahedra.hpp"
+#include "formats/common/cells/solid_orders.hpp"
+#include "formats/common/cells/sorted_tetrahedra.hpp"
 #include "tests/formats/files.hpp"
 
 namespace hiac::formats {

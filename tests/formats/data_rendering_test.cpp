@@ -16,12 +16,12 @@
 #include <vector>
 
 #include "hiac/check/overlap.hpp"
+#include "hiac/frame/projection.hpp"
+#include "hiac/frame/renderable.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
 #include "hiac/order/order_basis.hpp"
 #include "hiac/render/engine.hpp"
 #include "hiac/render/explain_pixel.hpp"
-#include "hiac/render/projection.hpp"
-#include "hiac/render/renderable.hpp"
 #include "hiac/scene/view_of.hpp"
 #include "tests/formats/files.hpp"
 #include "tests/support/cell_distance.hpp"

@@ -1,4 +1,4 @@
-#include "formats/degenerate_cell.hpp"
+#include "formats/common/cells/degenerate_cell.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 // programs; and files of one mesh in two formats agree.
 #include <cmath>
 
-#include "formats/keep_corners.hpp"
+#include "formats/common/cells/keep_corners.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 #include "tests/formats/file_rows.hpp"
 

@@ -1,4 +1,4 @@
-#include "formats/merge_pieces.hpp"
+#include "formats/common/mesh/merge_pieces.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "formats/node_order.hpp"
+#include "formats/common/cells/node_order.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Cells beyond the zoo: what loses nothing is turned at once, what loses something is refused, and
 // with --approximate turned, with the error that a closed form gives.
-#include "formats/reduce_cells.hpp"
+#include "formats/common/cells/reduce_cells.hpp"
 
 #include <cmath>
 #include <functional>
@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "formats/assemble.hpp"
-#include "formats/lattice.hpp"
+#include "formats/common/cells/lattice.hpp"
+#include "formats/common/mesh/assemble.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 #include "tests/formats/cell_volumes.hpp"

@@ -1,8 +1,8 @@
-#include "formats/select_fields.hpp"
+#include "formats/common/mesh/select_fields.hpp"
 
 #include <gtest/gtest.h>
 
-#include "formats/keep_corners.hpp"
+#include "formats/common/cells/keep_corners.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats {

@@ -1,11 +1,11 @@
-#include "formats/text_cursor.hpp"
+#include "formats/common/io/text_cursor.hpp"
 
 #include <cmath>
 #include <limits>
 
-#include "formats/comma_fields.hpp"
-#include "formats/input_text.hpp"
-#include "formats/number_index.hpp"
+#include "formats/common/io/comma_fields.hpp"
+#include "formats/common/io/input_text.hpp"
+#include "formats/common/io/number_index.hpp"
 #include "tests/formats/files.hpp"
 
 namespace hiac::formats {

@@ -1,5 +1,5 @@
-// In place of formats/isolated.cpp: libFuzzer sees what happens in its own process alone.
-#include "formats/isolated.hpp"
+// In place of formats/common/io/isolated.cpp: libFuzzer sees what happens in its own process alone.
+#include "formats/common/io/isolated.hpp"
 
 namespace hiac::formats {
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <exception>
 
-#include "formats/mapped_file.hpp"
+#include "formats/common/io/mapped_file.hpp"
 #include "formats/registry.hpp"
 #include "formats/surface/point_file.hpp"
 #include "formats/surface/surface_file.hpp"

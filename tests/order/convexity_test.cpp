@@ -1,4 +1,4 @@
-#include "hiac/order/convexity.hpp"
+#include "hiac/order/faces/convexity.hpp"
 
 #include <algorithm>
 #include <cmath>

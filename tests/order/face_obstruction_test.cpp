@@ -1,4 +1,4 @@
-#include "hiac/order/face_obstruction.hpp"
+#include "hiac/order/gaps/face_obstruction.hpp"
 
 #include <algorithm>
 #include <array>

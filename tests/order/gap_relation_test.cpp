@@ -1,4 +1,4 @@
-#include "hiac/order/gap_relation.hpp"
+#include "hiac/order/gaps/gap_relation.hpp"
 
 #include <cmath>
 #include <limits>

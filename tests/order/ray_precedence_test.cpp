@@ -1,4 +1,4 @@
-#include "hiac/order/ray_precedence.hpp"
+#include "hiac/order/gaps/ray_precedence.hpp"
 
 #include <random>
 #include <utility>

@@ -11,9 +11,10 @@ import sys
 FLOORS = {
     "base": 0, "mesh": 1, "geometry": 2,
     "optics": 3, "scene": 3, "image": 3,
-    "order": 4, "tetrahedralize": 4,
-    "check": 5, "render": 5, "preview": 5,
-    "formats": 6, "tools": 7,
+    "element": 4, "order": 4, "tetrahedralize": 4,
+    "check": 5, "frame": 5,
+    "render": 6,
+    "formats": 7, "tools": 8,
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]((?:hiac|formats|tools|tests)/[^">]+)[">]')
 

@@ -1,4 +1,4 @@
-#include "hiac/render/channels.hpp"
+#include "hiac/frame/channels.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,8 @@
 #include "hiac/mesh/face_adjacency.hpp"
 #include "hiac/render/engine.hpp"
 #include "hiac/scene/view_of.hpp"
-#include "tests/render/general_meshes.hpp"
-#include "tests/render/polyhedron_reference.hpp"
+#include "tests/render/truth/general_meshes.hpp"
+#include "tests/render/truth/polyhedron_reference.hpp"
 #include "tests/support/reference.hpp"
 
 namespace hiac {

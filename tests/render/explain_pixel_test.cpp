@@ -11,7 +11,7 @@
 #include "hiac/base/error.hpp"
 #include "hiac/render/engine.hpp"
 #include "hiac/scene/view_of.hpp"
-#include "tests/render/general_meshes.hpp"
+#include "tests/render/truth/general_meshes.hpp"
 #include "tests/support/instrumented.hpp"
 #include "tests/support/sorting.hpp"
 

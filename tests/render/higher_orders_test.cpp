@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "hiac/render/general_cells.hpp"
-#include "hiac/render/renderable.hpp"
-#include "tests/render/general_meshes.hpp"
-#include "tests/render/polyhedron_reference.hpp"
+#include "hiac/frame/renderable.hpp"
+#include "hiac/render/cells/general_cells.hpp"
+#include "tests/render/truth/general_meshes.hpp"
+#include "tests/render/truth/polyhedron_reference.hpp"
 
 namespace hiac {
 namespace {

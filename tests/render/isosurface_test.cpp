@@ -6,11 +6,11 @@
 #include <gtest/gtest.h>
 
 #include "hiac/base/parallel.hpp"
+#include "hiac/frame/renderable.hpp"
 #include "hiac/render/engine.hpp"
-#include "hiac/render/renderable.hpp"
-#include "tests/render/general_meshes.hpp"
-#include "tests/render/polyhedron_reference.hpp"
-#include "tests/render/scene_truth.hpp"
+#include "tests/render/truth/general_meshes.hpp"
+#include "tests/render/truth/polyhedron_reference.hpp"
+#include "tests/render/truth/scene_truth.hpp"
 #include "tests/support/reference.hpp"
 
 namespace hiac {

@@ -13,7 +13,7 @@
 #include "hiac/base/parallel.hpp"
 #include "hiac/render/supersampling.hpp"
 #include "hiac/scene/view_of.hpp"
-#include "tests/render/general_meshes.hpp"
+#include "tests/render/truth/general_meshes.hpp"
 #include "tests/support/sorting.hpp"
 
 namespace hiac {

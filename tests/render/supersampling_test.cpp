@@ -11,7 +11,7 @@
 #include "hiac/base/parallel.hpp"
 #include "hiac/render/quadratic_bspline.hpp"
 #include "hiac/scene/view_of.hpp"
-#include "tests/render/general_meshes.hpp"
+#include "tests/render/truth/general_meshes.hpp"
 #include "tests/support/sorting.hpp"
 
 namespace hiac {

@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "hiac/base/error.hpp"
-#include "hiac/render/renderable.hpp"
-#include "tests/render/general_meshes.hpp"
+#include "hiac/frame/renderable.hpp"
+#include "tests/render/truth/general_meshes.hpp"
 
 namespace hiac {
 namespace {

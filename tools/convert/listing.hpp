@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "formats/format.hpp"
+#include "formats/common/mesh/format.hpp"
 
 namespace hiac::tools {
 

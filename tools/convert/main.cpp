@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "formats/keep_corners.hpp"
+#include "formats/common/cells/keep_corners.hpp"
+#include "formats/common/mesh/select_fields.hpp"
 #include "formats/registry.hpp"
-#include "formats/select_fields.hpp"
-#include "formats/zoo_format.hpp"
+#include "formats/zoo/zoo_format.hpp"
 #include "hiac/base/error.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
 #include "hiac/mesh/zoo_container.hpp"

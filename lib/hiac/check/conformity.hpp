@@ -7,7 +7,7 @@
 #include "hiac/check/cells.hpp"
 #include "hiac/check/defect.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
-#include "hiac/order/face_numbering.hpp"
+#include "hiac/order/faces/face_numbering.hpp"
 
 namespace hiac {
 

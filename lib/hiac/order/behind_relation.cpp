@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "hiac/base/parallel.hpp"
-#include "hiac/order/cell_side.hpp"
-#include "hiac/order/eye_side.hpp"
-#include "hiac/order/patch_side.hpp"
+#include "hiac/order/faces/cell_side.hpp"
+#include "hiac/order/faces/eye_side.hpp"
+#include "hiac/order/faces/patch_side.hpp"
 
 namespace hiac {
 namespace {

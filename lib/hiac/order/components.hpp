@@ -3,7 +3,7 @@
 #include <span>
 
 #include "hiac/order/behind_relation.hpp"
-#include "hiac/order/gap_relation.hpp"
+#include "hiac/order/gaps/gap_relation.hpp"
 #include "hiac/order/visibility_order.hpp"
 
 namespace hiac {

@@ -9,8 +9,8 @@
 #include "hiac/base/error.hpp"
 #include "hiac/geometry/face_form.hpp"
 #include "hiac/order/behind_relation.hpp"
-#include "hiac/order/cell_side.hpp"
-#include "hiac/order/convexity.hpp"
+#include "hiac/order/faces/cell_side.hpp"
+#include "hiac/order/faces/convexity.hpp"
 
 namespace hiac {
 namespace {

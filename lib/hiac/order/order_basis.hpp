@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "hiac/mesh/zoo_mesh.hpp"
-#include "hiac/order/face_numbering.hpp"
+#include "hiac/order/faces/face_numbering.hpp"
 
 namespace hiac {
 

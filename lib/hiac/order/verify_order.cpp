@@ -6,8 +6,8 @@
 
 #include "hiac/base/parallel.hpp"
 #include "hiac/order/behind_relation.hpp"
-#include "hiac/order/gap_relation.hpp"
-#include "hiac/order/ray_precedence.hpp"
+#include "hiac/order/gaps/gap_relation.hpp"
+#include "hiac/order/gaps/ray_precedence.hpp"
 
 namespace hiac {
 namespace {

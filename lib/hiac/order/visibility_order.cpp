@@ -6,7 +6,7 @@
 #include "hiac/base/seconds.hpp"
 #include "hiac/order/behind_relation.hpp"
 #include "hiac/order/components.hpp"
-#include "hiac/order/gap_relation.hpp"
+#include "hiac/order/gaps/gap_relation.hpp"
 
 namespace hiac {
 

@@ -9,16 +9,16 @@
 #include "hiac/base/parallel.hpp"
 #include "hiac/base/progress.hpp"
 #include "hiac/base/seconds.hpp"
-#include "hiac/render/background.hpp"
-#include "hiac/render/cell_groups.hpp"
-#include "hiac/render/frame.hpp"
-#include "hiac/render/general_cells.hpp"
-#include "hiac/render/higher_order_kernel.hpp"
-#include "hiac/render/pixel_refinement.hpp"
+#include "hiac/frame/background.hpp"
+#include "hiac/frame/cell_groups.hpp"
+#include "hiac/frame/frame.hpp"
+#include "hiac/render/cells/general_cells.hpp"
+#include "hiac/render/pixels/tile.hpp"
+#include "hiac/render/pixels/tile_bins.hpp"
+#include "hiac/render/refine/pixel_refinement.hpp"
 #include "hiac/render/splatting.hpp"
-#include "hiac/render/tetrahedron_kernel.hpp"
-#include "hiac/render/tile.hpp"
-#include "hiac/render/tile_bins.hpp"
+#include "hiac/render/tetrahedra/higher_order_kernel.hpp"
+#include "hiac/render/tetrahedra/tetrahedron_kernel.hpp"
 
 namespace hiac {
 namespace {
@@ -225,7 +225,7 @@ struct PartRenderer::Prepared {
         channels(wanted.begin(), wanted.end()),
         start(seconds_now()),
         projector(scene.camera, scene.image),
-        frame(make_frame(mesh, scene, projector)),
+        frame(make_frame_with_splats(mesh, scene, projector)),
         splatted(static_cast<std::uint64_t>(std::ranges::count(frame.splatted_cells, 1))) {
     frame.with_details = !channels.empty();
     frame.with_error = std::ranges::find(channels, Channel::error) != channels.end();

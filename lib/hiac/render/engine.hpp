@@ -5,11 +5,11 @@
 #include <span>
 
 #include "hiac/base/progress.hpp"
+#include "hiac/frame/channels.hpp"
+#include "hiac/frame/crop.hpp"
 #include "hiac/image/image.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/order/visibility_order.hpp"
-#include "hiac/render/channels.hpp"
-#include "hiac/render/crop.hpp"
 #include "hiac/scene/scene.hpp"
 
 namespace hiac {

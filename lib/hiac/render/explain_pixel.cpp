@@ -9,17 +9,18 @@
 #include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/element/field_along_ray.hpp"
+#include "hiac/frame/background.hpp"
+#include "hiac/frame/cell_groups.hpp"
 #include "hiac/optics/polynomial_piece.hpp"
-#include "hiac/render/background.hpp"
-#include "hiac/render/cell_groups.hpp"
-#include "hiac/render/cell_scan.hpp"
-#include "hiac/render/cuts_along_ray.hpp"
-#include "hiac/render/error_bound.hpp"
-#include "hiac/render/field_along_ray.hpp"
-#include "hiac/render/general_cells.hpp"
-#include "hiac/render/pixel_refinement.hpp"
-#include "hiac/render/tetrahedron_kernel.hpp"
-#include "hiac/render/tile_bins.hpp"
+#include "hiac/render/bounds/error_bound.hpp"
+#include "hiac/render/cells/cell_scan.hpp"
+#include "hiac/render/cells/cuts_along_ray.hpp"
+#include "hiac/render/cells/general_cells.hpp"
+#include "hiac/render/pixels/tile_bins.hpp"
+#include "hiac/render/refine/pixel_refinement.hpp"
+#include "hiac/render/splatting.hpp"
+#include "hiac/render/tetrahedra/tetrahedron_kernel.hpp"
 
 namespace hiac {
 namespace {
@@ -250,7 +251,7 @@ PixelExplanation explain_pixel(const ZooMesh& mesh, const VisibilityOrder& order
                                bool with_background) {
   require_explainable(scene, x, y);
   const Projector projector(scene.camera, scene.image);
-  Frame frame = make_frame(mesh, scene, projector);
+  Frame frame = make_frame_with_splats(mesh, scene, projector);
   frame.with_details = true;
   frame.with_error = frame.optics.rule == PieceRule::exact &&
                      scene.render.interpolation == Interpolation::isoparametric;

@@ -7,14 +7,14 @@
 #include <optional>
 
 #include "hiac/base/parallel.hpp"
+#include "hiac/element/cell_field.hpp"
+#include "hiac/element/cell_surface.hpp"
 #include "hiac/geometry/inverse_map.hpp"
 #include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 #include "hiac/optics/gauss_legendre.hpp"
 #include "hiac/optics/linear_piece.hpp"
-#include "hiac/render/cell_field.hpp"
-#include "hiac/render/cell_scan.hpp"
-#include "hiac/render/cell_surface.hpp"
+#include "hiac/render/cells/cell_scan.hpp"
 #include "hiac/render/quadratic_bspline.hpp"
 
 namespace hiac {
@@ -227,6 +227,13 @@ std::vector<std::uint8_t> splatted_cells(const Frame& frame, ImageSize size,
       flags[cell] = choice(static_cast<CellId>(cell)) ? 1 : 0;
   });
   return flags;
+}
+
+Frame make_frame_with_splats(const ZooMesh& mesh, const Scene& scene, const Projector& projector) {
+  Frame frame = make_frame(mesh, scene, projector);
+  if (scene.render.splat_below > 0)
+    frame.splatted_cells = splatted_cells(frame, scene.image, scene.render.splat_below);
+  return frame;
 }
 
 Splat splat_of(const Frame& frame, CellId cell) {

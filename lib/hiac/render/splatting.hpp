@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "hiac/render/frame.hpp"
-#include "hiac/render/tile.hpp"
+#include "hiac/frame/frame.hpp"
+#include "hiac/render/pixels/tile.hpp"
 #include "hiac/scene/scene.hpp"
 
 namespace hiac {
@@ -42,6 +42,9 @@ namespace hiac {
 /// such cells splats wherever they lie (below 1, those that happen to meet a ray would weigh a
 /// whole pixel and the others be added to them). Not splatted, but met by rays as any other, are
 /// cells that isosurfaces cross, that reach out of the clipping slab, or beside the eye.
+
+/// make_frame (frame.hpp) with the splatted cells that the scene asks for.
+Frame make_frame_with_splats(const ZooMesh& mesh, const Scene& scene, const Projector& projector);
 
 /// For every cell of the frame, 1 where it is splatted and may be seen in the picture. Needs the
 /// frame's nodes and isosurfaces.

@@ -11,9 +11,9 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
-#include "hiac/render/background.hpp"
+#include "hiac/frame/background.hpp"
+#include "hiac/render/pixels/tile.hpp"
 #include "hiac/render/quadratic_bspline.hpp"
-#include "hiac/render/tile.hpp"
 
 namespace hiac {
 namespace {

@@ -7,9 +7,9 @@
 #include "hiac/base/parallel.hpp"
 #include "hiac/geometry/vector.hpp"
 #include "hiac/order/behind_relation.hpp"
-#include "hiac/order/cell_side.hpp"
-#include "hiac/order/eye_side.hpp"
-#include "hiac/order/face_obstruction.hpp"
+#include "hiac/order/faces/cell_side.hpp"
+#include "hiac/order/faces/eye_side.hpp"
+#include "hiac/order/gaps/face_obstruction.hpp"
 
 namespace hiac {
 namespace {

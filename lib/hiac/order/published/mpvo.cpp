@@ -9,7 +9,7 @@
 #include "hiac/order/algorithm.hpp"
 #include "hiac/order/behind_relation.hpp"
 #include "hiac/order/components.hpp"
-#include "hiac/order/eye_side.hpp"
+#include "hiac/order/faces/eye_side.hpp"
 #include "hiac/order/published/depth.hpp"
 
 namespace hiac {

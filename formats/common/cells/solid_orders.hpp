@@ -1,0 +1,25 @@
+#pragma once
+
+#include "formats/common/cells/cell_conversion.hpp"
+
+namespace hiac::formats {
+
+/// The conversion of a format's cell that has the corners of the shape in the usual right-handed
+/// order and behind them, if it is quadratic, a node for every edge in the order `edges` (of the
+/// format's corners). None: the zoo's own order of edges, which is that of VTK, Abaqus, Exodus and
+/// others (of a prism: 0-1, 1-2, 2-0, 3-4, 4-5, 5-3, 0-3, 1-4, 2-5).
+CellConversion solid_conversion(CellKind kind, std::span<const ShapeEdge> edges = {});
+
+/// The same with the corners in another order: node i of the kind is the format's corner
+/// corners[i].
+CellConversion ordered_conversion(CellKind kind, std::span<const std::uint8_t> corners,
+                                  std::span<const ShapeEdge> edges);
+
+/// Solids whose vertical edges come before those of the top: bricks of 20 nodes and prisms of 15
+/// (CalculiX's results, Nastran).
+CellConversion vertical_edges_first(CellKind kind);
+
+/// A volume that the zoo has no kind for, whose first nodes are the corners of the shape.
+CellConversion unsupported_with_corners(CellShape shape);
+
+}  // namespace hiac::formats

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "formats/common/io/text_cursor.hpp"
+
+namespace hiac::formats {
+
+/// The largest number of a node or element in decks whose keywords or commands make further ones.
+inline constexpr std::int64_t kLargestNumber = 999'999'999;
+
+/// What these make is no more than this many numbers: a short deck may ask for anything.
+inline constexpr std::size_t kMostMade = 16'000'000;
+
+/// A whole number of such a deck, which may be written as a real (2.0), at most kLargestNumber in
+/// size; none where the text is not one.
+inline std::optional<std::int64_t> whole_number(std::string_view text) {
+  const auto real = to_real(text);
+  if (!real || !(std::abs(*real) <= static_cast<double>(kLargestNumber)) ||
+      std::trunc(*real) != *real)
+    return std::nullopt;
+  return static_cast<std::int64_t>(*real);
+}
+
+}  // namespace hiac::formats

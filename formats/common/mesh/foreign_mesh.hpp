@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "formats/common/cells/cell_conversion.hpp"
+#include "formats/common/mesh/format.hpp"
+#include "hiac/base/parallel.hpp"
+
+namespace hiac::formats {
+
+/// A mid-edge node that a cell leaves out, as solvers' decks may.
+inline constexpr std::int64_t kLeftOutNode = std::numeric_limits<std::int64_t>::min();
+
+/// A cell type of the format: its name, how many nodes its cells have in the file, and what becomes
+/// of them. A file has few of them.
+struct ForeignType {
+  std::string name;
+  std::size_t nodes = 0;
+  CellConversion conversion;
+  /// Of a type that the zoo has not: where its nodes are in a cell of their own, evenly spaced,
+  /// where the format tells; empty: it is found from where the cells' nodes lie.
+  std::vector<std::array<double, 3>> places = {};
+};
+
+/// Some of the file's cells under a name: a part, a set, a material. Sets may overlap.
+struct ForeignBlock {
+  std::string name;
+  std::vector<IndexRange> cells;  ///< places in ForeignMesh::cell_types
+};
+
+/// Cells that are told by their faces.
+struct ForeignPolyhedra {
+  /// Places in ForeignMesh::cell_types, rising; the type of such a cell has no nodes.
+  std::vector<std::size_t> cells;
+  std::vector<std::size_t> ends;    ///< for every one of them where its list in `faces` ends
+  std::vector<std::int64_t> faces;  ///< face after face: how many nodes it has, and their numbers
+};
+
+/// One field at one step. Its values are read when they are asked for.
+struct ForeignField {
+  std::string name;
+  std::string unit;
+  FieldLocation location = FieldLocation::node;
+  std::uint32_t components = 1;
+  std::optional<std::size_t> step;  ///< place in ForeignMesh::times; none: it holds at all times
+  std::string type = "double";      ///< the format's number type
+  /// A tuple for every point, every cell, or every entry of ForeignMesh::cell_nodes; NaN where the
+  /// file tells none. Throws InputError.
+  std::function<std::vector<double>()> values;
+};
+
+/// A field whose values are there already, of the format's integers or reals.
+ForeignField field_of(std::string name, FieldLocation location, std::uint32_t components,
+                      std::vector<double>&& values);
+
+/// What a file holds, in its own numbers and node orders: what a reader makes, and `assemble` turns
+/// into a zoo mesh.
+struct ForeignMesh {
+  std::vector<double> xyz;
+  /// The number of every point; empty: points are numbered from first_node on.
+  std::vector<std::int64_t> node_numbers;
+  std::int64_t first_node = 0;
+
+  std::vector<ForeignType> types;
+  std::vector<std::uint16_t> cell_types;  ///< for every cell its place in `types`
+  std::vector<std::int64_t> cell_nodes;   ///< node numbers, cell after cell
+  ForeignPolyhedra polyhedra;
+  /// The number of every cell, for messages; empty: cells are numbered from 1 on.
+  std::vector<std::int64_t> cell_numbers;
+
+  std::vector<ForeignBlock> blocks;
+  std::vector<double> times;  ///< in the file's order
+  std::vector<ForeignField> fields;
+  std::vector<std::pair<std::string, std::string>> metadata;
+  std::vector<std::string> notes;
+
+  /// The place of the type of that name and number of nodes, which is added when it is new. Throws
+  /// InputError when there are 65536 already.
+  std::uint16_t type_place(std::string_view name, std::size_t nodes,
+                           const CellConversion& conversion);
+
+  /// Adds a polyhedron whose faces are these, each a list of node numbers.
+  void add_polyhedron(std::string_view type_name,
+                      const std::vector<std::vector<std::int64_t>>& faces);
+
+  [[nodiscard]] std::size_t point_count() const { return xyz.size() / 3; }
+  [[nodiscard]] std::size_t cell_count() const { return cell_types.size(); }
+};
+
+}  // namespace hiac::formats

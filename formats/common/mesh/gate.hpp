@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "formats/common/mesh/format.hpp"
+#include "formats/common/mesh/used_points.hpp"
+
+namespace hiac::formats {
+
+/// The gate that every mesh from a foreign file passes: coordinates are finite, edge nodes lie near
+/// their edges (a wrong node order is an error that says so), and the mesh's invariants hold, so
+/// that every index names something. `used` says which of the file's points the nodes are. Throws
+/// InputError(subject, ...).
+void pass_gate(Reading& reading, const UsedPoints& used, const std::string& subject);
+
+/// Throws InputError(subject, ...), with the notes on what was left out, when there are no cells;
+/// otherwise notes the file's name among the metadata.
+void finish_reading(Reading& reading, const std::string& subject);
+
+}  // namespace hiac::formats

@@ -1,0 +1,307 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "formats/common/io/mapped_file.hpp"
+#include "formats/common/io/named_file.hpp"
+#include "formats/common/mesh/block_choice.hpp"
+#include "formats/common/mesh/gate.hpp"
+#include "formats/common/mesh/merge_pieces.hpp"
+#include "formats/common/mesh/steps.hpp"
+#include "formats/registry.hpp"
+#include "formats/vtk/vtk_formats.hpp"
+#include "formats/vtk/xml/vtk_xml.hpp"
+#include "formats/vtk/xml/xml_layout.hpp"
+#include "formats/vtk/xml/xml_text.hpp"
+#include "hiac/base/error.hpp"
+
+namespace hiac::formats {
+namespace {
+
+/// The types of files that are trees of blocks.
+constexpr std::array<std::string_view, 3> kTrees{
+    "vtkMultiBlockDataSet", "vtkPartitionedDataSetCollection", "vtkPartitionedDataSet"};
+
+/// A file that another names: a block, or the part of a step.
+struct Member {
+  std::string path;
+  std::vector<std::string> names;  ///< its own and those of the blocks that it is in
+};
+
+bool is_tree(std::string_view type) {
+  return std::find(kTrees.begin(), kTrees.end(), type) != kTrees.end();
+}
+
+/// Surfaces, tables and nothing: datasets that hold no volume cell.
+bool holds_no_volume(std::string_view type) {
+  return type == "PolyData" || type == "PPolyData" || type == "Table" || type == "PTable";
+}
+
+/// What is in the member files, some of which hold no volume cells.
+class Members {
+ public:
+  Members(std::vector<Member>&& members, const ReadOptions& options, std::string subject)
+      : members_(std::move(members)), options_(options), subject_(std::move(subject)) {
+    for (const Member& member : members_)
+      for (const std::string& name : member.names)
+        if (std::find(names_.begin(), names_.end(), name) == names_.end()) names_.push_back(name);
+    choose_block();
+    sort_out_surfaces();
+  }
+
+  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+
+  Reading read() const {
+    std::vector<Reading> pieces;
+    ReadOptions options = options_;
+    options.block.reset();
+    options.time.reset();
+    options.step.reset();
+    for (const Member& member : members_) pieces.push_back(read_member(member, options));
+    complete_fields(pieces);
+    Reading reading = merge_pieces(std::move(pieces), subject_);
+    reading.notes.insert(reading.notes.end(), notes_.begin(), notes_.end());
+    finish_reading(reading, subject_);
+    return reading;
+  }
+
+  [[nodiscard]] Inventory inspect() const {
+    Inventory all;
+    for (const Member& member : members_) add_piece(all, format_of(member).inspect(member.path));
+    all.blocks = names_;
+    all.notes = notes_;
+    return all;
+  }
+
+ private:
+  void choose_block() {
+    if (!options_.block) return;
+    if (std::find(names_.begin(), names_.end(), *options_.block) == names_.end())
+      throw no_such_block(*options_.block, names_, subject_);
+    std::erase_if(members_, [&](const Member& member) {
+      return std::find(member.names.begin(), member.names.end(), *options_.block) ==
+             member.names.end();
+    });
+  }
+
+  void sort_out_surfaces() {
+    std::size_t surfaces = 0;
+    std::erase_if(members_, [&](const Member& member) {
+      const std::string type = vtk::xml_file_type(file_head(member.path));
+      surfaces += holds_no_volume(type) ? 1 : 0;
+      return holds_no_volume(type);
+    });
+    if (surfaces > 0)
+      notes_.push_back(fmt::format("left out {} files of surfaces or tables", surfaces));
+  }
+
+  /// Files of files: not again one of the kind that this is, or they would name each other.
+  [[nodiscard]] const Format& format_of(const Member& member) const {
+    const std::string own = vtk::xml_file_type(file_head(subject_));
+    const std::string type = vtk::xml_file_type(file_head(member.path));
+    if (type == "Collection" || (is_tree(own) && is_tree(type)))
+      throw InputError(subject_, fmt::format("names {}, which is itself a list of files (a dataset "
+                                             "expected)",
+                                             member.path));
+    return format_to_read(member.path);
+  }
+
+  [[nodiscard]] Reading read_member(const Member& member, const ReadOptions& options) const {
+    // a dataset may be empty, or hold surfaces alone
+    const vtk::XmlReader reader = vtk::xml_reader(vtk::xml_file_type(file_head(member.path)));
+    Reading reading = reader.read ? reader.read(member.path, options)
+                                  : format_of(member).read(member.path, options);
+    std::erase_if(reading.mesh.metadata, [](const auto& entry) { return entry.first == "source"; });
+    return reading;
+  }
+
+  /// Every piece gets the fields that any has, in one order; NaN where it has not got them itself.
+  void complete_fields(std::vector<Reading>& pieces) const {
+    std::vector<Field> all;
+    const auto is = [](const Field& a) {
+      return [&a](const Field& b) { return a.name == b.name && a.location == b.location; };
+    };
+    for (Reading& piece : pieces) {
+      if (piece.mesh.cell_count() == 0) piece.mesh.fields.clear();
+      for (const Field& field : piece.mesh.fields) {
+        const auto known = std::find_if(all.begin(), all.end(), is(field));
+        if (known == all.end())
+          all.push_back({field.name, field.unit, field.location, field.components, {}});
+        else if (known->components != field.components)
+          throw InputError(subject_, fmt::format("field '{}' has {} components in one block and {} "
+                                                 "in another",
+                                                 field.name, known->components, field.components));
+      }
+    }
+    std::map<std::string, std::size_t> missing;
+    for (Reading& piece : pieces) {
+      if (piece.mesh.cell_count() == 0) continue;
+      std::vector<Field> fields;
+      for (const Field& wanted : all) {
+        const auto found =
+            std::find_if(piece.mesh.fields.begin(), piece.mesh.fields.end(), is(wanted));
+        fields.push_back(found != piece.mesh.fields.end() ? *found : not_known(wanted, piece.mesh));
+        if (found == piece.mesh.fields.end()) ++missing[wanted.name];
+      }
+      piece.mesh.fields = std::move(fields);
+    }
+    for (const auto& [name, count] : missing)
+      pieces.front().notes.push_back(
+          fmt::format("field '{}' is missing in {} files: NaN there", name, count));
+  }
+
+  static Field not_known(const Field& wanted, const ZooMesh& mesh) {
+    Field field = wanted;
+    std::size_t tuples = mesh.nodes.size();
+    if (wanted.location == FieldLocation::node) tuples = mesh.node_count();
+    if (wanted.location == FieldLocation::cell) tuples = mesh.cell_count();
+    field.values =
+        std::vector<double>(tuples * wanted.components, std::numeric_limits<double>::quiet_NaN());
+    return field;
+  }
+
+  std::vector<Member> members_;
+  ReadOptions options_;
+  std::string subject_;
+  std::vector<std::string> names_;
+  std::vector<std::string> notes_;
+};
+
+// ---- .pvd
+
+struct TimedMember {
+  double time;
+  Member member;
+};
+
+std::vector<TimedMember> collection(const std::string& path) {
+  const MappedFile file(path);
+  const vtk::XmlText text(file.text(), "Collection", path);
+  std::vector<TimedMember> members;
+  for (const pugi::xml_node element : text.primary().children("DataSet")) {
+    const std::string named = element.attribute("file").as_string();
+    if (named.empty()) text.fail("a DataSet without a file");
+    const std::string_view time_text = element.attribute("timestep").as_string("0");
+    double time = 0;
+    const auto [end, error] =
+        std::from_chars(time_text.data(), time_text.data() + time_text.size(), time);
+    if (error != std::errc() || end != time_text.data() + time_text.size() || !std::isfinite(time))
+      text.fail(fmt::format("a DataSet with a wrong timestep (a number expected, '{}' found)",
+                            time_text));
+    TimedMember member{time, {file_beside(path, named), {}}};
+    for (const char* name : {"group", "name"})
+      if (const std::string value = element.attribute(name).as_string(); !value.empty())
+        member.member.names.push_back(value);
+    members.push_back(std::move(member));
+  }
+  if (members.empty()) text.fail("names no files");
+  return members;
+}
+
+std::vector<double> times_of(const std::vector<TimedMember>& members) {
+  std::vector<double> times;
+  for (const TimedMember& member : members) times.push_back(member.time);
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+std::vector<Member> members_at(std::vector<TimedMember>&& all, double time) {
+  std::vector<Member> members;
+  for (TimedMember& member : all)
+    if (member.time == time) members.push_back(std::move(member.member));
+  return members;
+}
+
+Reading read_collection(const std::string& path, const ReadOptions& options) {
+  std::vector<TimedMember> all = collection(path);
+  const std::vector<double> times = times_of(all);
+  const auto step = requested_step(options, times, path);
+  const double time = times[step.value_or(times.size() - 1)];
+  Reading reading = Members(members_at(std::move(all), time), options, path).read();
+  std::erase_if(reading.mesh.metadata, [](const auto& entry) { return entry.first == "time"; });
+  reading.mesh.metadata.emplace_back("time", fmt::format("{}", time));
+  if (!step && times.size() > 1) reading.notes.push_back(last_step_note(times.size(), time));
+  return reading;
+}
+
+Inventory inspect_collection(const std::string& path) {
+  std::vector<TimedMember> all = collection(path);
+  const std::vector<double> times = times_of(all);
+  Inventory inventory = Members(members_at(std::move(all), times.back()), {}, path).inspect();
+  inventory.format = "pvd";
+  inventory.times = times;
+  return inventory;
+}
+
+// ---- .vtm and its relatives
+
+void add_members(pugi::xml_node parent, const std::vector<std::string>& names,
+                 const std::string& path, std::vector<Member>& members) {
+  for (const pugi::xml_node element : parent.children()) {
+    const std::string_view kind = element.name();
+    std::vector<std::string> own = names;
+    if (const std::string name = element.attribute("name").as_string(); !name.empty())
+      own.push_back(name);
+    const std::string named = element.attribute("file").as_string();
+    if ((kind == "DataSet" || kind == "Piece") && !named.empty())
+      members.push_back({file_beside(path, named), std::move(own)});
+    else if (kind == "Block" || kind == "Piece" || kind == "Partitions")
+      add_members(element, own, path, members);
+  }
+}
+
+std::vector<Member> tree(const std::string& path) {
+  const MappedFile file(path);
+  const vtk::XmlText text(file.text(), vtk::xml_file_type(file_head(path)), path);
+  std::vector<Member> members;
+  add_members(text.primary(), {}, path, members);
+  if (members.empty()) text.fail("names no files");
+  return members;
+}
+
+}  // namespace
+
+Format pvd_format() {
+  Format format;
+  format.name = "pvd";
+  format.extensions = {".pvd"};
+  format.kinds = "those of the files that it names";
+  format.fields = "node, cell";
+  format.time_steps = "several";
+  format.recognizes = [](std::string_view head) {
+    return vtk::xml_file_type(head) == "Collection";
+  };
+  format.read = read_collection;
+  format.inspect = inspect_collection;
+  return format;
+}
+
+Format vtm_format() {
+  Format format;
+  format.name = "vtm";
+  format.extensions = {".vtm", ".vtmb", ".vtpc", ".vtpd"};
+  format.kinds = "those of the files that it names";
+  format.fields = "node, cell";
+  format.time_steps = "one";
+  format.recognizes = [](std::string_view head) { return is_tree(vtk::xml_file_type(head)); };
+  format.read = [](const std::string& path, const ReadOptions& options) {
+    // the files know the time
+    if (options.step.value_or(0) > 0 || options.time)
+      throw UsageError(fmt::format("--step, --time: {} holds one step", path));
+    return Members(tree(path), options, path).read();
+  };
+  format.inspect = [](const std::string& path) {
+    Inventory inventory = Members(tree(path), {}, path).inspect();
+    inventory.format = "vtm";
+    return inventory;
+  };
+  return format;
+}
+
+}  // namespace hiac::formats

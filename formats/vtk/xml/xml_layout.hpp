@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/vtk/xml/xml_array.hpp"
+
+namespace hiac::formats::vtk {
+
+/// One piece of an XML file.
+struct XmlPiece {
+  std::size_t points = 0;
+  std::size_t cells = 0;
+  std::array<long, 6> extent{};  ///< of structured datasets: first and last point along x, y, z
+  std::vector<XmlArray> point_data;
+  std::vector<XmlArray> cell_data;
+};
+
+/// What a VTK XML file (.vtu, .vts, .vti, .vtr) holds and where: the result of checking it before
+/// VTK's reader, which trusts every number that a file declares, may touch it.
+struct XmlLayout {
+  std::string type;  ///< "UnstructuredGrid", ...
+  XmlStorage storage;
+  std::size_t points = 0;
+  std::size_t cells = 0;
+  std::vector<XmlPiece> pieces;
+};
+
+/// Checks that the file, of one time step (xml_steps.hpp), is whole: well-formed to its last
+/// closing tag, every array complete in its encoding, counts that fit each other, connectivity as
+/// long as the offsets say, whole face lists of polyhedra, pieces that carry the same arrays and
+/// together cover a structured extent. Memory: the file's text without appended data, for a while.
+/// Throws InputError(subject, ...).
+XmlLayout check_xml_file(std::string_view text, const std::string& type,
+                         const std::string& subject);
+
+/// The type attribute of the root element, if the text begins like a VTK XML file.
+std::string xml_file_type(std::string_view head);
+
+}  // namespace hiac::formats::vtk

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "formats/common/mesh/format.hpp"
+#include "hiac/mesh/zoo_container.hpp"
+
+namespace hiac::formats {
+
+/// The project's own container, so that tools treat it like any other format.
+Format zoo_format();
+
+/// The mesh of a container that has been read. Chunks that go with the mesh (an order, say) are
+/// left out with a note. Throws UsageError when a time, step or block is asked for.
+Reading reading_of(ZooFile&& file, const ReadOptions& options, const std::string& subject);
+
+/// What a mesh in memory holds.
+Inventory inventory_of(const ZooMesh& mesh);
+
+}  // namespace hiac::formats

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "hiac/element/field_values.hpp"
+#include "hiac/element/world_polynomial.hpp"
+#include "hiac/geometry/inverse_map.hpp"
+#include "hiac/mesh/interpolant_range.hpp"
+#include "hiac/mesh/zoo_mesh.hpp"
+
+namespace hiac {
+
+/// One scalar field in one cell: its values at the nodes, the range that its interpolant keeps to
+/// (interpolant_range.hpp), and how exactly it is wanted.
+struct CellField {
+  std::array<double, kMaxNodesPerCell> values;
+  double least, most;
+  double allowed = 0;  ///< absolute error of the field that is allowed
+  /// Instead of the isoparametric interpolant. Apart, because fields are copied, mostly without.
+  std::shared_ptr<const WorldPolynomial> polynomial;
+};
+
+/// A field in a cell, less `level`. A polynomial that the nodes do not determine is taken as
+/// constant; check_renderable has refused such cells.
+CellField cell_field(const ZooMesh& mesh, CellId cell, const FieldValues& field, double level = 0);
+
+/// The positions of a cell's nodes; entries beyond them are not set.
+std::array<CellMap::Point, CellMap::kMostNodes> cell_positions(const ZooMesh& mesh, CellId cell);
+
+}  // namespace hiac

@@ -1,0 +1,427 @@
+// Fields along rays through cells of any kind, compiled once for every instruction set.
+// Include from a file that Highway's foreach_target.h compiles repeatedly.
+
+#if defined(HIAC_RENDER_CELL_RAYS_INL) == defined(HWY_TARGET_TOGGLE)
+#  ifdef HIAC_RENDER_CELL_RAYS_INL
+#    undef HIAC_RENDER_CELL_RAYS_INL
+#  else
+#    define HIAC_RENDER_CELL_RAYS_INL
+#  endif
+
+#  include <hwy/highway.h>
+
+#  include "hiac/element/cell_polynomials.hpp"
+#  include "hiac/element/chebyshev_points.hpp"
+#  include "hiac/element/cube_polynomial-inl.hpp"
+#  include "hiac/element/inverse_series-inl.hpp"
+#  include "hiac/element/taper-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace hiac::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Collapsed coordinates from which those where rays enter and leave the cell may be found.
+template <class V>
+struct RayStarts {
+  LanePoint<V> front, back;
+};
+
+// The rays of one vector of segments through one cell.
+template <class D>
+class CellRays {
+ public:
+  using V = hn::Vec<D>;
+  using M = hn::Mask<D>;
+
+  // Relative to the cell's origin. `starts` come to be those for the next segments.
+  CellRays(D d, const CellPolynomials& cell, const V (&origin)[3], const V (&direction)[3], V front,
+           V back, RayStarts<V>& starts)
+      : d_(d),
+        cell_(cell),
+        front_(front),
+        back_(back),
+        starts_(starts),
+        by_series_(!cell.affine && !cell.twisted_pyramid && cell.position[0].degree == 1) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      origin_[a] = origin[a];
+      direction_[a] = direction[a];
+    }
+    if (!cell.affine && !cell.twisted_pyramid) return;
+    const LanePoint<V> from = place(front_), to = place(back_);
+    for (std::size_t a = 0; a < 3; ++a) {
+      const auto along = [&](const LanePoint<V>& p) {
+        return hn::MulAdd(hn::Set(d, cell.inverse[a][0]), p.c[0],
+                          hn::MulAdd(hn::Set(d, cell.inverse[a][1]), p.c[1],
+                                     hn::Mul(hn::Set(d, cell.inverse[a][2]), p.c[2])));
+      };
+      xi_front_.c[a] = along(from);
+      xi_change_.c[a] = hn::Sub(along(to), xi_front_.c[a]);
+    }
+  }
+
+  // How exact coordinates need be where only their decay says how exact a series is.
+  void set_accuracy(V accuracy) { accuracy_ = accuracy; }
+
+  // Where the rays are known to be near the front, or near the back.
+  void start_at(const LanePoint<V>& known) {
+    LanePoint<V> at = known;
+    if (cell_.of_reference) at.c[0] = hn::Mul(at.c[0], at.c[1]);
+    starts_ = {at, at};
+  }
+
+  // Turns to the part [begin, end] of the rays. False where halves of it are to be taken: fields on
+  // the whole of it would need too many points.
+  HWY_INLINE bool open(double begin, double end, M& active) {
+    begin_ = begin;
+    end_ = end;
+    sampled_ = 0;
+    if (!by_series_) return true;
+    LanePoint<V> middle;
+    V step[3];
+    const V half = hn::Mul(hn::Set(d_, 0.5 * (end - begin)), hn::Sub(back_, front_));
+    for (std::size_t a = 0; a < 3; ++a) {
+      middle.c[a] = hn::Mul(hn::Set(d_, 0.5), hn::Add(starts_.front.c[a], starts_.back.c[a]));
+      step[a] = hn::Mul(half, direction_[a]);
+    }
+    find_at(0.5, middle, active);
+    starts_ = {middle, middle};
+    outcome_ = series_.expand(d_, cell_.position, middle, widths(middle), step, accuracy_, active);
+    return outcome_ != Outcome::hopeless;
+  }
+
+  // Collapsed coordinates at the Chebyshev points of that part; of an even degree where the cell is
+  // not affine. Lanes for which they are not found are taken off `active`.
+  HWY_NOINLINE void sample(const ChebyshevPoints& points, M& active) {
+    if (cell_.affine)
+      sample_line(points);
+    else if (cell_.twisted_pyramid)
+      sample_twisted(points, active);
+    else if (by_series_)
+      sample_series(points, active);
+    else if (sampled_ == 0)
+      sample_map(points, active);
+    else
+      sample_map_again(points, active);
+    sampled_ = points.degree();
+  }
+
+  // In affine cells, the width to which the cell tapers at both ends of the part.
+  [[nodiscard]] HWY_INLINE EndWidths<V> end_widths() const {
+    const auto width = [&](double part)
+                           HWY_ATTR { return hn::Max(width_of(on_line(part)), hn::Zero(d_)); };
+    return {width(0), width(1)};
+  }
+
+  // From where the halves of the part are found.
+  struct Halves {
+    RayStarts<V> front, back;
+  };
+  [[nodiscard]] HWY_INLINE Halves halves() const {
+    if (!by_series_) {
+      const LanePoint<V>& middle = at_[sampled_ / 2];
+      return {{at_[0], middle}, {middle, at_[sampled_]}};
+    }
+    LanePoint<V> front, back;
+    series_.at(d_, 0.5, front, back);
+    return {{front, front}, {back, back}};
+  }
+
+  // A field's values at the points of sample(), front to back, in its bounds.
+  HWY_NOINLINE void values(const CellPolynomials::Field& field, std::size_t degree,
+                           V* value) const {
+    switch (cell_.shape) {
+      case CellShape::tetrahedron:
+        return values_of_shape<CellShape::tetrahedron>(field, degree, value);
+      case CellShape::pyramid:
+        return values_of_shape<CellShape::pyramid>(field, degree, value);
+      case CellShape::prism:
+        return values_of_shape<CellShape::prism>(field, degree, value);
+      case CellShape::wedge:
+        return values_of_shape<CellShape::wedge>(field, degree, value);
+      case CellShape::brick:
+        return values_of_shape<CellShape::brick>(field, degree, value);
+    }
+  }
+
+  // What of a field's values is rounding (FieldAlongRay::rounding).
+  HWY_INLINE V rounding(const CellPolynomials::Field& field) const {
+    const V farthest = hn::Max(hn::Abs(front_), hn::Abs(back_));
+    V from = hn::Zero(d_), step = hn::Zero(d_);
+    for (std::size_t a = 0; a < 3; ++a) {
+      from = hn::Max(from, hn::Abs(origin_[a]));
+      step = hn::Max(step, hn::Abs(direction_[a]));
+    }
+    constexpr double kEpsilon = 0x1p-52;
+    const double value = kEpsilon * 4 * std::max(std::abs(field.least), std::abs(field.most));
+    const double point = kEpsilon * 8 * cell_.steepness * (field.most - field.least);
+    return hn::MulAdd(hn::MulAdd(farthest, step, from), hn::Set(d_, point), hn::Set(d_, value));
+  }
+
+ private:
+  template <CellShape kShape>
+  HWY_INLINE void values_of_shape(const CellPolynomials::Field& field, std::size_t degree,
+                                  V* value) const {
+    if (field.f.degree == 1) return values_of_order<1, kShape>(field, degree, value);
+    if (field.f.degree == 2) return values_of_order<2, kShape>(field, degree, value);
+    return values_of_order<3, kShape>(field, degree, value);
+  }
+
+  template <std::size_t P, CellShape kShape>
+  HWY_INLINE void values_of_order(const CellPolynomials::Field& field, std::size_t degree,
+                                  V* value) const {
+    const V least = hn::Set(d_, field.least - field.base);
+    const V most = hn::Set(d_, field.most - field.base);
+    for (std::size_t j = 0; j <= degree; ++j)
+      value[j] = hn::Min(hn::Max(value_of<P, kShape>(d_, field.f, at_[j]), least), most);
+  }
+
+  using Outcome = typename InverseSeries<D>::Outcome;
+
+  static constexpr double kMargin = 1e-3;  // outside the cell roots belong to other branches
+  static constexpr int kMostSteps = 10;
+  // the next step would be as short as this one squared
+  static constexpr double kLastStep = 0x1p26;  // its inverse
+
+  // Reference coordinates at a point of the part, by `inverse` alone.
+  [[nodiscard]] HWY_INLINE LanePoint<V> on_line(double part) const {
+    const V at = hn::Set(d_, begin_ + (end_ - begin_) * part);
+    LanePoint<V> xi;
+    for (std::size_t a = 0; a < 3; ++a) xi.c[a] = hn::MulAdd(at, xi_change_.c[a], xi_front_.c[a]);
+    return xi;
+  }
+
+  // sample() in affine cells.
+  HWY_INLINE void sample_line(const ChebyshevPoints& points) {
+    switch (cell_.shape) {
+      case CellShape::tetrahedron:
+        return sample_line_in<CellShape::tetrahedron>(points);
+      case CellShape::pyramid:
+        return sample_line_in<CellShape::pyramid>(points);
+      case CellShape::prism:
+        return sample_line_in<CellShape::prism>(points);
+      case CellShape::wedge:
+        return sample_line_in<CellShape::wedge>(points);
+      case CellShape::brick:
+        return sample_line_in<CellShape::brick>(points);
+    }
+  }
+  template <CellShape kShape>
+  HWY_INLINE void sample_line_in(const ChebyshevPoints& points) {
+    for (std::size_t j = 0; j <= points.degree(); ++j)
+      at_[j] = collapsed_in<kShape>(on_line(points.place(j)));
+  }
+
+  // In twisted pyramids: with p what `inverse` gives, xi = p - twist q makes q (1 - z) = x y
+  //     alpha q^2 + beta q - p_0 p_1 = 0,  alpha = twist_2 - twist_0 twist_1,
+  //     beta = 1 - p_2 + twist_0 p_1 + twist_1 p_0.
+  // 2 alpha q + beta is the Jacobian's determinant by that of A and 1 - z: positive, so that q is
+  // the root in which the square root is added.
+  HWY_INLINE void sample_twisted(const ChebyshevPoints& points, M& active) {
+    const std::size_t degree = points.degree();
+    const V one = hn::Set(d_, 1.0), zero = hn::Zero(d_);
+    const V t[3] = {hn::Set(d_, cell_.twist[0]), hn::Set(d_, cell_.twist[1]),
+                    hn::Set(d_, cell_.twist[2])};
+    const V two_alpha = hn::Mul(hn::Set(d_, 2.0), hn::NegMulAdd(t[0], t[1], t[2]));
+    for (std::size_t j = 0; j <= degree; ++j) {
+      LanePoint<V> xi = on_line(points.place(j));
+      const V beta = hn::MulAdd(t[0], xi.c[1], hn::MulAdd(t[1], xi.c[0], hn::Sub(one, xi.c[2])));
+      const V product = hn::Mul(hn::Set(d_, 2.0), hn::Mul(xi.c[0], xi.c[1]));
+      const V square = hn::MulAdd(two_alpha, product, hn::Mul(beta, beta));
+      active = hn::And(active, hn::Ge(square, zero));
+      const V root = hn::Sqrt(hn::Max(square, zero));
+      // without cancellation
+      const M plus = hn::Ge(beta, zero);
+      const V q = hn::Div(hn::IfThenElse(plus, product, hn::Sub(root, beta)),
+                          hn::IfThenElse(plus, hn::Add(root, beta), two_alpha));
+      for (std::size_t a = 0; a < 3; ++a) xi.c[a] = hn::NegMulAdd(t[a], q, xi.c[a]);
+      at_[j] = collapsed_in<CellShape::pyramid>(xi);
+      active = hn::And(active, inside(at_[j]));
+    }
+  }
+
+  // By the series, or from where it has them.
+  HWY_INLINE void sample_series(const ChebyshevPoints& points, M& active) {
+    const std::size_t degree = points.degree();
+    for (std::size_t j = 0; 2 * j <= degree; ++j)
+      series_.at(d_, 1 - 2 * points.place(j), at_[j], at_[degree - j]);
+    if (outcome_ == Outcome::converged)
+      active = hn::And(active, hn::And(inside(at_[0]), inside(at_[degree])));
+    else
+      for (std::size_t j = 0; j <= degree; ++j) find_at(points.place(j), at_[j], active);
+    if (cell_.of_reference)
+      for (std::size_t j = 0; j <= degree; ++j) at_[j].c[0] = quotient(at_[j].c[0], at_[j].c[1]);
+  }
+
+  HWY_INLINE void sample_map(const ChebyshevPoints& points, M& active) {
+    const std::size_t degree = points.degree();
+    at_[0] = starts_.front;
+    at_[degree] = starts_.back;
+    find_at(points.place(0), at_[0], active);
+    find_at(points.place(degree), at_[degree], active);
+    starts_ = {at_[0], at_[degree]};
+    for (const PointPrediction& p : points_in_turn(degree)) {
+      at_[p.point] = predicted(p, at_);
+      find_at(points.place(p.point), at_[p.point], active);
+    }
+  }
+
+  // The same where they are known at the points of another degree.
+  HWY_INLINE void sample_map_again(const ChebyshevPoints& points, M& active) {
+    const std::size_t degree = points.degree();
+    LanePoint<V> before[kMostChebyshevDegree + 1];
+    for (std::size_t j = 0; j <= sampled_; ++j) before[j] = at_[j];
+    for (const PointPrediction& p : points_from(sampled_, degree)) {
+      at_[p.point] = predicted(p, before);
+      if (p.from.size() == 1) continue;
+      find_at(points.place(p.point), at_[p.point], active);
+    }
+  }
+
+  // In the cell to within kMargin.
+  [[nodiscard]] HWY_INLINE M inside(const LanePoint<V>& at) const {
+    const V low = hn::Set(d_, -kMargin), high = hn::Set(d_, 1 + kMargin);
+    const auto holds = [&](V x) { return hn::And(hn::Ge(x, low), hn::Le(x, high)); };
+    return hn::And(holds(at.c[0]), hn::And(holds(at.c[1]), holds(at.c[2])));
+  }
+
+  // `part`: of the part at hand.
+  HWY_INLINE void find_at(double part, LanePoint<V>& at, M& active) const {
+    const double u = begin_ + (end_ - begin_) * part;
+    const V t = hn::MulAdd(hn::Set(d_, u), hn::Sub(back_, front_), front_);
+    active = hn::And(active, find(place(t), at, active));
+  }
+
+  [[nodiscard]] HWY_INLINE LanePoint<V> place(V t) const {
+    LanePoint<V> p;
+    for (std::size_t a = 0; a < 3; ++a) p.c[a] = hn::MulAdd(t, direction_[a], origin_[a]);
+    return p;
+  }
+
+  // In the reference cell quotients are in [0, 1].
+  [[nodiscard]] HWY_INLINE V quotient(V a, V b) const {
+    return near_cell(hn::Div(a, at_least_tiny(b)));
+  }
+  [[nodiscard]] HWY_INLINE V at_least_tiny(V b) const { return hn::Max(b, hn::Set(d_, 1e-300)); }
+  [[nodiscard]] HWY_INLINE V near_cell(V q) const {
+    return hn::Min(hn::Max(q, hn::Set(d_, -kMargin)), hn::Set(d_, 1 + kMargin));
+  }
+
+  // What x is divided by in collapsed(), and y in pyramids, in cells that taper to an edge or a
+  // tip.
+  [[nodiscard]] HWY_INLINE V width_of(const LanePoint<V>& xi) const {
+    const V one = hn::Set(d_, 1.0), width = hn::Sub(one, xi.c[2]);
+    return cell_.shape == CellShape::wedge ? hn::Add(width, hn::Sub(one, xi.c[1])) : width;
+  }
+
+  // collapsed() of cell_polynomials.hpp.
+  template <CellShape kShape>
+  [[nodiscard]] HWY_INLINE LanePoint<V> collapsed_in(const LanePoint<V>& xi) const {
+    const auto& [x, y, z] = xi.c;
+    const V one = hn::Set(d_, 1.0);
+    if constexpr (kShape == CellShape::tetrahedron) {
+      const V w = hn::Sub(one, z), rest = hn::Sub(w, y);
+      return {{quotient(x, rest), quotient(rest, w), w}};
+    } else if constexpr (kShape == CellShape::pyramid) {
+      const V w = hn::Sub(one, z), inverse = hn::Div(one, at_least_tiny(w));
+      return {{near_cell(hn::Mul(x, inverse)), near_cell(hn::Mul(y, inverse)), w}};
+    } else if constexpr (kShape == CellShape::prism) {
+      const V v = hn::Sub(one, y);
+      return {{quotient(x, v), v, z}};
+    } else if constexpr (kShape == CellShape::wedge) {
+      const V v = hn::Sub(one, y), w = hn::Sub(one, z);
+      return {{quotient(x, hn::Add(v, w)), v, w}};
+    } else {
+      return xi;
+    }
+  }
+
+  [[nodiscard]] HWY_INLINE LanePoint<V> predicted(const PointPrediction& prediction,
+                                                  const LanePoint<V>* known) const {
+    LanePoint<V> p{{hn::Zero(d_), hn::Zero(d_), hn::Zero(d_)}};
+    for (std::size_t i = 0; i < prediction.from.size(); ++i) {
+      const V weight = hn::Set(d_, prediction.weights[i]);
+      const LanePoint<V>& from = known[prediction.from[i]];
+      for (std::size_t a = 0; a < 3; ++a) p.c[a] = hn::MulAdd(weight, from.c[a], p.c[a]);
+    }
+    return p;
+  }
+
+  // Newton's iteration from `at` for the point that the map takes to `target`. True where it
+  // converges to one in the cell; the others are put into the middle.
+  HWY_INLINE M find(const LanePoint<V>& target, LanePoint<V>& at, M active) const {
+    const std::size_t degree = cell_.position[0].degree;
+    if (degree == 1) return find_by<1>(target, at, active);
+    return degree == 2 ? find_by<2>(target, at, active) : find_by<3>(target, at, active);
+  }
+
+  template <std::size_t P>
+  HWY_NOINLINE M find_by(const LanePoint<V>& target, LanePoint<V>& at, M active) const {
+    M found = hn::Lt(hn::Set(d_, 1.0), hn::Zero(d_));
+    for (int step = 0; step < kMostSteps; ++step) {
+      JacobianSolver<V> jacobian;
+      V off[3];
+      for (std::size_t a = 0; a < 3; ++a) {
+        V value;
+        value_and_gradient<P>(d_, cell_.position[a], at, value, jacobian.row[a]);
+        off[a] = hn::Sub(target.c[a], value);
+      }
+      jacobian.prepare(d_);
+      const LanePoint<V> change = jacobian.solve(off);
+      V largest = hn::Zero(d_);
+      for (std::size_t a = 0; a < 3; ++a) {
+        at.c[a] = hn::Add(at.c[a], change.c[a]);
+        largest = hn::Max(largest, hn::Abs(change.c[a]));
+      }
+      found = hn::Le(hn::Mul(largest, hn::Set(d_, kLastStep)), nearness(at));
+      if (hn::AllTrue(d_, hn::Or(hn::Not(active), found))) break;
+    }
+    found = hn::And(found, inside(at));
+    for (std::size_t a = 0; a < 3; ++a)
+      at.c[a] = hn::IfThenElse(found, at.c[a], hn::Set(d_, cell_.middle[a]));
+    return found;
+  }
+
+  // Over what distance the Jacobian changes: it vanishes where the cell tapers.
+  [[nodiscard]] HWY_INLINE V nearness(const LanePoint<V>& at) const {
+    return hn::Min(hn::Abs(widths(at).c[0]), hn::Set(d_, 1.0));
+  }
+
+  // How wide the reference cell is along collapsed coordinates.
+  [[nodiscard]] HWY_INLINE LanePoint<V> widths(const LanePoint<V>& at) const {
+    const V one = hn::Set(d_, 1.0);
+    if (cell_.of_reference) return {{one, one, one}};
+    const V v = at.c[1], w = at.c[2];
+    switch (cell_.shape) {
+      case CellShape::tetrahedron:
+        return {{hn::Mul(v, w), w, one}};
+      case CellShape::pyramid:
+        return {{w, w, one}};
+      case CellShape::prism:
+        return {{v, one, one}};
+      case CellShape::wedge:
+        return {{hn::Add(v, w), one, one}};
+      case CellShape::brick:
+        break;
+    }
+    return {{one, one, one}};
+  }
+
+  D d_;
+  const CellPolynomials& cell_;
+  V front_, back_;
+  RayStarts<V>& starts_;
+  V origin_[3], direction_[3];
+  LanePoint<V> xi_front_, xi_change_;  // by `inverse`: of affine cells, twisted pyramids
+  InverseSeries<D> series_;            // of cells with straight edges
+  Outcome outcome_ = Outcome::hopeless;
+  bool by_series_;
+  double begin_ = 0, end_ = 1;  // of the part at hand
+  std::size_t sampled_ = 0;     // the degree of the points known on it; 0: none
+  V accuracy_ = hn::Zero(d_);
+  LanePoint<V> at_[kMostChebyshevDegree + 1];  // what is sampled
+};
+
+}  // namespace hiac::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

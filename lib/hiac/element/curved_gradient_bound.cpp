@@ -1,0 +1,219 @@
+#include "hiac/element/curved_gradient_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "hiac/base/binomial.hpp"
+#include "hiac/geometry/vector.hpp"
+#include "hiac/mesh/interpolant_range.hpp"
+#include "hiac/mesh/shape_functions.hpp"
+
+namespace hiac {
+namespace {
+
+constexpr double kUnit = 0x1p-53;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// Parts of a cell that are looked at before it is given up.
+constexpr std::size_t kMostParts = 73;
+// Of a product of three derivatives, of the product of their largest coefficients: coefficients are
+// means of at most 343 products of products.
+constexpr double kProductRounding = 512 * kUnit;
+
+// A polynomial on the cube, its Bernstein coefficients times the three binomial coefficients:
+// products are plain convolutions of these. The first coordinate runs fastest.
+struct Polynomial {
+  std::array<std::size_t, 3> size{};  // degrees + 1
+  std::vector<double> c;
+
+  explicit Polynomial(const std::array<std::size_t, 3>& sizes)
+      : size(sizes), c(sizes[0] * sizes[1] * sizes[2]) {}
+};
+
+void add_product(const Polynomial& a, const Polynomial& b, double sign, Polynomial& sum) {
+  const double* of_a = a.c.data();
+  for (std::size_t k = 0; k < a.size[2]; ++k)
+    for (std::size_t j = 0; j < a.size[1]; ++j)
+      for (std::size_t i = 0; i < a.size[0]; ++i) {
+        const double factor = sign * *of_a++;
+        const double* of_b = b.c.data();
+        for (std::size_t n = 0; n < b.size[2]; ++n)
+          for (std::size_t m = 0; m < b.size[1]; ++m) {
+            double* row = &sum.c[((k + n) * sum.size[1] + j + m) * sum.size[0] + i];
+            for (std::size_t l = 0; l < b.size[0]; ++l) row[l] += factor * *of_b++;
+          }
+      }
+}
+
+// The coordinates of a part of a cell and a field on it, in Bernstein form on the cube.
+struct Part {
+  std::array<std::array<double, InterpolantCoefficients::kMost>, 4> net;
+  bool at_v = true, at_w = true;  // whether v, w come to 1
+};
+
+class Bound {
+ public:
+  Bound(CellKind kind, std::span<const Vector> nodes, std::span<const double> values)
+      : shape_(shape_of(kind)), side_(static_cast<std::size_t>(order_of(kind)) + 1) {
+    for (std::size_t c = 0; c < 4; ++c) {
+      std::array<double, kMaxNodesPerCell> relative;
+      for (std::size_t k = 0; k < node_count(kind); ++k)
+        relative[k] = c < 3 ? nodes[k][c] - nodes[0][c] : values[k] - values[0];
+      const InterpolantCoefficients of_cell = interpolant_coefficients(kind, relative);
+      whole_.net[c] = of_cell.c;
+      rounding_[c] = of_cell.rounding;
+    }
+  }
+
+  double largest() {
+    std::vector<Part> doubtful;
+    judge(whole_, doubtful);
+    for (std::size_t looked_at = 1; !doubtful.empty();) {
+      const Part part = doubtful.back();
+      doubtful.pop_back();
+      for (unsigned which = 0; which < 8; ++which) {
+        if (++looked_at > kMostParts) return kInfinity;
+        judge(octant(part, which), doubtful);
+      }
+    }
+    return steepest_;
+  }
+
+ private:
+  [[nodiscard]] std::size_t count() const { return side_ * side_ * side_; }
+
+  // The half of every axis that a bit of `which` says: De Casteljau's algorithm in the middle.
+  [[nodiscard]] Part octant(Part part, unsigned which) const {
+    std::size_t stride = 1;
+    for (unsigned axis = 0; axis < 3; ++axis, stride *= side_) {
+      const bool upper = ((which >> axis) & 1U) != 0;
+      for (auto& net : part.net)
+        for (std::size_t first = 0; first < count(); ++first) {
+          if (first / stride % side_ != 0) continue;
+          const auto at = [&](std::size_t k) -> double& { return net[first + k * stride]; };
+          for (std::size_t level = 1; level < side_; ++level)
+            for (std::size_t k = 0; k + level < side_; ++k) {
+              const std::size_t i = upper ? k : side_ - 1 - k;
+              at(i) = 0.5 * (at(i) + at(upper ? i + 1 : i - 1));
+            }
+        }
+    }
+    part.at_v = part.at_v && (which & 2U) != 0;
+    part.at_w = part.at_w && (which & 4U) != 0;
+    return part;
+  }
+
+  // Of a net by one of the cube's coordinates; `largest`: of its coefficients.
+  [[nodiscard]] Polynomial derivative(const std::array<double, InterpolantCoefficients::kMost>& net,
+                                      std::size_t axis, double& largest) const {
+    std::array<std::size_t, 3> size{side_, side_, side_};
+    --size[axis];
+    Polynomial result(size);
+    const std::size_t stride = axis == 0 ? 1 : axis == 1 ? side_ : side_ * side_;
+    std::size_t at = 0;
+    for (std::size_t k = 0; k < size[2]; ++k)
+      for (std::size_t j = 0; j < size[1]; ++j)
+        for (std::size_t i = 0; i < size[0]; ++i, ++at) {
+          const std::size_t from = (k * side_ + j) * side_ + i;
+          const double slope = net[from + stride] - net[from];
+          largest = std::max(largest, std::abs(slope));
+          result.c[at] = slope * binomial(size[0] - 1, i) * binomial(size[1] - 1, j) *
+                         binomial(size[2] - 1, k);
+        }
+    return result;
+  }
+
+  void judge(const Part& part, std::vector<Part>& doubtful) {
+    std::vector<std::array<Polynomial, 3>> d;  // of each coordinate and the field by u, v, w
+    std::array<double, 4> largest{};
+    for (std::size_t c = 0; c < 4; ++c)
+      d.push_back({derivative(part.net[c], 0, largest[c]), derivative(part.net[c], 1, largest[c]),
+                   derivative(part.net[c], 2, largest[c])});
+    const std::size_t n = side_ - 1, all = 3 * n;
+    Polynomial determinant({all, all, all});
+    std::array<Polynomial, 3> numerators{determinant, determinant, determinant};
+    for (std::size_t a = 0; a < 3; ++a) {
+      const std::size_t b = (a + 1) % 3, e = (a + 2) % 3;
+      for (std::size_t c = 0; c < 3; ++c) {
+        const std::size_t p = (c + 1) % 3, q = (c + 2) % 3;
+        std::array<std::size_t, 3> size{2 * n + 1, 2 * n + 1, 2 * n + 1};
+        --size[b];
+        --size[e];
+        Polynomial cofactor(size);
+        add_product(d[p][b], d[q][e], 1, cofactor);
+        add_product(d[p][e], d[q][b], -1, cofactor);
+        add_product(cofactor, d[3][a], 1, numerators[c]);
+        if (c == 0) add_product(cofactor, d[0][a], 1, determinant);
+      }
+    }
+    compare(part, determinant, numerators, largest, doubtful);
+  }
+
+  void compare(const Part& part, const Polynomial& determinant,
+               const std::array<Polynomial, 3>& numerators, const std::array<double, 4>& largest,
+               std::vector<Part>& doubtful) {
+    const double d_rounding = rounding_of({0, 1, 2}, largest);
+    const double n_rounding = rounding_of({3, 1, 2}, largest) + rounding_of({0, 3, 2}, largest) +
+                              rounding_of({0, 1, 3}, largest);
+    const std::size_t all = 3 * (side_ - 1);
+    if (sign_ == 0) sign_ = determinant.c[determinant.c.size() / 2] < 0 ? -1 : 1;
+    double steepest = 0;
+    for (std::size_t at = 0; at < determinant.c.size(); ++at) {
+      const std::size_t i = at % all, j = at / all % all, k = at / all / all;
+      if (vanishes(part, j, k)) continue;
+      const double scale = binomial(all - 1, i) * binomial(all - 1, j) * binomial(all - 1, k);
+      const double below = sign_ * determinant.c[at] - scale * d_rounding;
+      if (!(below > 0)) return doubtful.push_back(part);
+      const double above = length({numerators[0].c[at], numerators[1].c[at], numerators[2].c[at]});
+      steepest = std::max(steepest, (above + scale * n_rounding) / below);
+    }
+    steepest_ = std::max(steepest_, (1 + 16 * kUnit) * steepest);
+  }
+
+  // What a determinant of three rows may be wrong by: six products of differences.
+  [[nodiscard]] double rounding_of(const std::array<std::size_t, 3>& rows,
+                                   const std::array<double, 4>& largest) const {
+    const auto [a, b, c] = rows;
+    const auto off = [&](std::size_t row) { return 2 * rounding_[row] + 8 * kUnit * largest[row]; };
+    return 12 * (off(a) * largest[b] * largest[c] + largest[a] * off(b) * largest[c] +
+                 largest[a] * largest[b] * off(c)) +
+           6 * kProductRounding * largest[a] * largest[b] * largest[c];
+  }
+
+  // Whether the coefficient is 0 in every cell, as the collapse has it: its determinant is
+  // (1 - v) (1 - w)^2 in tetrahedra, (1 - w)^2 in pyramids, 1 - v in prisms, 2 - v - w in wedges.
+  [[nodiscard]] bool vanishes(const Part& part, std::size_t j, std::size_t k) const {
+    const std::size_t last = 3 * (side_ - 1) - 1;
+    const bool v = part.at_v && j == last, w = part.at_w && k == last;
+    const bool w_twice = part.at_w && k + 1 >= last;
+    switch (shape_) {
+      case CellShape::tetrahedron:
+        return v || w_twice;
+      case CellShape::pyramid:
+        return w_twice;
+      case CellShape::prism:
+        return v;
+      case CellShape::wedge:
+        return v && w;
+      case CellShape::brick:
+        break;
+    }
+    return false;
+  }
+
+  CellShape shape_;
+  std::size_t side_;  // of the nets: the order + 1
+  Part whole_;
+  std::array<double, 4> rounding_{};  // of the coefficients
+  double sign_ = 0, steepest_ = 0;
+};
+
+}  // namespace
+
+double curved_gradient_bound(CellKind kind, std::span<const Vector> nodes,
+                             std::span<const double> values) {
+  return Bound(kind, nodes, values).largest();
+}
+
+}  // namespace hiac

@@ -1,0 +1,83 @@
+#include "hiac/frame/frame.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "hiac/frame/tolerance_shares.hpp"
+
+namespace hiac {
+namespace {
+
+// Segments may begin this much before the one in front of them ended, relative to the depth of the
+// mesh: faces computed by different routes differ by rounding.
+constexpr double kWitnessTolerance = 1e-9;
+
+double depth_of_mesh(const ZooMesh& mesh, const Projector& projector) {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (NodeId node = 0; node < mesh.node_count(); ++node) {
+    const double t = projector.parameter(mesh.position(node));
+    least = std::min(least, t);
+    most = std::max(most, t);
+  }
+  return mesh.node_count() == 0 ? 0 : most - least;
+}
+
+template <std::size_t N>
+FrameField frame_field(const ZooMesh& mesh, const std::string& name, const TransferTable<N>& table,
+                       bool polynomial) {
+  Field field = scalar_field(mesh, name);
+  FrameField result{{field.values, field.location, polynomial}, {}};
+  result.intervals = classify_values(result.values.view(), table);
+  return result;
+}
+
+FrameField zero_field(const ZooMesh& mesh) {
+  FrameField zero{{std::vector<double>(mesh.cell_count(), 0.0), FieldLocation::cell, false}, {}};
+  zero.intervals.assign(mesh.cell_count(), {0, 0});
+  return zero;
+}
+
+}  // namespace
+
+Frame make_frame(const ZooMesh& mesh, const Scene& scene, const Projector& projector) {
+  Frame frame{.mesh = mesh,
+              .projector = projector,
+              .nodes = project_nodes(mesh, projector),
+              .kernel_cells = {},
+              .optics = make_optics_tables(scene.volume, scene.render.integration),
+              .color = {},
+              .extinction = {},
+              .isosurfaces = make_isosurfaces(mesh, scene, projector),
+              .splatted_cells = {}};
+  frame.kernel_cells = kernel_cells(mesh, frame.nodes, scene.render.planarity);
+  const bool polynomial = scene.render.interpolation == Interpolation::polynomial;
+  const auto& color = scene.volume.color;
+  const auto& extinction = scene.volume.extinction;
+  if (extinction)
+    frame.extinction = frame_field(mesh, extinction->field, frame.optics.extinction, polynomial);
+  else if (color)
+    frame.extinction = frame_field(mesh, color->field, frame.optics.extinction, polynomial);
+  else
+    frame.extinction = zero_field(mesh);
+  if (!frame.optics.same_field)
+    frame.color = frame_field(mesh, color->field, frame.optics.color, polynomial);
+  frame.tolerance = scene.render.tolerance;
+  frame.straightness = scene.render.planarity;
+  frame.depth = depth_of_mesh(mesh, projector);
+  frame.witness_tolerance = kWitnessTolerance * frame.depth;
+  // What lies behind a transparency T adds at most T times the largest light to a pixel and T to
+  // its alpha. Emission has no such bound before the ray is known: it grows with its length.
+  frame.largest_light = std::max(frame.optics.largest_color, frame.isosurfaces.largest_light);
+  if (frame.optics.emission) {
+    const double longest = frame.depth * std::max(projector.ray_scale(0, 0),
+                                                  projector.ray_scale(scene.image.width, 0));
+    frame.largest_light = frame.optics.largest_color * longest + frame.isosurfaces.largest_light;
+  }
+  frame.least_transparency = frame.optics.emission ? 0
+                                                   : kEndShare * scene.render.tolerance /
+                                                         std::max(1.0, frame.largest_light);
+  return frame;
+}
+
+}  // namespace hiac

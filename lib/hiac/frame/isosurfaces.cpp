@@ -1,0 +1,197 @@
+#include "hiac/frame/isosurfaces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+#include <tuple>
+
+#include "hiac/base/parallel.hpp"
+#include "hiac/element/cell_field.hpp"
+#include "hiac/element/face_interpolant.hpp"
+
+namespace hiac {
+namespace {
+
+constexpr std::size_t kGrain = std::size_t{1} << 14;
+
+// A face that has the value of a surface at all its corners, in a cell that is below it elsewhere.
+struct TouchedFace {
+  std::uint32_t surface;
+  std::array<NodeId, 4> nodes;  // ascending; a triangle's last is none
+  std::size_t cut;              // index into the cuts
+  std::uint8_t face;
+
+  [[nodiscard]] auto key() const { return std::tie(surface, nodes); }
+};
+
+// What some consecutive cells have.
+struct CellCuts {
+  std::vector<std::uint32_t> count;  // of cuts, by cell
+  std::vector<IsosurfaceCut> cuts;
+  std::vector<TouchedFace> touched;  // `cut` counts from these cells' first
+};
+
+// Of values between `least` and `most`; only touched from below where it is the most.
+bool is_met(const FrameIsosurface& surface, double least, double most) {
+  return least < surface.value && surface.value <= most;
+}
+
+class CutFinder {
+ public:
+  CutFinder(const ZooMesh& mesh, const Isosurfaces& all)
+      : mesh_(mesh), all_(all), values_(all.fields.size()) {}
+
+  CellCuts find(IndexRange cells) {
+    CellCuts result;
+    for (std::size_t cell = cells.begin; cell < cells.end; ++cell) {
+      const std::size_t before = result.cuts.size();
+      add_cell(static_cast<CellId>(cell), result);
+      result.count.push_back(static_cast<std::uint32_t>(result.cuts.size() - before));
+    }
+    return result;
+  }
+
+ private:
+  void add_cell(CellId cell, CellCuts& result) {
+    if (lies_between_surfaces(cell)) return;
+    for (std::size_t f = 0; f < all_.fields.size(); ++f)
+      values_[f] = cell_field(mesh_, cell, all_.fields[f]);
+    const std::size_t nodes = node_count(mesh_.kinds[cell]);
+    for (std::uint32_t s = 0; s < all_.surfaces.size(); ++s) {
+      const FrameIsosurface& surface = all_.surfaces[s];
+      const CellField& field = values_[surface.field];
+      if (!is_met(surface, field.least, field.most)) continue;
+      // of higher orders the field may be above the value between the nodes
+      const double most = std::ranges::max(std::span(field.values).first(nodes));
+      const bool touched = most == surface.value && add_touched(cell, s, result);
+      if (surface.value < field.most || touched) result.cuts.push_back({s, 0});
+    }
+  }
+
+  // What most cells do; found for linear ones without their interpolants.
+  [[nodiscard]] bool lies_between_surfaces(CellId cell) const {
+    if (order_of(mesh_.kinds[cell]) != CellOrder::linear) return false;
+    const auto nodes = mesh_.cell_nodes(cell);
+    for (std::size_t f = 0; f < all_.fields.size(); ++f) {
+      const FrameField& field = all_.fields[f];
+      if (field.polynomial) return false;
+      double least = std::numeric_limits<double>::infinity(), most = -least;
+      for (std::size_t k = 0; k < nodes.size(); ++k) {
+        const double value = field.values[field.index(cell, mesh_.elems[cell] + k, nodes[k])];
+        least = std::min(least, value);
+        most = std::max(most, value);
+      }
+      for (const FrameIsosurface& surface : all_.surfaces)
+        if (surface.field == f && is_met(surface, least, most)) return false;
+    }
+    return true;
+  }
+
+  // False when no whole face has the value.
+  bool add_touched(CellId cell, std::uint32_t s, CellCuts& result) const {
+    const auto nodes = mesh_.cell_nodes(cell);
+    const CellKind kind = mesh_.kinds[cell];
+    const CellField& field = values_[all_.surfaces[s].field];
+    bool any = false;
+    for (std::size_t f = 0; f < face_count(kind); ++f) {
+      const FaceOffsets of_face = face_offsets(kind, f, nodes, field.values);
+      const auto values = std::span(of_face.offsets).first(of_face.node_count());
+      if (!std::ranges::all_of(values,
+                               [&](double value) { return value == all_.surfaces[s].value; }))
+        continue;
+      TouchedFace face{s, {}, result.cuts.size(), static_cast<std::uint8_t>(f)};
+      face.nodes.fill(std::numeric_limits<NodeId>::max());
+      std::copy_n(of_face.nodes.begin(), of_face.count, face.nodes.begin());
+      std::ranges::sort(face.nodes);
+      result.touched.push_back(face);
+      any = true;
+    }
+    return any;
+  }
+
+  const ZooMesh& mesh_;
+  const Isosurfaces& all_;
+  std::vector<CellField> values_;  // of the cell at hand, by field
+};
+
+// Closes the faces that a surface touches from below on both sides.
+void close_faces(std::vector<TouchedFace>& touched, std::vector<IsosurfaceCut>& cuts) {
+  std::ranges::sort(touched, {}, [](const TouchedFace& f) { return f.key(); });
+  for (std::size_t i = 0; i + 1 < touched.size(); ++i) {
+    if (touched[i].key() != touched[i + 1].key()) continue;
+    for (const std::size_t k : {i, i + 1})
+      cuts[touched[k].cut].closed_faces |= static_cast<std::uint8_t>(1U << touched[k].face);
+  }
+}
+
+void find_cuts(const ZooMesh& mesh, Isosurfaces& all) {
+  const std::size_t cells = mesh.cell_count();
+  std::vector<CellCuts> parts((cells + kGrain - 1) / kGrain);
+  parallel_for(cells, kGrain, [&](IndexRange range) {
+    parts[range.begin / kGrain] = CutFinder(mesh, all).find(range);
+  });
+  all.first.reserve(cells + 1);
+  all.first.push_back(0);
+  std::vector<TouchedFace> touched;
+  for (CellCuts& part : parts) {
+    for (const std::uint32_t count : part.count) all.first.push_back(all.first.back() + count);
+    for (TouchedFace& face : part.touched) {
+      face.cut += all.cuts.size();
+      touched.push_back(face);
+    }
+    all.cuts.insert(all.cuts.end(), part.cuts.begin(), part.cuts.end());
+    part = {};
+  }
+  close_faces(touched, all.cuts);
+}
+
+FrameLight frame_light(const Light& light, const Projector& projector) {
+  FrameLight result{!light.direction, {}, light.color};
+  if (light.direction) {
+    auto v = *light.direction;
+    const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+    for (double& x : v) x /= largest;
+    const double length = std::hypot(v[0], v[1], v[2]);
+    for (double& x : v) x /= length;
+    result.direction = projector.camera_vector(v);
+  }
+  return result;
+}
+
+double largest_light(const Isosurface& surface, std::span<const Light> lights) {
+  double largest = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    double light = surface.ambient * surface.color[c];
+    for (const Light& l : lights)
+      light += l.color[c] * (surface.diffuse * surface.color[c] + surface.specular);
+    largest = std::max(largest, light);
+  }
+  return largest;
+}
+
+}  // namespace
+
+Isosurfaces make_isosurfaces(const ZooMesh& mesh, const Scene& scene, const Projector& projector) {
+  Isosurfaces all;
+  if (scene.isosurfaces.empty()) return all;
+  std::map<std::string, std::size_t> numbers;
+  for (const Isosurface& s : scene.isosurfaces) {
+    const auto [at, is_new] = numbers.try_emplace(s.field, all.fields.size());
+    if (is_new) {
+      const Field field = scalar_field(mesh, s.field);
+      all.fields.push_back(
+          {{field.values, field.location, scene.render.interpolation == Interpolation::polynomial},
+           {}});
+    }
+    all.surfaces.push_back({at->second, s.value, s.color, std::log1p(-s.opacity), s.ambient,
+                            s.diffuse, s.specular, s.shininess});
+    all.largest_light = std::max(all.largest_light, largest_light(s, scene.lights));
+  }
+  for (const Light& light : scene.lights) all.lights.push_back(frame_light(light, projector));
+  find_cuts(mesh, all);
+  return all;
+}
+
+}  // namespace hiac

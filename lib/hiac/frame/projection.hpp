@@ -1,0 +1,117 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "hiac/geometry/inverse_map.hpp"
+#include "hiac/mesh/zoo_mesh.hpp"
+#include "hiac/scene/scene.hpp"
+
+namespace hiac {
+
+/// A node as the scan converter sees it.
+///
+/// `x`, `y`: pixel coordinates, x to the right, y down, the centre of pixel (i, j) at
+/// (i + 0.5, j + 0.5). `depth`: affine on the projection of every plane and increasing along rays:
+/// the ray parameter t itself in orthographic, -1 / t in perspective.
+struct ProjectedNode {
+  double x, y, depth;
+};
+
+/// How far right of a pixel's centre, in pixels, an edge may cross the row of centres and still
+/// count as going through it: what rounding of projected coordinates can do, and a little more.
+/// Faces seen edge-on so stay straight whichever way they run across the screen: rays in them lie
+/// on one side of all their edges. `slope`: the edge's change of x by y.
+inline constexpr double kMostOnCrossing = 0x1p-36;
+inline double on_crossing(double slope) {
+  return std::min(kMostOnCrossing, 0x1p-39 * (1 + std::abs(slope)));
+}
+
+/// The map from world to screen, and the rays of pixels back into the world (sections 4, 5.1).
+///
+/// The ray through the screen point (x, y) is origin(x, y) + t direction(x, y). The parameter t is
+/// the distance from the eye plane along the view direction in perspective, and from the plane
+/// through `look_at` in orthographic (where the eye's distance would only cost digits).
+class Projector {
+ public:
+  /// Throws InputError when the camera cannot be (which the scene's parser has excluded).
+  Projector(const Camera& camera, ImageSize size);
+
+  [[nodiscard]] bool perspective() const { return perspective_; }
+  /// Range of t that z-clipping leaves; in perspective never below 0.
+  [[nodiscard]] double near() const { return near_; }
+  [[nodiscard]] double far() const { return far_; }
+
+  /// In extended precision, rounded once: what is found from projected nodes is then known to what
+  /// their coordinates can tell, however far away the eye. False when the point cannot be
+  /// projected: it lies beside or behind the eye.
+  bool project(std::span<const double, 3> point, ProjectedNode& node) const;
+  /// x, y and depth (ProjectedNode) without that rounding.
+  [[nodiscard]] std::array<long double, 3> project_extended(std::span<const double, 3> point) const;
+  /// The ray parameter of the plane parallel to the screen through a point.
+  [[nodiscard]] double parameter(std::span<const double, 3> point) const;
+  /// Camera coordinates (right, up, forward), relative to the eye or, orthographic, look_at.
+  [[nodiscard]] std::array<double, 3> camera_coordinates(std::span<const double, 3> point) const;
+  /// The same of a vector: its components along right, up and forward.
+  [[nodiscard]] std::array<double, 3> camera_vector(const std::array<double, 3>& v) const;
+
+  [[nodiscard]] std::array<double, 3> origin(double x, double y) const;
+  /// A point, and that origin, in the world's axes from the eye or, orthographic, look_at: what
+  /// is computed with these keeps the digits that coordinates far from zero would cost.
+  [[nodiscard]] std::array<double, 3> relative(std::span<const double, 3> point) const;
+  [[nodiscard]] std::array<double, 3> relative_origin(double x, double y) const;
+  [[nodiscard]] std::array<double, 3> direction(double x, double y) const;
+  /// Perspective: the direction's components along right and up, that along forward being 1.
+  /// Orthographic: the origin's, from look_at.
+  [[nodiscard]] std::array<double, 2> slopes(double x, double y) const;
+  /// The slopes, and the range of t that z-clipping leaves, in extended precision.
+  [[nodiscard]] std::array<long double, 2> extended_slopes(double x, double y) const;
+  [[nodiscard]] long double extended_near() const { return extended_near_; }
+  [[nodiscard]] long double extended_far() const { return extended_far_; }
+  /// camera_coordinates and camera_vector in extended precision.
+  [[nodiscard]] std::array<long double, 3> extended_camera_coordinates(
+      std::span<const double, 3> point) const;
+  [[nodiscard]] std::array<long double, 3> extended_camera_vector(
+      const std::array<long double, 3>& v) const;
+  /// What rays are made of, for many at a time: with a = (x - center_x) / pixels_per_unit() and
+  /// b = (center_y - y) / pixels_per_unit(), relative_origin(x, y) is 0 and direction(x, y) is
+  /// forward + a right + b up in perspective; a right + b up and forward in orthographic.
+  struct Axes {
+    std::array<double, 3> right, up, forward;
+    double center_x, center_y;
+  };
+  [[nodiscard]] Axes axes() const { return {right_, up_, forward_, center_x_, center_y_}; }
+  /// Distance from the eye plane along the view direction at the ray parameter t.
+  [[nodiscard]] double distance(double t) const { return t + offset_; }
+  /// Pixels per world unit: of things parallel to the screen, in perspective at t = 1.
+  [[nodiscard]] double pixels_per_unit() const { return scale_; }
+  /// World length per unit of t on the ray through (x, y).
+  [[nodiscard]] double ray_scale(double x, double y) const;
+
+ private:
+  using Extended = std::array<long double, 3>;
+
+  bool perspective_;
+  std::array<double, 3> anchor_;  // the eye, or look_at
+  std::array<double, 3> right_, up_, forward_;
+  Extended extended_right_, extended_up_, extended_forward_;  // the same
+  long double extended_scale_;
+  double scale_;  // pixels per unit of x / z, or per world unit
+  double center_x_, center_y_;
+  double near_, far_;
+  long double extended_near_, extended_far_;
+  double offset_;  // distance of the eye plane from where t is 0
+};
+
+/// All nodes of a mesh. Nodes that cannot be projected have depth NaN.
+std::vector<ProjectedNode> project_nodes(const ZooMesh& mesh, const Projector& projector);
+
+/// The positions of a cell's nodes in the frame of Projector::relative; entries beyond them are not
+/// set.
+std::array<CellMap::Point, CellMap::kMostNodes> relative_positions(const ZooMesh& mesh, CellId cell,
+                                                                   const Projector& projector);
+
+}  // namespace hiac

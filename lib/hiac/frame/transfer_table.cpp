@@ -1,0 +1,114 @@
+#include "hiac/frame/transfer_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hiac/base/error.hpp"
+#include "hiac/base/parallel.hpp"
+
+namespace hiac {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t kMostBreakpoints = 65535;
+
+std::vector<double> merged(std::span<const double> a, std::span<const double> b) {
+  std::vector<double> all(a.begin(), a.end());
+  all.insert(all.end(), b.begin(), b.end());
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+// The function on the intervals between `breakpoints`, which hold all of its own.
+template <std::size_t N>
+TransferTable<N> tabulate(const PiecewiseLinear<N>& function, std::span<const double> breakpoints) {
+  if (breakpoints.size() > kMostBreakpoints)
+    throw InputError("transfer functions have more than 65535 breakpoints");
+  TransferTable<N> table;
+  for (std::size_t k = 0; k <= breakpoints.size(); ++k) {
+    const double lower = k == 0 ? -kInfinity : breakpoints[k - 1];
+    const double upper = k == breakpoints.size() ? kInfinity : breakpoints[k];
+    const std::size_t own = k == 0 ? 0 : function.interval_of(lower);
+    const auto& piece = function.piece(own);
+    table.lower.push_back(lower);
+    table.upper.push_back(upper);
+    table.anchor.push_back(piece.anchor);
+    for (std::size_t c = 0; c < N; ++c) {
+      table.value[c].push_back(piece.value[c]);
+      table.slope[c].push_back(piece.slope[c]);
+    }
+  }
+  return table;
+}
+
+template <std::size_t N>
+std::vector<std::uint8_t> zero_intervals(const TransferTable<N>& table) {
+  std::vector<std::uint8_t> zero(table.intervals(), 1);
+  for (std::size_t k = 0; k < zero.size(); ++k)
+    for (std::size_t c = 0; c < N; ++c)
+      if (table.value[c][k] != 0 || table.slope[c][k] != 0) zero[k] = 0;
+  return zero;
+}
+
+}  // namespace
+
+OpticsTables make_optics_tables(const Volume& volume, Integration integration) {
+  OpticsTables tables;
+  if (volume.color) tables.color_function = volume.color->function();
+  if (volume.extinction) tables.extinction_function = volume.extinction->function();
+  const auto& color = tables.color_function;
+  const auto& extinction = tables.extinction_function;
+  tables.emission = volume.glow == Glow::emission;
+  if (integration == Integration::gauss5)
+    tables.rule = PieceRule::five_points;
+  else if (integration != Integration::exact)
+    tables.rule = PieceRule::mean_color;
+  tables.unsliced = integration == Integration::approximate_unsliced;
+  tables.same_field =
+      !volume.color || !volume.extinction || volume.color->field == volume.extinction->field;
+  if (tables.same_field) {
+    const auto all = merged(color.breakpoints(), extinction.breakpoints());
+    tables.color = tabulate(color, all);
+    tables.extinction = tabulate(extinction, all);
+  } else {
+    tables.color = tabulate(color, color.breakpoints());
+    tables.extinction = tabulate(extinction, extinction.breakpoints());
+  }
+  if (volume.color)
+    for (const auto& point : volume.color->points)
+      for (const double component : point.value)
+        tables.largest_color = std::max(tables.largest_color, std::abs(component));
+  tables.no_color = zero_intervals(tables.color);
+  tables.no_extinction = zero_intervals(tables.extinction);
+  return tables;
+}
+
+template <std::size_t N>
+ScalarIntervals classify_value(double value, const TransferTable<N>& table) {
+  const std::span<const double> breakpoints(table.lower.data() + 1, table.intervals() - 1);
+  const auto [low, high] = std::equal_range(breakpoints.begin(), breakpoints.end(), value);
+  return {static_cast<std::uint16_t>(low - breakpoints.begin()),
+          static_cast<std::uint16_t>(high - breakpoints.begin())};
+}
+
+template <std::size_t N>
+std::vector<ScalarIntervals> classify_values(std::span<const double> values,
+                                             const TransferTable<N>& table) {
+  std::vector<ScalarIntervals> intervals(values.size());
+  parallel_for(values.size(), std::size_t{1} << 14, [&](IndexRange range) {
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      intervals[i] = classify_value(values[i], table);
+  });
+  return intervals;
+}
+
+template ScalarIntervals classify_value(double, const TransferTable<1>&);
+template ScalarIntervals classify_value(double, const TransferTable<3>&);
+template std::vector<ScalarIntervals> classify_values(std::span<const double>,
+                                                      const TransferTable<1>&);
+template std::vector<ScalarIntervals> classify_values(std::span<const double>,
+                                                      const TransferTable<3>&);
+
+}  // namespace hiac

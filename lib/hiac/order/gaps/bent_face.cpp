@@ -1,0 +1,126 @@
+#include "hiac/order/gaps/bent_face.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hiac/order/faces/eye_side.hpp"
+#include "hiac/order/faces/patch_side.hpp"
+
+namespace hiac {
+namespace {
+
+// More than rounding does to a product of three differences, relative to their sizes.
+constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+};
+
+Range range_along(const Vector& normal, std::span<const Vector> points, const Vector& from) {
+  Range range;
+  for (const Vector& p : points) {
+    const double height = dot(normal, minus(p, from));
+    range.low = std::min(range.low, height);
+    range.high = std::max(range.high, height);
+  }
+  return range;
+}
+
+// Asks about two hulls.
+class Parting {
+ public:
+  Parting(std::span<const Vector> f, std::span<const Vector> g, const View& view, double slack)
+      : f_(f), g_(g), view_(view), from_(f[0]), slack_(slack) {
+    double reach = 0;
+    for (const auto points : {f, g})
+      for (const Vector& p : points) reach = std::max(reach, length(minus(p, from_)));
+    if (view.perspective) reach = std::max(reach, length(minus(view.eye, from_)));
+    rounding_ = kRounding * reach;
+  }
+
+  // A plane through the eye and two points has the hulls on its two sides.
+  [[nodiscard]] bool beside(const Vector& a, const Vector& b) const {
+    const Vector normal = view_.perspective ? cross(minus(a, view_.eye), minus(b, view_.eye))
+                                            : cross(view_.direction, minus(b, a));
+    const double size = length(normal);
+    if (!(size > 0)) return false;
+    const Range f = range_along(normal, f_, a), g = range_along(normal, g_, a);
+    const double zero = rounding_ * size;
+    return (f.high <= zero && g.low >= -zero) || (g.high <= zero && f.low >= -zero);
+  }
+
+  // A plane across a normal has g and the eye on one side, and f beyond.
+  [[nodiscard]] bool beyond(const Vector& normal) const {
+    const double size = length(normal);
+    if (!(size > 0)) return false;
+    return beyond_along(normal, size) || beyond_along({-normal[0], -normal[1], -normal[2]}, size);
+  }
+
+ private:
+  [[nodiscard]] bool beyond_along(const Vector& normal, double size) const {
+    const Range f = range_along(normal, f_, from_), g = range_along(normal, g_, from_);
+    const double zero = rounding_ * size;
+    if (g.high > f.low + slack_ * size + zero) return false;
+    if (view_.perspective) return dot(normal, minus(view_.eye, from_)) <= f.low + zero;
+    return dot(normal, view_.direction) >= -kRounding * size * length(view_.direction);
+  }
+
+  std::span<const Vector> f_, g_;
+  const View& view_;
+  Vector from_;
+  double slack_, rounding_ = 0;
+};
+
+// Corners of nets of 3, 4, 9 and 16 points, around the face: of triangles with curved edges the net
+// is a square, of which they are a half.
+std::vector<Vector> corners_of(std::span<const Vector> hull) {
+  const std::size_t n = hull.size();
+  if (n <= 4) return {hull.begin(), hull.end()};
+  const std::size_t side = n == 9 ? 3 : 4;
+  return {hull[0], hull[side - 1], hull[n - 1], hull[n - side]};
+}
+
+}  // namespace
+
+BentFace bent_face(const ZooMesh& mesh, const UnmatchedFace& face, const View& view,
+                   double planarity) {
+  BentFace bent;
+  if (order_of(mesh.kinds[face.cell]) != CellOrder::linear) {
+    const FaceForm form = face_form(mesh, face.cell, face.face, planarity);
+    if (form.shape.degree > 1) {
+      const PatchNet<Vector> hull = hull_of_face(mesh, face.cell, face.face, form);
+      bent.hull.assign(hull.begin(),
+                       hull.begin() + static_cast<std::ptrdiff_t>(form.shape.control_count()));
+      bent.eye = eye_side_of_curved_face(mesh, face.cell, face.face, form, view);
+      return bent;
+    }
+  }
+  if (face.corner_count != 4 || !(face.deviation > planarity)) return bent;
+  const auto at = [&](std::size_t k) { return mesh.position(face.nodes[k]); };
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Point3 p = at(k);
+    bent.hull.push_back({p[0], p[1], p[2]});
+  }
+  bent.eye = eye_side_of_patch({at(0), at(1), at(2), at(3)}, view, planarity);
+  return bent;
+}
+
+bool may_be_met_first(std::span<const Vector> f, std::span<const Vector> g, const View& view,
+                      double slack) {
+  const Parting parting(f, g, view, slack);
+  for (const auto points : {f, g}) {
+    const std::vector<Vector> c = corners_of(points);
+    const std::size_t n = c.size();
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t j = 0; j < k; ++j)
+        if (parting.beside(c[j], c[k])) return false;
+    for (std::size_t k = 0; k < (n == 3 ? 1 : n); ++k)
+      if (parting.beyond(cross(minus(c[(k + 1) % n], c[k]), minus(c[(k + 2) % n], c[k]))))
+        return false;
+    if (n == 4 && parting.beyond(cross(minus(c[2], c[0]), minus(c[3], c[1])))) return false;
+  }
+  return true;
+}
+
+}  // namespace hiac

@@ -1,0 +1,98 @@
+#include "hiac/render/bounds/cell_errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hiac/element/gradient_bound.hpp"
+
+namespace hiac {
+
+// What the fields are wrong by: rounding along the ray, and what is allowed of their polynomials.
+void CellErrors::enter(CellId cell, std::span<const CellMap::Point> nodes, const CellScalars& color,
+                       const CellScalars& extinction, const RayDisplacement& displacement) {
+  const CellKind kind = frame_.mesh.kinds[cell];
+  const auto range = [](const CellScalars& s) { return ValueRange{s.nodes.least, s.nodes.most}; };
+  displacement_ = displacement;
+  curved_ = frame_.is_curved(cell);
+  optics_ = cell_optics(frame_.optics, range(color), range(extinction));
+  end_doubts_ = EndDoubts(kind, nodes);
+  const GradientBound gradient(kind, nodes, frame_.straightness);
+  const auto error = [&](const CellScalars& s) {
+    const double difference = s.nodes.most - s.nodes.least;
+    if (difference == 0) return 0.0;
+    const double allowed = std::isfinite(s.nodes.allowed) ? s.nodes.allowed : difference;
+    return field_error(range(s), gradient(s.nodes), displacement_, kAlongRayRounding) +
+           std::min(difference, 2 * allowed);
+  };
+  color_ = {&color, error(color)};
+  extinction_ = {&extinction, error(extinction)};
+}
+
+// Where the fields are in doubt about jumps of their functions.
+void CellErrors::add_doubts(const RayStretch& stretch, const FieldAlongRay& field, double length,
+                            FieldDoubt& color, FieldDoubt& extinction) {
+  const OpticsTables& optics = frame_.optics;
+  field.along(stretch, pieces_);
+  color = polynomial_doubt(optics.color, optics_.color_rounding, *color_.scalars, pieces_,
+                           optics.same_field ? 0 : 1, color_.error, length, roots_);
+  extinction = polynomial_doubt(optics.extinction, optics_.tau_rounding, *extinction_.scalars,
+                                pieces_, 0, extinction_.error, length, roots_);
+}
+
+void CellErrors::add(const CellCrossing& crossing, const RayStretch& stretch, double scale,
+                     const FieldAlongRay& field, const std::optional<Cut>& cut,
+                     SegmentDetails& details) {
+  const bool emission = frame_.optics.emission;
+  const double length = (stretch.back - stretch.front) * scale;
+  FieldDoubt color{color_.error, 0}, extinction{extinction_.error, 0};
+  if (optics_.color_jump > 0 || optics_.tau_jump > 0)
+    add_doubts(stretch, field, length, color, extinction);
+  ErrorBound sum = segment_bound(optics_, emission,
+                                 {.length = length,
+                                  .seen = length,
+                                  .color = color,
+                                  .extinction = extinction,
+                                  .opacity = 1 - details.transparency,
+                                  .transparency = cut ? 1 : details.transparency});
+  if (cut) {
+    const double largest = frame_.isosurfaces.largest_light;
+    const ErrorBound whole = whole_bound(optics_, emission, largest, length);
+    for (const IsosurfaceCrossing& surface : cut->surfaces) {
+      const double moved = edge_bound(optics_, emission, surface.moved * scale);
+      sum.radiance += surface.shade_error.radiance + moved * (1 + largest);
+      sum.transparency += surface.shade_error.transparency;
+    }
+    if (cut->doubtful) sum = whole;
+    sum.radiance += (sum.transparency + details.transparency_error) * whole.radiance;
+  }
+  details.radiance_error += sum.radiance;
+  details.transparency_error = std::min(1.0, details.transparency_error + sum.transparency);
+  add_edges(crossing, stretch, details);
+}
+
+// What the places where the ray enters and leaves are wrong by.
+void CellErrors::add_edges(const CellCrossing& crossing, const RayStretch& stretch,
+                           SegmentDetails& details) const {
+  EndDoubts::Doubts doubts = end_doubts_.at(stretch.origin, stretch.direction, displacement_);
+  if (curved_) {
+    // the planar ones of a cell with curved faces, each by itself
+    doubts.front = end_doubts_.through(crossing.front_face, stretch.direction, displacement_);
+    doubts.back = end_doubts_.through(crossing.back_face, stretch.direction, displacement_);
+  }
+  const auto edge = [&](double planar, double curved_doubt, bool clipped) {
+    // where the view clips the cell is known
+    const double doubt = clipped                    ? displacement_.along
+                         : std::isnan(curved_doubt) ? planar
+                                                    : curved_doubt + displacement_.along;
+    return edge_bound(optics_, frame_.optics.emission, std::min(doubt, longest_));
+  };
+  details.front_edge = edge(doubts.front, crossing.front_doubt, stretch.front > crossing.front);
+  details.back_edge = edge(doubts.back, crossing.back_doubt, stretch.back < crossing.back);
+  if (frame_.color_field().location == FieldLocation::node &&
+      frame_.extinction.location == FieldLocation::node)
+    return;
+  details.radiance_error += details.front_edge + details.back_edge;
+  details.transparency_error += details.front_edge + details.back_edge;
+}
+
+}  // namespace hiac

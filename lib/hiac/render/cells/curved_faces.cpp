@@ -1,0 +1,486 @@
+#include "hiac/render/cells/curved_faces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hiac/geometry/patch_facing.hpp"
+#include "hiac/mesh/shape_functions.hpp"
+#include "hiac/render/bounds/ray_displacement.hpp"
+
+namespace hiac {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Corners this near to a pixel's centre, in pixels, lie on it: more than rounding of projected
+// coordinates.
+constexpr double kCenterRounding = 0x1p-36;
+
+// Boxes around places on faces are no wider to either side.
+constexpr double kWidestBox = 0x1p-5;
+
+// Bounds of the second derivatives of a patch's coordinate on its domain with a border of
+// kWidestBox, where Bernstein polynomials of a degree sum up to (1 + 2 kWidestBox)^degree at most
+// without their signs.
+class Curvature {
+ public:
+  Curvature(std::size_t degree, const PatchNet<double>& net) {
+    const std::size_t side = degree + 1;
+    const auto at = [&](std::size_t i, std::size_t j) { return net[i + side * j]; };
+    const auto n = static_cast<double>(degree);
+    for (std::size_t j = 0; j < side; ++j)
+      for (std::size_t i = 0; i + 2 < side; ++i) {
+        uu_ = std::max(uu_, std::abs(at(i + 2, j) - 2 * at(i + 1, j) + at(i, j)));
+        vv_ = std::max(vv_, std::abs(at(j, i + 2) - 2 * at(j, i + 1) + at(j, i)));
+      }
+    for (std::size_t j = 0; j < degree; ++j)
+      for (std::size_t i = 0; i < degree; ++i)
+        uv_ = std::max(uv_, std::abs(at(i + 1, j + 1) - at(i + 1, j) - at(i, j + 1) + at(i, j)));
+    const double beyond = std::pow(1 + 2 * kWidestBox, 2 * n);
+    uu_ *= n * (n - 1) * beyond;
+    vv_ *= n * (n - 1) * beyond;
+    uv_ *= n * n * beyond;
+  }
+
+  // How far the coordinate is from a linear one, within this of a place.
+  [[nodiscard]] double within(double u, double v) const {
+    return 0.5 * (uu_ * u * u + vv_ * v * v) + uv_ * u * v;
+  }
+
+ private:
+  double uu_ = 0, uv_ = 0, vv_ = 0;
+};
+
+// A node's homogeneous coordinates on the screen, and its ray parameter. Where a node is projected
+// they are made of that, so that edges and faces lie alike to pixel centres.
+struct Homogeneous {
+  double x, y, w, t;
+};
+
+Homogeneous homogeneous(const Frame& frame, NodeId node) {
+  const ProjectedNode& p = frame.nodes[node];
+  if (!frame.projector.perspective()) return {p.x, p.y, 1, p.depth};
+  if (std::isnan(p.depth)) {
+    const auto [right, up, w] = frame.projector.camera_coordinates(frame.mesh.position(node));
+    const auto [left_border, top_border] = frame.projector.slopes(0, 0);
+    const double scale = frame.projector.pixels_per_unit();
+    return {scale * (right - left_border * w), scale * (top_border * w - up), w, w};
+  }
+  const double w = -1 / p.depth;
+  return {p.x * w, p.y * w, w, w};
+}
+
+constexpr ScreenBounds kNowhere{kInfinity, kInfinity,  -kInfinity, -kInfinity,
+                                kInfinity, -kInfinity, true};
+
+void include(ScreenBounds& box, const Homogeneous& p) {
+  box.in_front = box.in_front && p.w > 0;
+  box.x0 = std::min(box.x0, p.x / p.w);
+  box.y0 = std::min(box.y0, p.y / p.w);
+  box.x1 = std::max(box.x1, p.x / p.w);
+  box.y1 = std::max(box.y1, p.y / p.w);
+  box.nearest = std::min(box.nearest, p.t);
+  box.farthest = std::max(box.farthest, p.t);
+}
+
+// The first pixel in a range whose centre lies at or after a coordinate, or before it by no more
+// than `slack`.
+int first_column(double coordinate, const TileRect& tile, double slack = 0) {
+  const double clamped =
+      std::min(std::max(coordinate - (0.5 + slack), static_cast<double>(tile.x0)),
+               static_cast<double>(tile.x1));
+  return static_cast<int>(std::ceil(clamped));
+}
+
+// Control points of a curve of degree 1, 2 or 3 through evenly spaced points.
+void to_controls(std::size_t degree, std::array<double, 4>& p) {
+  if (degree == 2) p[1] = 2 * p[1] - 0.5 * (p[0] + p[2]);
+  if (degree != 3) return;
+  const double one = p[1], two = p[2];
+  p[1] = (18 * one - 9 * two - 5 * p[0] + 2 * p[3]) / 6;
+  p[2] = (18 * two - 9 * one - 5 * p[3] + 2 * p[0]) / 6;
+}
+
+double at_place(std::size_t degree, const std::array<double, 4>& controls, double s) {
+  const BernsteinValues b(degree, s);
+  double sum = 0;
+  for (std::size_t k = 0; k <= degree; ++k) sum += b.value[k] * controls[k];
+  return sum;
+}
+
+double slope_at(std::size_t degree, const std::array<double, 4>& controls, double s) {
+  const BernsteinValues b(degree, s);
+  double sum = 0;
+  for (std::size_t k = 0; k <= degree; ++k) sum += b.derivative[k] * controls[k];
+  return sum;
+}
+
+// Of an edge: of its coordinates x, y, w and t.
+std::array<std::array<double, 4>, 4> controls_of(const Frame& frame, const EdgeNodes& edge) {
+  std::array<std::array<double, 4>, 4> controls{};
+  for (std::size_t k = 0; k < edge.count; ++k) {
+    const Homogeneous h = homogeneous(frame, edge.nodes[k]);
+    controls[0][k] = h.x;
+    controls[1][k] = h.y;
+    controls[2][k] = h.w;
+    controls[3][k] = h.t;
+  }
+  for (auto& coordinate : controls) to_controls(edge.count - 1, coordinate);
+  return controls;
+}
+
+// Nodes of edges that count as straight lie on these: faces around an edge have it where it says
+// itself that it is (winding numbers), to rounding.
+void straighten(const FaceForm& form, std::span<double> coordinate) {
+  const std::size_t corners = form.shape.corner_count(), n = form.shape.degree;
+  for (std::size_t k = 0; k < corners; ++k) {
+    if (form.curved_edges[k]) continue;
+    const double from = coordinate[k], to = coordinate[(k + 1) % corners];
+    for (std::size_t i = 1; i < n; ++i)
+      coordinate[corners + (n - 1) * k + i - 1] =
+          from + static_cast<double>(i) / static_cast<double>(n) * (to - from);
+  }
+}
+
+// Of a face: of its coordinates x, y, w and t.
+std::array<PatchNet<double>, 4> nets_of(const Frame& frame, CellId cell, std::size_t face,
+                                        const FaceForm& form) {
+  const auto nodes = patch_nodes(frame.mesh, cell, face, form);
+  std::array<std::array<double, kMostPatchNodes>, 4> coordinates;
+  const std::size_t count = form.shape.node_count();
+  for (std::size_t k = 0; k < count; ++k) {
+    const Homogeneous h = homogeneous(frame, nodes[k]);
+    coordinates[0][k] = h.x;
+    coordinates[1][k] = h.y;
+    coordinates[2][k] = h.w;
+    coordinates[3][k] = h.t;
+  }
+  std::array<PatchNet<double>, 4> nets;
+  for (std::size_t c = 0; c < 4; ++c) {
+    straighten(form, coordinates[c]);
+    patch_net(form.shape, std::span(coordinates[c]).first(count), nets[c]);
+  }
+  return nets;
+}
+
+// The places in (0, 1), ascending, where a curve turns, up or down: at most two.
+std::size_t turning_places(std::size_t degree, const std::array<double, 4>& h,
+                           std::array<double, 2>& places) {
+  const double d0 = h[1] - h[0], d1 = h[2] - h[1], d2 = h[3] - h[2];
+  std::size_t count = 0;
+  const auto add = [&](double place) {
+    if (place > 0 && place < 1) places[count++] = place;
+  };
+  if (degree == 2) {
+    add(d0 / (d0 - d1));
+    return count;
+  }
+  const double discriminant = d1 * d1 - d0 * d2;
+  if (discriminant <= 0) return 0;
+  const double q = -(d1 + (d1 < 0 ? -1 : 1) * std::sqrt(discriminant));
+  add(q / (q + d2));
+  add(d0 / (d0 + q));
+  if (count == 2 && places[0] > places[1]) std::swap(places[0], places[1]);
+  return count;
+}
+
+}  // namespace
+
+ScreenBounds bounds_of_curved_cell(const Frame& frame, CellId cell) {
+  const CellKind kind = frame.mesh.kinds[cell];
+  const auto nodes = frame.mesh.cell_nodes(cell);
+  ScreenBounds box = kNowhere;
+  for (std::size_t e = 0; e < edge_count(kind); ++e) {
+    const EdgeNodes edge = edge_nodes(kind, nodes, e);
+    const auto controls = controls_of(frame, edge);
+    for (std::size_t k = 0; k < edge.count; ++k)
+      include(box, {controls[0][k], controls[1][k], controls[2][k], controls[3][k]});
+  }
+  for (std::size_t f = 0; f < face_count(kind); ++f) {
+    const FaceForm form = face_form(frame.mesh, cell, f, frame.straightness);
+    // the control points of quadratic triangles are those of their edges
+    if (form.shape.degree == 1 || (form.shape.triangle && form.shape.degree == 2)) continue;
+    const auto nets = nets_of(frame, cell, f, form);
+    for (std::size_t k = 0; k < form.shape.control_count(); ++k)
+      include(box, {nets[0][k], nets[1][k], nets[2][k], nets[3][k]});
+  }
+  return box;
+}
+
+CurvedFaces::CurvedFaces(const Frame& frame, CellId cell, const CellSurface& surface)
+    : surface_(surface),
+      projector_(frame.projector),
+      displaced_(frame.with_error ? displacement_in_world(frame, cell).at_ends : 0) {
+  curve_of_.fill(kStraight);
+  if (order_of(frame.mesh.kinds[cell]) != CellOrder::linear) add_curves(frame, cell, surface);
+  for (std::size_t f = 0; f < face_count(frame.mesh.kinds[cell]); ++f)
+    add_face(frame, cell, surface, f);
+}
+
+void CurvedFaces::add_curves(const Frame& frame, CellId cell, const CellSurface& surface) {
+  const CellKind kind = frame.mesh.kinds[cell];
+  const auto nodes = frame.mesh.cell_nodes(cell);
+  for (std::size_t e = 0; e < edge_count(kind); ++e) {
+    const EdgeNodes edge = edge_nodes(kind, nodes, e);
+    if (!is_curved(frame.mesh, edge, frame.straightness)) continue;
+    const auto [a, b] = topology_of(kind).edges[e];
+    curve_of_[surface.edge_between(surface.ranks[a], surface.ranks[b])] =
+        static_cast<std::uint8_t>(curve_count_);
+    Curve& curve = curves_[curve_count_++];
+    curve.degree = static_cast<std::uint8_t>(edge.count - 1);
+    const auto controls = controls_of(frame, edge);
+    curve.x = controls[0];
+    curve.y = controls[1];
+    curve.w = controls[2];
+  }
+}
+
+void CurvedFaces::add_face(const Frame& frame, CellId cell, const CellSurface& surface,
+                           std::size_t number) {
+  const FaceForm form = face_form(frame.mesh, cell, number, frame.straightness);
+  if (!form.curved) return;
+  held_ |= 1U << number;
+  Face& face = faces_[count_++];
+  face.shape = form.shape;
+  face.number = static_cast<std::uint8_t>(number);
+  const CellKind kind = frame.mesh.kinds[cell];
+  const std::size_t n = form.shape.corner_count();
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::uint8_t corner = form.corners[k];
+    face.reference[k] = reference_nodes(kind)[corner];
+    const std::uint8_t rank = surface.ranks[corner],
+                       next = surface.ranks[form.corners[(k + 1) % n]];
+    face.edges[k] = surface.edge_between(rank, next);
+    face.along[k] = rank < next;
+  }
+  const auto nets = nets_of(frame, cell, number, form);
+  face.x = nets[0];
+  face.y = nets[1];
+  face.w = nets[2];
+  face.t = nets[3];
+  // a face that lies on both sides of the eye may be met on both, and count as not met at all
+  const bool in_front = std::all_of(
+      face.w.begin(), face.w.begin() + static_cast<std::ptrdiff_t>(form.shape.control_count()),
+      [](double w) { return w > 0; });
+  face.turns = in_front ? patch_facing(form.shape, {face.x, face.y, face.w}) : 0;
+  face.rounding = 0;
+  for (std::size_t k = 0; k < form.shape.control_count(); ++k)
+    face.rounding = std::max(face.rounding, kCenterRounding * std::abs(face.w[k]));
+  face.guess = form.shape.triangle ? std::array{1.0 / 3, 1.0 / 3} : std::array{0.5, 0.5};
+}
+
+ScreenBounds CurvedFaces::bounds() const {
+  ScreenBounds box = kNowhere;
+  for (std::size_t f = 0; f < count_; ++f)
+    for (std::size_t k = 0; k < faces_[f].shape.control_count(); ++k)
+      include(box, {faces_[f].x[k], faces_[f].y[k], faces_[f].w[k], faces_[f].t[k]});
+  return box;
+}
+
+void CurvedFaces::begin_row(double center, const TileRect& tile, const bool* above) {
+  row_ = center;
+  for (std::size_t e = 0; e < surface_.edge_count; ++e) {
+    const auto [a, b] = surface_.edges[e];
+    crossed_[e] = above[a] != above[b];
+    comes_up_[e] = above[b];
+    if (curve_of_[e] == kStraight) continue;
+    Curve& curve = curves_[curve_of_[e]];
+    for (std::size_t k = 0; k <= curve.degree; ++k)
+      curve.height[k] = center * curve.w[k] - curve.y[k];
+    cut_curve(curve, tile, above[a], above[b]);
+  }
+  columns_ = {tile.x1, tile.x0};
+  for (std::size_t f = 0; f < count_; ++f) {
+    Face& face = faces_[f];
+    for (std::size_t k = 0; k < face.shape.control_count(); ++k)
+      face.height[k] = center * face.w[k] - face.y[k];
+    set_columns(face, tile);
+    columns_[0] = std::min(columns_[0], face.first);
+    columns_[1] = std::max(columns_[1], face.last);
+  }
+}
+
+// Between its turning places a curve changes sides once or not at all.
+void CurvedFaces::cut_curve(Curve& curve, const TileRect& tile, bool begins_above,
+                            bool ends_above) const {
+  curve.cut_count = 0;
+  const std::size_t n = curve.degree;
+  std::array<double, 2> turns;
+  const std::size_t turn_count = turning_places(n, curve.height, turns);
+  double from = 0;
+  bool is_above = begins_above;
+  for (std::size_t k = 0; k <= turn_count; ++k) {
+    const bool last = k == turn_count;
+    const double to = last ? 1 : turns[k];
+    const bool then_above = last ? ends_above : at_place(n, curve.height, to) >= 0;
+    if (then_above != is_above) {
+      // the ends' sides are known; regula falsi where it halves the interval, else bisection
+      double low = from, high = to;
+      double h_low = at_place(n, curve.height, low), h_high = at_place(n, curve.height, high);
+      for (int step = 0; step < 100 && low < high; ++step) {
+        const double secant = low - h_low * ((high - low) / (h_high - h_low));
+        const double middle = 0.5 * (low + high);
+        const double s = step % 3 != 2 && secant > low && secant < high ? secant : middle;
+        if (s <= low || s >= high) break;
+        const double h = at_place(n, curve.height, s);
+        ((h >= 0) == is_above ? low : high) = s;
+        ((h >= 0) == is_above ? h_low : h_high) = h;
+        if (h == 0) low = high = s;
+      }
+      add_cut(curve, tile, std::abs(h_low) < std::abs(h_high) ? low : high, then_above);
+    }
+    from = to;
+    is_above = then_above;
+  }
+}
+
+// How far right of a pixel's centre the place of a curve counts as on it (on_crossing). Only what
+// is nearly on one needs the curve's direction.
+double CurvedFaces::slack_at(const Curve& curve, double s, double x) const {
+  const double right = x - 0.5 - std::floor(x - 0.5);
+  if (right > kMostOnCrossing) return 0;
+  // of x W - X and y W - Y, which are 0 there
+  const std::size_t n = curve.degree;
+  const double w = slope_at(n, curve.w, s);
+  return on_crossing((slope_at(n, curve.x, s) - x * w) / (slope_at(n, curve.y, s) - row_ * w));
+}
+
+// Left of the ray of pixel x is what has X - x W <= 0, in front of the eye and behind.
+void CurvedFaces::add_cut(Curve& curve, const TileRect& tile, double s, bool comes_up) const {
+  const double x = at_place(curve.degree, curve.x, s), w = at_place(curve.degree, curve.w, s);
+  Cut& cut = curve.cuts[curve.cut_count++];
+  cut.sign = comes_up ? 1 : -1;
+  cut.from_column_on = w > 0 || (w == 0 && x <= 0);
+  if (w == 0)
+    cut.column = tile.x0;
+  else
+    cut.column = first_column(x / w, tile, slack_at(curve, s, x / w));
+}
+
+// Of the pixels that its hull covers. A face with control points behind the eye may be anywhere.
+void CurvedFaces::set_columns(Face& face, const TileRect& tile) const {
+  const std::size_t count = face.shape.control_count();
+  bool in_front = true, above = false, below = false;
+  for (std::size_t k = 0; k < count; ++k) {
+    in_front = in_front && face.w[k] > 0;
+    above = above || face.height[k] >= 0;
+    below = below || !(face.height[k] > 0);
+  }
+  face.first = tile.x1;
+  face.last = tile.x0;
+  // rows that a border touches are the edges' to decide
+  face.in_row = (above && below) || !in_front;
+  if (!face.in_row) {
+    for (std::size_t k = 0; k < face.shape.corner_count(); ++k) {
+      const std::uint8_t curve = curve_of_[face.edges[k]];
+      face.in_row = face.in_row ||
+                    (curve == kStraight ? crossed_[face.edges[k]] : curves_[curve].cut_count > 0);
+    }
+  }
+  if (!face.in_row) return;
+  if (!in_front) {
+    face.first = tile.x0;
+    face.last = tile.x1;
+    return;
+  }
+  double least = kInfinity, most = -kInfinity;
+  for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t i = 0; i < k; ++i) {
+      if ((face.height[k] >= 0) == (face.height[i] >= 0)) continue;
+      const double s = face.height[k] / (face.height[k] - face.height[i]);
+      const double x =
+          (face.x[k] + s * (face.x[i] - face.x[k])) / (face.w[k] + s * (face.w[i] - face.w[k]));
+      least = std::min(least, x);
+      most = std::max(most, x);
+    }
+  for (std::size_t k = 0; k < face.shape.corner_count(); ++k) {
+    const std::uint8_t c = curve_of_[face.edges[k]];
+    if (c == kStraight) continue;
+    for (std::size_t i = 0; i < curves_[c].cut_count; ++i) {
+      least = std::min(least, curves_[c].cuts[i].column + 0.5);
+      most = std::max(most, curves_[c].cuts[i].column + 0.5);
+    }
+  }
+  if (!(least <= most)) return;
+  face.first = first_column(least - 1, tile);
+  face.last = first_column(most + 1, tile);
+}
+
+PatchZeros CurvedFaces::crossings(Face& face, int x, int winding) const {
+  PatchNet<double> aside;
+  const double center = x + 0.5;
+  for (std::size_t k = 0; k < face.shape.control_count(); ++k)
+    aside[k] = face.x[k] - center * face.w[k];
+  const PatchZeros zeros = patch_zeros({.shape = face.shape,
+                                        .a = aside,
+                                        .b = face.height,
+                                        .depth = face.t,
+                                        .winding = winding,
+                                        .one_way = face.turns != 0,
+                                        .rounding = face.rounding,
+                                        .guess = face.guess});
+  if (zeros.size() == 1) face.guess = {zeros[0].u, zeros[0].v};
+  return zeros;
+}
+
+double CurvedFaces::parameter(const Face& face, const PatchZero& zero) const {
+  const std::size_t n = face.shape.degree;
+  return evaluate_patch(n, face.t, BernsteinValues(n, zero.u), BernsteinValues(n, zero.v)).value;
+}
+
+const CurvedFaces::Face& CurvedFaces::face_of(std::size_t number) const {
+  return *std::find_if(faces_.begin(), faces_.begin() + static_cast<std::ptrdiff_t>(count_),
+                       [&](const Face& face) { return face.number == number; });
+}
+
+double CurvedFaces::doubt(std::size_t number, double u, double v, int x, double displaced) const {
+  const Face& face = face_of(number);
+  const std::size_t n = face.shape.degree, count = face.shape.control_count();
+  const double center = x + 0.5;
+  PatchNet<double> aside;
+  for (std::size_t k = 0; k < count; ++k) aside[k] = face.x[k] - center * face.w[k];
+  const BernsteinValues bu(n, u), bv(n, v);
+  const PatchValue a = evaluate_patch(n, aside, bu, bv), b = evaluate_patch(n, face.height, bu, bv),
+                   t = evaluate_patch(n, face.t, bu, bv);
+  const double determinant = a.by_u * b.by_v - a.by_v * b.by_u;
+  const double unit = projector_.ray_scale(center, row_);
+  // of a and b, in their units
+  const double moved = displaced * projector_.pixels_per_unit() * unit;
+  const double off_a = std::abs(a.value) + moved, off_b = std::abs(b.value) + moved;
+  // the rows of J^-1
+  const double u_a = b.by_v / determinant, u_b = -a.by_v / determinant;
+  const double v_a = -b.by_u / determinant, v_b = a.by_u / determinant;
+  const double step_u = std::abs(u_a) * off_a + std::abs(u_b) * off_b;
+  const double step_v = std::abs(v_a) * off_a + std::abs(v_b) * off_b;
+  const double side_u = 2 * step_u, side_v = 2 * step_v;
+  if (!(std::max(side_u, side_v) <= kWidestBox)) return kInfinity;
+  PatchNet<double> p, q;
+  for (std::size_t k = 0; k < count; ++k) {
+    p[k] = u_a * aside[k] + u_b * face.height[k];
+    q[k] = v_a * aside[k] + v_b * face.height[k];
+  }
+  const double bent_u = Curvature(n, p).within(side_u, side_v),
+               bent_v = Curvature(n, q).within(side_u, side_v);
+  // a tenth for the rounding of J^-1
+  if (!(bent_u <= 0.9 * step_u && bent_v <= 0.9 * step_v)) return kInfinity;
+  const double by_a = std::abs(t.by_u * u_a + t.by_v * v_a) * off_a,
+               by_b = std::abs(t.by_u * u_b + t.by_v * v_b) * off_b;
+  const double bent_t = std::abs(t.by_u) * bent_u + std::abs(t.by_v) * bent_v +
+                        Curvature(n, face.t).within(side_u, side_v);
+  return unit * (1.01 * (by_a + by_b) + bent_t + displaced);
+}
+
+std::array<double, 3> CurvedFaces::reference(std::size_t number, double u, double v) const {
+  const Face& face = face_of(number);
+  const auto& at = face.reference;
+  std::array<double, 3> point;
+  for (std::size_t c = 0; c < 3; ++c)
+    point[c] = face.shape.triangle
+                   ? at[0][c] + u * (at[1][c] - at[0][c]) + v * (at[2][c] - at[0][c])
+                   : (1 - v) * (at[0][c] + u * (at[1][c] - at[0][c])) +
+                         v * (at[3][c] + u * (at[2][c] - at[3][c]));
+  return point;
+}
+
+}  // namespace hiac

@@ -1,0 +1,189 @@
+#include "hiac/render/cells/cuts_along_ray.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hiac/element/gradient_bound.hpp"
+#include "hiac/element/gradient_direction.hpp"
+#include "hiac/element/sign_changes.hpp"
+#include "hiac/geometry/vector.hpp"
+#include "hiac/mesh/shape_functions.hpp"
+
+namespace hiac {
+namespace {
+
+// Of the largest offset in a cell: smaller ones may have the wrong sign by rounding.
+constexpr double kDoubt = 1e-9;
+
+// Normals are wrong by this times the condition of the gradient.
+constexpr double kAngleUnit = 16 * 0x1p-53;
+
+}  // namespace
+
+bool CutsAlongRay::enter(CellId cell, const RayDisplacement& displacement) {
+  cuts_.clear();
+  displacement_ = displacement;
+  const auto in_cell = frame_.isosurfaces.in(cell);
+  if (in_cell.empty()) return false;
+  const ZooMesh& mesh = frame_.mesh;
+  kind_ = mesh.kinds[cell];
+  const auto nodes = mesh.cell_nodes(cell);
+  nodes_ = relative_positions(mesh, cell, frame_.projector);
+  std::optional<GradientBound> gradient;
+  if (frame_.with_error) gradient.emplace(kind_, nodes_, frame_.straightness);
+  for (const IsosurfaceCut& in : in_cell) {
+    Cut& cut = cuts_.emplace_back();
+    cut.surface = &frame_.isosurfaces.surfaces[in.surface];
+    cut.closed_faces = in.closed_faces;
+    cut.offsets =
+        cell_field(mesh, cell, frame_.isosurfaces.fields[cut.surface->field], cut.surface->value);
+    if (gradient)
+      cut.error = field_error({cut.offsets.least, cut.offsets.most}, (*gradient)(cut.offsets),
+                              displacement, kAlongRayRounding);
+    for (std::size_t f = 0; f < face_count(kind_); ++f)
+      cut.faces[f] = face_offsets(kind_, f, nodes, cut.offsets.values);
+  }
+  return true;
+}
+
+bool CutsAlongRay::below_at_face(const Cut& cut, const CellCrossing& crossing, std::size_t face,
+                                 double t, double offset) const {
+  // neighbours do not agree on the face: each says what it has itself
+  if (cut.offsets.polynomial) return offset < 0;
+  if ((cut.closed_faces & (1U << face)) != 0) return true;
+  bool mixed = false;
+  const double sign = cut.faces[face].sign(mixed);
+  if (!mixed) return sign < 0;
+  if (std::abs(offset) > kDoubt * std::max(-cut.offsets.least, cut.offsets.most)) return offset < 0;
+  return face_value(frame_.mesh, frame_.projector, cut.faces[face], crossing.x + 0.5,
+                    crossing.y + 0.5, t) < 0;
+}
+
+// How far places_ move, and whether as many stay, when the offsets are wrong by `error`.
+void CutsAlongRay::add_doubts(const RayStretch& stretch, const Cut& cut, double error) {
+  moved_.assign(places_.size(), 0);
+  const auto count_at = [&](double level) {
+    find_shifted_changes(pieces_, level, shifted_, roots_);
+    if (shifted_.size() != places_.size()) {
+      doubtful_ = true;
+      return;
+    }
+    for (std::size_t i = 0; i < places_.size(); ++i)
+      moved_[i] = std::max(moved_[i], 2 * std::abs(shifted_[i] - places_[i]));
+  };
+  count_at(error);
+  count_at(-error);
+  for (double& moved : moved_) moved *= stretch.back - stretch.front;
+  if (pieces_.empty() && cut.offsets.least < cut.offsets.most) doubtful_ = true;
+}
+
+void CutsAlongRay::interpolate(const CellMap& map, CellSegments& segments) {
+  for (Cut& cut : cuts_) {
+    if (cut.offsets.polynomial) continue;
+    const CellPolynomials polynomials(kind_, nodes_, map, {&cut.offsets, 1});
+    interpolate_cell_segments(frame_, polynomials, segments, cut.pieces);
+  }
+}
+
+// Fills places_ with the parts of the stretch at which the surface is crossed.
+void CutsAlongRay::add_places(const CellMap& map, const CellCrossing& crossing,
+                              const RayStretch& stretch, std::optional<std::size_t> segment,
+                              const Cut& cut) {
+  places_.clear();
+  pieces_.clear();
+  const FieldAlongRay field(kind_, map, {&cut.offsets, 1});
+  if (segment && !cut.offsets.polynomial) {
+    const auto known = cut.pieces.of(*segment);
+    pieces_.assign(known.begin(), known.end());
+  }
+  if (pieces_.empty() && stretch.front < stretch.back) field.along(stretch, pieces_);
+  const auto end_value = [&](const FieldAlongRay::Piece& piece, double t) {
+    return evaluate(piece.fields[0], t);
+  };
+  std::optional<bool> below;  // nothing is known where the stretch is clipped
+  if (stretch.front == crossing.front)
+    below = below_at_face(cut, crossing, crossing.front_face, crossing.front,
+                          pieces_.empty() ? 0 : end_value(pieces_.front(), 0));
+  const double rounding = 2 * field.rounding(stretch, cut.offsets);
+  SignChanges<double> changes(below, places_);
+  for (const FieldAlongRay::Piece& piece : pieces_)
+    changes.follow(piece.fields[0], piece.begin, piece.end, rounding, roots_);
+  if (stretch.back == crossing.back)
+    changes.certain(below_at_face(cut, crossing, crossing.back_face, crossing.back,
+                                  pieces_.empty() ? 0 : end_value(pieces_.back(), 1)),
+                    1, 1);
+  if (frame_.with_error) add_doubts(stretch, cut, cut.error + 2 * rounding);
+}
+
+// In the camera's frame; `rounding`: what its direction is wrong by.
+std::array<double, 3> CutsAlongRay::normal_at(const CellMap& map, const RayStretch& stretch,
+                                              const Cut& cut, double t, double& rounding) const {
+  if (cut.offsets.polynomial) {
+    const auto along = cut.offsets.polynomial->gradient(minus(stretch.at(t), nodes_[0]));
+    return frame_.projector.camera_vector(largest(along) > 0 ? unit(along) : Vector{0, 0, 1});
+  }
+  const CellMap::Point xi = map.reference(stretch.at(t), stretch.guess(map));
+  std::array<std::array<double, 3>, CellMap::kMostNodes> shape;
+  shape_gradients<double>(kind_, xi, shape);
+  std::array<std::array<double, 3>, 3> columns{};
+  std::array<double, 3> gradient{};
+  for (std::size_t k = 0; k < node_count(kind_); ++k)
+    for (std::size_t a = 0; a < 3; ++a) {
+      gradient[a] += shape[k][a] * cut.offsets.values[k];
+      for (std::size_t c = 0; c < 3; ++c)
+        columns[a][c] += shape[k][a] * (nodes_[k][c] - nodes_[0][c]);
+    }
+  if (frame_.with_error) rounding = kAngleUnit * gradient_condition(columns, gradient);
+  return frame_.projector.camera_vector(gradient_direction(columns, gradient));
+}
+
+IsosurfaceCrossing CutsAlongRay::crossing_at(const CellMap& map, const CellCrossing& crossing,
+                                             const RayStretch& stretch, const Cut& cut, double u,
+                                             double moved) const {
+  const Projector& projector = frame_.projector;
+  std::array<double, 3> ray{0, 0, 1};
+  if (projector.perspective()) {
+    const auto [right, up] = projector.slopes(crossing.x + 0.5, crossing.y + 0.5);
+    const double length = projector.ray_scale(crossing.x + 0.5, crossing.y + 0.5);
+    ray = {right / length, up / length, 1 / length};
+  }
+  double angle = 0;
+  IsosurfaceCrossing found;
+  found.surface = cut.surface;
+  found.t = u >= 1 ? stretch.back : stretch.front + u * (stretch.back - stretch.front);
+  const auto normal = normal_at(map, stretch, cut, found.t, angle);
+  found.shade = shade_isosurface(*cut.surface, frame_.isosurfaces.lights, normal, ray);
+  if (!frame_.with_error) return found;
+  found.moved = moved;
+  for (const double t : {std::max(stretch.front, found.t - moved - displacement_.aside),
+                         std::min(stretch.back, found.t + moved + displacement_.aside)}) {
+    double other_angle = 0;
+    const auto other = normal_at(map, stretch, cut, t, other_angle);
+    // normals point to either side
+    const double apart =
+        std::hypot(other[0] - normal[0], other[1] - normal[1], other[2] - normal[2]);
+    const double against =
+        std::hypot(other[0] + normal[0], other[1] + normal[1], other[2] + normal[2]);
+    angle = std::max(angle, other_angle) + 2 * std::min(apart, against);
+  }
+  found.shade_error = shade_bound(*cut.surface, frame_.isosurfaces.lights, normal, ray, angle);
+  return found;
+}
+
+void CutsAlongRay::find(const CellMap& map, const CellCrossing& crossing, const RayStretch& stretch,
+                        std::optional<std::size_t> segment,
+                        std::vector<IsosurfaceCrossing>& found) {
+  found.clear();
+  doubtful_ = false;
+  for (const Cut& cut : cuts_) {
+    add_places(map, crossing, stretch, segment, cut);
+    for (std::size_t i = 0; i < places_.size(); ++i)
+      found.push_back(
+          crossing_at(map, crossing, stretch, cut, places_[i], frame_.with_error ? moved_[i] : 0));
+  }
+  std::ranges::stable_sort(found, {}, &IsosurfaceCrossing::t);
+  if (frame_.with_error && order_doubtful(found)) doubtful_ = true;
+}
+
+}  // namespace hiac

@@ -1,0 +1,319 @@
+// Radiance of ray segments along which fields are quadratic or cubic, compiled once for every
+// instruction set. Include from a file that Highway's foreach_target.h compiles repeatedly.
+
+#if defined(HIAC_RENDER_HIGHER_ORDER_SHADING_INL) == defined(HWY_TARGET_TOGGLE)
+#  ifdef HIAC_RENDER_HIGHER_ORDER_SHADING_INL
+#    undef HIAC_RENDER_HIGHER_ORDER_SHADING_INL
+#  else
+#    define HIAC_RENDER_HIGHER_ORDER_SHADING_INL
+#  endif
+
+#  include <vector>
+
+#  include <hwy/highway.h>
+
+#  include "hiac/element/polar_form-inl.hpp"
+#  include "hiac/render/integrate/rule_choice-inl.hpp"
+#  include "hiac/render/integrate/segment_cuts-inl.hpp"
+#  include "hiac/render/integrate/shading-inl.hpp"
+#  include "hiac/render/integrate/symmetric_rules.hpp"
+#  include "hiac/render/integrate/transparency-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace hiac::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Segments of one vector of pixels: what lies between `begin` and `end` of z in [-1, 1]. Those that
+// do not count have no length. Fields are less their bases.
+template <class V, std::size_t kDegree>
+struct HigherOrderSegments {
+  BernsteinScalar<V, kDegree> color, extinction;  // one and the same where the fields are
+  bool whole;                                     // all from -1 to 1
+  V begin, end;
+  V length;  // world length of z from -1 to 1
+  V weight;  // the transparency in front over the absolute error that may be made of all that
+};
+
+// The optical depth along a piece, sum of alpha_k z^k, and at its end.
+template <class V, std::size_t kDegree>
+struct PieceDepth {
+  V alpha[kDegree + 2];
+  V total;
+};
+
+// A field in the cell at hand, as a walk sees it.
+struct HigherOrderWalkField {
+  IntervalRange intervals;  // of its transfer function, in the cell
+  double base;
+};
+
+// Integrates segments piece by piece, front to back.
+//
+// Segments are cut where a field takes a value at which its transfer function bends
+// (segment_cuts-inl.hpp). On a piece, z from -1 to 1, extinction and colour are polynomials, and so
+// is the optical depth A. With chromaticity, integration by parts leaves
+//     I = kappa(-1) - kappa(1) exp(-A(1)) + integral of kappa' exp(-A),
+// with emission I = length times the mean of g exp(-A). The integrals are Gauss-Legendre sums with
+// as many nodes as the bound of symmetric_rules.hpp asks for, or pieces are halved.
+template <bool kEmission, std::size_t kDegree>
+class HigherOrderWalk {
+ public:
+  HigherOrderWalk(const OpticsTables& optics, const HigherOrderWalkField& color,
+                  const HigherOrderWalkField& extinction)
+      : optics_(optics),
+        color_(color),
+        extinction_(extinction),
+        rules_(symmetric_rules()),
+        ellipses_(bernstein_ellipses()) {}
+
+  template <class D, class V = hn::Vec<D>>
+  HWY_INLINE Radiance<V> run(D d, const HigherOrderSegments<V, kDegree>& s, hn::Mask<D> active) {
+    const V zero = hn::Zero(d), half = hn::Set(d, 0.5);
+    Radiance<V> sum{zero, zero, zero, hn::Set(d, 1.0)};
+    Piece<V> all;
+    all.extinction = powers_of(d, s.extinction);
+    if (!optics_.same_field) all.color = powers_of(d, s.color);
+    all.length = s.length;
+    all.weight = s.weight;
+    find_cuts(d, s, all, active);
+    Piece<V> part;
+    bool whole = s.whole && cuts_.none();
+    V z = s.begin, next = s.end, step = hn::Sub(s.end, s.begin);
+    int halvings = 0;
+    active = hn::And(active, hn::Lt(z, s.end));
+    while (!hn::AllFalse(d, active)) {
+      if (!whole) {
+        next = cuts_.next(d, z, hn::Min(s.end, hn::Add(z, step)));
+        cut_out(d, all, z, next, part);
+      }
+      if (!add_piece(d, whole ? all : part, active, halvings < kMostHalvings, sum)) {
+        ++halvings;
+        step = hn::Mul(step, half);
+        whole = false;
+        continue;
+      }
+      if (whole) break;
+      z = hn::IfThenElse(active, next, z);
+      active = hn::And(active, hn::Lt(z, s.end));
+      // what is behind this adds less than rounding
+      active = hn::And(active, hn::Gt(sum.transparency, hn::Set(d, kInvisible)));
+      if (halvings == 0) continue;
+      // the lane that needed such short pieces may have come to its end
+      --halvings;
+      step = hn::Add(step, step);
+    }
+    return sum;
+  }
+
+ private:
+  static constexpr int kMostHalvings = 40;
+  static constexpr double kInvisible = 1e-20;
+  // of the integrand: kappa' or g
+  static constexpr std::size_t kFactorDegree = kEmission ? kDegree : kDegree - 1;
+
+  // A part of the segments on which no transfer function bends: fields on [-1, 1].
+  template <class V>
+  struct Piece {
+    PowerScalar<V, kDegree> extinction, color;  // colour: where the fields are two
+    V length, weight;
+  };
+
+  // Where fields take the values of breakpoints, if anywhere.
+  template <class D, class V>
+  HWY_INLINE void find_cuts(D d, const HigherOrderSegments<V, kDegree>& s, const Piece<V>& all,
+                            hn::Mask<D> active) {
+    cuts_.clear();
+    const auto add = [&](const BernsteinScalar<V, kDegree>& f,
+                         const PowerScalar<V, kDegree>& powers, const std::vector<double>& upper,
+                         const HigherOrderWalkField& field) {
+      return cuts_.add(d, f, powers, upper, field.base, field.intervals, active);
+    };
+    extinction_here_ = add(s.extinction, all.extinction, optics_.extinction.upper, extinction_);
+    color_here_ = optics_.same_field ? extinction_here_
+                                     : add(s.color, all.color, optics_.color.upper, color_);
+  }
+
+  template <class D, class V>
+  HWY_INLINE void cut_out(D d, const Piece<V>& all, V begin, V end, Piece<V>& part) const {
+    const V half = hn::Set(d, 0.5);
+    const V middle = hn::Mul(half, hn::Add(begin, end)), share = hn::Mul(half, hn::Sub(end, begin));
+    part.extinction = part_of(all.extinction, middle, share);
+    if (!optics_.same_field) part.color = part_of(all.color, middle, share);
+    part.length = hn::Mul(all.length, share);
+    part.weight = hn::Div(all.weight, share);
+  }
+
+  // The intervals in which a field is in the middle; neighbouring rays' are mostly one.
+  template <std::size_t N, class D, class V>
+  static HWY_INLINE IntervalReader<D> reader_of(D d, const TransferTable<N>& table,
+                                                IntervalRange range, double base, V middle) {
+    if (range.low == range.high) return IntervalReader<D>(d, range.low);
+    const hn::RebindToSigned<D> di;
+    auto interval = hn::Set(di, static_cast<std::int64_t>(range.low));
+    for (std::size_t k = range.low; k < range.high; ++k) {
+      const auto passed = hn::Ge(middle, hn::Set(d, table.upper[k] - base));
+      interval = hn::Sub(interval, hn::VecFromMask(di, hn::RebindMask(di, passed)));
+    }
+    const std::int64_t first = hn::GetLane(interval);
+    if (hn::AllTrue(di, hn::Eq(interval, hn::Set(di, first))))
+      return IntervalReader<D>(d, static_cast<std::size_t>(first));
+    return IntervalReader<D>(d, interval);
+  }
+
+  // Of an extinction offset + slope f.
+  template <class D, class V>
+  static HWY_INLINE PieceDepth<V, kDegree> depth_of(D d, const PowerScalar<V, kDegree>& f, V offset,
+                                                    V slope, V length) {
+    static constexpr double kInverse[] = {1, 0.5, 1.0 / 3, 0.25};
+    PieceDepth<V, kDegree> depth;
+    const V scale = hn::Mul(hn::Set(d, 0.5), length);
+    slope = hn::Mul(slope, scale);
+    depth.alpha[1] = hn::MulAdd(slope, f.c[0], hn::Mul(offset, scale));
+    V even = hn::Zero(d), odd = depth.alpha[1];
+    for (std::size_t k = 1; k <= kDegree; ++k) {
+      depth.alpha[k + 1] = hn::Mul(hn::Mul(slope, f.c[k]), hn::Set(d, kInverse[k]));
+      (k % 2 == 0 ? odd : even) = hn::Add(k % 2 == 0 ? odd : even, depth.alpha[k + 1]);
+    }
+    // no depth at the front
+    depth.alpha[0] = hn::Sub(odd, even);
+    depth.total = hn::Max(hn::Add(odd, odd), hn::Zero(d));
+    return depth;
+  }
+
+  // The transfer function of colour on a piece: value + slope * (f - anchor), f less the base.
+  template <class V>
+  struct Channels {
+    V anchor, value[3], slope[3];
+  };
+  template <class D, class V = hn::Vec<D>>
+  HWY_INLINE Channels<V> channels_of(D d, const IntervalReader<D>& reader, double base) const {
+    Channels<V> c;
+    c.anchor = hn::Sub(reader(optics_.color.anchor), hn::Set(d, base));
+    for (std::size_t k = 0; k < 3; ++k) {
+      c.value[k] = reader(optics_.color.value[k]);
+      c.slope[k] = reader(optics_.color.slope[k]);
+    }
+    return c;
+  }
+
+  template <class V>
+  static HWY_INLINE V largest(const V (&v)[3]) {
+    return hn::Max(hn::Max(hn::Abs(v[0]), hn::Abs(v[1])), hn::Abs(v[2]));
+  }
+
+  // False when no rule meets what is allowed of the piece and it `may_refuse`.
+  template <class D, class V>
+  HWY_INLINE bool add_piece(D d, const Piece<V>& piece, hn::Mask<D> active, bool may_refuse,
+                            Radiance<V>& sum) {
+    const PowerScalar<V, kDegree>& field = optics_.same_field ? piece.extinction : piece.color;
+    const auto extinction =
+        reader_of(d, optics_.extinction, extinction_here_, extinction_.base, piece.extinction.c[0]);
+    const auto color = optics_.same_field ? extinction
+                                          : reader_of(d, optics_.color, color_here_, color_.base,
+                                                      piece.color.c[0]);
+    const Channels<V> channels = channels_of(d, color, color_.base);
+    const V slope = extinction(optics_.extinction.slope[0]);
+    const V anchor = hn::Sub(extinction(optics_.extinction.anchor), hn::Set(d, extinction_.base));
+    const V offset = hn::NegMulAdd(slope, anchor, extinction(optics_.extinction.value[0]));
+    const auto depth = depth_of(d, piece.extinction, offset, slope, piece.length);
+    // f less the anchor for emission, else f' times the length of a piece
+    V factor[kFactorDegree + 1];
+    if constexpr (kEmission) {
+      factor[0] = hn::Sub(field.c[0], channels.anchor);
+      for (std::size_t k = 1; k <= kDegree; ++k) factor[k] = field.c[k];
+    } else {
+      for (std::size_t k = 1; k <= kDegree; ++k)
+        factor[k - 1] = hn::Mul(hn::Set(d, 2.0 * static_cast<double>(k)), field.c[k]);
+    }
+    const std::size_t nodes = nodes_for(d, depth, factor, channels, piece,
+                                        hn::Mul(sum.transparency, piece.weight), active);
+    if (nodes == 0 && may_refuse) return false;
+    const SymmetricRule& rule = rules_[(nodes == 0 ? kMostSymmetricNodes : nodes) - 1];
+    const Thickness thickness(
+        hn::GetLane(hn::MaxOfLanes(d, hn::IfThenElseZero(active, depth.total))));
+    const V zeta = transparency(d, depth.total, thickness);
+    const Means<V> means = means_of(d, rule, depth, thickness, factor);
+    V constant, linear;  // a channel is value * constant + slope * linear
+    if constexpr (kEmission) {
+      constant = hn::Mul(piece.length, means.of_one);
+      linear = hn::Mul(piece.length, means.of_factor);
+    } else {
+      V even = hn::Sub(field.c[0], channels.anchor), odd = field.c[1];
+      for (std::size_t k = 2; k <= kDegree; ++k)
+        (k % 2 == 0 ? even : odd) = hn::Add(k % 2 == 0 ? even : odd, field.c[k]);
+      constant = hn::Sub(hn::Set(d, 1.0), zeta);
+      linear =
+          hn::Add(hn::NegMulAdd(hn::Add(even, odd), zeta, hn::Sub(even, odd)), means.of_factor);
+    }
+    const auto channel = [&](std::size_t c) {
+      return hn::MulAdd(channels.slope[c], linear, hn::Mul(channels.value[c], constant));
+    };
+    add_behind(Radiance<V>{channel(0), channel(1), channel(2), zeta}, active, sum);
+    return true;
+  }
+
+  template <class D, class V>
+  HWY_INLINE std::size_t nodes_for(D d, const PieceDepth<V, kDegree>& depth,
+                                   const V (&factor)[kFactorDegree + 1],
+                                   const Channels<V>& channels, const Piece<V>& piece, V weight,
+                                   hn::Mask<D> active) {
+    FactorBound<V, kFactorDegree> bound;
+    for (std::size_t k = 0; k <= kFactorDegree; ++k) bound.size[k] = hn::Abs(factor[k]);
+    bound.brightest = hn::Zero(d);
+    if constexpr (kEmission) {
+      weight = hn::Mul(weight, piece.length);
+      bound.brightest = hn::Mul(weight, largest(channels.value));
+    }
+    bound.steepness = hn::Mul(weight, largest(channels.slope));
+    return nodes_needed<kDegree + 1, kFactorDegree>(d, ellipses_, depth.alpha, bound, active,
+                                                    ellipse_);
+  }
+
+  // Means over a piece of exp(-A), which emission needs, and of exp(-A) times a factor.
+  template <class V>
+  struct Means {
+    V of_one, of_factor;
+  };
+
+  template <class D, class V>
+  static HWY_INLINE Means<V> means_of(D d, const SymmetricRule& rule,
+                                      const PieceDepth<V, kDegree>& depth,
+                                      const Thickness& thickness,
+                                      const V (&factor)[kFactorDegree + 1]) {
+    V moment[kFactorDegree + 1];  // of exp(-A) z^k
+    for (V& m : moment) m = hn::Zero(d);
+    if (rule.middle != 0)
+      moment[0] = hn::Mul(hn::Set(d, rule.middle), transparency(d, depth.alpha[0], thickness));
+    for (std::size_t k = 0; k < rule.pairs; ++k) {
+      const V z = hn::Set(d, rule.z[k]), square = hn::Mul(z, z);
+      V even = hn::MulAdd(square, depth.alpha[2], depth.alpha[0]);
+      if constexpr (kDegree == 3) even = hn::MulAdd(hn::Mul(square, square), depth.alpha[4], even);
+      const V odd = hn::Mul(z, hn::MulAdd(square, depth.alpha[3], depth.alpha[1]));
+      V zeta[2] = {hn::Sub(even, odd), hn::Add(even, odd)};
+      replace_by_transparencies(d, zeta, thickness);
+      const auto& [before, behind] = zeta;
+      const V both = hn::Mul(hn::Set(d, rule.weight[k]), hn::Add(behind, before));
+      const V apart = hn::Mul(hn::Set(d, rule.weight[k] * rule.z[k]), hn::Sub(behind, before));
+      moment[0] = hn::Add(moment[0], both);
+      moment[1] = hn::Add(moment[1], apart);
+      for (std::size_t j = 2; j <= kFactorDegree; ++j)
+        moment[j] = hn::MulAdd(square, j % 2 == 0 ? both : apart, moment[j]);
+    }
+    V sum = hn::Mul(factor[0], moment[0]);
+    for (std::size_t j = 1; j <= kFactorDegree; ++j) sum = hn::MulAdd(factor[j], moment[j], sum);
+    return {moment[0], sum};
+  }
+
+  const OpticsTables& optics_;
+  HigherOrderWalkField color_, extinction_;         // of the cell
+  IntervalRange color_here_{}, extinction_here_{};  // of the segments at hand
+  SegmentCuts<kDegree> cuts_;
+  const SymmetricRules& rules_;
+  const BernsteinEllipses& ellipses_;
+  EllipseChoice ellipse_;
+};
+
+}  // namespace hiac::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

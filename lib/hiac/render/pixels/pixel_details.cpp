@@ -1,0 +1,31 @@
+#include "hiac/render/pixels/pixel_details.hpp"
+
+#include <algorithm>
+
+namespace hiac {
+
+void PixelDetails::add(const SegmentDetails& segment, double visible, double light) {
+  constexpr double kUnit = 0x1p-53;
+  ++cells;
+  if (segment.out_of_order) ++violations;
+  if (segment.transparency < 1 || segment.light > 0) first = std::min(first, segment.first);
+  const double opacity = visible * (1 - segment.transparency);
+  weight += opacity;
+  weighted_depth += opacity * segment.mean;
+
+  if (segment.front != last) {
+    // the ray came through empty space
+    const double edges = open_edge + (visible + transparency_error) * segment.front_edge;
+    radiance_error += edges;
+    transparency_error += edges;
+  }
+  const double most_visible = visible + transparency_error;
+  radiance_error += most_visible * segment.radiance_error + transparency_error * segment.light +
+                    4 * kUnit * (light + visible * segment.light);
+  transparency_error = transparency_error * segment.transparency +
+                       most_visible * segment.transparency_error + 2 * kUnit * visible;
+  open_edge = most_visible * segment.back_edge;
+  last = segment.back;
+}
+
+}  // namespace hiac

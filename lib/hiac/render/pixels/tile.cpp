@@ -1,0 +1,89 @@
+#include "hiac/render/pixels/tile.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace hiac {
+
+void TileBuffer::reset(const TileRect& tile, const Projector& projector, bool with_details) {
+  red.fill(0);
+  green.fill(0);
+  blue.fill(0);
+  transparency.fill(1);
+  last.fill(-std::numeric_limits<double>::infinity());
+  ray_scale.fill(1);
+  details.assign(with_details ? red.size() : 0, {});
+  if (!projector.perspective()) return;
+  for (int y = tile.y0; y < tile.y1; ++y)
+    for (int x = tile.x0; x < tile.x1; ++x)
+      ray_scale[static_cast<std::size_t>(y - tile.y0) * kTileStride +
+                static_cast<std::size_t>(x - tile.x0)] = projector.ray_scale(x + 0.5, y + 0.5);
+}
+
+void TileBuffer::describe(std::size_t at, const SegmentDetails& segment) {
+  const double light = std::max({red[at], green[at], blue[at]});
+  details[at].add(segment, transparency[at], light);
+}
+
+void SegmentList::clear() {
+  pixel.clear();
+  details.clear();
+  for (auto* array : {&front, &back, &red, &green, &blue, &transparency}) array->clear();
+}
+
+void SegmentList::append(std::uint32_t at, double t_front, double t_back, double r, double g,
+                         double b, double zeta) {
+  pixel.push_back(at);
+  front.push_back(t_front);
+  back.push_back(t_back);
+  red.push_back(r);
+  green.push_back(g);
+  blue.push_back(b);
+  transparency.push_back(zeta);
+}
+
+bool SegmentList::nearer(std::uint32_t a, std::uint32_t b) const {
+  if (front[a] != front[b]) return front[a] < front[b];
+  return back[a] != back[b] ? back[a] < back[b] : a < b;
+}
+
+void composite_sorted(const SegmentList& segments, double witness_tolerance, TileBuffer& buffer,
+                      TileCounts& counts) {
+  // counting sort by pixel, then a comparison sort of each pixel's few segments by depth
+  std::vector<std::uint32_t> start(kTileStride * kTileHeight + 1, 0);
+  for (const std::uint32_t p : segments.pixel) ++start[p + 1];
+  for (std::size_t p = 1; p < start.size(); ++p) start[p] += start[p - 1];
+  std::vector<std::uint32_t> sorted(segments.size());
+  std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
+  for (std::uint32_t s = 0; s < segments.size(); ++s) sorted[next[segments.pixel[s]]++] = s;
+
+  const auto nearer = [&](std::uint32_t a, std::uint32_t b) { return segments.nearer(a, b); };
+  for (std::size_t p = 0; p + 1 < start.size(); ++p) {
+    std::sort(sorted.begin() + start[p], sorted.begin() + start[p + 1], nearer);
+    double red = buffer.red[p], green = buffer.green[p], blue = buffer.blue[p];
+    double transparency = buffer.transparency[p], last = buffer.last[p];
+    for (std::uint32_t i = start[p]; i < start[p + 1]; ++i) {
+      const std::uint32_t s = sorted[i];
+      // a segment shorter than the tolerance may be rounding, and lie anywhere
+      if (segments.front[s] < last - witness_tolerance &&
+          segments.back[s] - segments.front[s] > witness_tolerance) {
+        ++counts.violations;
+        if (!segments.details.empty()) ++buffer.details[p].violations;
+      }
+      if (!segments.details.empty())
+        buffer.details[p].add(segments.details[s], transparency, std::max({red, green, blue}));
+      last = std::max(last, segments.back[s]);
+      red += transparency * segments.red[s];
+      green += transparency * segments.green[s];
+      blue += transparency * segments.blue[s];
+      transparency *= segments.transparency[s];
+    }
+    buffer.red[p] = red;
+    buffer.green[p] = green;
+    buffer.blue[p] = blue;
+    buffer.transparency[p] = transparency;
+    buffer.last[p] = last;
+  }
+}
+
+}  // namespace hiac

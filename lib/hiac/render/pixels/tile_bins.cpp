@@ -1,0 +1,188 @@
+#include "hiac/render/pixels/tile_bins.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hiac/base/parallel.hpp"
+#include "hiac/render/cells/curved_faces.hpp"
+#include "hiac/render/quadratic_bspline.hpp"
+#include "hiac/render/splatting.hpp"
+
+namespace hiac {
+namespace {
+
+constexpr int kWidth = static_cast<int>(kTileWidth), kHeight = static_cast<int>(kTileHeight);
+constexpr std::size_t kCellsPerChunk = 1 << 14;
+
+// Tiles by column and row, half open.
+struct TileRange {
+  int column0, row0, column1, row1;
+};
+
+// The first pixel whose centre is at or after the coordinate, within [0, count].
+int first_center(double coordinate, int count) {
+  return static_cast<int>(std::ceil(std::clamp(coordinate - 0.5, 0.0, static_cast<double>(count))));
+}
+
+struct Box {
+  double x0 = std::numeric_limits<double>::infinity(), y0 = x0, x1 = -x0, y1 = -x0;
+
+  void include(double x, double y) {
+    x0 = std::min(x0, x);
+    y0 = std::min(y0, y);
+    x1 = std::max(x1, x);
+    y1 = std::max(y1, y);
+  }
+};
+
+class Binner {
+ public:
+  Binner(const Frame& frame, ImageSize size, const PixelRect& part)
+      : frame_(frame),
+        width_(static_cast<int>(size.width)),
+        height_(static_cast<int>(size.height)),
+        all_(tiles_between(static_cast<int>(part.x), static_cast<int>(part.y),
+                           static_cast<int>(part.x + part.width),
+                           static_cast<int>(part.y + part.height))) {}
+
+  // The tiles that there are.
+  [[nodiscard]] const TileRange& all() const { return all_; }
+
+  [[nodiscard]] TileRange range(CellId cell) const {
+    if (frame_.is_splatted(cell)) return tiles_of_splat(splat_of(frame_, cell));
+    if (order_of(frame_.mesh.kinds[cell]) != CellOrder::linear && frame_.is_curved(cell))
+      return range_of_curved(cell);
+    const auto nodes = frame_.mesh.cell_nodes(cell).first(corner_count(frame_.mesh.kinds[cell]));
+    Box box;
+    double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
+    bool projectable = true;
+    for (const NodeId node : nodes) {
+      const ProjectedNode& p = frame_.nodes[node];
+      if (std::isnan(p.depth)) projectable = false;
+      box.include(p.x, p.y);
+      nearest = std::min(nearest, p.depth);
+      farthest = std::max(farthest, p.depth);
+    }
+    if (!projectable) return range_beside_eye(nodes);
+    if (frame_.projector.perspective()) {
+      nearest = -1 / nearest;
+      farthest = -1 / farthest;
+    }
+    if (nearest > frame_.projector.far() || farthest < frame_.projector.near()) return {};
+    return tiles_of(box);
+  }
+
+ private:
+  // With curved edges.
+  [[nodiscard]] TileRange range_of_curved(CellId cell) const {
+    const ScreenBounds bounds = bounds_of_curved_cell(frame_, cell);
+    if (bounds.nearest > frame_.projector.far() || bounds.farthest < frame_.projector.near())
+      return {};
+    if (!bounds.in_front) return all_;
+    return tiles_of({bounds.x0, bounds.y0, bounds.x1, bounds.y1});
+  }
+
+  [[nodiscard]] TileRange tiles_of(const Box& box) const {
+    const int x0 = first_center(box.x0, width_), x1 = first_center(box.x1, width_);
+    const int y0 = first_center(box.y0, height_), y1 = first_center(box.y1, height_);
+    if (x0 >= x1 || y0 >= y1) return {};
+    const TileRange range = tiles_between(x0, y0, x1, y1);
+    return {std::max(range.column0, all_.column0), std::max(range.row0, all_.row0),
+            std::min(range.column1, all_.column1), std::min(range.row1, all_.row1)};
+  }
+
+  // Wherever its kernel reaches.
+  [[nodiscard]] TileRange tiles_of_splat(const Splat& splat) const {
+    Box box;
+    box.include(splat.x - kBsplineReach, splat.y - kBsplineReach);
+    box.include(splat.x + kBsplineReach, splat.y + kBsplineReach);
+    return tiles_of(box);
+  }
+
+  // Of columns [x0, x1) and rows [y0, y1), neither empty.
+  static TileRange tiles_between(int x0, int y0, int x1, int y1) {
+    return {x0 / kWidth, y0 / kHeight, (x1 - 1) / kWidth + 1, (y1 - 1) / kHeight + 1};
+  }
+
+  // A cell that reaches beside or behind the eye: wholly behind it is not seen, and of the rest
+  // nothing is said.
+  [[nodiscard]] TileRange range_beside_eye(std::span<const NodeId> nodes) const {
+    double farthest = -std::numeric_limits<double>::infinity();
+    for (const NodeId node : nodes)
+      farthest = std::max(farthest, frame_.projector.parameter(frame_.mesh.position(node)));
+    if (!(farthest > frame_.projector.near())) return {};
+    return all_;
+  }
+
+  const Frame& frame_;
+  int width_, height_;
+  TileRange all_;
+};
+
+std::vector<TileRect> make_tiles(const TileRange& all, ImageSize size) {
+  std::vector<TileRect> tiles;
+  for (int row = all.row0; row < all.row1; ++row)
+    for (int column = all.column0; column < all.column1; ++column)
+      tiles.push_back({column * kWidth, row * kHeight,
+                       std::min((column + 1) * kWidth, static_cast<int>(size.width)),
+                       std::min((row + 1) * kHeight, static_cast<int>(size.height))});
+  return tiles;
+}
+
+template <typename Visit>
+void for_each_tile(const TileRange& range, const TileRange& all, const Visit& visit) {
+  for (int row = range.row0; row < range.row1; ++row)
+    for (int column = range.column0; column < range.column1; ++column)
+      visit(static_cast<std::size_t>(row - all.row0) *
+                static_cast<std::size_t>(all.column1 - all.column0) +
+            static_cast<std::size_t>(column - all.column0));
+}
+
+}  // namespace
+
+TileBins bin_cells(const Frame& frame, const VisibilityOrder& order, ImageSize size,
+                   const PixelRect& part) {
+  const Binner binner(frame, size, part);
+  TileBins bins;
+  bins.tiles = make_tiles(binner.all(), size);
+  const std::size_t tile_count = bins.tiles.size(), cells = order.cells.size();
+  const std::size_t chunks = (cells + kCellsPerChunk - 1) / kCellsPerChunk;
+
+  // in the order in which cells lie in memory, which the visibility order is far from
+  std::vector<TileRange> ranges(frame.mesh.cell_count());
+  parallel_for(ranges.size(), kCellsPerChunk, [&](IndexRange range) {
+    for (std::size_t cell = range.begin; cell < range.end; ++cell)
+      ranges[cell] = binner.range(static_cast<CellId>(cell));
+  });
+
+  // count by chunk and tile, then every chunk knows where in each tile's run to write
+  std::vector<std::uint32_t> counts(chunks * tile_count, 0);
+  parallel_for(cells, kCellsPerChunk, [&](IndexRange range) {
+    std::uint32_t* count = counts.data() + range.begin / kCellsPerChunk * tile_count;
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      for_each_tile(ranges[order.cells[i]], binner.all(), [&](std::size_t tile) { ++count[tile]; });
+  });
+  bins.start.assign(tile_count + 1, 0);
+  for (std::size_t tile = 0; tile < tile_count; ++tile) {
+    std::uint64_t at = bins.start[tile];
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk) at += counts[chunk * tile_count + tile];
+    bins.start[tile + 1] = at;
+  }
+  bins.ranks.resize(bins.start.back());
+  parallel_for(chunks, 1, [&](IndexRange chunk) {
+    const std::size_t c = chunk.begin;
+    std::vector<std::uint64_t> next(bins.start.begin(), bins.start.end() - 1);
+    for (std::size_t before = 0; before < c; ++before)
+      for (std::size_t tile = 0; tile < tile_count; ++tile)
+        next[tile] += counts[before * tile_count + tile];
+    const std::size_t end = std::min(cells, (c + 1) * kCellsPerChunk);
+    for (std::size_t i = c * kCellsPerChunk; i < end; ++i)
+      for_each_tile(ranges[order.cells[i]], binner.all(), [&](std::size_t tile) {
+        bins.ranks[next[tile]++] = static_cast<std::uint32_t>(i);
+      });
+  });
+  return bins;
+}
+
+}  // namespace hiac

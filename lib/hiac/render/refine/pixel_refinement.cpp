@@ -1,0 +1,111 @@
+#include "hiac/render/refine/pixel_refinement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "hiac/frame/cell_groups.hpp"
+#include "hiac/render/bounds/error_bound.hpp"
+
+namespace hiac {
+namespace {
+
+using Real = long double;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Of the tolerance: larger bounds are looked into.
+constexpr double kLargeBound = 0.1;
+// Of the transparency at which the engine ends a ray: what is behind that is not seen here.
+constexpr double kEndSooner = 0x1p-10;
+
+}  // namespace
+
+PixelRefinement::PixelRefinement(const Frame& frame, const VisibilityOrder& order,
+                                 const TileRect& tile, std::span<const std::uint32_t> ranks)
+    : frame_(frame),
+      order_(order),
+      tile_(tile),
+      ranks_(ranks),
+      segments_(frame),
+      cell_segments_(frame) {}
+
+void PixelRefinement::set_boxes() {
+  boxes_.reserve(ranks_.size());
+  for (const std::uint32_t rank : ranks_) {
+    const CellId cell = order_.cells[rank];
+    Box box{kInfinity, kInfinity, -kInfinity, -kInfinity};
+    bool bounded = order_of(frame_.mesh.kinds[cell]) == CellOrder::linear;
+    for (const NodeId id : frame_.mesh.cell_nodes(cell)) {
+      const ProjectedNode& p = frame_.nodes[id];
+      bounded = bounded && !std::isnan(p.depth);
+      box = {std::min(box.x0, p.x), std::min(box.y0, p.y), std::max(box.x1, p.x),
+             std::max(box.y1, p.y)};
+    }
+    if (!bounded) box = {-kInfinity, -kInfinity, kInfinity, kInfinity};
+    boxes_.push_back(box);
+  }
+}
+
+bool PixelRefinement::may_meet(std::size_t i, int x, int y) const {
+  constexpr double kSlack = 0x1p-20;  // pixels; ample
+  const Box& box = boxes_[i];
+  return x + 0.5 >= box.x0 - kSlack && x + 0.5 <= box.x1 + kSlack && y + 0.5 >= box.y0 - kSlack &&
+         y + 0.5 <= box.y1 + kSlack;
+}
+
+PixelRefinement::Met PixelRefinement::find(CellId cell, int x, int y, ExtendedSegment& segment) {
+  const CellKind kind = frame_.mesh.kinds[cell];
+  if (kind == CellKind::tetrahedron4) return segments_.find(cell, x, y, segment);
+  return order_of(kind) == CellOrder::linear ? cell_segments_.find(cell, x, y, segment)
+                                             : Met::doubtful;
+}
+
+void PixelRefinement::composite(const ExtendedSegment& segment, Again& pixel) const {
+  if (pixel.ended) return;
+  const auto light = static_cast<double>(std::ranges::max(pixel.light.rgb));
+  pixel.details.add(segment.details, static_cast<double>(pixel.light.transparency), light);
+  pixel.light.add_behind(segment.light);
+  pixel.ended = pixel.light.transparency <= kEndSooner * frame_.least_transparency;
+}
+
+std::optional<PixelRefinement::Again> PixelRefinement::compute_again(int x, int y) {
+  if (boxes_.empty()) set_boxes();
+  Again pixel;
+  std::vector<ExtendedSegment> in_group;
+  for (std::size_t i = 0; i < ranks_.size() && !pixel.ended;) {
+    const CellGroup* group = group_of(order_, ranks_[i]);
+    const std::uint32_t stop = group != nullptr ? group->first + group->count : ranks_[i] + 1;
+    in_group.clear();
+    for (; i < ranks_.size() && ranks_[i] < stop; ++i) {
+      if (!may_meet(i, x, y)) continue;
+      ExtendedSegment segment;
+      const Met met = find(order_.cells[ranks_[i]], x, y, segment);
+      if (met == Met::doubtful) return std::nullopt;
+      if (met == Met::once) in_group.push_back(segment);
+    }
+    std::ranges::stable_sort(in_group, {},
+                             [](const ExtendedSegment& s) { return std::pair(s.front, s.back); });
+    for (const ExtendedSegment& segment : in_group) composite(segment, pixel);
+  }
+  return pixel;
+}
+
+double PixelRefinement::error(const Drawn& pixel, double background) {
+  const double bound = pixel_error(frame_, *pixel.details, pixel.transparency,
+                                   pixel.transparency <= frame_.least_transparency, background);
+  if (bound <= kLargeBound * frame_.tolerance) return bound;
+  const auto again = compute_again(pixel.x, pixel.y);
+  if (!again) return bound;
+  Real light = 0;
+  for (std::size_t c = 0; c < 3; ++c)
+    light = std::max(light, std::abs(again->light.rgb[c] - pixel.rgb[c]));
+  const Real shade = std::abs(again->light.transparency - pixel.transparency);
+  const auto difference = static_cast<double>(std::max(light + shade * background, shade));
+  const auto transparency = static_cast<double>(again->light.transparency);
+  return std::min(bound, difference + pixel_error(frame_, again->details, transparency,
+                                                  again->ended, background));
+}
+
+}  // namespace hiac

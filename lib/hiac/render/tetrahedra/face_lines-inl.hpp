@@ -1,0 +1,148 @@
+// Where rays of a row of pixels enter and leave a linear tetrahedron, compiled once for every
+// instruction set. Include from a file that Highway's foreach_target.h compiles repeatedly.
+
+#if defined(HIAC_RENDER_FACE_LINES_INL) == defined(HWY_TARGET_TOGGLE)
+#  ifdef HIAC_RENDER_FACE_LINES_INL
+#    undef HIAC_RENDER_FACE_LINES_INL
+#  else
+#    define HIAC_RENDER_FACE_LINES_INL
+#  endif
+
+#  include <cstddef>
+
+#  include <hwy/highway.h>
+
+#  include "hiac/render/tetrahedra/scan_conversion-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace hiac::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// FacePlanes along a row of pixels (index: face): quantities change by `per_column` from pixel to
+// pixel, from what they are at the first pixel of the face's run. From there on they stay within
+// the face's values, so that nothing cancels however steep the face.
+struct FaceLines {
+  HWY_ALIGN double first[4], last[4];  // columns: the run's first pixel and its last
+  HWY_ALIGN double m[4], s[4];         // barycentric coordinates of the first pixel
+  struct Quantity {
+    HWY_ALIGN double at_first[4], per_column[4];
+  };
+  Quantity depth, color, extinction;
+};
+
+// What the rows of a cell have in common.
+HWY_INLINE void set_per_column(const FacePlanes& planes, const FacePlanes::Quantity& q,
+                               FaceLines::Quantity& line) {
+  const hn::CappedTag<double, 4> d;
+  for (std::size_t f = 0; f < 4; f += hn::Lanes(d)) {
+    const auto s = hn::Load(d, planes.cx + f);
+    const auto m = hn::NegMulAdd(hn::Load(d, planes.h + f), s, hn::Load(d, planes.gx + f));
+    hn::Store(hn::MulAdd(s, hn::Load(d, q.qs + f), hn::Mul(m, hn::Load(d, q.qm + f))), d,
+              line.per_column + f);
+  }
+}
+
+// One row of one quantity. `lines`: of this row.
+HWY_INLINE void set_at_first(const FaceLines& lines, const FacePlanes::Quantity& q,
+                             FaceLines::Quantity& line) {
+  const hn::CappedTag<double, 4> d;
+  for (std::size_t f = 0; f < 4; f += hn::Lanes(d)) {
+    const auto m = hn::Load(d, lines.m + f), s = hn::Load(d, lines.s + f);
+    hn::Store(hn::MulAdd(s, hn::Load(d, q.qs + f),
+                         hn::MulAdd(m, hn::Load(d, q.qm + f), hn::Load(d, q.q0 + f))),
+              d, line.at_first + f);
+  }
+}
+
+// One row.
+template <bool kSeparateFields>
+HWY_INLINE void set_row(const FacePlanes& planes, const FaceRuns& runs, int row, FaceLines& lines) {
+  const hn::CappedTag<double, 4> d;
+  const auto r = static_cast<std::size_t>(row - runs.row_begin);
+  const auto y = hn::Set(d, row + 0.5), half = hn::Set(d, 0.5), one = hn::Set(d, 1.0);
+  for (std::size_t f = 0; f < 4; f += hn::Lanes(d)) {
+    const auto first = hn::Load(d, runs.first[r] + f);
+    const auto dx = hn::Sub(hn::Add(first, half), hn::Load(d, planes.base_x + f));
+    const auto dy = hn::Sub(y, hn::Load(d, planes.base_y + f));
+    const auto s =
+        hn::MulAdd(dx, hn::Load(d, planes.cx + f), hn::Mul(dy, hn::Load(d, planes.cy + f)));
+    const auto m = hn::NegMulAdd(
+        hn::Load(d, planes.h + f), s,
+        hn::MulAdd(dx, hn::Load(d, planes.gx + f), hn::Mul(dy, hn::Load(d, planes.gy + f))));
+    hn::Store(first, d, lines.first + f);
+    hn::Store(hn::Sub(hn::Load(d, runs.last[r] + f), one), d, lines.last + f);
+    hn::Store(m, d, lines.m + f);
+    hn::Store(s, d, lines.s + f);
+  }
+  set_at_first(lines, planes.depth, lines.depth);
+  set_at_first(lines, planes.extinction, lines.extinction);
+  if constexpr (kSeparateFields) set_at_first(lines, planes.color, lines.color);
+}
+
+// From the first pixel of a face's run.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V columns_from_first(D d, const FaceLines& lines, std::size_t f, V pixel) {
+  return hn::Sub(pixel, hn::Set(d, lines.first[f]));
+}
+
+// Whether a pixel lies in a face's run. `dx`: columns_from_first.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> in_run(D d, const FaceLines& lines, std::size_t f, V pixel, V dx) {
+  return hn::Ge(hn::Min(dx, hn::Sub(hn::Set(d, lines.last[f]), pixel)), hn::Zero(d));
+}
+
+// `dx`: pixels from the first of the face's run.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V on_line(D d, const FaceLines::Quantity& line, std::size_t f, V dx) {
+  return hn::MulAdd(dx, hn::Set(d, line.per_column[f]), hn::Set(d, line.at_first[f]));
+}
+
+// Where the rays of a row of pixels enter and leave the cell, and the fields there.
+template <class V>
+struct EntryAndExit {
+  V front, back;  // depth
+  V front_color, back_color, front_extinction, back_extinction;
+};
+
+// Of the faces [begin, end) of `sides`, the one that covers each pixel: its depth and the fields
+// there. A pixel of the cell is covered by one face of either side, so the first needs no asking.
+template <bool kSeparateFields, class D, class V = hn::Vec<D>>
+HWY_INLINE void meet_faces(D d, const FaceLines& lines, V pixel, const FaceSides& sides,
+                           std::size_t begin, std::size_t end, V& depth, V& color, V& extinction) {
+  const std::size_t first = sides.face[begin];
+  const V from_first = columns_from_first(d, lines, first, pixel);
+  depth = on_line(d, lines.depth, first, from_first);
+  extinction = on_line(d, lines.extinction, first, from_first);
+  color = extinction;
+  if constexpr (kSeparateFields) color = on_line(d, lines.color, first, from_first);
+  for (std::size_t k = begin + 1; k < end; ++k) {
+    const std::size_t f = sides.face[k];
+    const V dx = columns_from_first(d, lines, f, pixel);
+    const auto covered = in_run(d, lines, f, pixel, dx);
+    depth = hn::IfThenElse(covered, on_line(d, lines.depth, f, dx), depth);
+    extinction = hn::IfThenElse(covered, on_line(d, lines.extinction, f, dx), extinction);
+    if constexpr (kSeparateFields)
+      color = hn::IfThenElse(covered, on_line(d, lines.color, f, dx), color);
+  }
+}
+
+// For pixels of the row's span; others get numbers without meaning.
+template <bool kSeparateFields, class D, class V = hn::Vec<D>>
+HWY_INLINE EntryAndExit<V> entry_and_exit(D d, const FaceLines& lines, const FaceSides& sides,
+                                          V pixel) {
+  EntryAndExit<V> e;
+  V in, out;
+  meet_faces<kSeparateFields>(d, lines, pixel, sides, 0, sides.entered, in, e.front_color,
+                              e.front_extinction);
+  meet_faces<kSeparateFields>(d, lines, pixel, sides, sides.entered, 4, out, e.back_color,
+                              e.back_extinction);
+  // where the cell is thin, rounding may have exchanged them
+  e.front = hn::Min(in, out);
+  e.back = hn::Max(in, out);
+  return e;
+}
+
+}  // namespace hiac::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+
+#include "hiac/frame/frame.hpp"
+#include "hiac/render/pixels/tile.hpp"
+
+namespace hiac {
+
+/// Whether a cell that kernel_cells() has for one of the kernels below is drawn by it: no
+/// isosurface crosses it, no details of pixels are asked for, and integration is exact.
+bool for_higher_order_kernel(const Frame& frame, CellId cell);
+
+/// Render quadratic and cubic tetrahedra with straight edges many pixels at a time: the scan
+/// conversion of linear tetrahedra (scan_conversion-inl.hpp), which are the same cells to their
+/// neighbours, and between entry and exit the field as what it is, a polynomial of the cell's
+/// order. Its three or four Bernstein coefficients on a segment are values of the cell's polar form
+/// (polar_form-inl.hpp; for quadratic cells in section 5.2).
+void render_quadratic_tetrahedra(const Frame& frame, std::span<const CellId> cells,
+                                 const TileRect& tile, TileBuffer& buffer, SegmentList* group,
+                                 TileCounts& counts);
+void render_cubic_tetrahedra(const Frame& frame, std::span<const CellId> cells,
+                             const TileRect& tile, TileBuffer& buffer, SegmentList* group,
+                             TileCounts& counts);
+
+}  // namespace hiac

@@ -1,0 +1,305 @@
+// Scan conversion of linear tetrahedra, compiled once for every instruction set.
+// Include from a file that Highway's foreach_target.h compiles repeatedly.
+
+#if defined(HIAC_RENDER_SCAN_CONVERSION_INL) == defined(HWY_TARGET_TOGGLE)
+#  ifdef HIAC_RENDER_SCAN_CONVERSION_INL
+#    undef HIAC_RENDER_SCAN_CONVERSION_INL
+#  else
+#    define HIAC_RENDER_SCAN_CONVERSION_INL
+#  endif
+
+#  include <algorithm>
+#  include <array>
+#  include <cstdint>
+#  include <span>
+
+#  include <hwy/highway.h>
+
+#  include "hiac/frame/frame.hpp"
+#  include "hiac/render/pixels/tile.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace hiac::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// A projected tetrahedron with its corners in ascending order of node id, so that everything
+// computed for an edge or a face is computed alike, to the bit, for every cell around it.
+struct ProjectedTetrahedron {
+  HWY_ALIGN double x[4], y[4], depth[4];
+  HWY_ALIGN double color[4], extinction[4];
+};
+
+// A tetrahedron's corners as indices into its nodes, by ascending node id.
+HWY_INLINE std::array<std::size_t, 4> ascending_corners(const NodeId* nodes) {
+  std::array<std::uint64_t, 4> key;
+  for (std::size_t k = 0; k < 4; ++k) key[k] = (static_cast<std::uint64_t>(nodes[k]) << 2) | k;
+  const auto order = [&](std::size_t i, std::size_t j) {
+    const std::uint64_t low = std::min(key[i], key[j]), high = std::max(key[i], key[j]);
+    key[i] = low;
+    key[j] = high;
+  };
+  order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
+  return {key[0] & 3, key[1] & 3, key[2] & 3, key[3] & 3};
+}
+
+// The faces of a tetrahedron as corner numbers: a base and two others, ascending.
+inline constexpr std::array<std::array<int, 3>, 4> kTetrahedronFaces{
+    {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}};
+inline constexpr std::array<std::array<int, 2>, 6> kTetrahedronEdges{
+    {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+// The edges of each face, as indices into kTetrahedronEdges.
+inline constexpr std::array<std::array<int, 3>, 4> kTetrahedronFaceEdges{
+    {{0, 1, 3}, {0, 2, 4}, {1, 2, 5}, {3, 4, 5}}};
+
+// Affine functions over the screen for the four faces at once (index: face). With dx = x - base_x
+// and dy = y - base_y the barycentric coordinates of a point of the face are
+//     lambda_s = cx dx + cy dy,   lambda_m = gx dx + gy dy - h lambda_s,
+// Gaussian elimination with complete pivoting: the point that they describe is off (x, y) by
+// rounding of the coordinates alone, however thin the projected face. A quantity q is then
+// q0 + lambda_m qm + lambda_s qs.
+struct FacePlanes {
+  HWY_ALIGN double base_x[4], base_y[4];
+  HWY_ALIGN double cx[4], cy[4], gx[4], gy[4], h[4];
+  struct Quantity {
+    HWY_ALIGN double q0[4], qm[4], qs[4];
+  };
+  Quantity depth, color, extinction;
+};
+
+// The pixels that each face covers, row by row: columns first <= x < last.
+struct FaceRuns {
+  int row_begin, row_end;  // rows of the image
+  static constexpr std::size_t kRows = kTileHeight + 16;
+  HWY_ALIGN double first[kRows][4], last[kRows][4];
+  HWY_ALIGN double span_first[kRows], span_last[kRows];
+};
+
+HWY_INLINE int first_center_at_or_after(double coordinate, int low, int high) {
+  // ceil(coordinate - 1/2), clamped before the conversion
+  const double clamped =
+      std::min(std::max(coordinate - 0.5, static_cast<double>(low)), static_cast<double>(high));
+  return static_cast<int>(__builtin_ceil(clamped));
+}
+
+// Where rows of pixel centres cross the six edges, and from that the runs of the four faces.
+//
+// On a row, an edge is crossed when one end lies on or above the row and the other strictly below
+// it (y runs down: the centre counts as moved down by an infinitesimal amount); the first centre
+// right of the crossing, or on it, starts or ends a run; a centre that rounding alone tells from
+// the crossing lies on it (on_crossing). No fused operations: the scalar twin for other cells
+// (cell_scan.cpp) must find the same crossings on every machine.
+HWY_INLINE bool scan_faces(const ProjectedTetrahedron& t, const TileRect& tile, FaceRuns& runs) {
+  const auto [y_low, y_high] = std::minmax({t.y[0], t.y[1], t.y[2], t.y[3]});
+  runs.row_begin = first_center_at_or_after(y_low, tile.y0, tile.y1);
+  runs.row_end = first_center_at_or_after(y_high, tile.y0, tile.y1);
+  if (runs.row_begin >= runs.row_end) return false;
+
+  const hn::CappedTag<double, 8> d;
+  using V = hn::Vec<decltype(d)>;
+  const std::size_t lanes = hn::Lanes(d);
+  HWY_ALIGN double slope[8], on_it[8];
+  for (std::size_t e = 0; e < 6; ++e) {
+    const auto [i, j] = kTetrahedronEdges[e];
+    slope[e] = (t.x[j] - t.x[i]) / (t.y[j] - t.y[i]);
+    on_it[e] = 0.5 + on_crossing(slope[e]);
+  }
+  const V left = hn::Set(d, tile.x0), right = hn::Set(d, tile.x1);
+  const V never_first = hn::Set(d, tile.x1 + 1.0), never_last = hn::Set(d, tile.x0 - 1.0);
+  const int rows = runs.row_end - runs.row_begin;
+  for (int r = 0; r < rows; r += static_cast<int>(lanes)) {
+    const V center = hn::Add(hn::Iota(d, runs.row_begin + r), hn::Set(d, 0.5));
+    V first[6], last[6];
+    for (std::size_t e = 0; e < 6; ++e) {
+      const auto [i, j] = kTetrahedronEdges[e];
+      const auto i_above = hn::Le(hn::Set(d, t.y[i]), center);
+      const auto j_above = hn::Le(hn::Set(d, t.y[j]), center);
+      const auto crossed = hn::Xor(i_above, j_above);
+      const V dy = hn::Sub(center, hn::Set(d, t.y[i]));
+      const V crossing = hn::Add(hn::Set(d, t.x[i]), hn::Mul(dy, hn::Set(d, slope[e])));
+      // clamped to the tile; a crossing that is not a number is not used
+      const V column =
+          hn::Ceil(hn::Min(hn::Max(hn::Sub(crossing, hn::Set(d, on_it[e])), left), right));
+      first[e] = hn::IfThenElse(crossed, column, never_first);
+      last[e] = hn::IfThenElse(crossed, column, never_last);
+    }
+    V span_first = never_first, span_last = never_last;
+    V face_first[4], face_last[4];
+    for (std::size_t f = 0; f < 4; ++f) {
+      const auto [a, b, c] = kTetrahedronFaceEdges[f];
+      face_first[f] = hn::Min(hn::Min(first[a], first[b]), first[c]);
+      face_last[f] = hn::Max(hn::Max(last[a], last[b]), last[c]);
+      span_first = hn::Min(span_first, face_first[f]);
+      span_last = hn::Max(span_last, face_last[f]);
+    }
+    hn::StoreInterleaved4(face_first[0], face_first[1], face_first[2], face_first[3], d,
+                          runs.first[r]);
+    hn::StoreInterleaved4(face_last[0], face_last[1], face_last[2], face_last[3], d, runs.last[r]);
+    hn::StoreU(span_first, d, runs.span_first + r);
+    hn::StoreU(span_last, d, runs.span_last + r);
+  }
+  return true;
+}
+
+// Fills one quantity of the face planes from its values at the corners.
+template <class D, class M>
+HWY_INLINE void set_quantity(D d, const double* corner, std::size_t f, M swapped,
+                             FacePlanes::Quantity& quantity) {
+  HWY_ALIGN double base[4], one[4], two[4];
+  for (std::size_t k = 0; k < hn::Lanes(d); ++k) {
+    base[k] = corner[kTetrahedronFaces[f + k][0]];
+    one[k] = corner[kTetrahedronFaces[f + k][1]];
+    two[k] = corner[kTetrahedronFaces[f + k][2]];
+  }
+  const auto q0 = hn::Load(d, base);
+  const auto q1 = hn::Sub(hn::Load(d, one), q0), q2 = hn::Sub(hn::Load(d, two), q0);
+  hn::Store(q0, d, quantity.q0 + f);
+  hn::Store(hn::IfThenElse(swapped, q2, q1), d, quantity.qm + f);
+  hn::Store(hn::IfThenElse(swapped, q1, q2), d, quantity.qs + f);
+}
+
+// The bases of the faces from f on, and their edges from there.
+template <class D, class V = hn::Vec<D>>
+struct FaceEdges {
+  V base_x, base_y, x1, y1, x2, y2;
+  hn::Mask<D> swapped;  // column pivot: where the second edge has the largest entry
+};
+
+template <class D>
+HWY_INLINE FaceEdges<D> face_edges(D d, const ProjectedTetrahedron& t, std::size_t f) {
+  HWY_ALIGN double corner[6][4];
+  for (std::size_t k = 0; k < hn::Lanes(d); ++k)
+    for (std::size_t c = 0; c < 3; ++c) {
+      corner[2 * c][k] = t.x[kTetrahedronFaces[f + k][c]];
+      corner[2 * c + 1][k] = t.y[kTetrahedronFaces[f + k][c]];
+    }
+  const auto base_x = hn::Load(d, corner[0]), base_y = hn::Load(d, corner[1]);
+  const auto x1 = hn::Sub(hn::Load(d, corner[2]), base_x);
+  const auto y1 = hn::Sub(hn::Load(d, corner[3]), base_y);
+  const auto x2 = hn::Sub(hn::Load(d, corner[4]), base_x);
+  const auto y2 = hn::Sub(hn::Load(d, corner[5]), base_y);
+  return {base_x,
+          base_y,
+          x1,
+          y1,
+          x2,
+          y2,
+          hn::Lt(hn::Max(hn::Abs(x1), hn::Abs(y1)), hn::Max(hn::Abs(x2), hn::Abs(y2)))};
+}
+
+HWY_INLINE void set_face_planes(const ProjectedTetrahedron& t, bool with_color,
+                                FacePlanes& planes) {
+  const hn::CappedTag<double, 4> d;
+  const auto one = hn::Set(d, 1.0), zero = hn::Zero(d);
+  for (std::size_t f = 0; f < 4; f += hn::Lanes(d)) {
+    const auto [base_x, base_y, x1, y1, x2, y2, swapped] = face_edges(d, t, f);
+    // edge m has the largest entry, s is the other
+    const auto mx = hn::IfThenElse(swapped, x2, x1), my = hn::IfThenElse(swapped, y2, y1);
+    const auto sx = hn::IfThenElse(swapped, x1, x2), sy = hn::IfThenElse(swapped, y1, y2);
+    // row pivot: p is the coordinate of the largest entry, q the other
+    const auto y_pivot = hn::Lt(hn::Abs(mx), hn::Abs(my));
+    const auto mp = hn::IfThenElse(y_pivot, my, mx), mq = hn::IfThenElse(y_pivot, mx, my);
+    const auto sp = hn::IfThenElse(y_pivot, sy, sx), sq = hn::IfThenElse(y_pivot, sx, sy);
+    const auto inverse_mp = hn::Div(one, mp);
+    const auto l = hn::Mul(mq, inverse_mp);
+    const auto inverse_u = hn::Div(one, hn::NegMulAdd(l, sp, sq));
+    const auto cp = hn::Neg(hn::Mul(l, inverse_u));
+    hn::Store(base_x, d, planes.base_x + f);
+    hn::Store(base_y, d, planes.base_y + f);
+    hn::Store(hn::IfThenElse(y_pivot, inverse_u, cp), d, planes.cx + f);
+    hn::Store(hn::IfThenElse(y_pivot, cp, inverse_u), d, planes.cy + f);
+    hn::Store(hn::IfThenElse(y_pivot, zero, inverse_mp), d, planes.gx + f);
+    hn::Store(hn::IfThenElse(y_pivot, inverse_mp, zero), d, planes.gy + f);
+    hn::Store(hn::Mul(sp, inverse_mp), d, planes.h + f);
+    set_quantity(d, t.depth, f, swapped, planes.depth);
+    set_quantity(d, t.extinction, f, swapped, planes.extinction);
+    if (with_color) set_quantity(d, t.color, f, swapped, planes.color);
+  }
+}
+
+// Which faces rays enter by: of face[0 .. 4), the first `entered`; they leave by the others.
+struct FaceSides {
+  std::array<std::size_t, 4> face;
+  std::size_t entered;
+};
+
+// On the screen the corners p_k have one affine dependency, sum lambda_k p_k = 0 with
+// sum lambda_k = 0; lambda_k is, but for its sign, twice the area of the face without corner k.
+// With D = sum lambda_k depth_k that corner is D / lambda_k behind that face. None of the areas is
+// so small that rounding decides its sign (kernel_cells.hpp); where it decides that of D, the cell
+// is flat, and entry and exit are one.
+HWY_INLINE FaceSides face_sides(const ProjectedTetrahedron& t) {
+  const auto dx = [&](std::size_t k) { return t.x[k] - t.x[0]; };
+  const auto dy = [&](std::size_t k) { return t.y[k] - t.y[0]; };
+  const auto area = [&](std::size_t i, std::size_t j) { return dx(i) * dy(j) - dx(j) * dy(i); };
+  const double l1 = area(2, 3), l2 = area(3, 1), l3 = area(1, 2);
+  const double thickness = l1 * (t.depth[1] - t.depth[0]) + l2 * (t.depth[2] - t.depth[0]) +
+                           l3 * (t.depth[3] - t.depth[0]);
+  const bool positive = thickness > 0;
+  // kTetrahedronFaces[f] lacks corner 3 - f
+  const std::array<bool, 4> is_entered{(l3 > 0) == positive, (l2 > 0) == positive,
+                                       (l1 > 0) == positive, (l1 + l2 + l3 < 0) == positive};
+  FaceSides sides{{}, 0};
+  std::size_t left = 4;
+  for (std::size_t f = 0; f < 4; ++f) {
+    if (is_entered[f])
+      sides.face[sides.entered++] = f;
+    else
+      sides.face[--left] = f;
+  }
+  return sides;
+}
+
+// What a row of pixels has in common on each of the faces.
+struct FaceRow {
+  HWY_ALIGN double cy_dy[4], gy_dy[4];
+  HWY_ALIGN double first[4], last[4];  // FaceRuns
+};
+
+HWY_INLINE void set_face_row(const FacePlanes& planes, const FaceRuns& runs, int row,
+                             FaceRow& face_row) {
+  const hn::CappedTag<double, 4> d;
+  const auto y = hn::Set(d, row + 0.5);
+  for (std::size_t f = 0; f < 4; f += hn::Lanes(d)) {
+    const auto dy = hn::Sub(y, hn::Load(d, planes.base_y + f));
+    hn::Store(hn::Mul(hn::Load(d, planes.cy + f), dy), d, face_row.cy_dy + f);
+    hn::Store(hn::Mul(hn::Load(d, planes.gy + f), dy), d, face_row.gy_dy + f);
+  }
+  const auto r = static_cast<std::size_t>(row - runs.row_begin);
+  for (std::size_t f = 0; f < 4; ++f) {
+    face_row.first[f] = runs.first[r][f];
+    face_row.last[f] = runs.last[r][f];
+  }
+}
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE hn::Mask<D> covered_by_face(D d, const FaceRow& row, std::size_t f, V pixel) {
+  return hn::And(hn::Ge(pixel, hn::Set(d, row.first[f])), hn::Lt(pixel, hn::Set(d, row.last[f])));
+}
+
+// A pixel's place on a face: barycentric coordinates.
+template <class V>
+struct FacePlace {
+  V m, s;
+};
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE FacePlace<V> place_on_face(D d, const FacePlanes& planes, const FaceRow& row,
+                                      std::size_t f, V pixel) {
+  const V x = hn::Add(pixel, hn::Set(d, 0.5));
+  const V dx = hn::Sub(x, hn::Set(d, planes.base_x[f]));
+  const V s = hn::MulAdd(dx, hn::Set(d, planes.cx[f]), hn::Set(d, row.cy_dy[f]));
+  const V m = hn::NegMulAdd(hn::Set(d, planes.h[f]), s,
+                            hn::MulAdd(dx, hn::Set(d, planes.gx[f]), hn::Set(d, row.gy_dy[f])));
+  return {m, s};
+}
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V on_face(D d, const FacePlanes::Quantity& q, std::size_t f, const FacePlace<V>& at) {
+  return hn::MulAdd(at.s, hn::Set(d, q.qs[f]),
+                    hn::MulAdd(at.m, hn::Set(d, q.qm[f]), hn::Set(d, q.q0[f])));
+}
+
+}  // namespace hiac::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

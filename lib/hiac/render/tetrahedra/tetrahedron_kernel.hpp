@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+
+#include "hiac/frame/frame.hpp"
+#include "hiac/render/pixels/tile.hpp"
+
+namespace hiac {
+
+/// Renders linear tetrahedra into a tile, in the order given (section 5.1, without slicing: the
+/// transfer functions' breakpoints are cut along each ray). All their nodes must be projectable.
+/// With `group` the segments are appended to it instead of composited.
+///
+/// Scan conversion is watertight: where a row of pixel centres crosses a projected edge is computed
+/// once from the edge's two nodes, the same for all cells around the edge, and a centre that lies
+/// on the edge counts as being to its right (on a horizontal edge, below it). Each face is hit by
+/// the same pixels from both sides, so no ray slips through between neighbours.
+///
+/// The best instruction set of the machine is chosen at run time.
+void render_tetrahedra(const Frame& frame, std::span<const CellId> cells, const TileRect& tile,
+                       TileBuffer& buffer, SegmentList* group, TileCounts& counts);
+
+}  // namespace hiac

@@ -1,0 +1,132 @@
+#include "hiac/render/bounds/error_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "tests/render/truth/error_comparison.hpp"
+#include "tests/support/instrumented.hpp"
+
+namespace hiac {
+namespace {
+
+using test::compare_error_channel;
+using test::ErrorComparison;
+using test::SceneCells;
+
+// A sample of what error_sweep compares.
+ErrorComparison compared(SceneCells cells, std::uint64_t first, std::uint64_t last,
+                         std::uint32_t side) {
+  ErrorComparison all;
+  for (std::uint64_t seed = first; seed <= last; ++seed)
+    all.add(compare_error_channel(cells, seed, side));
+  for (const test::PixelError& failure : all.failures)
+    ADD_FAILURE() << "seed " << failure.seed << " pixel " << failure.x << ',' << failure.y
+                  << " channel " << failure.channel << " error " << failure.error << " claimed "
+                  << failure.claimed;
+  return all;
+}
+
+TEST(ErrorBound, IsNeverBelowTheErrorOfTetrahedra) {
+  const ErrorComparison all = compared(SceneCells::tetrahedra, 1, 30, 24);
+  EXPECT_GT(all.pixels, 3000U);
+  EXPECT_GT(all.largest_error, 1e-14);
+}
+
+TEST(ErrorBound, IsNeverBelowTheErrorOfOtherKinds) {
+  EXPECT_GT(compared(SceneCells::other_kinds, 1, 30, 9).pixels, 200U);
+}
+
+// Claims are useful, too: not far above what rounding does.
+TEST(ErrorBound, IsNeverBelowTheErrorOfCurvedCells) {
+  ErrorComparison all = compared(SceneCells::curved, 1, test::tried(24), 4);
+  EXPECT_GT(all.pixels, test::tried(60));
+  std::ranges::sort(all.claims);
+  EXPECT_LT(all.claims[all.claims.size() * 9 / 10], 1e-8);
+}
+
+// A view from far off the origin, along faces: rays have to be followed relative to the eye, and
+// cells without a projected area have to know what their coordinates cost.
+TEST(ErrorBound, HoldsFarFromTheOrigin) { compared(SceneCells::tetrahedra, 46, 46, 80); }
+
+// Behind an opaque surface in a cell quadratures may be as coarse as they like: nothing of it is
+// seen.
+TEST(ErrorBound, DoesNotCountWhatOpaqueSurfacesHide) {
+  const ErrorComparison all = compared(SceneCells::other_kinds, 115, 115, 20);
+  EXPECT_LT(std::ranges::max(all.claims), 1e-10);
+}
+
+// At the default tolerance, 1e-9: bounds that rounding makes larger are looked into, pixel by
+// pixel. Views from far, of flat cells and within the mesh; volumes from thin to opaque.
+TEST(ErrorBound, StaysBelowATenthOfTheTolerance) {
+  for (const std::uint64_t seed : {5037, 5186, 5256, 5491, 6065}) {
+    const ErrorComparison all = compared(SceneCells::tetrahedra, seed, seed, 24);
+    ASSERT_FALSE(all.claims.empty()) << seed;
+    EXPECT_LT(std::ranges::max(all.claims), 1e-10) << seed;
+  }
+}
+
+// The same of other cells: steep functions of fields far from zero, jumps, isosurfaces, corner
+// fields; bricks, prisms, pyramids and wedges.
+TEST(ErrorBound, StaysBelowATenthOfTheToleranceInOtherKinds) {
+  for (const std::uint64_t seed : {1929, 1955, 1961, 1974, 1984, 2963, 2976}) {
+    const ErrorComparison all = compared(SceneCells::other_kinds, seed, seed, 9);
+    ASSERT_FALSE(all.claims.empty()) << seed;
+    EXPECT_LT(std::ranges::max(all.claims), 1e-10) << seed;
+  }
+}
+
+// Transfer functions that jump somewhere in a cell whose field hardly changes along a ray.
+TEST(ErrorBound, DoesNotCountJumpsThatTheRayIsFarFrom) {
+  for (const std::uint64_t seed : {3232, 3276, 3414}) {
+    const ErrorComparison all = compared(SceneCells::tetrahedra, seed, seed, 80);
+    EXPECT_LT(std::ranges::max(all.claims), 1e-10) << seed;
+  }
+}
+
+// A field from 0 to 1e-9 and its function's jump of 3 at a value; both known to 1e-15.
+TEST(LinearDoubt, IsAboutJumpsWithinTheFieldsError) {
+  constexpr double kChange = 1e-9, kError = 1e-15, kLength = 2;
+  const auto doubt_about = [](double value) {
+    Volume volume;
+    volume.extinction = ExtinctionTransfer{"f", {{value, {1}}, {value, {4}}}};
+    const OpticsTables optics = make_optics_tables(volume, Integration::exact);
+    return linear_doubt(optics.extinction, 3, 1e-16, {0, kChange}, kLength, 0, kError);
+  };
+  for (const double value : {-1.0, -2 * kError, kChange + 2 * kError, 1.0}) {
+    EXPECT_EQ(doubt_about(value).error, kError);
+    EXPECT_EQ(doubt_about(value).jumped, 0) << value;
+  }
+  for (const double value : {-0.5 * kError, 0.0, 0.3 * kChange, kChange})
+    EXPECT_DOUBLE_EQ(doubt_about(value).jumped, 3 * kLength * 2 * kError / kChange) << value;
+}
+
+// The ends of a segment, off in places, move a field that changes along it.
+TEST(LinearDoubt, GrowsWithTheDoubtAboutTheEnds) {
+  const OpticsTables optics = make_optics_tables({}, Integration::exact);
+  EXPECT_DOUBLE_EQ(linear_doubt(optics.color, 0, 0, {1, 4}, 2, 1e-10, 1e-15).error, 1e-15 + 3e-10);
+  EXPECT_DOUBLE_EQ(linear_doubt(optics.color, 0, 0, {4, 1}, 2, 1, 0).error, 3);
+}
+
+// Fields are constant to the bit where all values are the same.
+TEST(FieldError, IsNoneWhereTheFieldIsConstant) {
+  const RayDisplacement moved{.aside = 1e-12};
+  EXPECT_EQ(field_error({3, 3}, 0, moved, kTetrahedronRounding), 0);
+  EXPECT_EQ(field_error({3, 4}, 1e300, moved, kTetrahedronRounding), 1);
+  EXPECT_GT(field_error({3, 4}, 0, moved, kTetrahedronRounding), 4e-16);
+}
+
+// A transfer function whose anchor is far from the cell's values loses their digits.
+TEST(CellOptics, KnowsTheRoundingOfFarAnchors) {
+  Volume volume;
+  volume.extinction = ExtinctionTransfer{"f", {{-1e6, {1e6}}, {0, {0}}, {1, {1}}}};
+  const OpticsTables optics = make_optics_tables(volume, Integration::exact);
+  const CellOptics far = cell_optics(optics, {-1e-6, -1e-7}, {-1e-6, -1e-7});
+  const CellOptics near = cell_optics(optics, {1e-7, 1e-6}, {1e-7, 1e-6});
+  EXPECT_GT(far.tau_rounding, 1e-10);
+  EXPECT_LT(near.tau_rounding, 1e-20);
+}
+
+}  // namespace
+}  // namespace hiac
