@@ -17,6 +17,7 @@
 
 #  include "hiac/element/face_interpolant.hpp"
 #  include "hiac/element/gradient_direction.hpp"
+#  include "hiac/frame/face_value.hpp"
 #  include "hiac/frame/frame.hpp"
 #  include "hiac/render/tetrahedra/face_lines-inl.hpp"
 #  include "hiac/render/tetrahedra/scan_conversion-inl.hpp"
