@@ -1,8 +1,9 @@
 #include "hiac/element/least_interpolant.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <vector>
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
 
 #include "hiac/geometry/vector.hpp"
 
@@ -15,10 +16,6 @@ constexpr std::size_t kDegree = LeastInterpolant::kMostDegree;
 
 constexpr double kLeastPivot = 1e-10;
 constexpr double kLeastSeen = 0.25;
-
-// Rows have size 1: products below this are rounding.
-constexpr double kOrthogonal = 1e-15;
-constexpr int kMostSweeps = 30;
 
 // How many monomials are of less than a degree.
 constexpr std::size_t below(std::size_t degree) { return degree * (degree + 1) * (degree + 2) / 6; }
@@ -49,57 +46,38 @@ const std::array<double, kTerms>& scales() {
   return all;
 }
 
-// What a functional makes of the scaled monomials, and, last, of the values.
-using Row = std::array<double, kTerms + 1>;
-
-double product(const Row& a, const Row& b, std::size_t from = 0, std::size_t to = kTerms) {
-  double sum = 0;
-  for (std::size_t i = from; i < to; ++i) sum += a[i] * b[i];
-  return sum;
-}
-
-void add(Row& to, double factor, const Row& row) {
-  for (std::size_t i = 0; i < row.size(); ++i) to[i] += factor * row[i];
-}
-
-// The coordinates of mean 0 and covariance 1, by Gram and Schmidt, twice.
+// The coordinates of mean 0 and covariance 1: with the QR factorisation P = Q R of the points less
+// their mean, y = sqrt(n) R^-T p. False where the points lie in a plane to within kLeastPivot.
 bool normalise(std::span<const Vector> points, LeastInterpolant& result) {
   const auto n = static_cast<double>(points.size());
   for (const Vector& p : points)
     for (std::size_t i = 0; i < 3; ++i) result.mean[i] += p[i] / n;
-  std::array<std::array<double, kMost>, 3> y{};
-  const auto mean_product = [&](std::size_t i, std::size_t j) {
-    double sum = 0;
-    for (std::size_t k = 0; k < points.size(); ++k) sum += y[i][k] * y[j][k];
-    return sum / n;
-  };
-  double largest = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < points.size(); ++k) y[i][k] = points[k][i] - result.mean[i];
-    largest = std::max(largest, std::sqrt(mean_product(i, i)));
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    result.rows[i][i] = 1;
-    for (std::size_t step = 0; step < 2 * i; ++step) {
-      const std::size_t j = step % i;
-      const double part = mean_product(i, j);
-      for (std::size_t k = 0; k < points.size(); ++k) y[i][k] -= part * y[j][k];
-      for (std::size_t a = 0; a < 3; ++a) result.rows[i][a] -= part * result.rows[j][a];
-    }
-    const double size = std::sqrt(mean_product(i, i));
-    if (!(size > kLeastPivot * largest)) return false;
-    for (std::size_t k = 0; k < points.size(); ++k) y[i][k] /= size;
-    for (double& entry : result.rows[i]) entry /= size;
-  }
+  Eigen::Matrix<double, Eigen::Dynamic, 3, 0, kMost, 3> from_mean(points.size(), 3);
+  for (Eigen::Index k = 0; k < from_mean.rows(); ++k)
+    for (Eigen::Index i = 0; i < 3; ++i)
+      from_mean(k, i) = points[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)] -
+                        result.mean[static_cast<std::size_t>(i)];
+  const double largest = from_mean.colwise().norm().maxCoeff();
+  const Eigen::Matrix3d r =
+      from_mean.householderQr().matrixQR().topRows<3>().triangularView<Eigen::Upper>();
+  if (!(r.diagonal().cwiseAbs().minCoeff() > kLeastPivot * largest)) return false;
+  const Eigen::Matrix3d rows = r.transpose().triangularView<Eigen::Lower>().solve(
+      std::sqrt(n) * Eigen::Matrix3d::Identity());
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t a = 0; a < 3; ++a)
+      result.rows[i][a] = rows(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(a));
   return true;
 }
 
-class Elimination {
+// The functionals: a row each, what it makes of the scaled monomials, and what of the values.
+class Functionals {
  public:
-  Elimination(std::span<const Vector> points, std::span<const double> values,
+  // One functional a point: the value there.
+  Functionals(std::span<const Vector> points, std::span<const double> values,
               const LeastInterpolant& frame)
-      : count_(points.size()), rows_(points.size()) {
-    for (std::size_t k = 0; k < count_; ++k) {
+      : rows_(points.size(), kTerms),
+        values_(Eigen::Map<const Eigen::VectorXd>(values.data(), rows_.rows())) {
+    for (std::size_t k = 0; k < points.size(); ++k) {
       std::array<std::array<double, kDegree + 1>, 3> power;
       for (std::size_t i = 0; i < 3; ++i) {
         const double y = dot(frame.rows[i], minus(points[k], frame.mean));
@@ -108,122 +86,68 @@ class Elimination {
       }
       for (std::size_t a = 0; a < kTerms; ++a) {
         const auto& [ex, ey, ez] = kMonomials[a];
-        rows_[k][a] = scales()[a] * power[0][ex] * power[1][ey] * power[2][ez];
+        rows_(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(a)) =
+            scales()[a] * power[0][ex] * power[1][ey] * power[2][ez];
       }
-      rows_[k][kTerms] = values[k];
     }
   }
 
-  // False where the rows depend on each other.
+  // Takes an orthonormal basis of them: of the rows V = R^T Q^T, those of Q^T. False where the rows
+  // depend on each other.
   bool orthonormalise() {
-    for (std::size_t k = 0; k < count_; ++k) {
-      Row& row = rows_[k];
-      const double before = std::sqrt(product(row, row));
-      for (std::size_t step = 0; step < 2 * k; ++step) {
-        const Row& other = rows_[step % k];
-        add(row, -product(row, other), other);
-      }
-      const double size = std::sqrt(product(row, row));
-      if (!(size > kLeastPivot * before)) return false;
-      for (double& entry : row) entry /= size;
-    }
+    const Eigen::MatrixXd transposed = rows_.transpose();
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(transposed);
+    const Eigen::Index n = rows_.rows();
+    const Eigen::MatrixXd r = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+    for (Eigen::Index k = 0; k < n; ++k)
+      if (!(std::abs(r(k, k)) > kLeastPivot * transposed.col(k).norm())) return false;
+    rows_ = (qr.householderQ() * Eigen::MatrixXd::Identity(transposed.rows(), n)).transpose();
+    values_ = r.transpose().triangularView<Eigen::Lower>().solve(values_);
     return true;
   }
 
-  // Brings those of the functionals left that see forms of a degree to the front of them.
+  // Turns the functionals that are left to the left singular vectors of what they make of the forms
+  // of a degree, and takes those with singular values above a threshold: they see a form each.
   void see(std::size_t degree, double threshold) {
-    take_columns(degree);
-    make_columns_orthogonal();
-    std::ranges::sort(columns_, std::ranges::greater{}, size_squared);
-    const std::size_t first = seen_;
-    for (std::size_t j = 0; j < columns_.size() && seen_ < count_; ++j) {
-      if (!(size_squared(columns_[j]) > threshold * threshold)) break;
-      reflect(j, seen_ - first);
-      degrees_[seen_++] = degree;
+    const Eigen::Index left = rows_.rows() - seen_;
+    if (left == 0) return;
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(
+        rows_.block(seen_, first_of(degree), left, first_of(degree + 1) - first_of(degree)),
+        Eigen::ComputeFullU);
+    rows_.bottomRows(left) = (svd.matrixU().transpose() * rows_.bottomRows(left)).eval();
+    values_.tail(left) = (svd.matrixU().transpose() * values_.tail(left)).eval();
+    for (const double size : svd.singularValues()) {
+      if (!(size > threshold)) break;
+      degrees_[static_cast<std::size_t>(seen_++)] = degree;
     }
   }
 
   // The sum of forms that the functionals make of it what they make of the values.
   void solve(LeastInterpolant& result) const {
-    Row c{};
-    for (std::size_t k = seen_; k-- > 0;) {
+    Eigen::VectorXd c = Eigen::VectorXd::Zero(kTerms);
+    for (Eigen::Index k = seen_; k-- > 0;) {
       // rows of higher degrees do not see forms of lower ones
-      const Row& row = rows_[k];
-      const std::size_t from = below(degrees_[k]), to = below(degrees_[k] + 1);
-      const double left = row[kTerms] - product(row, c, from);
-      const double factor = left / product(row, row, from, to);
-      for (std::size_t a = from; a < to; ++a) c[a] += factor * row[a];
+      const std::size_t degree = degrees_[static_cast<std::size_t>(k)];
+      const Eigen::Index from = first_of(degree), to = first_of(degree + 1);
+      const double rest =
+          values_[k] - rows_.row(k).tail(c.size() - from).dot(c.tail(c.size() - from));
+      const auto form = rows_.row(k).segment(from, to - from);
+      c.segment(from, to - from) += rest / form.squaredNorm() * form.transpose();
     }
-    for (std::size_t a = 0; a < kTerms; ++a) result.c[a] = scales()[a] * c[a];
-    result.degree = degrees_[seen_ - 1];
+    for (std::size_t a = 0; a < kTerms; ++a)
+      result.c[a] = scales()[a] * c[static_cast<Eigen::Index>(a)];
+    result.degree = degrees_[static_cast<std::size_t>(seen_ - 1)];
   }
 
  private:
-  // A monomial as the functionals left see it.
-  using Column = std::array<double, kMost>;
-
-  static double column_product(const Column& a, const Column& b) {
-    double sum = 0;
-    for (std::size_t k = 0; k < kMost; ++k) sum += a[k] * b[k];
-    return sum;
-  }
-  static double size_squared(const Column& column) { return column_product(column, column); }
-
-  void take_columns(std::size_t degree) {
-    columns_.assign(below(degree + 1) - below(degree), {});
-    for (std::size_t k = seen_; k < count_; ++k)
-      for (std::size_t j = 0; j < columns_.size(); ++j)
-        columns_[j][k - seen_] = rows_[k][below(degree) + j];
+  static Eigen::Index first_of(std::size_t degree) {
+    return static_cast<Eigen::Index>(below(degree));
   }
 
-  // One-sided Jacobi rotations (M. R. Hestenes, "Inversion of matrices by biorthogonalization and
-  // related results", Journal of the SIAM 6, 1958): columns become left singular vectors times
-  // singular values.
-  void make_columns_orthogonal() {
-    bool turned = true;
-    for (int sweep = 0; turned && sweep < kMostSweeps; ++sweep) {
-      turned = false;
-      for (std::size_t i = 0; i < columns_.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j) turned = turn(columns_[i], columns_[j]) || turned;
-    }
-  }
-
-  // Whether two columns had to be turned.
-  static bool turn(Column& a, Column& b) {
-    const double ab = column_product(a, b);
-    if (!(std::abs(ab) > kOrthogonal)) return false;
-    const double ratio = (size_squared(b) - size_squared(a)) / (2 * ab);
-    const double tangent = std::copysign(1 / (std::abs(ratio) + std::hypot(1, ratio)), ratio);
-    const double cosine = 1 / std::hypot(1, tangent), sine = cosine * tangent;
-    for (std::size_t k = 0; k < kMost; ++k) {
-      const double old = a[k];
-      a[k] = cosine * old - sine * b[k];
-      b[k] = sine * old + cosine * b[k];
-    }
-    return true;
-  }
-
-  // Householder's reflection of the functionals left, from the one at `at` on, that takes a column
-  // to that one.
-  void reflect(std::size_t j, std::size_t at) {
-    Column axis = columns_[j];
-    std::fill_n(axis.begin(), at, 0.0);
-    axis[at] += std::copysign(std::sqrt(size_squared(axis)), axis[at]);
-    const double half = size_squared(axis) / 2;
-    const std::size_t left = count_ - seen_;
-    Row sum{};
-    for (std::size_t k = 0; k < left; ++k) add(sum, axis[at + k] / half, rows_[seen_ + k]);
-    for (std::size_t k = 0; k < left; ++k) add(rows_[seen_ + k], -axis[at + k], sum);
-    for (std::size_t i = j + 1; i < columns_.size(); ++i) {
-      const double part = column_product(axis, columns_[i]) / half;
-      for (std::size_t k = 0; k < kMost; ++k) columns_[i][k] -= part * axis[k];
-    }
-  }
-
-  std::size_t count_, seen_ = 0;
-  std::vector<Row> rows_;
+  Eigen::MatrixXd rows_;
+  Eigen::VectorXd values_;
+  Eigen::Index seen_ = 0;
   std::array<std::size_t, kMost> degrees_{};
-  std::vector<Column> columns_;
 };
 
 }  // namespace
@@ -237,13 +161,13 @@ std::optional<LeastInterpolant> least_interpolant(std::span<const Vector> points
                                                   std::size_t complete) {
   LeastInterpolant result;
   if (!normalise(points, result)) return std::nullopt;
-  Elimination elimination(points, values, result);
-  if (!elimination.orthonormalise()) return std::nullopt;
+  Functionals functionals(points, values, result);
+  if (!functionals.orthonormalise()) return std::nullopt;
   for (std::size_t degree = 0; degree < kDegree; ++degree)
-    elimination.see(degree, degree <= complete ? kLeastPivot : kLeastSeen);
+    functionals.see(degree, degree <= complete ? kLeastPivot : kLeastSeen);
   // of degree 5 is nearly all of what is left
-  elimination.see(kDegree, 0);
-  elimination.solve(result);
+  functionals.see(kDegree, 0);
+  functionals.solve(result);
   return result;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <Eigen/LU>
+
 #include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/interpolant_range.hpp"
 #include "hiac/mesh/shape_functions.hpp"
@@ -11,6 +13,8 @@ namespace hiac {
 namespace {
 
 constexpr double kLeastPivot = 1e-10;
+// as many as a 20-node brick has nodes
+constexpr std::size_t kMostEquations = 20;
 
 constexpr std::array<Exponents, 6> kPrism{
     {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}}};
@@ -57,47 +61,6 @@ class Powers {
   std::array<std::array<double, LeastInterpolant::kMostDegree + 1>, 3> power_;
 };
 
-// Gaussian elimination with full pivoting; the right side becomes the solution. False where a pivot
-// vanishes.
-class Equations {
- public:
-  static constexpr std::size_t kMost = 20;
-  std::array<std::array<double, kMost>, kMost> matrix{};
-  std::array<double, kMost> right{};
-
-  bool solve(std::size_t n) {
-    std::array<std::size_t, kMost> column;
-    for (std::size_t k = 0; k < n; ++k) column[k] = k;
-    for (std::size_t k = 0; k < n; ++k) {
-      std::size_t row = k, at = k;
-      for (std::size_t i = k; i < n; ++i)
-        for (std::size_t j = k; j < n; ++j)
-          if (std::abs(matrix[i][j]) > std::abs(matrix[row][at])) {
-            row = i;
-            at = j;
-          }
-      if (!(std::abs(matrix[row][at]) > kLeastPivot)) return false;
-      std::swap(matrix[k], matrix[row]);
-      std::swap(right[k], right[row]);
-      std::swap(column[k], column[at]);
-      for (std::size_t i = 0; i < n; ++i) std::swap(matrix[i][k], matrix[i][at]);
-      for (std::size_t i = k + 1; i < n; ++i) {
-        const double by = matrix[i][k] / matrix[k][k];
-        for (std::size_t j = k; j < n; ++j) matrix[i][j] -= by * matrix[k][j];
-        right[i] -= by * right[k];
-      }
-    }
-    std::array<double, kMost> solution{};
-    for (std::size_t k = n; k-- > 0;) {
-      double sum = right[k];
-      for (std::size_t j = k + 1; j < n; ++j) sum -= matrix[k][j] * solution[column[j]];
-      solution[column[k]] = sum / matrix[k][k];
-    }
-    right = solution;
-    return true;
-  }
-};
-
 }  // namespace
 
 bool WorldPolynomial::is_of_paper(CellKind kind) { return !terms_of(kind).empty(); }
@@ -114,7 +77,7 @@ bool WorldPolynomial::set_paper(CellKind kind, std::span<const Vector> nodes,
   for (const Exponents& e : terms_)
     degree_ = std::max<std::size_t>(degree_, std::size_t{e[0]} + e[1] + e[2]);
   for (std::size_t c = 0; c < 3; ++c) {
-    std::array<double, Equations::kMost> coordinate;
+    std::array<double, kMostEquations> coordinate;
     for (std::size_t k = 0; k < n; ++k) coordinate[k] = nodes[k][c];
     const InterpolantRange range = interpolant_range(kind, coordinate);
     const double half = 0.5 * (range.most - range.least);
@@ -122,14 +85,20 @@ bool WorldPolynomial::set_paper(CellKind kind, std::span<const Vector> nodes,
     origin_[c] = 0.5 * (range.least + range.most);
     to_box_[c][c] = 1 / half;
   }
-  Equations equations;
+  using Index = Eigen::Index;
+  const auto count = static_cast<Index>(n);
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostEquations, kMostEquations> matrix(
+      count, count);
   for (std::size_t k = 0; k < n; ++k) {
     const Powers monomial(in_box(nodes[k]));
-    for (std::size_t i = 0; i < n; ++i) equations.matrix[k][i] = monomial(terms_[i]);
-    equations.right[k] = values[k];
+    for (std::size_t i = 0; i < n; ++i)
+      matrix(static_cast<Index>(k), static_cast<Index>(i)) = monomial(terms_[i]);
   }
-  if (!equations.solve(n)) return false;
-  std::ranges::copy(equations.right, c_.begin());
+  const Eigen::FullPivLU<decltype(matrix)> lu(matrix);
+  if (!(lu.matrixLU().diagonal().cwiseAbs().minCoeff() > kLeastPivot)) return false;
+  const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostEquations, 1> solution =
+      lu.solve(Eigen::Map<const Eigen::VectorXd>(values.data(), count));
+  std::ranges::copy(solution, c_.begin());
   return true;
 }
 

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+
+#include <Eigen/LU>
 
 namespace hiac {
 namespace {
+
+using Matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // The exponents of the Bernstein polynomials of a simplex, the last one for what is left to 1.
 using Exponents = std::array<std::size_t, 4>;
@@ -36,35 +39,6 @@ long double bernstein(const Exponents& e, const Exponents& at, std::size_t degre
   return value;
 }
 
-// Gauss and Jordan, with pivots: Bernstein polynomials at their points are well conditioned.
-std::vector<double> inverse_of(std::vector<long double> matrix, std::size_t n) {
-  std::vector<long double> inverse(n * n, 0);
-  for (std::size_t k = 0; k < n; ++k) inverse[k * n + k] = 1;
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t pivot = k;
-    for (std::size_t i = k; i < n; ++i)
-      if (std::abs(matrix[i * n + k]) > std::abs(matrix[pivot * n + k])) pivot = i;
-    for (std::size_t j = 0; j < n; ++j) {
-      std::swap(matrix[k * n + j], matrix[pivot * n + j]);
-      std::swap(inverse[k * n + j], inverse[pivot * n + j]);
-    }
-    const long double scale = 1 / matrix[k * n + k];
-    for (std::size_t j = 0; j < n; ++j) {
-      matrix[k * n + j] *= scale;
-      inverse[k * n + j] *= scale;
-    }
-    for (std::size_t i = 0; i < n; ++i) {
-      const long double by = matrix[i * n + k];
-      if (i == k || by == 0) continue;
-      for (std::size_t j = 0; j < n; ++j) {
-        matrix[i * n + j] -= by * matrix[k * n + j];
-        inverse[i * n + j] -= by * inverse[k * n + j];
-      }
-    }
-  }
-  return {inverse.begin(), inverse.end()};
-}
-
 }  // namespace
 
 BernsteinDomain::BernsteinDomain(std::span<const Factor> factors) : points_{{}} {
@@ -72,12 +46,15 @@ BernsteinDomain::BernsteinDomain(std::span<const Factor> factors) : points_{{}} 
   for (const Factor& factor : factors) {
     const std::vector<Exponents> exponents = exponents_of(factor);
     const std::size_t n = exponents.size();
-    std::vector<long double> matrix(n * n);
+    // Bernstein polynomials at their points: well conditioned
+    const auto size = static_cast<Eigen::Index>(n);
+    Matrix matrix(size, size);
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j)
-        matrix[i * n + j] =
+        matrix(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
             factor.degree == 0 ? 1 : bernstein(exponents[j], exponents[i], factor.degree);
-    Block block{n, inverse_of(std::move(matrix), n)};
+    const Matrix inverse = matrix.partialPivLu().inverse();
+    Block block{n, {inverse.data(), inverse.data() + inverse.size()}};
     double most = 0;
     for (std::size_t i = 0; i < n; ++i) {
       double sum = 0;
