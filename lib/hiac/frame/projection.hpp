@@ -1,8 +1,6 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <span>
 #include <vector>
 
@@ -20,15 +18,6 @@ namespace hiac {
 struct ProjectedNode {
   double x, y, depth;
 };
-
-/// How far right of a pixel's centre, in pixels, an edge may cross the row of centres and still
-/// count as going through it: what rounding of projected coordinates can do, and a little more.
-/// Faces seen edge-on so stay straight whichever way they run across the screen: rays in them lie
-/// on one side of all their edges. `slope`: the edge's change of x by y.
-inline constexpr double kMostOnCrossing = 0x1p-36;
-inline double on_crossing(double slope) {
-  return std::min(kMostOnCrossing, 0x1p-39 * (1 + std::abs(slope)));
-}
 
 /// The map from world to screen, and the rays of pixels back into the world (sections 4, 5.1).
 ///

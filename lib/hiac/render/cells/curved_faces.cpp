@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hiac/frame/row_crossing.hpp"
 #include "hiac/geometry/patch_facing.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 #include "hiac/render/bounds/ray_displacement.hpp"

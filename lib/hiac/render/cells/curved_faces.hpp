@@ -32,10 +32,10 @@ ScreenBounds bounds_of_curved_cell(const Frame& frame, CellId cell);
 /// face is crossed, between its borders, is computed from its own nodes in an order that its two
 /// cells share (patch_zeros): they find the same crossings, to the bit.
 ///
-/// A straight edge is crossed by a row of pixel centres where the caller says so (cell_scan.cpp). A
-/// curved one is a polynomial curve: its row's crossings are the places where it changes sides, as
-/// many as bring it from its first corner's side to its last one's. All of this is in homogeneous
-/// coordinates, and as good beside and behind the eye.
+/// A straight edge is crossed by a row of pixel centres where the caller says so
+/// (edge_crossings-inl.hpp). A curved one is a polynomial curve: its row's crossings are the places
+/// where it changes sides, as many as bring it from its first corner's side to its last one's. All
+/// of this is in homogeneous coordinates, and as good beside and behind the eye.
 class CurvedFaces {
  public:
   static constexpr std::size_t kMostFaces = 6, kMostZeros = kMostFaces * PatchZeros::kMost;

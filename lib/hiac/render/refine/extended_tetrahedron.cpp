@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hiac/element/face_interpolant.hpp"
+#include "hiac/frame/row_crossing.hpp"
 #include "hiac/geometry/extended_vector.hpp"
 #include "hiac/render/cells/cell_scan.hpp"
 #include "hiac/render/refine/extended_ray.hpp"
@@ -51,9 +52,8 @@ bool ExtendedTetrahedron::covered(std::size_t lacking, int x, double center) con
   for (const auto& [a, b] : {std::pair(c[0], c[1]), std::pair(c[0], c[2]), std::pair(c[1], c[2])}) {
     const ProjectedNode &i = rounded_[a], &j = rounded_[b];
     if ((i.y <= center) == (j.y <= center)) continue;
-    const double slope = (j.x - i.x) / (j.y - i.y);
-    const double offset = (center - i.y) * slope;
-    const double column = std::ceil(i.x + offset - (0.5 + on_crossing(slope)));
+    const double slope = edge_slope(i, j);
+    const double column = std::ceil(crossing_x(center, i.x, i.y, slope) - to_first_pixel(slope));
     first = std::min(first, column);
     last = std::max(last, column);
   }

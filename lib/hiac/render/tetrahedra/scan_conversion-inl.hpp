@@ -16,6 +16,7 @@
 #  include <hwy/highway.h>
 
 #  include "hiac/frame/frame.hpp"
+#  include "hiac/frame/row_crossing-inl.hpp"
 #  include "hiac/render/pixels/tile.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -86,8 +87,7 @@ HWY_INLINE int first_center_at_or_after(double coordinate, int low, int high) {
 // On a row, an edge is crossed when one end lies on or above the row and the other strictly below
 // it (y runs down: the centre counts as moved down by an infinitesimal amount); the first centre
 // right of the crossing, or on it, starts or ends a run; a centre that rounding alone tells from
-// the crossing lies on it (on_crossing). No fused operations: the scalar twin for other cells
-// (cell_scan.cpp) must find the same crossings on every machine.
+// the crossing lies on it (row_crossing.hpp).
 HWY_INLINE bool scan_faces(const ProjectedTetrahedron& t, const TileRect& tile, FaceRuns& runs) {
   const auto [y_low, y_high] = std::minmax({t.y[0], t.y[1], t.y[2], t.y[3]});
   runs.row_begin = first_center_at_or_after(y_low, tile.y0, tile.y1);
@@ -97,11 +97,11 @@ HWY_INLINE bool scan_faces(const ProjectedTetrahedron& t, const TileRect& tile, 
   const hn::CappedTag<double, 8> d;
   using V = hn::Vec<decltype(d)>;
   const std::size_t lanes = hn::Lanes(d);
-  HWY_ALIGN double slope[8], on_it[8];
+  HWY_ALIGN double slope[8], to_first[8];
   for (std::size_t e = 0; e < 6; ++e) {
     const auto [i, j] = kTetrahedronEdges[e];
-    slope[e] = (t.x[j] - t.x[i]) / (t.y[j] - t.y[i]);
-    on_it[e] = 0.5 + on_crossing(slope[e]);
+    slope[e] = edge_slope({t.x[i], t.y[i], 0}, {t.x[j], t.y[j], 0});
+    to_first[e] = to_first_pixel(slope[e]);
   }
   const V left = hn::Set(d, tile.x0), right = hn::Set(d, tile.x1);
   const V never_first = hn::Set(d, tile.x1 + 1.0), never_last = hn::Set(d, tile.x0 - 1.0);
@@ -114,11 +114,11 @@ HWY_INLINE bool scan_faces(const ProjectedTetrahedron& t, const TileRect& tile, 
       const auto i_above = hn::Le(hn::Set(d, t.y[i]), center);
       const auto j_above = hn::Le(hn::Set(d, t.y[j]), center);
       const auto crossed = hn::Xor(i_above, j_above);
-      const V dy = hn::Sub(center, hn::Set(d, t.y[i]));
-      const V crossing = hn::Add(hn::Set(d, t.x[i]), hn::Mul(dy, hn::Set(d, slope[e])));
+      const V crossing =
+          crossing_x(center, hn::Set(d, t.x[i]), hn::Set(d, t.y[i]), hn::Set(d, slope[e]));
       // clamped to the tile; a crossing that is not a number is not used
       const V column =
-          hn::Ceil(hn::Min(hn::Max(hn::Sub(crossing, hn::Set(d, on_it[e])), left), right));
+          hn::Ceil(hn::Min(hn::Max(hn::Sub(crossing, hn::Set(d, to_first[e])), left), right));
       first[e] = hn::IfThenElse(crossed, column, never_first);
       last[e] = hn::IfThenElse(crossed, column, never_last);
     }
