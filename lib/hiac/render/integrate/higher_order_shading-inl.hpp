@@ -13,6 +13,7 @@
 #  include <hwy/highway.h>
 
 #  include "hiac/element/polar_form-inl.hpp"
+#  include "hiac/render/integrate/piece_optics-inl.hpp"
 #  include "hiac/render/integrate/rule_choice-inl.hpp"
 #  include "hiac/render/integrate/segment_cuts-inl.hpp"
 #  include "hiac/render/integrate/shading-inl.hpp"
@@ -143,23 +144,6 @@ class HigherOrderWalk {
     part.weight = hn::Div(all.weight, share);
   }
 
-  // The intervals in which a field is in the middle; neighbouring rays' are mostly one.
-  template <std::size_t N, class D, class V>
-  static HWY_INLINE IntervalReader<D> reader_of(D d, const TransferTable<N>& table,
-                                                IntervalRange range, double base, V middle) {
-    if (range.low == range.high) return IntervalReader<D>(d, range.low);
-    const hn::RebindToSigned<D> di;
-    auto interval = hn::Set(di, static_cast<std::int64_t>(range.low));
-    for (std::size_t k = range.low; k < range.high; ++k) {
-      const auto passed = hn::Ge(middle, hn::Set(d, table.upper[k] - base));
-      interval = hn::Sub(interval, hn::VecFromMask(di, hn::RebindMask(di, passed)));
-    }
-    const std::int64_t first = hn::GetLane(interval);
-    if (hn::AllTrue(di, hn::Eq(interval, hn::Set(di, first))))
-      return IntervalReader<D>(d, static_cast<std::size_t>(first));
-    return IntervalReader<D>(d, interval);
-  }
-
   // Of an extinction offset + slope f.
   template <class D, class V>
   static HWY_INLINE PieceDepth<V, kDegree> depth_of(D d, const PowerScalar<V, kDegree>& f, V offset,
@@ -180,41 +164,18 @@ class HigherOrderWalk {
     return depth;
   }
 
-  // The transfer function of colour on a piece: value + slope * (f - anchor), f less the base.
-  template <class V>
-  struct Channels {
-    V anchor, value[3], slope[3];
-  };
-  template <class D, class V = hn::Vec<D>>
-  HWY_INLINE Channels<V> channels_of(D d, const IntervalReader<D>& reader, double base) const {
-    Channels<V> c;
-    c.anchor = hn::Sub(reader(optics_.color.anchor), hn::Set(d, base));
-    for (std::size_t k = 0; k < 3; ++k) {
-      c.value[k] = reader(optics_.color.value[k]);
-      c.slope[k] = reader(optics_.color.slope[k]);
-    }
-    return c;
-  }
-
-  template <class V>
-  static HWY_INLINE V largest(const V (&v)[3]) {
-    return hn::Max(hn::Max(hn::Abs(v[0]), hn::Abs(v[1])), hn::Abs(v[2]));
-  }
-
   // False when no rule meets what is allowed of the piece and it `may_refuse`.
   template <class D, class V>
   HWY_INLINE bool add_piece(D d, const Piece<V>& piece, hn::Mask<D> active, bool may_refuse,
                             Radiance<V>& sum) {
     const PowerScalar<V, kDegree>& field = optics_.same_field ? piece.extinction : piece.color;
-    const auto extinction =
-        reader_of(d, optics_.extinction, extinction_here_, extinction_.base, piece.extinction.c[0]);
+    const auto extinction = reader_at_middle(d, optics_.extinction, extinction_here_,
+                                             extinction_.base, piece.extinction.c[0]);
     const auto color = optics_.same_field ? extinction
-                                          : reader_of(d, optics_.color, color_here_, color_.base,
-                                                      piece.color.c[0]);
-    const Channels<V> channels = channels_of(d, color, color_.base);
-    const V slope = extinction(optics_.extinction.slope[0]);
-    const V anchor = hn::Sub(extinction(optics_.extinction.anchor), hn::Set(d, extinction_.base));
-    const V offset = hn::NegMulAdd(slope, anchor, extinction(optics_.extinction.value[0]));
+                                          : reader_at_middle(d, optics_.color, color_here_,
+                                                             color_.base, piece.color.c[0]);
+    const PieceColor<V> channels = color_on_piece(d, optics_, color, color_.base);
+    const auto [offset, slope] = extinction_on_piece(d, optics_, extinction, extinction_.base);
     const auto depth = depth_of(d, piece.extinction, offset, slope, piece.length);
     // f less the anchor for emission, else f' times the length of a piece
     V factor[kFactorDegree + 1];
@@ -232,7 +193,7 @@ class HigherOrderWalk {
     const Thickness thickness(
         hn::GetLane(hn::MaxOfLanes(d, hn::IfThenElseZero(active, depth.total))));
     const V zeta = transparency(d, depth.total, thickness);
-    const Means<V> means = means_of(d, rule, depth, thickness, factor);
+    const PieceMeans<V> means = means_of(d, rule, depth, thickness, factor);
     V constant, linear;  // a channel is value * constant + slope * linear
     if constexpr (kEmission) {
       constant = hn::Mul(piece.length, means.of_one);
@@ -245,17 +206,14 @@ class HigherOrderWalk {
       linear =
           hn::Add(hn::NegMulAdd(hn::Add(even, odd), zeta, hn::Sub(even, odd)), means.of_factor);
     }
-    const auto channel = [&](std::size_t c) {
-      return hn::MulAdd(channels.slope[c], linear, hn::Mul(channels.value[c], constant));
-    };
-    add_behind(Radiance<V>{channel(0), channel(1), channel(2), zeta}, active, sum);
+    add_piece_behind(channels, constant, linear, zeta, active, sum);
     return true;
   }
 
   template <class D, class V>
   HWY_INLINE std::size_t nodes_for(D d, const PieceDepth<V, kDegree>& depth,
                                    const V (&factor)[kFactorDegree + 1],
-                                   const Channels<V>& channels, const Piece<V>& piece, V weight,
+                                   const PieceColor<V>& channels, const Piece<V>& piece, V weight,
                                    hn::Mask<D> active) {
     FactorBound<V, kFactorDegree> bound;
     for (std::size_t k = 0; k <= kFactorDegree; ++k) bound.size[k] = hn::Abs(factor[k]);
@@ -269,17 +227,11 @@ class HigherOrderWalk {
                                                     ellipse_);
   }
 
-  // Means over a piece of exp(-A), which emission needs, and of exp(-A) times a factor.
-  template <class V>
-  struct Means {
-    V of_one, of_factor;
-  };
-
   template <class D, class V>
-  static HWY_INLINE Means<V> means_of(D d, const SymmetricRule& rule,
-                                      const PieceDepth<V, kDegree>& depth,
-                                      const Thickness& thickness,
-                                      const V (&factor)[kFactorDegree + 1]) {
+  static HWY_INLINE PieceMeans<V> means_of(D d, const SymmetricRule& rule,
+                                           const PieceDepth<V, kDegree>& depth,
+                                           const Thickness& thickness,
+                                           const V (&factor)[kFactorDegree + 1]) {
     V moment[kFactorDegree + 1];  // of exp(-A) z^k
     for (V& m : moment) m = hn::Zero(d);
     if (rule.middle != 0)

@@ -16,6 +16,7 @@
 #  include <hwy/highway.h>
 
 #  include "hiac/element/lane_polynomial-inl.hpp"
+#  include "hiac/render/integrate/piece_optics-inl.hpp"
 #  include "hiac/render/integrate/rule_choice-inl.hpp"
 #  include "hiac/render/integrate/shading-inl.hpp"
 #  include "hiac/render/integrate/symmetric_rules.hpp"
@@ -245,42 +246,6 @@ class PolynomialWalk {
     return z;
   }
 
-  // The intervals in which the middles of pieces lie; neighbouring rays' are mostly one.
-  template <std::size_t N, class D, class V = hn::Vec<D>>
-  static HWY_INLINE IntervalReader<D> reader_of(D d, const TransferTable<N>& table,
-                                                const WalkField& field, V middle) {
-    const auto [low, high] = field.intervals;
-    if (low == high) return IntervalReader<D>(d, low);
-    const hn::RebindToSigned<D> di;
-    auto interval = hn::Set(di, static_cast<std::int64_t>(low));
-    for (std::size_t k = low; k < high; ++k) {
-      const auto passed = hn::Ge(middle, hn::Set(d, table.upper[k] - field.base));
-      interval = hn::Sub(interval, hn::VecFromMask(di, hn::RebindMask(di, passed)));
-    }
-    const std::int64_t first = hn::GetLane(interval);
-    if (hn::AllTrue(di, hn::Eq(interval, hn::Set(di, first))))
-      return IntervalReader<D>(d, static_cast<std::size_t>(first));
-    return IntervalReader<D>(d, interval);
-  }
-
-  // A transfer function's channel on a piece: value + slope * (f - anchor), f less the base.
-  template <class V>
-  struct Channels {
-    V anchor, value[3], slope[3], steepest;
-  };
-  template <class D, class V = hn::Vec<D>>
-  HWY_INLINE Channels<V> channels_of(D d, const IntervalReader<D>& reader, double base) const {
-    Channels<V> c;
-    c.anchor = hn::Sub(reader(optics_.color.anchor), hn::Set(d, base));
-    c.steepest = hn::Zero(d);
-    for (std::size_t k = 0; k < 3; ++k) {
-      c.value[k] = reader(optics_.color.value[k]);
-      c.slope[k] = reader(optics_.color.slope[k]);
-      c.steepest = hn::Max(c.steepest, hn::Abs(c.slope[k]));
-    }
-    return c;
-  }
-
   // Pieces are compiled for fields of some degrees, 2 top, less than which is padded with zeros:
   // the optical depth has coefficients up to that of z^(2 top + 1).
   static constexpr std::size_t kMostTop = (kMaxFieldDegree + 1) / 2;
@@ -349,14 +314,14 @@ class PolynomialWalk {
   HWY_NOINLINE bool add_piece(D d, const LanePolynomial<V>& tau_field,
                               const LanePolynomial<V>& field, V length, V allowed,
                               hn::Mask<D> active, bool may_refuse, Radiance<V>& sum) {
-    const auto extinction = reader_of(d, optics_.extinction, extinction_, tau_field.c[0]);
-    const auto color =
-        optics_.same_field ? extinction : reader_of(d, optics_.color, color_, field.c[0]);
-    const Channels<V> channels =
-        channels_of(d, color, optics_.same_field ? extinction_.base : color_.base);
-    const V slope = extinction(optics_.extinction.slope[0]);
-    const V anchor = hn::Sub(extinction(optics_.extinction.anchor), hn::Set(d, extinction_.base));
-    const V offset = hn::NegMulAdd(slope, anchor, extinction(optics_.extinction.value[0]));
+    const auto extinction = reader_at_middle(d, optics_.extinction, extinction_.intervals,
+                                             extinction_.base, tau_field.c[0]);
+    const auto color = optics_.same_field ? extinction
+                                          : reader_at_middle(d, optics_.color, color_.intervals,
+                                                             color_.base, field.c[0]);
+    const PieceColor<V> channels =
+        color_on_piece(d, optics_, color, optics_.same_field ? extinction_.base : color_.base);
+    const auto [offset, slope] = extinction_on_piece(d, optics_, extinction, extinction_.base);
     // nothing of what other lanes have may pass what numbers reach
     const Depth<kTop, V> depth =
         depth_of<kTop>(d, tau_field, offset, slope, hn::IfThenElseZero(active, length));
@@ -379,7 +344,7 @@ class PolynomialWalk {
     const Thickness thickness(
         hn::GetLane(hn::MaxOfLanes(d, hn::IfThenElseZero(active, depth.total))));
     const V zeta = transparency(d, depth.total, thickness);
-    const Means<V> means = means_of<kTop>(d, rule, depth, thickness, factor);
+    const PieceMeans<V> means = means_of<kTop>(d, rule, depth, thickness, factor);
     V constant, linear;  // a channel is value * constant + slope * linear
     if constexpr (kEmission) {
       constant = hn::Mul(means.of_one, length);
@@ -388,10 +353,7 @@ class PolynomialWalk {
       constant = hn::Sub(hn::Set(d, 1.0), zeta);
       linear = hn::Add(hn::NegMulAdd(back, zeta, front), means.of_factor);
     }
-    const auto channel = [&](std::size_t c) {
-      return hn::MulAdd(channels.slope[c], linear, hn::Mul(channels.value[c], constant));
-    };
-    add_behind(Radiance<V>{channel(0), channel(1), channel(2), zeta}, active, sum);
+    add_piece_behind(channels, constant, linear, zeta, active, sum);
     return true;
   }
 
@@ -399,7 +361,7 @@ class PolynomialWalk {
   // or g: the best of some ellipses, for the lane that needs most. 0: more than there are.
   template <std::size_t kTop, class D, class V = hn::Vec<D>>
   HWY_NOINLINE std::size_t nodes_for(D d, const Depth<kTop, V>& depth, const V* factor,
-                                     const Channels<V>& channels, V length, V weight) {
+                                     const PieceColor<V>& channels, V length, V weight) {
     constexpr std::size_t kDepth = 2 * kTop + 1,
                           kFactor = 2 * kFactorTop<kTop> + (kEmission ? 0 : 1);
     FactorBound<V, kFactor> bound;
@@ -407,25 +369,18 @@ class PolynomialWalk {
     bound.brightest = hn::Zero(d);
     if constexpr (kEmission) {
       weight = hn::Mul(weight, length);
-      bound.brightest =
-          hn::Mul(weight, hn::Max(hn::Max(hn::Abs(channels.value[0]), hn::Abs(channels.value[1])),
-                                  hn::Abs(channels.value[2])));
+      bound.brightest = hn::Mul(weight, largest(channels.value));
     }
-    bound.steepness = hn::Mul(channels.steepest, weight);
+    bound.steepness = hn::Mul(largest(channels.slope), weight);
     return nodes_needed<kDepth, kFactor>(d, ellipses_, depth.alpha, bound,
                                          hn::Gt(weight, hn::Zero(d)), ellipse_);
   }
 
-  // Means over a piece of exp(-A), which emission needs, and of exp(-A) times a factor.
-  template <class V>
-  struct Means {
-    V of_one, of_factor;
-  };
-
   template <std::size_t kTop, class D, class V = hn::Vec<D>>
-  static HWY_NOINLINE Means<V> means_of(D d, const SymmetricRule& rule, const Depth<kTop, V>& depth,
-                                        const Thickness& thickness, const V* factor) {
-    Means<V> means{hn::Zero(d), hn::Zero(d)};
+  static HWY_NOINLINE PieceMeans<V> means_of(D d, const SymmetricRule& rule,
+                                             const Depth<kTop, V>& depth,
+                                             const Thickness& thickness, const V* factor) {
+    PieceMeans<V> means{hn::Zero(d), hn::Zero(d)};
     if (rule.middle != 0) {
       means.of_one = hn::Mul(hn::Set(d, rule.middle), transparency(d, depth.alpha[0], thickness));
       means.of_factor = hn::Mul(means.of_one, factor[0]);
