@@ -150,11 +150,11 @@ def main():
     print(f"inline constexpr int kDegree = {DEGREE};")
     print("\n// clang-format off")
     for name in NAMES:
+        print(f"// {DEGREE + 1} coefficients an interval, one interval after another.")
         print(f"inline constexpr double {name}[kIntervals][kDegree + 1] = {{")
-        for row in tables[name]:
-            numbers = [repr(float(v)) for v in row]
-            lines = [", ".join(numbers[i : i + 4]) for i in range(0, len(numbers), 4)]
-            print("    {" + ",\n     ".join(lines) + "},")
+        numbers = [repr(float(v)) for row in tables[name] for v in row]
+        for i in range(0, len(numbers), 4):
+            print("    " + ", ".join(numbers[i : i + 4]) + ",")
         print("};")
     print("// clang-format on\n\n}  // namespace hiac::special_functions_table")
 
