@@ -16,16 +16,11 @@
 
 #  include "hiac/element/cell_surface.hpp"
 #  include "hiac/frame/frame.hpp"
+#  include "hiac/render/pixels/face_plane-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-// Fused where the instruction set has it, as the same operation on vectors is.
-HWY_INLINE double neg_mul_add(double a, double b, double c) {
-  const hn::CappedTag<double, 1> d;
-  return hn::GetLane(hn::NegMulAdd(hn::Set(d, a), hn::Set(d, b), hn::Set(d, c)));
-}
 
 // Where a row of pixel centres crosses an edge.
 struct RowCrossing {
@@ -37,52 +32,36 @@ struct RowCrossing {
 // is known to rounding of projected coordinates alone (an ulp is 3e-11 for the farthest nodes).
 inline constexpr double kEdgeOnWidth = 0x1p-35;
 
-// Depth on a triangle over the screen: FacePlanes of scan_conversion-inl.hpp, one at a time.
+// Depth on a triangle over the screen (face_plane-inl.hpp).
 class TriangleDepth {
  public:
   TriangleDepth() = default;
   HWY_INLINE TriangleDepth(const ProjectedNode& base, const ProjectedNode& one,
                            const ProjectedNode& two)
       : base_(base) {
-    const double x1 = one.x - base.x, y1 = one.y - base.y;
-    const double x2 = two.x - base.x, y2 = two.y - base.y;
-    const bool swapped =
-        std::max(std::abs(x1), std::abs(y1)) < std::max(std::abs(x2), std::abs(y2));
-    const double mx = swapped ? x2 : x1, my = swapped ? y2 : y1;
-    const double sx = swapped ? x1 : x2, sy = swapped ? y1 : y2;
-    const bool y_pivot = std::abs(mx) < std::abs(my);
-    const double mp = y_pivot ? my : mx, mq = y_pivot ? mx : my;
-    const double sp = y_pivot ? sy : sx, sq = y_pivot ? sx : sy;
-    const double inverse_mp = 1 / mp;
-    const double l = mq * inverse_mp;
-    const double inverse_u = 1 / neg_mul_add(l, sp, sq);
-    const double cp = -(l * inverse_u);
-    cx_ = y_pivot ? inverse_u : cp;
-    cy_ = y_pivot ? cp : inverse_u;
-    gx_ = y_pivot ? 0.0 : inverse_mp;
-    gy_ = y_pivot ? inverse_mp : 0.0;
-    h_ = sp * inverse_mp;
+    const hn::CappedTag<double, 1> d;
+    const auto plane = face_plane(d, hn::Set(d, one.x - base.x), hn::Set(d, one.y - base.y),
+                                  hn::Set(d, two.x - base.x), hn::Set(d, two.y - base.y));
+    cx_ = hn::GetLane(plane.cx);
+    cy_ = hn::GetLane(plane.cy);
+    gx_ = hn::GetLane(plane.gx);
+    gy_ = hn::GetLane(plane.gy);
+    h_ = hn::GetLane(plane.h);
+    const bool swapped = !hn::AllFalse(d, plane.swapped);
     const double q1 = one.depth - base.depth, q2 = two.depth - base.depth;
     qm_ = swapped ? q2 : q1;
     qs_ = swapped ? q1 : q2;
   }
 
-  // What a row has in common.
-  struct Row {
-    double cy_dy, gy_dy;
-  };
+  using Row = FaceLine;
   [[nodiscard]] HWY_INLINE Row row(double y) const {
     const double dy = y - base_.y;
-    return {cy_ * dy, gy_ * dy};
+    return {base_.x, cx_, gx_, h_, cy_ * dy, gy_ * dy};
   }
-  // At points of it.
+  // At points of a row.
   template <class D, class V = hn::Vec<D>>
   HWY_INLINE V along(D d, const Row& row, V x) const {
-    const V dx = hn::Sub(x, hn::Set(d, base_.x));
-    const V s = hn::MulAdd(dx, hn::Set(d, cx_), hn::Set(d, row.cy_dy));
-    const V m =
-        hn::NegMulAdd(hn::Set(d, h_), s, hn::MulAdd(dx, hn::Set(d, gx_), hn::Set(d, row.gy_dy)));
-    return hn::MulAdd(s, hn::Set(d, qs_), hn::MulAdd(m, hn::Set(d, qm_), hn::Set(d, base_.depth)));
+    return on_face(d, base_.depth, qm_, qs_, place_on_face(d, row, x));
   }
 
  private:

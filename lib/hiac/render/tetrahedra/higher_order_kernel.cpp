@@ -124,7 +124,7 @@ class HigherOrderRenderer {
       HWY_ALIGN double at_corner[4] = {0, 0, 0, 0};
       at_corner[k + 1] = perspective_ ? corners_.depth[k + 1] : 1;
       for (std::size_t f = 0; f < 4; f += hn::Lanes(d))
-        set_quantity(d, at_corner, f, face_edges(d, corners_, f).swapped, weights_[k]);
+        set_quantity(d, at_corner, f, face_edges(d, corners_, f).swapped(), weights_[k]);
     }
   }
 

@@ -17,6 +17,7 @@
 
 #  include "hiac/frame/frame.hpp"
 #  include "hiac/frame/row_crossing-inl.hpp"
+#  include "hiac/render/pixels/face_plane-inl.hpp"
 #  include "hiac/render/pixels/tile.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -52,12 +53,7 @@ inline constexpr std::array<std::array<int, 2>, 6> kTetrahedronEdges{
 inline constexpr std::array<std::array<int, 3>, 4> kTetrahedronFaceEdges{
     {{0, 1, 3}, {0, 2, 4}, {1, 2, 5}, {3, 4, 5}}};
 
-// Affine functions over the screen for the four faces at once (index: face). With dx = x - base_x
-// and dy = y - base_y the barycentric coordinates of a point of the face are
-//     lambda_s = cx dx + cy dy,   lambda_m = gx dx + gy dy - h lambda_s,
-// Gaussian elimination with complete pivoting: the point that they describe is off (x, y) by
-// rounding of the coordinates alone, however thin the projected face. A quantity q is then
-// q0 + lambda_m qm + lambda_s qs.
+// The planes (face_plane-inl.hpp) of the four faces at once; index: face.
 struct FacePlanes {
   HWY_ALIGN double base_x[4], base_y[4];
   HWY_ALIGN double cx[4], cy[4], gx[4], gy[4], h[4];
@@ -161,7 +157,7 @@ HWY_INLINE void set_quantity(D d, const double* corner, std::size_t f, M swapped
 template <class D, class V = hn::Vec<D>>
 struct FaceEdges {
   V base_x, base_y, x1, y1, x2, y2;
-  hn::Mask<D> swapped;  // column pivot: where the second edge has the largest entry
+  HWY_INLINE hn::Mask<D> swapped() const { return is_second_longer(x1, y1, x2, y2); }
 };
 
 template <class D>
@@ -177,42 +173,25 @@ HWY_INLINE FaceEdges<D> face_edges(D d, const ProjectedTetrahedron& t, std::size
   const auto y1 = hn::Sub(hn::Load(d, corner[3]), base_y);
   const auto x2 = hn::Sub(hn::Load(d, corner[4]), base_x);
   const auto y2 = hn::Sub(hn::Load(d, corner[5]), base_y);
-  return {base_x,
-          base_y,
-          x1,
-          y1,
-          x2,
-          y2,
-          hn::Lt(hn::Max(hn::Abs(x1), hn::Abs(y1)), hn::Max(hn::Abs(x2), hn::Abs(y2)))};
+  return {base_x, base_y, x1, y1, x2, y2};
 }
 
 HWY_INLINE void set_face_planes(const ProjectedTetrahedron& t, bool with_color,
                                 FacePlanes& planes) {
   const hn::CappedTag<double, 4> d;
-  const auto one = hn::Set(d, 1.0), zero = hn::Zero(d);
   for (std::size_t f = 0; f < 4; f += hn::Lanes(d)) {
-    const auto [base_x, base_y, x1, y1, x2, y2, swapped] = face_edges(d, t, f);
-    // edge m has the largest entry, s is the other
-    const auto mx = hn::IfThenElse(swapped, x2, x1), my = hn::IfThenElse(swapped, y2, y1);
-    const auto sx = hn::IfThenElse(swapped, x1, x2), sy = hn::IfThenElse(swapped, y1, y2);
-    // row pivot: p is the coordinate of the largest entry, q the other
-    const auto y_pivot = hn::Lt(hn::Abs(mx), hn::Abs(my));
-    const auto mp = hn::IfThenElse(y_pivot, my, mx), mq = hn::IfThenElse(y_pivot, mx, my);
-    const auto sp = hn::IfThenElse(y_pivot, sy, sx), sq = hn::IfThenElse(y_pivot, sx, sy);
-    const auto inverse_mp = hn::Div(one, mp);
-    const auto l = hn::Mul(mq, inverse_mp);
-    const auto inverse_u = hn::Div(one, hn::NegMulAdd(l, sp, sq));
-    const auto cp = hn::Neg(hn::Mul(l, inverse_u));
+    const auto [base_x, base_y, x1, y1, x2, y2] = face_edges(d, t, f);
+    const auto plane = face_plane(d, x1, y1, x2, y2);
     hn::Store(base_x, d, planes.base_x + f);
     hn::Store(base_y, d, planes.base_y + f);
-    hn::Store(hn::IfThenElse(y_pivot, inverse_u, cp), d, planes.cx + f);
-    hn::Store(hn::IfThenElse(y_pivot, cp, inverse_u), d, planes.cy + f);
-    hn::Store(hn::IfThenElse(y_pivot, zero, inverse_mp), d, planes.gx + f);
-    hn::Store(hn::IfThenElse(y_pivot, inverse_mp, zero), d, planes.gy + f);
-    hn::Store(hn::Mul(sp, inverse_mp), d, planes.h + f);
-    set_quantity(d, t.depth, f, swapped, planes.depth);
-    set_quantity(d, t.extinction, f, swapped, planes.extinction);
-    if (with_color) set_quantity(d, t.color, f, swapped, planes.color);
+    hn::Store(plane.cx, d, planes.cx + f);
+    hn::Store(plane.cy, d, planes.cy + f);
+    hn::Store(plane.gx, d, planes.gx + f);
+    hn::Store(plane.gy, d, planes.gy + f);
+    hn::Store(plane.h, d, planes.h + f);
+    set_quantity(d, t.depth, f, plane.swapped, planes.depth);
+    set_quantity(d, t.extinction, f, plane.swapped, planes.extinction);
+    if (with_color) set_quantity(d, t.color, f, plane.swapped, planes.color);
   }
 }
 
@@ -276,27 +255,17 @@ HWY_INLINE hn::Mask<D> covered_by_face(D d, const FaceRow& row, std::size_t f, V
   return hn::And(hn::Ge(pixel, hn::Set(d, row.first[f])), hn::Lt(pixel, hn::Set(d, row.last[f])));
 }
 
-// A pixel's place on a face: barycentric coordinates.
-template <class V>
-struct FacePlace {
-  V m, s;
-};
-
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE FacePlace<V> place_on_face(D d, const FacePlanes& planes, const FaceRow& row,
                                       std::size_t f, V pixel) {
-  const V x = hn::Add(pixel, hn::Set(d, 0.5));
-  const V dx = hn::Sub(x, hn::Set(d, planes.base_x[f]));
-  const V s = hn::MulAdd(dx, hn::Set(d, planes.cx[f]), hn::Set(d, row.cy_dy[f]));
-  const V m = hn::NegMulAdd(hn::Set(d, planes.h[f]), s,
-                            hn::MulAdd(dx, hn::Set(d, planes.gx[f]), hn::Set(d, row.gy_dy[f])));
-  return {m, s};
+  return place_on_face(
+      d, {planes.base_x[f], planes.cx[f], planes.gx[f], planes.h[f], row.cy_dy[f], row.gy_dy[f]},
+      hn::Add(pixel, hn::Set(d, 0.5)));
 }
 
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V on_face(D d, const FacePlanes::Quantity& q, std::size_t f, const FacePlace<V>& at) {
-  return hn::MulAdd(at.s, hn::Set(d, q.qs[f]),
-                    hn::MulAdd(at.m, hn::Set(d, q.qm[f]), hn::Set(d, q.q0[f])));
+  return on_face(d, q.q0[f], q.qm[f], q.qs[f], at);
 }
 
 }  // namespace hiac::HWY_NAMESPACE

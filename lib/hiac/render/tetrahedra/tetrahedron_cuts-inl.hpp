@@ -94,7 +94,7 @@ HWY_NOINLINE TetrahedronCut make_cut(const Frame& frame, CellId cell, const Isos
       edges, {offset[1] - offset[0], offset[2] - offset[0], offset[3] - offset[0]}));
   const hn::CappedTag<double, 4> d;
   for (std::size_t f = 0; f < 4; f += hn::Lanes(d))
-    set_quantity(d, value, f, face_edges(d, t, f).swapped, result.offset);
+    set_quantity(d, value, f, face_edges(d, t, f).swapped(), result.offset);
   set_per_column(planes, result.offset, result.line);
   for (std::size_t f = 0; f < 4; ++f) {
     const auto [a, b, c] = kTetrahedronFaces[f];
