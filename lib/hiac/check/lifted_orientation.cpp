@@ -6,6 +6,8 @@
 
 #include <CGAL/Mpzf.h>
 
+#include "hiac/base/rounding.hpp"
+
 // CGAL's kernel and number types are LGPL; nothing of its GPL parts is used here.
 
 namespace hiac {
@@ -52,7 +54,7 @@ double permanent4(const Rows<double>& r) {
 
 // The sign, or 2 when rounding, underflow or overflow leave it open.
 int filtered_sign(const Rows<double>& r) {
-  constexpr double kEpsilon = std::numeric_limits<double>::epsilon() / 2;
+  constexpr double kEpsilon = kUnit;
   constexpr double kErrorBound = (16 + 224 * kEpsilon) * kEpsilon;
   double size = 1, height = 1;
   for (const Row<double>& row : r) {

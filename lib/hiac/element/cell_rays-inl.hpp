@@ -10,10 +10,12 @@
 
 #  include <hwy/highway.h>
 
+#  include "hiac/base/rounding.hpp"
 #  include "hiac/element/cell_polynomials.hpp"
 #  include "hiac/element/chebyshev_points.hpp"
 #  include "hiac/element/cube_polynomial-inl.hpp"
 #  include "hiac/element/inverse_series-inl.hpp"
+#  include "hiac/element/ray_rounding.hpp"
 #  include "hiac/element/taper-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -151,9 +153,9 @@ class CellRays {
       from = hn::Max(from, hn::Abs(origin_[a]));
       step = hn::Max(step, hn::Abs(direction_[a]));
     }
-    constexpr double kEpsilon = 0x1p-52;
-    const double value = kEpsilon * 4 * std::max(std::abs(field.least), std::abs(field.most));
-    const double point = kEpsilon * 8 * cell_.steepness * (field.most - field.least);
+    const double value =
+        kUnit * kRayValueRounding * std::max(std::abs(field.least), std::abs(field.most));
+    const double point = kUnit * kRayPointRounding * cell_.steepness * (field.most - field.least);
     return hn::MulAdd(hn::MulAdd(farthest, step, from), hn::Set(d_, point), hn::Set(d_, value));
   }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hiac/base/binomial.hpp"
+#include "hiac/base/rounding.hpp"
 #include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/interpolant_range.hpp"
 #include "hiac/mesh/shape_functions.hpp"
@@ -13,7 +14,6 @@
 namespace hiac {
 namespace {
 
-constexpr double kUnit = 0x1p-53;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Parts of a cell that are looked at before it is given up.
 constexpr std::size_t kMostParts = 73;

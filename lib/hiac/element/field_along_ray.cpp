@@ -4,13 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "hiac/base/rounding.hpp"
 #include "hiac/element/chebyshev_points.hpp"
+#include "hiac/element/ray_rounding.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 
 namespace hiac {
 namespace {
-
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 // Numbers of intervals between Chebyshev points; each has the points of the one before.
 constexpr std::array<std::size_t, 3> kAdaptiveDegrees{4, 8, 16};
@@ -79,8 +79,8 @@ double FieldAlongRay::rounding(const RayStretch& stretch, const CellField& field
   const double point =
       largest(stretch.origin) +
       std::max(std::abs(stretch.front), std::abs(stretch.back)) * largest(stretch.direction);
-  return kEpsilon * (4 * std::max(std::abs(field.least), std::abs(field.most)) +
-                     8 * point * map_.steepness() * (field.most - field.least));
+  return kUnit * (kRayValueRounding * std::max(std::abs(field.least), std::abs(field.most)) +
+                  kRayPointRounding * point * map_.steepness() * (field.most - field.least));
 }
 
 void FieldAlongRay::evaluate(const CellMap::Point& xi,

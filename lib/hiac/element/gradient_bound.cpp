@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hiac/base/rounding.hpp"
 #include "hiac/element/curved_gradient_bound.hpp"
 #include "hiac/geometry/inverse_map.hpp"
 #include "hiac/geometry/vector.hpp"
@@ -13,7 +14,6 @@ namespace hiac {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kUnit = 0x1p-53;
 
 // The difference of a cell's corners `to` and `from`.
 struct Edge {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "hiac/base/parallel.hpp"
+#include "hiac/frame/screen_rounding.hpp"
 #include "hiac/geometry/extended_vector.hpp"
 #include "hiac/geometry/vector.hpp"
 
@@ -16,15 +17,10 @@ namespace {
 // projectable, and their cells are met by their rays in world space.
 constexpr double kFarthestPixel = 131072;
 
-// Projected coordinates as close as rounding to the centres of a column or row of pixels lie on
-// them: faces seen edge-on along pixel centres, as views along an axis have them, stay straight
-// when their corners are projected, and rays in them lie on one side all along.
-constexpr double kCenterRounding = 0x1p-38;
-
 double at_center(long double extended) {
   const auto coordinate = static_cast<double>(extended);
   const double center = std::floor(coordinate) + 0.5;
-  return std::abs(coordinate - center) <= kCenterRounding ? center : coordinate;
+  return std::abs(coordinate - center) <= kSnapToCenter ? center : coordinate;
 }
 
 using Extended = ExtendedVector;

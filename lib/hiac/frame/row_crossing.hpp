@@ -1,9 +1,7 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
 #include "hiac/frame/projection.hpp"
+#include "hiac/frame/screen_rounding.hpp"
 
 namespace hiac {
 
@@ -11,15 +9,6 @@ namespace hiac {
 // crossings by these functions, so that an edge lies alike to a pixel's centre for all cells around
 // it. `V` is double or a vector of them. The operations are not fused: they give the same numbers
 // in scalars and in vectors, on every machine.
-
-/// An edge may cross a row of centres this far right of a pixel's centre, in pixels, and still
-/// count as going through it: this is what rounding of projected coordinates can do, and a little
-/// more. Faces seen edge-on so stay straight whichever way they run across the screen: rays in them
-/// lie on one side of all their edges. `slope`: the edge's change of x by y.
-inline constexpr double kMostOnCrossing = 0x1p-36;
-inline double on_crossing(double slope) {
-  return std::min(kMostOnCrossing, 0x1p-39 * (1 + std::abs(slope)));
-}
 
 /// The change of x by y along the edge from a to b.
 inline double edge_slope(const ProjectedNode& a, const ProjectedNode& b) {

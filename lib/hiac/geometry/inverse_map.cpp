@@ -19,7 +19,7 @@ using Matrix = std::array<Point, 3>;  // rows
 constexpr double kAffineDeviation = 1e-14;
 // So does what rounding of a few coordinates takes it off, relative to the largest of them: corners
 // of small cells are no more exact than that.
-constexpr double kCoordinateRounding = 4 * std::numeric_limits<double>::epsilon();
+constexpr double kCornerRounding = 4 * std::numeric_limits<double>::epsilon();
 // Newton converges quadratically: after a step this short, relative to the distance over which the
 // Jacobian changes, the next would be below rounding.
 constexpr double kLastStep = 1e-9;
@@ -216,7 +216,7 @@ CellMap::CellMap(CellKind kind, std::span<const Point> nodes, double deviation, 
         reference[k][0] * jacobian.x + reference[k][1] * jacobian.y + reference[k][2] * jacobian.z;
     off_affine_ = std::max(off_affine_, largest(nodes_[k] - image));
   }
-  affine_ = affine_ && off_affine_ <= kAffineDeviation * size_ + kCoordinateRounding * farthest;
+  affine_ = affine_ && off_affine_ <= kAffineDeviation * size_ + kCornerRounding * farthest;
   if (!affine_) off_affine_ = 0;
   if (straight()) {
     set_terms();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hiac/base/rounding.hpp"
 #include "hiac/geometry/exact_determinant.hpp"
 
 namespace hiac {
@@ -29,7 +30,7 @@ Filtered determinant(const std::array<double, 3>& u, const std::array<double, 3>
 }
 
 // Shewchuk's bound A for a determinant of rounded differences; eps is half an ulp of 1.
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon() / 2;
+constexpr double kEpsilon = kUnit;
 constexpr double kErrorBound = (7.0 + 56.0 * kEpsilon) * kEpsilon;
 // What underflow may add, which that bound leaves out: each product of v and w is off by up to half
 // a denormal number, which u multiplies, and so is each of the last products. The smallest normal

@@ -11,16 +11,18 @@
 #include <type_traits>
 #include <vector>
 
+#include "hiac/base/rounding.hpp"
 #include "hiac/optics/gauss_legendre.hpp"
 #include "hiac/optics/polynomial_roots.hpp"
 
 namespace hiac {
 namespace {
 
-// Unit roundoff; in extended precision nodes, weights and cosines are found with it, too, and are
-// off by a few of these.
+// What a number is rounded by. Nodes, weights and cosines are found in extended precision: rounded
+// to double they are off by a unit of double; otherwise by a few of their own, for which 64 are
+// counted. Where long double is no finer than double, that holds for both.
 template <class Real>
-constexpr Real kUnit = std::is_same_v<Real, double> ? 0x1p-53 : 0x1p-58;
+constexpr Real kRuleUnit = kUnitOf<Real>*(std::is_same_v<Real, double>&& kExtendedIsFiner ? 1 : 64);
 constexpr double kLargestCoefficient = 1e150;  // differences and slopes of such do not overflow
 constexpr int kDeepestBisection = 60;
 
@@ -83,7 +85,7 @@ struct Course {
     // (n + 1 terms, n + 1 coefficients) and Clenshaw's recurrence twice (errors up to n times 4 n),
     // each relative to `largest`
     const auto n = static_cast<Real>(f.degree);
-    field_error = (1 + 3 * n + 4 * (n + 1) * (n + 1) + 8 * n * n) * kUnit<Real> * largest;
+    field_error = (1 + 3 * n + 4 * (n + 1) * (n + 1) + 8 * n * n) * kRuleUnit<Real> * largest;
   }
 
   /// The function on interval k, as a function of the variation.
@@ -329,15 +331,15 @@ class Walk {
   }
 
   void set_rounding_bounds(Piece<Real>& p, Real tau_slope) const {
-    p.color_error =
-        p.steepest_color() * (color_.field_error + 4 * kUnit<Real> * std::abs(p.color->anchor)) +
-        4 * kUnit<Real> * p.largest_color;
+    p.color_error = p.steepest_color() *
+                        (color_.field_error + 4 * kRuleUnit<Real> * std::abs(p.color->anchor)) +
+                    4 * kRuleUnit<Real> * p.largest_color;
     p.tau_error = tau_slope * (extinction_.field_error +
-                               4 * kUnit<Real> * std::abs(extinction_piece_.anchor)) +
-                  4 * kUnit<Real> * p.largest_tau;
+                               4 * kRuleUnit<Real> * std::abs(extinction_piece_.anchor)) +
+                  4 * kRuleUnit<Real> * p.largest_tau;
     const auto terms = static_cast<Real>(p.depth.degree + 1);
     p.depth_error =
-        2 * p.half_length * (p.tau_error + 4 * terms * terms * kUnit<Real> * p.largest_tau);
+        2 * p.half_length * (p.tau_error + 4 * terms * terms * kRuleUnit<Real> * p.largest_tau);
   }
 
   void check(const Piece<Real>& p) const {
@@ -382,10 +384,11 @@ class Walk {
   /// errors, the rest relative to the sum.
   [[nodiscard]] Real rounding_bound(const Piece<Real>& piece, Real opacity) const {
     const Real color = piece.largest_color;
-    const Real relative = growth(piece.depth_error) + 2 * (kMaxGaussNodes + 16) * kUnit<Real>;
+    const Real relative = growth(piece.depth_error) + 2 * (kMaxGaussNodes + 16) * kRuleUnit<Real>;
     const Real length = 2 * piece.half_length;
     const Real tau = piece.largest_tau;
-    const Real nodes = kUnit<Real> * steepness(piece, tau);  // each node is off by a unit at most
+    const Real nodes =
+        kRuleUnit<Real> * steepness(piece, tau);  // each node is off by a unit at most
     if (glow_ == Glow::emission) return length * (piece.color_error + color * (relative + nodes));
     const Real weight = std::min<Real>(1, opacity + piece.depth_error);
     return weight * (piece.color_error + color * relative) +
@@ -404,9 +407,9 @@ class Walk {
     for (std::size_t c = 0; c < 3; ++c) rgb_[c] += front * opacity * piece.mean_color(c);
     const Real largest = piece.largest_color;
     const Real depth_effect = std::min<Real>(1, (1 - opacity) * growth(piece.depth_error));
-    add_errors(
-        piece, front, largest * opacity,
-        bound + opacity * piece.color_error + largest * (depth_effect + 8 * kUnit<Real> * opacity));
+    add_errors(piece, front, largest * opacity,
+               bound + opacity * piece.color_error +
+                   largest * (depth_effect + 8 * kRuleUnit<Real> * opacity));
   }
 
   void add_by_rule(const Piece<Real>& piece, Real front, const Rule<Real>& rule, Real rounding) {
@@ -431,11 +434,11 @@ class Walk {
   /// `error`: of this piece's own radiance, `largest`: its magnitude, which the error of the
   /// transparency in front scales.
   void add_errors(const Piece<Real>& piece, Real front, Real largest, Real error) {
-    const Real front_error = front * growth(depth_error_ + 4 * kUnit<Real>);
+    const Real front_error = front * growth(depth_error_ + 4 * kRuleUnit<Real>);
     error_ += (front + front_error) * error + front_error * largest;
-    error_ += 4 * kUnit<Real> * (std::abs(rgb_[0]) + std::abs(rgb_[1]) + std::abs(rgb_[2]));
+    error_ += 4 * kRuleUnit<Real> * (std::abs(rgb_[0]) + std::abs(rgb_[1]) + std::abs(rgb_[2]));
     depth_ += piece.total_depth;
-    depth_error_ += piece.depth_error + kUnit<Real> * depth_;
+    depth_error_ += piece.depth_error + kRuleUnit<Real> * depth_;
     largest_color_ = std::max(largest_color_, piece.largest_color);
     largest_tau_ = std::max(largest_tau_, piece.largest_tau);
   }
@@ -448,7 +451,7 @@ class Walk {
     return {rgb_, transparency,
             static_cast<double>(error_ + color_weight * cuts.color_doubt + direct),
             static_cast<double>(
-                std::min<Real>(1, transparency * growth(depth_error_ + 4 * kUnit<Real>) +
+                std::min<Real>(1, transparency * growth(depth_error_ + 4 * kRuleUnit<Real>) +
                                       std::numeric_limits<double>::denorm_min()))};
   }
 

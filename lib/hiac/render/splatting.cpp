@@ -12,6 +12,7 @@
 #include "hiac/geometry/inverse_map.hpp"
 #include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/shape_functions.hpp"
+#include "hiac/frame/screen_rounding.hpp"
 #include "hiac/optics/gauss_legendre.hpp"
 #include "hiac/optics/linear_piece.hpp"
 #include "hiac/render/cells/cell_scan.hpp"
@@ -25,7 +26,7 @@ namespace {
 constexpr double kFarthestCount = 262144;
 
 // More than on_crossing may put a pixel centre left of an edge that it counts as lying on.
-constexpr double kLeftOfEdge = 0x1p-35;
+constexpr double kLeftOfEdge = kBesideCrossing;
 
 int first_center(double coordinate) {
   return static_cast<int>(std::ceil(std::clamp(coordinate - 0.5, -kFarthestCount, kFarthestCount)));

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "hiac/base/rounding.hpp"
 #include "hiac/geometry/vector.hpp"
 
 namespace hiac {
 namespace {
 
-constexpr double kUnit = 0x1p-53;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // J^-T g without the determinant, and the sum of what was added up.
@@ -279,7 +279,7 @@ double pixel_error(const Frame& frame, const PixelDetails& pixel, double transpa
   const double lost = pixel.transparency_error + pixel.open_edge;
   return std::max(pixel.radiance_error + pixel.open_edge + behind + lost * background,
                   lost + left) +
-         4 * 0x1p-53 * (1 + background);
+         4 * kUnit * (1 + background);
 }
 
 }  // namespace hiac

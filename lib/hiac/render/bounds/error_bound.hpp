@@ -53,7 +53,7 @@ namespace hiac {
 ///   the largest light behind is added.
 ///
 /// By definition, not by error: pixel centres on a projected edge to within rounding (on_crossing,
-/// projection.hpp) are on the side where the engine puts them; a ray in a face belongs to one of
+/// screen_rounding.hpp) are on the side where the engine puts them; a ray in a face belongs to one of
 /// its cells.
 struct ErrorBound {
   double radiance = 0;      ///< of any channel

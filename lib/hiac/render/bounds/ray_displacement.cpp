@@ -4,22 +4,19 @@
 #include <cmath>
 #include <limits>
 
+#include "hiac/base/rounding.hpp"
 #include "hiac/element/cell_field.hpp"
 #include "hiac/geometry/extended_vector.hpp"
 #include "hiac/geometry/face_form.hpp"
 #include "hiac/geometry/inverse_map.hpp"
 #include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/shape_functions.hpp"
+#include "hiac/render/bounds/rounding_counts.hpp"
 
 namespace hiac {
 namespace {
 
-constexpr double kUnit = 0x1p-53;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// Of a cell's size: what Newton's iteration leaves (inverse_map.cpp: a residual of 16 epsilon) and
-// the map's own rounding.
-constexpr double kMapRounding = 64 * kUnit;
 
 template <class Real>
 std::array<Real, 3> middle_of(const ShapeFace& face, std::span<const std::array<Real, 3>> corners) {
@@ -64,10 +61,10 @@ double size_of(std::span<const Vector> points) {
 
 // How far a cell's map is from the one that the fields are sampled by.
 double map_error(const CellMap& map, CellKind kind, std::span<const Vector> nodes) {
-  if (!map.straight()) return kMapRounding * size_of(nodes);
+  if (!map.straight()) return kMapRounding * kUnit * size_of(nodes);
   const double size = size_of(nodes.first(corner_count(kind)));
   // four times what a node is off (CellMap::straightened) along every axis
-  return (kMapRounding + 7 * edge_deviation(kind, nodes)) * size + 2 * map.off_affine();
+  return (kMapRounding * kUnit + 7 * edge_deviation(kind, nodes)) * size + 2 * map.off_affine();
 }
 
 // How far edges and faces of a curved cell that count as straight and planar may be off: four times
@@ -88,19 +85,6 @@ double straightened(CellKind kind, std::span<const Vector> nodes, double straigh
   }
   return 4 * most;
 }
-
-// Of what is projected, in units of rounding: coordinates are rounded once, from extended
-// precision; places on faces are found relative to a corner by Gaussian elimination or between
-// edges, 15 roundings of the longest edge at most; depths and what they divide by add up eleven of
-// the largest: five on a corner of the face, six along a row of pixels.
-constexpr double kCoordinateRounding = 2, kPlaceRounding = 20, kDepthRounding = 16;
-constexpr double kExtendedUnit = 0x1p-64;
-// Of distances from the eye, where rays are followed in the world.
-constexpr double kWorldRounding = 24;
-// The same of curved faces, by order: control points add up to twelve nodes, places on faces
-// sixteen control points, 34 roundings at most; without their signs the weights of nodes in places
-// come to 1.5, 4.8 and 14.4 at most (all of PatchWeights).
-constexpr std::array<double, 3> kCurvedRounding{64, 192, 512};
 
 // Of the faces of a cell, found where its projected corners are. Corners beside the eye have no
 // projection: such cells are met in the world.
@@ -199,7 +183,7 @@ template <class Real>
 typename BasicEndDoubts<Real>::Doubts BasicEndDoubts<Real>::at(const Vector& origin,
                                                                const Vector& direction,
                                                                const RayDisplacement& moved) const {
-  constexpr Real kRounding = 8 * std::numeric_limits<Real>::epsilon();
+  constexpr Real kRounding = 16 * kUnitOf<Real>;
   constexpr Real kNever = std::numeric_limits<Real>::infinity();
   const Real scale = length(direction);
   // and the rounding of the distances below
@@ -235,7 +219,7 @@ typename BasicEndDoubts<Real>::Doubts BasicEndDoubts<Real>::at(const Vector& ori
 template <class Real>
 double BasicEndDoubts<Real>::through(std::size_t face, const Vector& direction,
                                      const RayDisplacement& moved) const {
-  constexpr Real kRounding = 8 * std::numeric_limits<Real>::epsilon();
+  constexpr Real kRounding = 16 * kUnitOf<Real>;
   const Real cosine = std::abs(dot(planes_[face].normal, direction)) / length(direction);
   const Real doubt = 2 * static_cast<Real>(moved.at_ends) + kRounding * reach_;
   return cosine > kRounding ? static_cast<double>(doubt / cosine) + moved.along : kInfinity;

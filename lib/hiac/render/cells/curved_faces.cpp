@@ -5,53 +5,16 @@
 #include <limits>
 
 #include "hiac/frame/row_crossing.hpp"
+#include "hiac/frame/screen_rounding.hpp"
 #include "hiac/geometry/patch_facing.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 #include "hiac/render/bounds/ray_displacement.hpp"
+#include "hiac/render/cells/patch_curvature.hpp"
 
 namespace hiac {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// Corners this near to a pixel's centre, in pixels, lie on it: more than rounding of projected
-// coordinates.
-constexpr double kCenterRounding = 0x1p-36;
-
-// Boxes around places on faces are no wider to either side.
-constexpr double kWidestBox = 0x1p-5;
-
-// Bounds of the second derivatives of a patch's coordinate on its domain with a border of
-// kWidestBox, where Bernstein polynomials of a degree sum up to (1 + 2 kWidestBox)^degree at most
-// without their signs.
-class Curvature {
- public:
-  Curvature(std::size_t degree, const PatchNet<double>& net) {
-    const std::size_t side = degree + 1;
-    const auto at = [&](std::size_t i, std::size_t j) { return net[i + side * j]; };
-    const auto n = static_cast<double>(degree);
-    for (std::size_t j = 0; j < side; ++j)
-      for (std::size_t i = 0; i + 2 < side; ++i) {
-        uu_ = std::max(uu_, std::abs(at(i + 2, j) - 2 * at(i + 1, j) + at(i, j)));
-        vv_ = std::max(vv_, std::abs(at(j, i + 2) - 2 * at(j, i + 1) + at(j, i)));
-      }
-    for (std::size_t j = 0; j < degree; ++j)
-      for (std::size_t i = 0; i < degree; ++i)
-        uv_ = std::max(uv_, std::abs(at(i + 1, j + 1) - at(i + 1, j) - at(i, j + 1) + at(i, j)));
-    const double beyond = std::pow(1 + 2 * kWidestBox, 2 * n);
-    uu_ *= n * (n - 1) * beyond;
-    vv_ *= n * (n - 1) * beyond;
-    uv_ *= n * n * beyond;
-  }
-
-  // How far the coordinate is from a linear one, within this of a place.
-  [[nodiscard]] double within(double u, double v) const {
-    return 0.5 * (uu_ * u * u + vv_ * v * v) + uv_ * u * v;
-  }
-
- private:
-  double uu_ = 0, uv_ = 0, vv_ = 0;
-};
 
 // A node's homogeneous coordinates on the screen, and its ray parameter. Where a node is projected
 // they are made of that, so that edges and faces lie alike to pixel centres.
@@ -267,7 +230,7 @@ void CurvedFaces::add_face(const Frame& frame, CellId cell, const CellSurface& s
   face.turns = in_front ? patch_facing(form.shape, {face.x, face.y, face.w}) : 0;
   face.rounding = 0;
   for (std::size_t k = 0; k < form.shape.control_count(); ++k)
-    face.rounding = std::max(face.rounding, kCenterRounding * std::abs(face.w[k]));
+    face.rounding = std::max(face.rounding, kCornerOnRay * std::abs(face.w[k]));
   face.guess = form.shape.triangle ? std::array{1.0 / 3, 1.0 / 3} : std::array{0.5, 0.5};
 }
 
@@ -455,20 +418,20 @@ double CurvedFaces::doubt(std::size_t number, double u, double v, int x, double 
   const double step_u = std::abs(u_a) * off_a + std::abs(u_b) * off_b;
   const double step_v = std::abs(v_a) * off_a + std::abs(v_b) * off_b;
   const double side_u = 2 * step_u, side_v = 2 * step_v;
-  if (!(std::max(side_u, side_v) <= kWidestBox)) return kInfinity;
+  if (!(std::max(side_u, side_v) <= PatchCurvature::kBorder)) return kInfinity;
   PatchNet<double> p, q;
   for (std::size_t k = 0; k < count; ++k) {
     p[k] = u_a * aside[k] + u_b * face.height[k];
     q[k] = v_a * aside[k] + v_b * face.height[k];
   }
-  const double bent_u = Curvature(n, p).within(side_u, side_v),
-               bent_v = Curvature(n, q).within(side_u, side_v);
+  const double bent_u = PatchCurvature(n, p).within(side_u, side_v),
+               bent_v = PatchCurvature(n, q).within(side_u, side_v);
   // a tenth for the rounding of J^-1
   if (!(bent_u <= 0.9 * step_u && bent_v <= 0.9 * step_v)) return kInfinity;
   const double by_a = std::abs(t.by_u * u_a + t.by_v * v_a) * off_a,
                by_b = std::abs(t.by_u * u_b + t.by_v * v_b) * off_b;
   const double bent_t = std::abs(t.by_u) * bent_u + std::abs(t.by_v) * bent_v +
-                        Curvature(n, face.t).within(side_u, side_v);
+                        PatchCurvature(n, face.t).within(side_u, side_v);
   return unit * (1.01 * (by_a + by_b) + bent_t + displaced);
 }
 

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "hiac/base/rounding.hpp"
 #include "hiac/element/gradient_bound.hpp"
 #include "hiac/element/gradient_direction.hpp"
 #include "hiac/element/sign_changes.hpp"
 #include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/shape_functions.hpp"
+#include "hiac/render/bounds/rounding_counts.hpp"
 
 namespace hiac {
 namespace {
@@ -17,7 +19,7 @@ namespace {
 constexpr double kDoubt = 1e-9;
 
 // Normals are wrong by this times the condition of the gradient.
-constexpr double kAngleUnit = 16 * 0x1p-53;
+constexpr double kAngleUnit = kAngleRounding * kUnit;
 
 }  // namespace
 

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
+#include "hiac/base/rounding.hpp"
+
 namespace hiac {
 
 void PixelDetails::add(const SegmentDetails& segment, double visible, double light) {
-  constexpr double kUnit = 0x1p-53;
   ++cells;
   if (segment.out_of_order) ++violations;
   if (segment.transparency < 1 || segment.light > 0) first = std::min(first, segment.first);

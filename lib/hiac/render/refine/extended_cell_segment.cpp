@@ -8,8 +8,10 @@
 
 #include "hiac/element/face_interpolant.hpp"
 #include "hiac/element/gradient_bound.hpp"
+#include "hiac/element/ray_rounding.hpp"
 #include "hiac/element/sign_changes.hpp"
 #include "hiac/optics/polynomial_piece.hpp"
+#include "hiac/render/bounds/rounding_counts.hpp"
 #include "hiac/render/cells/cuts_along_ray.hpp"
 
 namespace hiac {
@@ -18,17 +20,10 @@ namespace {
 using Real = long double;
 using Vec = ExtendedVector;
 
-constexpr double kUnit = kExtended.unit;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Of the tolerance: a sixteenth of what general_cells.cpp takes.
 constexpr double kFieldShare = 0x1p-12, kIntegrationShare = 0x1p-11;
-
-// As in ray_displacement.cpp: of the distance from the eye, and of the cell's size; of depths too,
-// which are found at once here and not along rows of pixels.
-constexpr double kWorldRounding = 24, kMapRounding = 64, kDepthRounding = 8;
-// As in cuts_along_ray.cpp: of the condition of the gradient.
-constexpr double kAngleRounding = 16;
 
 // Whether an isosurface's field is below its value where the ray crosses a face.
 bool below_at_face(const IsosurfaceCut& cut, CellKind kind, std::size_t face,
@@ -65,7 +60,8 @@ ExtendedCellSegments::Known ExtendedCellSegments::known(const CellField& nodes,
   const ValueRange range{nodes.least, nodes.most};
   const double difference = range.most - range.least;
   const double largest = std::max(std::abs(range.least), std::abs(range.most));
-  const double rounding = kUnit * (8 * largest + 16 * reach_ * steepness_ * difference);
+  const double rounding = kExtended.unit * (kRayValueRounding * largest +
+                                            kRayPointRounding * reach_ * steepness_ * difference);
   const double negligible = std::max(nodes.allowed, rounding);
   known.field.negligible = negligible;
   const double gradient = (*gradient_)(nodes);
@@ -90,9 +86,9 @@ void ExtendedCellSegments::load(CellId cell, const ExtendedCell& geometry, const
   reach_ = geometry.reach();
   bent_ = geometry.bent();
   inside_ = {};
-  inside_.aside = kUnit * (kWorldRounding * reach_ + kMapRounding * geometry.size());
+  inside_.aside = kExtended.unit * (kWorldRounding * reach_ + kMapRounding * geometry.size());
   inside_.at_ends = inside_.aside + bent_;
-  inside_.along = kDepthRounding * kUnit * reach_;
+  inside_.along = kPlaneDepthRounding * kExtended.unit * reach_;
   known_extinction_ = known(extinction_.nodes, frame_.extinction, 0);
   known_color_ =
       optics.same_field ? known_extinction_ : known(color_.nodes, frame_.color_field(), 0);
@@ -248,7 +244,7 @@ bool ExtendedCellSegments::shade(const ExtendedCell& geometry, const ExtendedRay
     }
     normal = length(normal) > 0 ? unit(normal) : Vec{0, 0, 1};
     rounding =
-        kAngleRounding * kUnit *
+        kAngleRounding * kExtended.unit *
         gradient_condition({rounded(d.columns[0]), rounded(d.columns[1]), rounded(d.columns[2])},
                            rounded(d.gradient));
     return true;

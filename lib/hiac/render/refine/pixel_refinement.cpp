@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "hiac/base/rounding.hpp"
 #include "hiac/frame/cell_groups.hpp"
 #include "hiac/render/bounds/error_bound.hpp"
 
@@ -95,7 +96,8 @@ std::optional<PixelRefinement::Again> PixelRefinement::compute_again(int x, int 
 double PixelRefinement::error(const Drawn& pixel, double background) {
   const double bound = pixel_error(frame_, *pixel.details, pixel.transparency,
                                    pixel.transparency <= frame_.least_transparency, background);
-  if (bound <= kLargeBound * frame_.tolerance) return bound;
+  // numbers no finer than the engine's tell nothing of its rounding
+  if (!kExtendedIsFiner || bound <= kLargeBound * frame_.tolerance) return bound;
   const auto again = compute_again(pixel.x, pixel.y);
   if (!again) return bound;
   Real light = 0;

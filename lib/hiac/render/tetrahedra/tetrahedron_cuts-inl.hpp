@@ -60,9 +60,6 @@ struct TetrahedronCut {
   std::array<double, 4> least, most, doubt;
 };
 
-// Of the largest offset on a face: smaller ones may have the wrong sign by rounding.
-inline constexpr double kOffsetDoubt = 0x1p-36;
-
 // The cut of a cell whose corners are `corner` in ascending order of their nodes; `box` comes to
 // include it.
 HWY_NOINLINE TetrahedronCut make_cut(const Frame& frame, CellId cell, const IsosurfaceCut& cut,

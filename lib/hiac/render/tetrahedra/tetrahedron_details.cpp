@@ -4,15 +4,18 @@
 #include <cmath>
 #include <limits>
 
+#include "hiac/base/rounding.hpp"
 #include "hiac/element/gradient_direction.hpp"
+#include "hiac/frame/face_value.hpp"
 #include "hiac/geometry/vector.hpp"
+#include "hiac/render/bounds/rounding_counts.hpp"
 #include "hiac/render/refine/extended_ray.hpp"
 
 namespace hiac {
 namespace {
 
 // Of the largest offset, and twice what makes tetrahedron_cuts-inl.hpp ask the face.
-constexpr double kFoundInWorld = 0x1p-35;
+constexpr double kFoundInWorld = 2 * kOffsetDoubt;
 
 // Barycentric coordinates in the world: quotients of volumes whose terms add up to this times it.
 constexpr double kBarycentricRounding = 64;
@@ -23,7 +26,7 @@ double elongation(const std::array<Vector, 3>& edges) {
   for (std::size_t k = 0; k < 3; ++k)
     longest = std::max({longest, length(edges[k]), length(minus(edges[k], edges[(k + 1) % 3]))});
   const double most = longest * longest * longest;
-  const double volume = std::abs(dot(edges[0], cross(edges[1], edges[2]))) - 0x1p-49 * most;
+  const double volume = std::abs(dot(edges[0], cross(edges[1], edges[2]))) - 16 * kUnit * most;
   return volume > 0 ? most / volume : std::numeric_limits<double>::infinity();
 }
 
@@ -86,7 +89,7 @@ void BasicTetrahedronDetails<Real>::enter(CellId cell) {
     const Vector differences{v[1] - v[0], v[2] - v[0], v[3] - v[0]};
     cuts_.push_back({&surface,
                      frame_.projector.camera_vector(gradient_direction(edges_, differences)),
-                     16 * kNumbers.unit * gradient_condition(edges_, differences),
+                     kAngleRounding * kNumbers.unit * gradient_condition(edges_, differences),
                      std::max(-range.least, range.most), error_of(v, range, displacement_),
                      error_of(v, range, world)});
   }
