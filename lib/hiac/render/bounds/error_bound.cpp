@@ -261,8 +261,10 @@ ErrorBound shade_bound(const FrameIsosurface& surface, std::span<const FrameLigh
         std::abs(to_light) <= 2 * angle
             ? 1
             : highlight_error(surface.shininess, 2 * to_light * facing - towards_eye, 6 * angle);
-    light_error += strength * (surface.diffuse * most_color * 2 * angle +
-                               surface.specular * std::min(1.0, highlight));
+    // the surface may be seen from the other side, which other lights than the eye's shine on
+    const bool either_side = !l.headlight && facing <= angle;
+    light_error += strength * (surface.diffuse * most_color * (either_side ? 1 : 2 * angle) +
+                               surface.specular * (either_side ? 1 : std::min(1.0, highlight)));
   }
   ErrorBound bound;
   bound.transparency = std::max(high - here, here - low) + 8 * kUnit;
