@@ -138,6 +138,108 @@ TEST(GradientBound, IsSharpForLinearFields) {
   }
 }
 
+struct Wedge {
+  std::vector<Vector> nodes;
+  CellField field{};
+};
+
+// A wedge with edges 0-1, 3-2 and 4-5 of these lengths along x, and a field that is `values` at
+// their farther ends, 0 at the nearer ones and at the corner that is left.
+Wedge wedge_with(const std::array<double, 3>& lengths, const std::array<double, 3>& values) {
+  Wedge wedge;
+  wedge.nodes = {{0, 0, 0}, {lengths[0], 0, 0}, {lengths[1], 1, 0}, {0, 1, 0},
+                 {0, 0, 1}, {lengths[2], 0, 1}, {0, 1, 1}};
+  wedge.field.values[1] = values[0];
+  wedge.field.values[2] = values[1];
+  wedge.field.values[5] = values[2];
+  return wedge;
+}
+
+// Steepest on a grid of the wedge.
+double steepest_in(const Wedge& wedge) {
+  double steepest = 0;
+  for (int k = 0; k <= 40; ++k)
+    for (int j = 0; j <= 40; ++j)
+      for (int i = 0; i <= 40; ++i) {
+        const double y = 0.999 * j / 40, z = 0.999 * k / 40;
+        const double x = (2 - y - z) * i / 40;
+        steepest =
+            std::max(steepest, gradient_at(CellKind::wedge7, wedge.nodes, wedge.field, {x, y, z}));
+      }
+  return steepest;
+}
+
+// By hand: the second columns are (p, 1, 0), the third ones (q, 0, 1), the first one any of the
+// three edges, (l, 0, 0), with weights that sum to 1/2 at least. So the determinant is at least
+// half of the least l, and the rows' numerators (1, -p, -q), (0, l, 0) and (0, 0, l).
+double bound_by_hand(const std::array<double, 3>& lengths, const CellField& field) {
+  const auto [l0, l1, l2] = lengths;
+  const auto difference = [&](std::size_t from, std::size_t to) {
+    return std::abs(field.values[to] - field.values[from]);
+  };
+  const double p = std::max(std::abs(l1 - l0), l2), q = std::max(std::abs(l2 - l0), l1);
+  const double first = std::max({difference(0, 1), difference(3, 2), difference(4, 5)});
+  const double second =
+      std::max({difference(0, 3), difference(1, 2), difference(4, 6), difference(5, 6)});
+  const double third =
+      std::max({difference(0, 4), difference(1, 5), difference(3, 6), difference(2, 6)});
+  const double numerator =
+      first * std::hypot(1, p, q) + (second + third) * std::ranges::max(lengths);
+  return numerator / (0.5 * std::ranges::min(lengths));
+}
+
+// The determinant is smallest where the shortest of the three edges is: a field has the gradient of
+// its difference along it by its length there.
+TEST(GradientBound, LooksAtAllThreeEdgesOfWedges) {
+  for (std::size_t shortest = 0; shortest < 3; ++shortest)
+    for (const bool alone : {true, false}) {
+      std::array<double, 3> lengths{2, 2, 2}, values{0, 0, 0};
+      lengths[shortest] = 0.125;
+      values[shortest] = 3;
+      if (!alone) values = {3, 3, 3};
+      const Wedge wedge = wedge_with(lengths, values);
+      const double bound = GradientBound(CellKind::wedge7, wedge.nodes)(wedge.field);
+      const double by_hand = bound_by_hand(lengths, wedge.field);
+      EXPECT_NEAR(bound, by_hand, 1e-12 * by_hand) << shortest;
+      const double steepest = steepest_in(wedge);
+      EXPECT_GE(bound, steepest) << shortest;
+      EXPECT_GT(steepest, 3 / 0.125 * 0.7) << shortest;
+    }
+}
+
+// All differences of neighbours count, wherever they are.
+TEST(GradientBound, LooksAtAllDifferencesOfWedges) {
+  constexpr std::array<double, 3> kLengths{2, 1, 1.5};
+  const std::vector<Vector> nodes = wedge_with(kLengths, {}).nodes;
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    Wedge wedge{nodes, {}};
+    wedge.field.values[k] = 1;
+    const double bound = GradientBound(CellKind::wedge7, nodes)(wedge.field);
+    const double by_hand = bound_by_hand(kLengths, wedge.field);
+    EXPECT_NEAR(bound, by_hand, 1e-12 * by_hand) << k;
+    EXPECT_GE(bound, steepest_in(wedge)) << k;
+  }
+}
+
+// Edges of lengths 1, 1 and 1 or sqrt(2) and a volume of 64 u: 32 u times the product of the
+// lengths less, and rows whose cross products are wrong by 8 u times theirs.
+TEST(GradientBound, AllowsForRoundingOfFlatTetrahedra) {
+  constexpr double u = 0x1p-53, kHeight = 64 * u;
+  const auto bound = [](const std::vector<Vector>& nodes, std::size_t k) {
+    CellField field{};
+    field.values[k] = 1;
+    return GradientBound(CellKind::tetrahedron4, nodes)(field);
+  };
+  const std::vector<Vector> flat{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, kHeight}};
+  const double expected = 1 / (kHeight - 32 * u * std::sqrt(2));
+  EXPECT_NEAR(bound(flat, 1), expected, 1e-12 * expected);
+  // the second edge and the third one nearly parallel: of an area of 64 u and 8 u
+  const std::vector<Vector> narrow{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, kHeight}};
+  EXPECT_NEAR(bound(narrow, 1), (64.0 + 8) / (64 - 32), 1e-12);
+  const std::vector<Vector> flatter{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, kHeight / 2}};
+  EXPECT_EQ(bound(flatter, 1), std::numeric_limits<double>::infinity());
+}
+
 TEST(GradientBound, IsInfiniteWhereCellsFold) {
   std::vector<Vector> nodes;
   for (const auto& node : reference_nodes(CellKind::brick8)) nodes.emplace_back(node);

@@ -8,7 +8,9 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
+#include "hiac/mesh/cell_kind.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
+#include "hiac/mesh/shape_functions.hpp"
 #include "hiac/scene/view_of.hpp"
 #include "tests/support/instruction_sets.hpp"
 #include "tests/support/meshes.hpp"
@@ -201,8 +203,6 @@ TEST(Engine, RaysInFacesAndEdgesMissNothing) {
       }
 }
 
-// A row of vectors must not depend on what other pixels share a vector or a tile with it, nor on
-// who draws the tile.
 // Looking along an axis from the middle, diagonal faces are seen edge-on and run through centres of
 // pixels: such a ray stays on one side of a face's plane from front to back, and one that is hardly
 // beside the plane crosses it once.
@@ -230,6 +230,8 @@ TEST(Engine, RaysInDiagonalFacesOrHardlyBesideThem) {
     }
 }
 
+// A row of vectors must not depend on what other pixels share a vector or a tile with it, nor on
+// who draws the tile.
 TEST(Engine, ThreadsDoNotChangeABit) {
   const ZooMesh mesh = delaunay_with_fields(300, 5);
   const Scene scene = scene_of(Projection::perspective, 200, 150);
@@ -287,6 +289,114 @@ TEST(Engine, EarlyTerminationStaysWithinTheTolerance) {
     largest = std::max(largest, std::abs(full.image.values()[i] - stopped.image.values()[i]));
   EXPECT_GT(largest, 0);
   EXPECT_LE(largest, 1e-6);
+}
+
+// A plate so opaque that rays end in it, which leaves out one row or column of pixels of a tile,
+// before `layers` bricks as large as the picture; a cell is one brick.
+struct Plate {
+  ZooMesh mesh;
+  Scene scene;
+};
+
+Plate plate_before(std::size_t layers, std::size_t axis, bool leaves_last) {
+  constexpr double kWidth = 64, kHeight = 32;  // of a tile, and of the picture in world units
+  std::vector<test::Position> positions;
+  std::vector<test::Cell> cells;
+  const auto add_brick = [&](const test::Position& from, const test::Position& to) {
+    test::Cell cell{CellKind::brick8, {}};
+    for (const auto& corner : reference_nodes(CellKind::brick8)) {
+      cell.nodes.push_back(static_cast<NodeId>(positions.size()));
+      test::Position p;
+      for (std::size_t c = 0; c < 3; ++c) p[c] = corner[c] > 0 ? to[c] : from[c];
+      positions.push_back(p);
+    }
+    cells.push_back(cell);
+  };
+  test::Position from{-1, -1, 500}, to{kWidth + 1, kHeight + 1, 501};
+  (leaves_last ? to : from)[axis] = leaves_last ? (axis == 0 ? kWidth : kHeight) - 1 : 1;
+  add_brick(from, to);
+  for (std::size_t k = 0; k < layers; ++k) {
+    const auto z = static_cast<double>(k);
+    add_brick({-1, -1, 400 - z}, {kWidth + 1, kHeight + 1, 400.5 - z});
+  }
+  Plate plate{test::make_mesh(positions, cells), {}};
+  std::vector<double> extinction(cells.size(), 0.01);
+  extinction[0] = 1000;
+  plate.mesh.fields.push_back({"f", "", FieldLocation::cell, 1, std::move(extinction)});
+  Scene& scene = plate.scene;
+  scene.image = {64, 32};
+  scene.camera.projection = Projection::orthographic;
+  scene.camera.look_at = {kWidth / 2, kHeight / 2, 0};
+  scene.camera.eye = {kWidth / 2, kHeight / 2, 1000};
+  scene.camera.up = {0, 1, 0};
+  scene.camera.height = kHeight;
+  scene.volume.color = ColorTransfer{"f", {{0, {1, 1, 1}}}};
+  scene.volume.extinction = ExtinctionTransfer{"f", {{0, {0}}, {1000, {1000}}}};
+  return plate;
+}
+
+// A tile is given up once all of its pixels are opaque: not before, whichever are the last. More
+// cells are behind than the engine takes at a time.
+TEST(Engine, TilesGoOnUntilTheirLastPixelIsOpaque) {
+  constexpr std::size_t kLayers = 700;
+  const double behind = -std::expm1(-0.01 * 0.5 * kLayers);
+  for (const std::size_t axis : {0, 1})
+    for (const bool last : {true, false}) {
+      const auto [mesh, scene] = plate_before(kLayers, axis, last);
+      std::vector<CellId> cells(mesh.cell_count());
+      for (std::size_t k = 0; k < cells.size(); ++k) cells[k] = static_cast<CellId>(k);
+      const Image image = render(mesh, {std::move(cells), {}, "known"}, scene, false).image;
+      std::size_t open = 0;
+      for (std::uint32_t y = 0; y < 32; ++y)
+        for (std::uint32_t x = 0; x < 64; ++x) {
+          // y points upwards in the world
+          const std::uint32_t at = axis == 0 ? x : 31 - y;
+          const bool left_out = at == (last ? (axis == 0 ? 63U : 31U) : 0U);
+          if (left_out) ++open;
+          for (std::size_t c = 0; c < 4; ++c)
+            ASSERT_NEAR(image.at(x, y, c), left_out ? behind : 1, 1e-12) << x << ' ' << y;
+        }
+      EXPECT_EQ(open, axis == 0 ? 32U : 64U);
+    }
+}
+
+// Nothing is left to add where all pixels are opaque: the engine looks after so many cells.
+TEST(Engine, OpaqueTilesAreGivenUp) {
+  auto [mesh, scene] = plate_before(3000, 0, true);
+  mesh.fields[0].values = std::vector<double>(mesh.cell_count(), 1000.0);
+  const RenderResult result = render(mesh, order_of_scene(mesh, scene).order, scene, false);
+  EXPECT_LT(result.statistics.segments, 64U * 32U * 300U);
+}
+
+// A ray that is ended leaves so much of the light behind that `error` says little more.
+TEST(Engine, ErrorIsThatOfTheEndOfRays) {
+  ZooMesh mesh = test::structured(40, Cut::tetrahedra);
+  test::add_node_field(mesh, "f", [](const test::Position&) { return 0.5; });
+  Scene scene = scene_of(Projection::orthographic, 16, 16);
+  scene.volume.color->points = {{0, {0.5, 2, 1}}};
+  scene.volume.extinction->points = {{0, {40}}};
+  scene.render.tolerance = 1e-3;
+  const std::array channels{Channel::error, Channel::transparency};
+  std::size_t ended = 0;
+  for (const bool ahead_of_white : {false, true}) {
+    if (ahead_of_white) scene.background.color = {3, 3, 3};
+    const Image image =
+        render(mesh, order_of_scene(mesh, scene).order, scene, true, nullptr, channels).image;
+    for (std::uint32_t y = 4; y < 12; ++y)
+      for (std::uint32_t x = 4; x < 12; ++x) {
+        const double left = image.at(x, y, 5);
+        if (left < 1e-10) continue;
+        ++ended;
+        // what is behind absorbs all and shines with 2 at most, here; nothing shows of the white
+        const double error = left * (ahead_of_white ? 2.5 : 2);
+        const auto pixel = image.pixel(x, y);
+        ASSERT_NEAR(std::abs(pixel[ahead_of_white ? 0 : 1] - (ahead_of_white ? 0.5 : 2)), error,
+                    0.01 * error);
+        ASSERT_GE(pixel[4], error * (1 - 1e-9));
+        ASSERT_LE(pixel[4], left * (ahead_of_white ? 3 : 2) * 1.01 + 1e-10);
+      }
+  }
+  EXPECT_GT(ended, 60U);
 }
 
 TEST(Engine, BackgroundIsCompositedBehind) {

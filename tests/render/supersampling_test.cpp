@@ -196,59 +196,136 @@ TEST(Supersampling, TooManyOrNoSamplesAreRefused) {
     EXPECT_THROW((void)sampled(mesh, scene, {samples, SampleFilter::box}), UsageError);
 }
 
-// Of two layers, one of which is seen by a part of each pixel at the border.
-TEST(Supersampling, ChannelsAreMeansOfSamples) {
+const std::vector<Channel> kChannels{Channel::error, Channel::depth, Channel::mean_depth,
+                                     Channel::transparency, Channel::cells};
+enum : std::size_t { kAlpha = 3, kError, kDepth, kMeanDepth, kTransparency, kCells };
+
+Image sampled_with_channels(const ZooMesh& mesh, const Scene& scene, std::uint32_t samples,
+                            bool background) {
+  return render_supersampled(mesh, order_of_scene(mesh, scene), scene, whole_picture(scene.image),
+                             {samples, SampleFilter::box}, background, nullptr, kChannels)
+      .image;
+}
+
+// One sample a pixel is the picture.
+TEST(Supersampling, OneSampleHasTheChannelsOfThePicture) {
   const ZooMesh mesh = mesh_with_field();
-  Scene scene = test::cube_scene(Projection::perspective, 24, 20);
-  scene.background.color = {0.4, 0.2, 0.1};
-  const std::vector<Channel> channels{Channel::error, Channel::depth, Channel::mean_depth,
-                                      Channel::transparency, Channel::cells};
-  const VisibilityOrder order = order_of_scene(mesh, scene);
-  const auto sampled_with = [&](std::uint32_t n, bool background) {
-    return render_supersampled(mesh, order, scene, whole_picture(scene.image),
-                               {n, SampleFilter::box}, background, nullptr, channels)
-        .image;
-  };
-  const Image once = sampled_with(1, false);
-  const Image plain = render(mesh, order, scene, false, nullptr, channels).image;
-  for (std::uint32_t y = 0; y < 20; ++y)
-    for (std::uint32_t x = 0; x < 24; ++x)
-      for (std::size_t c = 4; c < 9; ++c) {
-        if (std::isinf(plain.at(x, y, c))) {
-          ASSERT_EQ(once.at(x, y, c), plain.at(x, y, c));
-          continue;
-        }
-        ASSERT_NEAR(once.at(x, y, c), plain.at(x, y, c), 1e-13) << c;
-      }
-  Scene fine = scene;
-  fine.image = {72, 60};
-  const Image samples = render(mesh, order, fine, false, nullptr, channels).image;
-  const Image mean = sampled_with(3, true);
-  std::size_t partly = 0;
+  const Scene scene = test::cube_scene(Projection::perspective, 24, 20);
+  const Image once = sampled_with_channels(mesh, scene, 1, false);
+  const Image plain =
+      render(mesh, order_of_scene(mesh, scene), scene, false, nullptr, kChannels).image;
   for (std::uint32_t y = 0; y < 20; ++y)
     for (std::uint32_t x = 0; x < 24; ++x) {
-      double error = 0, depth = 0, seen = 0, cells = 0;
+      for (const std::size_t c : {kTransparency, kCells})
+        ASSERT_EQ(once.at(x, y, c), plain.at(x, y, c));
+      ASSERT_EQ(once.at(x, y, kDepth), plain.at(x, y, kDepth));
+      if (std::isinf(plain.at(x, y, kMeanDepth)))
+        ASSERT_EQ(once.at(x, y, kMeanDepth), plain.at(x, y, kMeanDepth));
+      else
+        ASSERT_DOUBLE_EQ(once.at(x, y, kMeanDepth), plain.at(x, y, kMeanDepth));
+    }
+}
+
+// Channels are means of the samples; depths of those that have one, the mean depth weighted with
+// opacity. The error is the mean of the samples', and rounding: 6 N + 8 operations of numbers up to
+// the largest, or 1. An error of A shows the background by as much, where that is brightest.
+TEST(Supersampling, ChannelsAreMeansOfSamples) {
+  constexpr std::uint32_t kSamples = 3, kWidth = 24, kHeight = 20;
+  const ZooMesh mesh = mesh_with_field();
+  Scene scene = test::cube_scene(Projection::perspective, kWidth, kHeight);
+  scene.volume.color->points.back().value = {7, 0.1, 0.1};  // brighter than 1
+  scene.background = {BackgroundPattern::checker, {0.4, 0.2, 0.1}, {0.5, 2.5, 1.5}, 3};
+  const Image mean = sampled_with_channels(mesh, scene, kSamples, true);
+  const Image bare = sampled_with_channels(mesh, scene, kSamples, false);
+  Scene fine = scene;
+  fine.image = {kWidth * kSamples, kHeight * kSamples};
+  const Image samples =
+      render(mesh, order_of_scene(mesh, fine), fine, false, nullptr, kChannels).image;
+  std::size_t partly = 0;
+  for (std::uint32_t y = 0; y < kHeight; ++y)
+    for (std::uint32_t x = 0; x < kWidth; ++x) {
+      double error = 0, depth = 0, seen = 0, cells = 0, mean_depth = 0, opacity = 0;
       for (std::uint32_t k = 0; k < 9; ++k) {
-        const auto sample = samples.pixel(3 * x + k % 3, 3 * y + k / 3);
-        error += sample[4] / 9;
-        cells += sample[8] / 9;
-        if (std::isinf(sample[5])) continue;
-        depth += sample[5];
+        const auto sample = samples.pixel(kSamples * x + k % 3, kSamples * y + k / 3);
+        error += sample[kError] / 9;
+        cells += sample[kCells] / 9;
+        if (std::isinf(sample[kDepth])) continue;
+        depth += sample[kDepth];
         seen += 1;
+        mean_depth += sample[kAlpha] * sample[kMeanDepth];
+        opacity += sample[kAlpha];
       }
       if (seen > 0 && seen < 9) ++partly;
-      ASSERT_GE(mean.at(x, y, 4), error * 1.4 * (1 - 1e-12));
-      ASSERT_LE(mean.at(x, y, 4), error * 1.4 + 1e-13);
-      ASSERT_NEAR(mean.at(x, y, 7), 1 - mean.at(x, y, 3), 1e-15);
-      ASSERT_NEAR(mean.at(x, y, 8), cells, 1e-12);
+      const auto colour = bare.pixel(x, y);
+      const double largest = *std::max_element(colour.begin(), colour.begin() + 4);
+      const double rounding = (6 * kSamples + 8) * 0x1p-52 * (1 + largest);
+      ASSERT_NEAR(bare.at(x, y, kError), error + rounding, 1e-10 * (error + rounding));
+      const double behind = (x / 3 + y / 3) % 2 == 0 ? 0.4 : 2.5;
+      ASSERT_NEAR(mean.at(x, y, kError), (1 + behind) * (error + rounding),
+                  1e-10 * (error + rounding));
+      ASSERT_NEAR(mean.at(x, y, kTransparency), 1 - mean.at(x, y, kAlpha), 1e-15);
+      ASSERT_NEAR(mean.at(x, y, kCells), cells, 1e-12);
       if (seen == 0) {
-        ASSERT_TRUE(std::isinf(mean.at(x, y, 5)));
+        ASSERT_TRUE(std::isinf(mean.at(x, y, kDepth)));
+        ASSERT_TRUE(std::isinf(mean.at(x, y, kMeanDepth)));
       } else {
-        ASSERT_NEAR(mean.at(x, y, 5), depth / seen, 1e-12);
-        ASSERT_GE(mean.at(x, y, 6), mean.at(x, y, 5) - 1e-12);
+        ASSERT_NEAR(mean.at(x, y, kDepth), depth / seen, 1e-12);
+        ASSERT_NEAR(mean.at(x, y, kMeanDepth), mean_depth / opacity, 1e-12);
       }
     }
-  EXPECT_GT(partly, 5U);
+  EXPECT_GT(partly, 20U);
+}
+
+// Sums of samples are no further from those of exact arithmetic than the channel `error` has for
+// them.
+TEST(Supersampling, RoundingIsNoLessThanThatOfTheSums) {
+  constexpr std::uint32_t kSamples = 7;
+  const ZooMesh mesh = mesh_with_field();
+  Scene scene = test::cube_scene(Projection::perspective, 12, 10);
+  const Image mean = sampled_with_channels(mesh, scene, kSamples, false);
+  scene.image = {12 * kSamples, 10 * kSamples};
+  const Image samples =
+      render(mesh, order_of_scene(mesh, scene), scene, false, nullptr, kChannels).image;
+  double largest = 0;
+  for (std::uint32_t y = 0; y < 10; ++y)
+    for (std::uint32_t x = 0; x < 12; ++x) {
+      std::array<long double, 5> sum{};
+      for (std::uint32_t j = 0; j < kSamples; ++j)
+        for (std::uint32_t i = 0; i < kSamples; ++i)
+          for (std::size_t c = 0; c < 5; ++c)
+            sum[c] += samples.at(kSamples * x + i, kSamples * y + j, c);
+      for (long double& value : sum) value /= kSamples * kSamples;
+      for (std::size_t c = 0; c < 4; ++c) {
+        const auto off = static_cast<double>(std::abs(sum[c] - mean.at(x, y, c)));
+        ASSERT_LE(off, mean.at(x, y, kError) - static_cast<double>(sum[kError]));
+        largest = std::max(largest, off);
+      }
+    }
+  EXPECT_GT(largest, 0);
+}
+
+// The background's pattern is that of the picture's pixels, not of the samples.
+TEST(Supersampling, BackgroundIsThatOfThePixels) {
+  const ZooMesh mesh = mesh_with_field();
+  Scene scene = test::cube_scene(Projection::perspective, 30, 21);
+  const Color first{0.25, 0.5, 0.75}, second{1, 0.125, 3};
+  for (const SampleFilter filter : {SampleFilter::box, SampleFilter::bspline})
+    for (const BackgroundPattern pattern :
+         {BackgroundPattern::grid, BackgroundPattern::checker, BackgroundPattern::gradient}) {
+      scene.background = {pattern, first, second, 5};
+      const Image bare = sampled(mesh, scene, {2, filter});
+      const Image whole = sampled(mesh, scene, {2, filter}, true);
+      for (std::uint32_t y = 0; y < 21; ++y)
+        for (std::uint32_t x = 0; x < 30; ++x)
+          for (std::size_t c = 0; c < 3; ++c) {
+            double share = y / 20.0;  // of the second colour
+            if (pattern == BackgroundPattern::grid) share = x % 5 == 0 || y % 5 == 0 ? 1 : 0;
+            if (pattern == BackgroundPattern::checker) share = (x / 5 + y / 5) % 2;
+            const double behind = first[c] + share * (second[c] - first[c]);
+            ASSERT_NEAR(whole.at(x, y, c), bare.at(x, y, c) + (1 - bare.at(x, y, 3)) * behind,
+                        1e-14);
+          }
+    }
 }
 
 }  // namespace

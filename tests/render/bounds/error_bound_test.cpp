@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "hiac/render/engine.hpp"
 #include "tests/render/truth/error_comparison.hpp"
+#include "tests/render/truth/general_meshes.hpp"
 #include "tests/support/instrumented.hpp"
 
 namespace hiac {
@@ -46,9 +48,79 @@ TEST(ErrorBound, IsNeverBelowTheErrorOfCurvedCells) {
   EXPECT_LT(all.claims[all.claims.size() * 9 / 10], 1e-8);
 }
 
-// A view from far off the origin, along faces: rays have to be followed relative to the eye, and
-// cells without a projected area have to know what their coordinates cost.
-TEST(ErrorBound, HoldsFarFromTheOrigin) { compared(SceneCells::tetrahedra, 46, 46, 80); }
+// A scene of random cells, projection and view, as it is and moved by 2^20 in every coordinate: a
+// million times its size. Its coordinates are multiples of 2^-20, so that nothing is rounded.
+struct NearAndFar {
+  ZooMesh near, far;
+  Scene near_scene, far_scene;
+};
+
+NearAndFar moved_far(const ZooMesh& cells, Projection projection, bool along_faces) {
+  constexpr double kFar = 0x1p20;
+  const auto on_grid = [](test::Position p) {
+    for (double& x : p) x = std::round(x * 0x1p20) * 0x1p-20;
+    return p;
+  };
+  const auto far = [](test::Position p) {
+    for (double& x : p) x += kFar;
+    return p;
+  };
+  NearAndFar both{test::moved(cells, on_grid), {}, {}, {}};
+  test::add_node_field(both.near, "f", test::smooth_field);
+  both.far = test::moved(both.near, far);
+  Scene& scene = both.near_scene;
+  scene = test::cube_scene(projection, 28, 24);
+  scene.camera.look_at = {0.5, 0.5, 0.5};
+  scene.camera.eye =
+      along_faces ? test::Position{0.5, 0.5, 3.5} : test::Position{3.125, 2.25, 2.75};
+  scene.camera.up = {0, 1, 0};
+  scene.camera.clip = {{2.5, 4}};
+  scene.isosurfaces.resize(1);
+  scene.isosurfaces[0].field = "f";
+  scene.isosurfaces[0].value = 0.4;
+  scene.isosurfaces[0].opacity = 0.5;
+  both.far_scene = scene;
+  both.far_scene.camera.look_at = far(scene.camera.look_at);
+  both.far_scene.camera.eye = far(scene.camera.eye);
+  return both;
+}
+
+// Rays are followed relative to the eye: what is far from the origin is drawn as it is there, to
+// the last bit, and its errors are those there, in views along faces, which have no area on the
+// screen, as well.
+TEST(ErrorBound, HoldsFarFromTheOrigin) {
+  const auto warped = [](const test::Position& p) { return test::warped(p, 0.05); };
+  const std::vector<ZooMesh> meshes{
+      test::random_delaunay(40, 3), test::structured(3, test::Cut::tetrahedra),
+      test::moved(test::mixed_columns(3), test::sheared),
+      test::moved(test::structured(2, test::Cut::bricks), warped),
+      test::of_order(test::structured(1, test::Cut::tetrahedra), CellOrder::quadratic)};
+  const std::array channels{Channel::error, Channel::depth};
+  for (std::size_t k = 0; k < meshes.size(); ++k)
+    for (const Projection projection : {Projection::perspective, Projection::orthographic})
+      for (const bool along_faces : {false, true}) {
+        const auto [near, far, near_scene, far_scene] =
+            moved_far(meshes[k], projection, along_faces);
+        const auto image = [&](const ZooMesh& mesh, const Scene& scene) {
+          return render(mesh, test::sorted(mesh, scene), scene, false, nullptr, channels).image;
+        };
+        const Image here = image(near, near_scene), there = image(far, far_scene);
+        std::size_t covered = 0;
+        for (std::uint32_t y = 0; y < 24; ++y)
+          for (std::uint32_t x = 0; x < 28; ++x) {
+            if (here.at(x, y, 3) > 0) ++covered;
+            for (std::size_t c = 0; c < here.channel_count(); ++c)
+              ASSERT_EQ(here.at(x, y, c), there.at(x, y, c))
+                  << k << ' ' << x << ' ' << y << ' ' << c;
+          }
+        EXPECT_GT(covered, 100U);
+      }
+}
+
+// From far off the origin, along faces, with coordinates that are rounded there.
+TEST(ErrorBound, HoldsForCoordinatesRoundedFarAway) {
+  compared(SceneCells::tetrahedra, 46, 46, 80);
+}
 
 // Behind an opaque surface in a cell quadratures may be as coarse as they like: nothing of it is
 // seen.
