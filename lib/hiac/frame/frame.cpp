@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <mutex>
 #include <string>
 
+#include "hiac/base/parallel.hpp"
 #include "hiac/frame/tolerance_shares.hpp"
 
 namespace hiac {
@@ -14,13 +16,21 @@ namespace {
 constexpr double kWitnessTolerance = 1e-9;
 
 double depth_of_mesh(const ZooMesh& mesh, const Projector& projector) {
+  if (mesh.node_count() == 0) return 0;
   double least = std::numeric_limits<double>::infinity(), most = -least;
-  for (NodeId node = 0; node < mesh.node_count(); ++node) {
-    const double t = projector.parameter(mesh.position(node));
-    least = std::min(least, t);
-    most = std::max(most, t);
-  }
-  return mesh.node_count() == 0 ? 0 : most - least;
+  std::mutex joining;
+  parallel_for(mesh.node_count(), std::size_t{1} << 14, [&](IndexRange range) {
+    double near = std::numeric_limits<double>::infinity(), far = -near;
+    for (std::size_t node = range.begin; node < range.end; ++node) {
+      const double t = projector.parameter(mesh.position(static_cast<NodeId>(node)));
+      near = std::min(near, t);
+      far = std::max(far, t);
+    }
+    const std::scoped_lock lock(joining);
+    least = std::min(least, near);
+    most = std::max(most, far);
+  });
+  return most - least;
 }
 
 template <std::size_t N>

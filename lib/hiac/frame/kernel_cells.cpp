@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "hiac/base/large_pages.hpp"
 #include "hiac/base/parallel.hpp"
 #include "hiac/element/cell_field.hpp"
 #include "hiac/geometry/face_form.hpp"
@@ -46,7 +47,7 @@ std::optional<CellKernel> kernel_of(const ZooMesh& mesh, CellId cell,
 
 std::vector<CellKernel> kernel_cells(const ZooMesh& mesh, std::span<const ProjectedNode> nodes,
                                      double straightness) {
-  std::vector<CellKernel> kernels(mesh.cell_count());
+  auto kernels = large_vector<CellKernel>(mesh.cell_count());
   parallel_for(kernels.size(), std::size_t{1} << 14, [&](IndexRange range) {
     for (std::size_t k = range.begin; k < range.end; ++k) {
       const auto cell = static_cast<CellId>(k);

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 
+#include "hiac/base/large_pages.hpp"
 #include "hiac/base/parallel.hpp"
 #include "hiac/frame/screen_rounding.hpp"
 #include "hiac/geometry/extended_vector.hpp"
@@ -134,7 +135,7 @@ double Projector::ray_scale(double x, double y) const {
 }
 
 std::vector<ProjectedNode> project_nodes(const ZooMesh& mesh, const Projector& projector) {
-  std::vector<ProjectedNode> nodes(mesh.node_count());
+  auto nodes = large_vector<ProjectedNode>(mesh.node_count());
   parallel_for(nodes.size(), std::size_t{1} << 14, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i)
       if (!projector.project(mesh.position(static_cast<NodeId>(i)), nodes[i]))

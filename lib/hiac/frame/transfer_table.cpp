@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "hiac/base/error.hpp"
+#include "hiac/base/large_pages.hpp"
 #include "hiac/base/parallel.hpp"
 
 namespace hiac {
@@ -96,7 +97,7 @@ ScalarIntervals classify_value(double value, const TransferTable<N>& table) {
 template <std::size_t N>
 std::vector<ScalarIntervals> classify_values(std::span<const double> values,
                                              const TransferTable<N>& table) {
-  std::vector<ScalarIntervals> intervals(values.size());
+  auto intervals = large_vector<ScalarIntervals>(values.size());
   parallel_for(values.size(), std::size_t{1} << 14, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i)
       intervals[i] = classify_value(values[i], table);

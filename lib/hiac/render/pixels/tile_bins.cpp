@@ -2,8 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
+#include <span>
+#include <utility>
 
+#include "hiac/base/large_pages.hpp"
 #include "hiac/base/parallel.hpp"
 #include "hiac/render/cells/curved_faces.hpp"
 #include "hiac/render/quadratic_bspline.hpp"
@@ -14,6 +19,9 @@ namespace {
 
 constexpr int kWidth = static_cast<int>(kTileWidth), kHeight = static_cast<int>(kTileHeight);
 constexpr std::size_t kCellsPerChunk = 1 << 14;
+// The visibility order is far from the order in memory: without this, most of the time of dealing
+// cells out goes into waiting for their ranges.
+constexpr std::size_t kFetchAhead = 24;
 
 // Tiles by column and row, half open.
 struct TileRange {
@@ -139,6 +147,22 @@ void for_each_tile(const TileRange& range, const TileRange& all, const Visit& vi
             static_cast<std::size_t>(column - all.column0));
 }
 
+// Cells of a chunk in a tile, by chunk and then tile, become the place in the tile's run where the
+// chunk begins to write. Returns where the tiles' runs begin, and where the last ends.
+std::vector<std::uint64_t> places_of_counts(std::span<std::uint32_t> counts,
+                                            std::size_t tile_count) {
+  std::vector<std::uint32_t> lengths(tile_count, 0);  // a run holds a cell once
+  for (std::size_t chunk = 0; chunk * tile_count < counts.size(); ++chunk)
+    for (std::size_t tile = 0; tile < tile_count; ++tile) {
+      std::uint32_t& count = counts[chunk * tile_count + tile];
+      count = std::exchange(lengths[tile], lengths[tile] + count);
+    }
+  std::vector<std::uint64_t> start(tile_count + 1, 0);
+  std::inclusive_scan(lengths.begin(), lengths.end(), start.begin() + 1, std::plus<>(),
+                      std::uint64_t{0});
+  return start;
+}
+
 }  // namespace
 
 TileBins bin_cells(const Frame& frame, const VisibilityOrder& order, ImageSize size,
@@ -150,37 +174,33 @@ TileBins bin_cells(const Frame& frame, const VisibilityOrder& order, ImageSize s
   const std::size_t chunks = (cells + kCellsPerChunk - 1) / kCellsPerChunk;
 
   // in the order in which cells lie in memory, which the visibility order is far from
-  std::vector<TileRange> ranges(frame.mesh.cell_count());
-  parallel_for(ranges.size(), kCellsPerChunk, [&](IndexRange range) {
+  const std::size_t range_count = frame.mesh.cell_count();
+  const auto ranges = unset_array<TileRange>(range_count);
+  parallel_for(range_count, kCellsPerChunk, [&](IndexRange range) {
     for (std::size_t cell = range.begin; cell < range.end; ++cell)
       ranges[cell] = binner.range(static_cast<CellId>(cell));
   });
+  const auto cell_ids = order.cells.view();
+  const auto each_tile = [&](IndexRange range, const auto& visit) {
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      if (i + kFetchAhead < range.end) __builtin_prefetch(&ranges[cell_ids[i + kFetchAhead]]);
+      for_each_tile(ranges[cell_ids[i]], binner.all(), [&](std::size_t tile) { visit(i, tile); });
+    }
+  };
 
   // count by chunk and tile, then every chunk knows where in each tile's run to write
   std::vector<std::uint32_t> counts(chunks * tile_count, 0);
   parallel_for(cells, kCellsPerChunk, [&](IndexRange range) {
     std::uint32_t* count = counts.data() + range.begin / kCellsPerChunk * tile_count;
-    for (std::size_t i = range.begin; i < range.end; ++i)
-      for_each_tile(ranges[order.cells[i]], binner.all(), [&](std::size_t tile) { ++count[tile]; });
+    each_tile(range, [&](std::size_t, std::size_t tile) { ++count[tile]; });
   });
-  bins.start.assign(tile_count + 1, 0);
-  for (std::size_t tile = 0; tile < tile_count; ++tile) {
-    std::uint64_t at = bins.start[tile];
-    for (std::size_t chunk = 0; chunk < chunks; ++chunk) at += counts[chunk * tile_count + tile];
-    bins.start[tile + 1] = at;
-  }
-  bins.ranks.resize(bins.start.back());
-  parallel_for(chunks, 1, [&](IndexRange chunk) {
-    const std::size_t c = chunk.begin;
-    std::vector<std::uint64_t> next(bins.start.begin(), bins.start.end() - 1);
-    for (std::size_t before = 0; before < c; ++before)
-      for (std::size_t tile = 0; tile < tile_count; ++tile)
-        next[tile] += counts[before * tile_count + tile];
-    const std::size_t end = std::min(cells, (c + 1) * kCellsPerChunk);
-    for (std::size_t i = c * kCellsPerChunk; i < end; ++i)
-      for_each_tile(ranges[order.cells[i]], binner.all(), [&](std::size_t tile) {
-        bins.ranks[next[tile]++] = static_cast<std::uint32_t>(i);
-      });
+  bins.start = places_of_counts(counts, tile_count);
+  bins.ranks = large_vector<std::uint32_t>(bins.start.back());
+  parallel_for(cells, kCellsPerChunk, [&](IndexRange range) {
+    std::uint32_t* place = counts.data() + range.begin / kCellsPerChunk * tile_count;
+    each_tile(range, [&](std::size_t i, std::size_t tile) {
+      bins.ranks[bins.start[tile] + place[tile]++] = static_cast<std::uint32_t>(i);
+    });
   });
   return bins;
 }
