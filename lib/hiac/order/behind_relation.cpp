@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 
+#include "hiac/base/large_pages.hpp"
 #include "hiac/base/parallel.hpp"
 #include "hiac/order/faces/cell_side.hpp"
 #include "hiac/order/faces/eye_side.hpp"
@@ -133,7 +134,7 @@ BehindRelation shared_face_relation(const OrderBasis& basis, const View& view, d
   const Question q{basis, view, planarity};
   const ZooMesh& mesh = *basis.mesh;
   BehindRelation relation;
-  relation.of_cell.resize(basis.sides.size());
+  relation.of_cell = large_vector<CellArrows>(basis.sides.size());
   parallel_for(relation.of_cell.size(), kGrain, [&](IndexRange range) {
     for (std::size_t cell = range.begin; cell < range.end; ++cell) {
       if (cell + kFetchAhead < range.end)

@@ -6,8 +6,13 @@
 #include <utility>
 #include <vector>
 
+#include "hiac/base/large_pages.hpp"
+#include "hiac/base/parallel.hpp"
+
 namespace hiac {
 namespace {
+
+constexpr std::size_t kGrain = std::size_t{1} << 16;
 
 // The relation as a graph: arrows run from a cell to the cells behind it, across its faces and
 // across gaps.
@@ -70,19 +75,28 @@ struct Waiting {
   std::uint8_t for_cells;
 };
 
+// What every cell waits for at first. `gaps`: arrows across gaps into each cell; empty: none.
+std::vector<Waiting> all_waiting(const Graph& graph, std::span<const std::uint32_t> gaps) {
+  auto waiting = large_vector<Waiting>(graph.cell_count());
+  parallel_for(waiting.size(), kGrain, [&](IndexRange range) {
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      const auto cell = static_cast<CellId>(i);
+      const unsigned cells =
+          count_faces(graph.faces_before(cell)) + (!gaps.empty() && gaps[i] > 0 ? 1U : 0U);
+      waiting[i] = {static_cast<std::uint8_t>(graph.faces_behind(cell)),
+                    static_cast<std::uint8_t>(cells)};
+    }
+  });
+  return waiting;
+}
+
 // Appends to `order` every cell that no cycle keeps from being output; what remains waits for some.
 std::vector<Waiting> peel(const Graph& graph, std::vector<CellId>& order) {
-  std::vector<Waiting> waiting(graph.cell_count());
   std::vector<std::uint32_t> gaps = graph.gaps_into();
+  std::vector<Waiting> waiting = all_waiting(graph, gaps);
   std::vector<CellId> ready;
-  for (std::size_t i = waiting.size(); i-- > 0;) {
-    const auto cell = static_cast<CellId>(i);
-    const unsigned cells =
-        count_faces(graph.faces_before(cell)) + (graph.has_gaps() && gaps[cell] > 0 ? 1U : 0U);
-    waiting[cell] = {static_cast<std::uint8_t>(graph.faces_behind(cell)),
-                     static_cast<std::uint8_t>(cells)};
-    if (cells == 0) ready.push_back(cell);
-  }
+  for (std::size_t i = waiting.size(); i-- > 0;)
+    if (waiting[i].for_cells == 0) ready.push_back(static_cast<CellId>(i));
   // Last in, first out: consecutive cells of the order are neighbours. That serves whoever draws
   // them more than this loop would gain from first in, first out.
   while (!ready.empty()) {
@@ -91,9 +105,10 @@ std::vector<Waiting> peel(const Graph& graph, std::vector<CellId>& order) {
     order.push_back(cell);
     for (unsigned faces = waiting[cell].faces_behind; faces != 0; faces &= faces - 1) {
       const CellId behind = graph.neighbor(cell, static_cast<unsigned>(std::countr_zero(faces)));
-      if (--waiting[behind].for_cells > 0) continue;
-      graph.fetch_neighbors(behind);
-      ready.push_back(behind);
+      const unsigned left = --waiting[behind].for_cells;
+      // a cell that is ready comes next and asks at once: its neighbours are fetched one earlier
+      if (left < 2) graph.fetch_neighbors(behind);
+      if (left == 0) ready.push_back(behind);
     }
     for (const CellId behind : graph.gaps_behind(cell))
       if (--gaps[behind] == 0 && --waiting[behind].for_cells == 0) ready.push_back(behind);
@@ -171,6 +186,7 @@ VisibilityOrder order_of_components(const BehindRelation& relation, const FaceNu
   const Graph graph(relation, numbering, neighbors, gaps);
   std::vector<CellId> order;
   order.reserve(graph.cell_count());
+  advise_large_pages(order.data(), order.capacity() * sizeof(CellId));
   const std::vector<Waiting> waiting = peel(graph, order);
   std::vector<CellGroup> groups;
   if (order.size() < graph.cell_count()) {
