@@ -25,6 +25,9 @@ namespace {
 
 // Between two looks at whether a tile's pixels are all opaque.
 constexpr std::size_t kCellsPerLook = 256;
+// The order leads all over the arrays of cells: their kernels are fetched this many cells before
+// they are asked for.
+constexpr std::size_t kFetchAhead = 16;
 
 bool all_opaque(const TileBuffer& buffer, const TileRect& tile, double least) {
   for (int y = tile.y0; y < tile.y1; ++y) {
@@ -102,9 +105,12 @@ class TileRenderer {
     while (begin < ranks.size()) {
       const auto draw = draw_for(ranks[begin]);
       cells_.clear();
-      for (; begin < ranks.size() && draw_for(ranks[begin]) == draw; ++begin)
+      for (; begin < ranks.size() && draw_for(ranks[begin]) == draw; ++begin) {
+        if (begin + kFetchAhead < ranks.size())
+          __builtin_prefetch(&frame_.kernel_cells[order_.cells[ranks[begin + kFetchAhead]]]);
         if (const CellId cell = order_.cells[ranks[begin]]; !frame_.is_splatted(cell))
           cells_.push_back(cell);
+      }
       draw(frame_, cells_, tile_, buffer_, group, counts_);
     }
   }
