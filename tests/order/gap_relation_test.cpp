@@ -1,13 +1,17 @@
 #include "hiac/order/gaps/gap_relation.hpp"
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "hiac/mesh/face_adjacency.hpp"
 #include "hiac/order/visibility_order.hpp"
+#include "tests/order/exact_relation.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/support/ray_order.hpp"
 
@@ -162,6 +166,68 @@ TEST(GapRelation, FacesOfOneWallDoNotTouch) {
                                             {false, {}, {0, 0, 1}}, kPlanarity);
   ASSERT_EQ(relation.behind_cell(0).size(), 1U);
   EXPECT_EQ(relation.behind_cell(1).size(), 0U);
+}
+
+// Two tetrahedra with corners on a lattice, seen along a line that no axis of a window runs along:
+// where their outlines touch, rounding must not decide.
+TEST(GapRelation, OfTwoTetrahedraInSpecialPosition) {
+  std::mt19937_64 random(11);
+  const auto number = [&](int most) {
+    return static_cast<double>(random() % static_cast<unsigned>(most + 1));
+  };
+  std::size_t arrows = 0, none = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    std::vector<Position> corners;
+    const Position apart{number(2), number(2), 2 + number(1)};
+    const double far = trial % 2 == 0 ? 0 : 4096;
+    for (int k = 0; k < 8; ++k) {
+      const Position p{number(2), number(2), number(2)};
+      const double shift = k < 4 ? 0 : 1;
+      corners.push_back(
+          {far + p[0] + shift * apart[0], p[1] + shift * apart[1], p[2] + shift * apart[2]});
+    }
+    const ZooMesh mesh = test::make_mesh(
+        corners, {{CellKind::tetrahedron4, {0, 1, 2, 3}}, {CellKind::tetrahedron4, {4, 5, 6, 7}}});
+    const std::array<View, 2> views{
+        {{false, {}, {1 + number(2), number(3), 1 + number(2)}},
+         {true, {far - 1 - number(3), -number(3), -1 - number(3)}, {}}}};
+    for (const View& view : views) {
+      const test::ExactRelation truth = test::exact_relation(mesh, view);
+      if (!truth.overlapping.empty() || !truth.flat.empty()) continue;
+      const GapRelation relation =
+          gap_relation(order_basis(mesh, build_face_adjacency(mesh)), view, kPlanarity);
+      std::size_t found = 0;
+      for (const auto& [front, behind] : truth.arrows) {
+        const auto to = relation.behind_cell(front);
+        ASSERT_TRUE(to.size() == 1 && to[0] == behind) << trial;
+        ++found;
+      }
+      ASSERT_EQ(relation.behind.size(), found) << trial;
+      ++(found > 0 ? arrows : none);
+    }
+  }
+  EXPECT_GT(arrows, 500U);
+  EXPECT_GT(none, 500U);
+}
+
+// Three tetrahedra on one face, two of them on one side: the face is matched with none, and the
+// order is that of the planes' sides.
+TEST(GapRelation, OfThreeCellsOnOneFace) {
+  const ZooMesh mesh = test::make_mesh(
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.2, 0.2, 1}, {0.3, 0.3, -1}, {0.25, 0.3, -2}},
+      {{CellKind::tetrahedron4, {0, 1, 2, 3}},
+       {CellKind::tetrahedron4, {0, 2, 1, 4}},
+       {CellKind::tetrahedron4, {0, 2, 1, 5}}});
+  const FaceAdjacency adjacency = build_face_adjacency(mesh);
+  for (const CellId neighbor : adjacency.neighbors) EXPECT_EQ(neighbor, kNoCell);
+  const OrderBasis basis = order_basis(mesh, adjacency);
+  EXPECT_EQ(basis.unmatched.size(), 12U);
+  for (const double sign : {-1.0, 1.0}) {
+    const View view{false, {}, {0.1, 0.05, sign}};
+    const VisibilityOrder order = exact_order(basis, view, kPlanarity).order;
+    // cell 0 lies above the face, the others below
+    EXPECT_EQ(order.cells[sign > 0 ? 2 : 0], 0U);
+  }
 }
 
 // Three slabs leaning on one another in a ring: each is in front of the next.

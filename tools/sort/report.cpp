@@ -79,11 +79,18 @@ std::string statistics_table(const ZooMesh& mesh, const std::vector<ReportedOrde
 std::string check_text(const OrderCheck& check, const VisibilityOrder& order) {
   const std::string asked = check.pairs > 0 || check.arrows == 0
                                 ? fmt::format("{} pairs of cells", check.pairs)
-                                : fmt::format("{} arrows", check.arrows);
+                                : fmt::format("{} arrows of the relation", check.arrows);
   if (check.right()) {
     std::string text = fmt::format("verified: {} and {} groups", asked, check.groups);
     if (check.left_out > 0)
-      text += fmt::format("; {} cells without an inside or not convex left out", check.left_out);
+      text += fmt::format(
+          "; {} cells without an inside or not convex only by their arrows of the relation",
+          check.left_out);
+    if (check.in_part > 0)
+      text += fmt::format(
+          "; {} cells with curved or warped faces without what is nearer to a face than twice what "
+          "it deviates from a plane",
+          check.in_part);
     return text;
   }
   std::string text = "the order is wrong: ";
@@ -105,6 +112,7 @@ nlohmann::ordered_json check_facts(const OrderCheck& check) {
   return {{"right", check.right()},
           {"pairs", check.pairs},
           {"cells_left_out", check.left_out},
+          {"cells_in_part", check.in_part},
           {"arrows", check.arrows},
           {"groups", check.groups},
           {"wrong_pairs", check.wrong},

@@ -87,14 +87,12 @@ void judge_groups_by_arrows(const VisibilityOrder& order, const InnerArrows& for
   }
 }
 
-}  // namespace
-
-OrderCheck verify_pairs(const ZooMesh& mesh, const View& view, const VisibilityOrder& order,
-                        double planarity) {
+// As verify_pairs; `left_out` says of every cell whether it was.
+OrderCheck check_pairs(const ZooMesh& mesh, const View& view, const VisibilityOrder& order,
+                       double planarity, std::vector<std::uint8_t>& left_out, WrongPairs& wrong) {
   OrderCheck check;
   const HullCells hulls = hull_cells(mesh, view, 2 * planarity);
   const auto start = group_starts(order);
-  WrongPairs wrong;
   std::mutex joining;
   // in the order, so that the pairs of a range have about the same depth
   parallel_for(order.cells.size(), 8, [&](IndexRange range) {
@@ -114,17 +112,21 @@ OrderCheck verify_pairs(const ZooMesh& mesh, const View& view, const VisibilityO
     check.pairs += pairs;
     wrong.found.insert(wrong.found.end(), here.found.begin(), here.found.end());
   });
-  for (const auto& hull : hulls) check.left_out += hull ? 0U : 1U;
-  wrong.put_into(check);
+  left_out.assign(hulls.size(), 0);
+  for (std::size_t cell = 0; cell < hulls.size(); ++cell) {
+    left_out[cell] = hulls[cell] ? 0 : 1;
+    check.left_out += left_out[cell];
+    check.in_part += hulls[cell] && hulls[cell]->deviation > planarity ? 1U : 0U;
+  }
   return check;
 }
 
-OrderCheck verify_arrows(const OrderBasis& basis, const View& view, const VisibilityOrder& order,
-                         double planarity) {
+// As verify_arrows.
+OrderCheck check_arrows(const OrderBasis& basis, const View& view, const VisibilityOrder& order,
+                        double planarity, WrongPairs& wrong) {
   OrderCheck check;
   const auto start = group_starts(order);
   const std::size_t cells = start.size();
-  WrongPairs wrong;
   InnerArrows forward(cells), backward(cells);
   const auto follow = [&](CellId front, CellId behind) {
     ++check.arrows;
@@ -143,16 +145,43 @@ OrderCheck verify_arrows(const OrderBasis& basis, const View& view, const Visibi
   }
   forward.close();
   backward.close();
-  wrong.put_into(check);
   judge_groups_by_arrows(order, forward, backward, check);
+  return check;
+}
+
+}  // namespace
+
+OrderCheck verify_pairs(const ZooMesh& mesh, const View& view, const VisibilityOrder& order,
+                        double planarity) {
+  std::vector<std::uint8_t> left_out;
+  WrongPairs wrong;
+  OrderCheck check = check_pairs(mesh, view, order, planarity, left_out, wrong);
+  wrong.put_into(check);
+  return check;
+}
+
+OrderCheck verify_arrows(const OrderBasis& basis, const View& view, const VisibilityOrder& order,
+                         double planarity) {
+  WrongPairs wrong;
+  OrderCheck check = check_arrows(basis, view, order, planarity, wrong);
+  wrong.put_into(check);
   return check;
 }
 
 OrderCheck verify_order(const OrderBasis& basis, const View& view, const VisibilityOrder& order,
                         double planarity) {
-  OrderCheck check = verify_arrows(basis, view, order, planarity);
-  if (basis.mesh->cell_count() > kMostCellsForPairs) return check;
-  OrderCheck pairs = verify_pairs(*basis.mesh, view, order, planarity);
+  WrongPairs by_arrows, wrong;
+  OrderCheck check = check_arrows(basis, view, order, planarity, by_arrows);
+  if (basis.mesh->cell_count() > kMostCellsForPairs) {
+    by_arrows.put_into(check);
+    return check;
+  }
+  std::vector<std::uint8_t> left_out;
+  OrderCheck pairs = check_pairs(*basis.mesh, view, order, planarity, left_out, wrong);
+  for (const auto& found : by_arrows.found)
+    if (left_out[found.second.first] != 0 || left_out[found.second.second] != 0)
+      wrong.found.push_back(found);
+  wrong.put_into(pairs);
   pairs.groups = check.groups;
   pairs.loose = std::move(check.loose);
   return pairs;

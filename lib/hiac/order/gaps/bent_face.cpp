@@ -1,6 +1,7 @@
 #include "hiac/order/gaps/bent_face.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -48,6 +49,14 @@ class Parting {
     const Range f = range_along(normal, f_, a), g = range_along(normal, g_, a);
     const double zero = rounding_ * size;
     return (f.high <= zero && g.low >= -zero) || (g.high <= zero && f.low >= -zero);
+  }
+
+  // Both hulls lie within the slack of a plane across a normal.
+  [[nodiscard]] bool in_one_plane(const Vector& normal) const {
+    const double size = length(normal);
+    if (!(size > 0)) return false;
+    const Range f = range_along(normal, f_, from_), g = range_along(normal, g_, from_);
+    return std::max(f.high, g.high) - std::min(f.low, g.low) <= 2 * (slack_ + rounding_) * size;
   }
 
   // A plane across a normal has g and the eye on one side, and f beyond.
@@ -109,18 +118,28 @@ BentFace bent_face(const ZooMesh& mesh, const UnmatchedFace& face, const View& v
 bool may_be_met_first(std::span<const Vector> f, std::span<const Vector> g, const View& view,
                       double slack) {
   const Parting parting(f, g, view, slack);
-  for (const auto points : {f, g}) {
-    const std::vector<Vector> c = corners_of(points);
+  std::array<std::vector<Vector>, 2> edges;
+  std::vector<Vector> normals;
+  for (const bool second : {false, true}) {
+    const std::vector<Vector> c = corners_of(second ? g : f);
     const std::size_t n = c.size();
     for (std::size_t k = 0; k < n; ++k)
       for (std::size_t j = 0; j < k; ++j)
         if (parting.beside(c[j], c[k])) return false;
+    for (std::size_t k = 0; k < n; ++k) edges[second].push_back(minus(c[(k + 1) % n], c[k]));
     for (std::size_t k = 0; k < (n == 3 ? 1 : n); ++k)
-      if (parting.beyond(cross(minus(c[(k + 1) % n], c[k]), minus(c[(k + 2) % n], c[k]))))
-        return false;
-    if (n == 4 && parting.beyond(cross(minus(c[2], c[0]), minus(c[3], c[1])))) return false;
+      normals.push_back(cross(edges[second][k], minus(c[(k + 2) % n], c[k])));
+    if (n == 4) normals.push_back(cross(minus(c[2], c[0]), minus(c[3], c[1])));
   }
-  return true;
+  const auto touching = [&](const Vector& normal) { return parting.in_one_plane(normal); };
+  const auto beyond = [&](const Vector& normal) { return parting.beyond(normal); };
+  if (std::ranges::any_of(normals, touching)) return true;
+  if (std::ranges::any_of(normals, beyond)) return false;
+  // where they touch along edges a plane along one of each may separate them
+  return std::ranges::none_of(edges[0], [&](const Vector& along_f) {
+    return std::ranges::any_of(
+        edges[1], [&](const Vector& along_g) { return beyond(cross(along_f, along_g)); });
+  });
 }
 
 }  // namespace hiac

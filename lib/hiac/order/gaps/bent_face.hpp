@@ -20,10 +20,12 @@ struct BentFace {
 BentFace bent_face(const ZooMesh& mesh, const UnmatchedFace& face, const View& view,
                    double planarity);
 
-/// False only when it is certain that no viewing ray meets the hull of `f` and then, farther on,
-/// that of `g`, but where they touch: because a plane through the eye and an edge of either parts
-/// them, or because a plane through corners of either has g and the eye on one side and f on the
-/// other. `slack`: a distance, world units, by which they may overlap and still count as parted.
+/// False only when it is certain that no viewing ray meets the hull of `f`, an exit, and then,
+/// there or farther on, that of `g`, an entry: because a plane through the eye and an edge of
+/// either separates them, or because a plane through corners of either has g and the eye on one
+/// side and f on the other. `slack`: a distance, world units, by which they may overlap and still
+/// count as separated. Hulls that both lie within `slack` of one plane touch: a ray that leaves a
+/// cell through the one enters the other's cell there.
 bool may_be_met_first(std::span<const Vector> f, std::span<const Vector> g, const View& view,
                       double slack);
 

@@ -39,13 +39,20 @@ double length(const Real& v) { return std::hypot(v[0], v[1], v[2]); }
 
 // Making cells --------------------------------------------------------------------------------
 
+// A face with the control points of its patch where it may be curved: it lies in their convex hull.
+struct HullFace {
+  ShapeFace shape;
+  std::vector<Real> controls;
+};
+
 // The plane of a face that lies best: through the mean of its corners, across both diagonals.
 struct MeanPlane {
   Real point, normal;  // normal of length 1, or 0 for a face without area
-  double deviation;    // of the face's corners from it, at most
+  double deviation;    // of the face from it, at most
 };
 
-MeanPlane mean_plane(const HullCell& cell, const ShapeFace& face) {
+MeanPlane mean_plane(const HullCell& cell, const HullFace& hull) {
+  const ShapeFace& face = hull.shape;
   const std::size_t n = face.corner_count;
   const auto at = [&](std::size_t k) { return cell.corners[face.corners[k]]; };
   MeanPlane plane{{}, cross(minus(at(2), at(0)), minus(at(n - 1), at(1))), 0};
@@ -56,19 +63,27 @@ MeanPlane mean_plane(const HullCell& cell, const ShapeFace& face) {
   for (std::size_t k = 0; k < n; ++k)
     plane.deviation =
         std::max(plane.deviation, std::abs(dot(plane.normal, minus(at(k), plane.point))));
+  for (const Real& p : hull.controls)
+    plane.deviation = std::max(plane.deviation, std::abs(dot(plane.normal, minus(p, plane.point))));
   return plane;
 }
 
 // How far the cell has to be drawn towards its middle for every face to move inwards by `distance`
-// and twice its deviation; none when nothing would be left or it is not convex to within that.
-std::optional<double> shrink_of(const HullCell& cell, std::span<const ShapeFace> faces,
-                                double distance) {
+// and twice its deviation; none when nothing would be left or it is not convex to within that. Sets
+// the cell's deviation.
+//
+// A curved face lies between two planes parallel to that of its corners, and so does every face on
+// the way from the straight cell to the curved one. What is left of the cell lies inside all of
+// these planes: no face passes through it on that way, and it is inside the curved cell as it is
+// inside the straight one.
+std::optional<double> shrink_of(HullCell& cell, std::span<const HullFace> faces, double distance) {
   double shrink = 0;
-  for (const ShapeFace& face : faces) {
+  for (const HullFace& face : faces) {
     const MeanPlane plane = mean_plane(cell, face);
     if (length(plane.normal) == 0) continue;  // a face without area bounds nothing
     const double height = dot(plane.normal, minus(cell.middle, plane.point));
     const double inwards = distance + 2 * plane.deviation;
+    cell.deviation = std::max(cell.deviation, plane.deviation);
     for (const Real& corner : cell.corners)
       if (dot(plane.normal, minus(corner, plane.point)) * (height < 0 ? -1 : 1) <
           -inwards - 64 * kEpsilon * (length(corner) + length(plane.point)))
@@ -77,6 +92,29 @@ std::optional<double> shrink_of(const HullCell& cell, std::span<const ShapeFace>
   }
   if (!(shrink < 1)) return std::nullopt;
   return shrink;
+}
+
+std::vector<HullFace> hull_faces(const ZooMesh& mesh, CellId cell) {
+  std::vector<HullFace> faces;
+  for (const ShapeFace& shape : topology_of(mesh.kinds[cell]).faces) {
+    const std::size_t number = faces.size();
+    faces.push_back({shape, {}});
+    if (order_of(mesh.kinds[cell]) == CellOrder::linear) continue;
+    const FaceForm form = face_form(mesh, cell, number, 0);
+    if (form.shape.degree == 1) continue;
+    const auto nodes = patch_nodes(mesh, cell, number, form);
+    auto& controls = faces.back().controls;
+    controls.resize(form.shape.control_count());
+    for (std::size_t c = 0; c < 3; ++c) {
+      std::array<double, kMostPatchNodes> coordinates;
+      const std::size_t count = form.shape.node_count();
+      for (std::size_t k = 0; k < count; ++k) coordinates[k] = mesh.position(nodes[k])[c];
+      PatchNet<double> net;
+      patch_net(form.shape, std::span(coordinates).first(count), net);
+      for (std::size_t k = 0; k < controls.size(); ++k) controls[k][c] = net[k];
+    }
+  }
+  return faces;
 }
 
 // True when the corners do not all lie in one plane.
@@ -341,8 +379,8 @@ std::optional<HullCell> hull_cell(const ZooMesh& mesh, CellId cell, const View& 
                                   double inset) {
   HullCell hull{};
   const CellKind kind = mesh.kinds[cell];
-  // of curved edges corners know nothing
-  if (order_of(kind) != CellOrder::linear && has_curved_faces(mesh, cell, std::max(inset, 1e-14)))
+  // a curved cell is not its corners' hull
+  if (inset == 0 && order_of(kind) != CellOrder::linear && has_curved_faces(mesh, cell, 1e-14))
     return std::nullopt;
   const auto nodes = mesh.cell_nodes(cell);
   const std::size_t count = corner_count(kind);
@@ -355,10 +393,10 @@ std::optional<HullCell> hull_cell(const ZooMesh& mesh, CellId cell, const View& 
   double size = 0;
   for (const Real& corner : hull.corners)
     size = std::max(size, 2 * length(minus(corner, hull.middle)));
-  const auto faces = topology_of(kind).faces;
-  const auto shrink = shrink_of(hull, faces, inset * size);
+  const auto shrink = shrink_of(hull, hull_faces(mesh, cell), inset * size);
   if (!shrink) return std::nullopt;
   hull.shrink = *shrink;
+  hull.deviation /= size;
   add_edges_and_planes(topology_of(kind), hull);
   for (const Real& corner : hull.corners) {
     Real& seen = hull.seen.emplace_back();

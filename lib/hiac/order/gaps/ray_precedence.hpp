@@ -16,6 +16,7 @@ struct HullCell {
   std::vector<std::array<double, 3>> corners;  ///< as given
   std::array<double, 3> middle;                ///< their mean
   double shrink;                               ///< in [0, 1)
+  double deviation;  ///< largest of a face from its plane, relative to the cell's size
   /// Pairs and triples of corners: every edge of the hull, and of every one of its planes three
   /// corners that span it, are among them.
   std::vector<std::array<std::uint8_t, 2>> edges;
@@ -32,9 +33,11 @@ struct HullCell {
 /// The cell for met_first. With `inset` > 0 it is shrunk so that each of its faces lies at least
 /// inset times the cell's size, and twice what the face deviates from a plane, inside of where it
 /// was: what is then found of two cells holds for all that is not within that distance of a face,
-/// and cells that meet in a face that is planar but for rounding do not overlap.
+/// and cells that meet in a face that is planar but for rounding do not overlap. Of a cell with
+/// curved faces the shrunk hull lies inside the cell.
 ///
-/// None for a cell that has no inside left, or is not convex to within that distance.
+/// None for a cell that has no inside left, or is not convex to within that distance; without an
+/// inset none for a cell with curved faces.
 std::optional<HullCell> hull_cell(const ZooMesh& mesh, CellId cell, const View& view, double inset);
 
 /// True when some viewing ray meets the inside of `p` before the inside of `q`; exactly, for the
