@@ -42,11 +42,16 @@ void CasePart::read_mesh() {
   const std::string owner_file = mesh_file("owner");
   const std::size_t faces = starts.size() - 1;
   owner = FoamFile(owner_file).labels(faces);
-  const std::vector<std::int64_t> neighbour = FoamFile(mesh_file("neighbour")).labels(faces);
-  if (owner.size() != faces || neighbour.size() > faces)
+  if (owner.size() != faces)
     throw InputError(
         owner_file,
         fmt::format("does not fit the faces ({} entries expected, {} found)", faces, owner.size()));
+  const std::string neighbour_file = mesh_file("neighbour");
+  const std::vector<std::int64_t> neighbour = FoamFile(neighbour_file).labels(faces);
+  if (neighbour.size() > faces)
+    throw InputError(neighbour_file,
+                     fmt::format("does not fit the faces (at most {} entries expected, {} found)",
+                                 faces, neighbour.size()));
   std::int64_t last = -1;
   for (const std::int64_t cell : owner) last = std::max(last, cell);
   for (const std::int64_t cell : neighbour) last = std::max(last, cell);

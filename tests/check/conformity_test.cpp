@@ -1,5 +1,8 @@
 #include "hiac/check/conformity.hpp"
 
+#include <map>
+#include <set>
+
 #include <gtest/gtest.h>
 
 #include "hiac/mesh/face_adjacency.hpp"
@@ -50,6 +53,44 @@ TEST(Conformity, FacesOfThreeCells) {
   EXPECT_EQ(offenders_of(judged(mesh(2)), Defect::overshared_face),
             (std::vector<Offender>{{0, 3}, {1, 3}, {2, 3}}));
   EXPECT_EQ(found(mesh(6), Defect::overshared_face), 0U);
+}
+
+// Three cells on a quadrilateral and four on a triangle of one of them, numbered in other orders
+// and with cells of other kinds between them: every one of them is named, by cell and face.
+TEST(Conformity, SeveralOversharedFacesOfOneCell) {
+  const ZooMesh mesh = make_mesh({{0, 0, 0},
+                                  {1, 0, 0},
+                                  {1, 1, 0},
+                                  {0, 1, 0},
+                                  {0.5, 0.5, 1},
+                                  {0.5, 0.5, 2},
+                                  {0.5, 0.5, -1},
+                                  {0.5, -1, 0.5},
+                                  {0.5, -2, 0.5},
+                                  {0.5, -3, 0.5}},
+                                 {{CellKind::tetrahedron4, {4, 1, 0, 7}},
+                                  {CellKind::pyramid5, {2, 3, 0, 1, 5}},
+                                  {CellKind::tetrahedron4, {8, 0, 1, 4}},
+                                  {CellKind::pyramid5, {0, 3, 2, 1, 6}},
+                                  {CellKind::tetrahedron4, {0, 9, 4, 1}},
+                                  {CellKind::pyramid5, {0, 1, 2, 3, 4}}});
+  // by the definition: the faces of all cells whose corners three or more have
+  std::map<std::set<NodeId>, std::vector<Offender>> sides;
+  for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {
+    const auto faces = topology_of(mesh.kinds[cell]).faces;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      std::set<NodeId> corners;
+      for (std::size_t k = 0; k < faces[f].corner_count; ++k)
+        corners.insert(mesh.cell_nodes(cell)[faces[f].corners[k]]);
+      sides[corners].push_back({cell, f});
+    }
+  }
+  std::vector<Offender> expected;
+  for (const auto& [corners, here] : sides)
+    if (here.size() > 2) expected.insert(expected.end(), here.begin(), here.end());
+  std::ranges::sort(expected, {}, [](const Offender& o) { return std::pair(o.id, o.other); });
+  ASSERT_EQ(expected.size(), 7U);
+  EXPECT_EQ(offenders_of(judged(mesh), Defect::overshared_face), expected);
 }
 
 // The apex of a second tetrahedron on the first one's face, on either side of it.

@@ -183,5 +183,111 @@ TEST(Overlap, CurvedReachBoundsTheDisplacement) {
   }
 }
 
+Overlap verdict(const ZooMesh& a, const ZooMesh& b, const Position& by) {
+  const auto report = overlaps(both(a, b, by));
+  const auto says = [&](Defect defect) { return !pairs_of(report, defect).empty(); };
+  EXPECT_FALSE(says(Defect::grazing_overlap));
+  return says(Defect::overlap)            ? Overlap::certain
+         : says(Defect::possible_overlap) ? Overlap::possible
+                                          : Overlap::none;
+}
+
+ZooMesh one_cell(CellKind kind, const std::function<Position(std::size_t, const Position&)>& at) {
+  std::vector<Position> places;
+  Cell cell{kind, {}};
+  for (const auto& p : reference_nodes(kind)) {
+    cell.nodes.push_back(static_cast<NodeId>(places.size()));
+    places.push_back(at(places.size(), p));
+  }
+  return make_mesh(places, {cell});
+}
+
+// A cube whose upper edges' middles are raised by h: its top reaches 1 + 2 h in the middle, where
+// these four shape functions are 1/2 each, and its curved_reach is 3 h.
+ZooMesh bulging_cube(double h, double bottom = 0) {
+  return one_cell(CellKind::brick20, [&](std::size_t n, const Position& p) {
+    return Position{p[0], p[1], p[2] + (n < 8 || p[2] == 0.5 ? 0 : p[2] == 1 ? h : -bottom)};
+  });
+}
+
+TEST(Overlap, CurvedCubesOverOneAnother) {
+  const double h = 1.0 / 64;
+  const ZooMesh cube = structured(1, Cut::bricks), bulging = bulging_cube(h);
+  const ZooMesh downwards = bulging_cube(0, h);
+  std::array<double, kMaxNodesPerCell> shape{};
+  shape_functions<double>(CellKind::brick20, {0.5, 0.5, 1}, shape);
+  double top = 0;
+  for (NodeId n = 0; n < 20; ++n) top += shape[n] * bulging.position(n)[2];
+  ASSERT_NEAR(top, 1 + 2 * h, 1e-15);
+  // a gap between the corners' hulls; the bulge of one or both cells that may fill it
+  EXPECT_EQ(verdict(bulging, cube, {0, 0, 1 + 1.5 * h}), Overlap::possible);
+  EXPECT_EQ(verdict(cube, downwards, {0, 0, 1 + 1.5 * h}), Overlap::possible);
+  EXPECT_EQ(verdict(bulging, cube, {0, 0, 1 + 3.5 * h}), Overlap::none);
+  EXPECT_EQ(verdict(cube, downwards, {0, 0, 1 + 3.5 * h}), Overlap::none);
+  EXPECT_EQ(verdict(bulging, downwards, {0, 0, 1 + 3.5 * h}), Overlap::possible);
+  EXPECT_EQ(verdict(bulging, downwards, {0, 0, 1 + 6.5 * h}), Overlap::none);
+  // the hulls overlap, by more or less than the bulges could take away
+  EXPECT_EQ(verdict(bulging, cube, {0, 0, 1 - 8 * h}), Overlap::certain);
+  EXPECT_EQ(verdict(bulging, cube, {0, 0, 1 - 2 * h}), Overlap::possible);
+  EXPECT_EQ(verdict(bulging, downwards, {0, 0, 1 - 16 * h}), Overlap::certain);
+  EXPECT_EQ(verdict(bulging, downwards, {0, 0, 1 - 5 * h}), Overlap::possible);
+}
+
+// Every kind of curved cell, its nodes between the corners displaced at random, and a box. Points
+// of the cell are sampled: one in the box is an overlap, which may not be denied.
+TEST(Overlap, CurvedCellsAndABoxAsSamplesTell) {
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const ZooMesh cube = structured(1, Cut::bricks);
+  std::array<std::size_t, 3> told{};
+  for (std::size_t k = 0; k < kKindCount; ++k) {
+    const auto kind = static_cast<CellKind>(k);
+    if (order_of(kind) == CellOrder::linear) continue;
+    const ZooMesh cell = one_cell(kind, [&](std::size_t n, const Position& p) {
+      const double d = n < corner_count(kind) ? 0 : 0.03;
+      return Position{p[0] + d * (unit(random) - 0.5), p[1] + d * (unit(random) - 0.5),
+                      p[2] + d * (unit(random) - 0.5)};
+    });
+    std::vector<Position> samples;
+    const auto reference = reference_nodes(kind);
+    for (int i = 0; i < 1500; ++i) {
+      std::array<double, 3> xi{};
+      double sum = 0;
+      for (std::size_t c = 0; c < corner_count(kind); ++c) {
+        // near edges and faces as well
+        const double weight = std::pow(-std::log(unit(random)), 2);
+        sum += weight;
+        for (std::size_t d = 0; d < 3; ++d) xi[d] += weight * reference[c][d];
+      }
+      for (double& x : xi) x /= sum;
+      std::array<double, kMaxNodesPerCell> shape{};
+      shape_functions<double>(kind, xi, shape);
+      Position x{};
+      for (NodeId n = 0; n < node_count(kind); ++n)
+        for (std::size_t d = 0; d < 3; ++d) x[d] += shape[n] * cell.position(n)[d];
+      samples.push_back(x);
+    }
+    for (int i = 0; i < 40; ++i) {
+      const Position low{3 * unit(random) - 1.5, 3 * unit(random) - 1.5, 3 * unit(random) - 1.5};
+      const auto inside = [&](const Position& x) {
+        return x[0] > low[0] && x[0] < low[0] + 1 && x[1] > low[1] && x[1] < low[1] + 1 &&
+               x[2] > low[2] && x[2] < low[2] + 1;
+      };
+      const bool found = std::ranges::any_of(samples, inside);
+      const Overlap said = verdict(cell, cube, low);
+      ++told[static_cast<std::size_t>(said)];
+      if (said == Overlap::none) {
+        EXPECT_FALSE(found) << kind_name(kind) << i;
+      }
+      if (said == Overlap::certain) {
+        EXPECT_TRUE(found) << kind_name(kind) << i;
+      }
+    }
+  }
+  EXPECT_GT(told[static_cast<std::size_t>(Overlap::none)], 50U);
+  EXPECT_GT(told[static_cast<std::size_t>(Overlap::certain)], 50U);
+  EXPECT_LT(told[static_cast<std::size_t>(Overlap::possible)], 100U);
+}
+
 }  // namespace
 }  // namespace hiac::test

@@ -80,6 +80,23 @@ TEST(Repair, NodesAreMergedWhereTheirValuesAreTheSame) {
   EXPECT_EQ(repair(mesh).counts.unmerged_nodes, 15U);
 }
 
+// Nodes whose values are the same in some components alone are not merged, whichever these are.
+TEST(Repair, AllComponentsCountWhereNodesAreMerged) {
+  const ZooMesh mesh = torn(structured(4, Cut::bricks), -1);
+  for (std::size_t other = 0; other < 4; ++other) {
+    std::vector<double> values(3 * mesh.node_count(), 0.5);
+    if (other < 3)
+      for (std::size_t n = 0; n < mesh.node_count(); ++n)
+        values[3 * n + other] = static_cast<double>(n);
+    ZooMesh with = mesh;
+    with.fields.push_back({"v", "", FieldLocation::node, 3, std::vector<double>(values)});
+    const Repaired repaired = repair(with);
+    EXPECT_EQ(repaired.counts.merged_nodes, other < 3 ? 0U : 25U) << other;
+    EXPECT_EQ(repaired.counts.unmerged_nodes, other < 3 ? 25U : 0U) << other;
+    EXPECT_TRUE(std::ranges::equal(repaired.mesh.fields.at(0).values, values)) << other;
+  }
+}
+
 // Two nodes of one cell at one place: merging them would make another kind of it.
 TEST(Repair, NodesOfOneCellStayApart) {
   const ZooMesh mesh =

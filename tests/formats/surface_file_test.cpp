@@ -5,6 +5,7 @@
 #include <cstring>
 #include <set>
 #include <string>
+#include <tuple>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -199,14 +200,42 @@ TEST(SurfaceFile, WhatIsMalformedIsRefusedWithItsPlace) {
               HasSubstr("c.poly:2: a coordinate expected as word 4 ('x' found)"));
 }
 
-// Every beginning of every file is read or refused, and nothing else happens.
-TEST(SurfaceFile, TruncatedFilesAreSurvived) {
+// The beginnings of a file. A cut file is refused in one line that names it, or what is read of it
+// is the beginning of what the whole file holds.
+TEST(SurfaceFile, TruncatedFilesAreRefusedOrBeginnings) {
   const ScratchFolder folder;
-  for (const auto& [name, text] : {std::pair<const char*, std::string>{"a.poly", kPoly},
-                                   {"a.stl", ascii_stl()},
-                                   {"b.stl", binary_stl()}})
-    for (std::size_t length = 0; length < text.size(); length += 3)
-      refusal_of(folder.write(name, text.substr(0, length)));
+  // a .poly file may leave its holes and regions out: it is whole behind its last facet, whose last
+  // number may be cut (there is no telling)
+  const std::size_t facets_end = std::string(kPoly).find("0.25") + 1;
+  for (const auto& [name, text, first_whole] :
+       {std::tuple<const char*, std::string, std::size_t>{"a.poly", kPoly, facets_end},
+        {"a.stl", ascii_stl(), ascii_stl().rfind("endsolid")},
+        {"b.stl", binary_stl(), binary_stl().size()}}) {
+    const Surface whole = read_surface(folder.write(name, text)).surface;
+    for (std::size_t length = 0; length < text.size(); length += 2) {
+      SCOPED_TRACE(fmt::format("{} cut to {} bytes", name, length));
+      const std::string path = folder.write(name, text.substr(0, length));
+      try {
+        const Surface part = read_surface(path).surface;
+        EXPECT_GE(length, first_whole);
+        ASSERT_LE(part.points.size(), whole.points.size());
+        ASSERT_LE(part.facets.size(), whole.facets.size());
+        EXPECT_TRUE(std::equal(part.points.begin(), part.points.end(), whole.points.begin()));
+        for (std::size_t f = 0; f < part.facets.size(); ++f)
+          EXPECT_EQ(part.facets[f].polygons, whole.facets[f].polygons);
+        if (!std::string(name).ends_with("poly")) continue;
+        EXPECT_EQ(part.facets.size(), whole.facets.size());
+        if (text[length - 1] != '\n') continue;
+        EXPECT_EQ(part.facets.back().holes, whole.facets.back().holes);
+        ASSERT_LE(part.holes.size(), whole.holes.size());
+        EXPECT_TRUE(std::equal(part.holes.begin(), part.holes.end(), whole.holes.begin()));
+        EXPECT_LE(part.regions.size(), whole.regions.size());
+      } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr(path));
+        EXPECT_THAT(error.what(), testing::Not(HasSubstr("\n")));
+      }
+    }
+  }
 }
 
 }  // namespace

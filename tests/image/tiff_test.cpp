@@ -113,6 +113,25 @@ TEST_F(TiffFiles, SayHowAlphaIsMeant) {
   EXPECT_EQ(first(EXTRASAMPLE_UNASSALPHA), 4);
 }
 
+// A premultiplied colour above alpha counts as alpha: a straight colour is at most 1.
+TEST_F(TiffFiles, ColourIsAtMostAlphaWhereIntegersArePremultiplied) {
+  const std::string pixels("\x66\x33\x1a\x33\xff\xff\xff\x01", 8);
+  for (const bool linear : {true, false}) {
+    const Image image = read({.alpha = EXTRASAMPLE_ASSOCALPHA, .samples = pixels}, linear);
+    EXPECT_EQ(image.at(0, 0, 3), 0.2);
+    EXPECT_EQ(image.at(0, 0, 0), 0.2);  // 0x66 above 0x33
+    EXPECT_EQ(image.at(0, 0, 1), 0.2);
+    EXPECT_LT(image.at(0, 0, 2), 0.11);  // 0x1a below it
+    for (std::size_t c = 0; c < 4; ++c) EXPECT_EQ(image.at(1, 0, c), 1 / 255.0);
+  }
+  // sixteen bits, low byte first
+  const std::string deep("\xff\xff\x00\x80\x00\x40\x00\x80", 8);
+  const Image image = read({.depth = 16, .alpha = EXTRASAMPLE_ASSOCALPHA, .samples = deep});
+  EXPECT_EQ(image.at(0, 0, 0), 32768 / 65535.0);
+  EXPECT_EQ(image.at(0, 0, 1), 32768 / 65535.0);
+  EXPECT_NEAR(image.at(0, 0, 2), 16384 / 65535.0, 1e-16);
+}
+
 TEST_F(TiffFiles, OfOtherKindsAreRefusedByName) {
   TIFFSetErrorHandler(nullptr);  // what the writer here thinks of them
   EXPECT_THAT(complaint({.compression = COMPRESSION_JPEG}), testing::HasSubstr("a compression"));

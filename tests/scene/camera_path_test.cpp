@@ -133,6 +133,34 @@ TEST(CameraPath, ClippingSlabsMayBeEndless) {
   EXPECT_EQ(clip[1], std::numeric_limits<double>::infinity());
 }
 
+TEST(CameraPath, AnEndlessSlabEndsAtAKeyframe) {
+  const double endless = std::numeric_limits<double>::infinity();
+  for (const bool ends : {true, false}) {
+    const std::string first = ends ? "clip = [0, inf]\n" : "clip = [0, 5]\n";
+    const std::string last = ends ? "clip = [0, 5]\n" : "clip = [2, inf]\n";
+    const Scene scene =
+        parsed(keyframe(0, "[9, 0, 0]", kRest + first) + keyframe(4, "[9, 1, 0]", last));
+    const double near = ends ? 0 : 2;
+    EXPECT_THAT(*camera_at(scene, 0).clip, ElementsAre(0, ends ? endless : 5));
+    for (const std::uint32_t f : {1U, 2U, 3U})
+      EXPECT_THAT(*camera_at(scene, f).clip, ElementsAre(near * f / 4, endless)) << f;
+    EXPECT_THAT(*camera_at(scene, 4).clip, ElementsAre(near, ends ? 5 : endless));
+  }
+}
+
+TEST(CameraPath, HeightsOfParallelViewsRunEvenly) {
+  const std::string rest =
+      "look_at = [0, 0, 0]\nup = [0, 0, 1]\nprojection = \"orthographic\"\nheight = 2\n";
+  const Scene scene = parsed(keyframe(0, "[3, 0, 0]", rest) + keyframe(4, "[3, 0, 1]") +
+                             keyframe(8, "[3, 0, 1]", "height = 10\n"));
+  const std::array<double, 9> heights{2, 2, 2, 2, 2, 4, 6, 8, 10};
+  for (std::uint32_t f = 0; f <= 8; ++f) {
+    const Camera camera = camera_at(scene, f);
+    EXPECT_EQ(camera.projection, Projection::orthographic);
+    EXPECT_EQ(camera.height, heights[f]) << f;
+  }
+}
+
 TEST(CameraPath, ATurntableGoesRoundItsMiddle) {
   const Scene scene = parsed(kCamera + "[turntable]\nframes = 8\n");
   EXPECT_EQ(frame_count(scene), 8U);

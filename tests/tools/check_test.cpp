@@ -11,6 +11,7 @@
 
 #include "hiac/image/image_io.hpp"
 #include "hiac/mesh/zoo_container.hpp"
+#include "hiac/order/order_file.hpp"
 #include "tests/order/hard_meshes.hpp"
 #include "tests/order/order_meshes.hpp"
 #include "tests/support/meshes.hpp"
@@ -94,6 +95,27 @@ TEST_F(CheckTool, RepairSaysWhatItDid) {
   EXPECT_EQ(check("mended.zoo --overlap"), 0);
   ASSERT_EQ(check("m.zoo --repair -q --json - >facts.json"), 0);
   EXPECT_EQ(facts()["valid"], true);
+}
+
+// Orders belong to the mesh as it was: a mended mesh goes without them, any other keeps its own.
+TEST_F(CheckTool, RepairDropsOrders) {
+  for (const bool mended : {true, false}) {
+    write("m.zoo", mended ? kTangled : structured(2, Cut::tetrahedra));
+    ASSERT_EQ(run("$SORT m.zoo --view view.toml >sorted.zoo"), 0) << complaint();
+    ASSERT_EQ(read_order_chunks(file("sorted.zoo")).size(), 1U);
+    ASSERT_EQ(check("sorted.zoo --repair -o r.zoo"), 0) << complaint();
+    EXPECT_EQ(read_order_chunks(file("r.zoo")).size(), mended ? 0U : 1U);
+    EXPECT_EQ(complaint().find("do not fit the repaired one") != std::string::npos, mended);
+    EXPECT_EQ(run("$RENDER r.zoo --view view.toml -o p.npy"), 0) << complaint();
+  }
+}
+
+TEST_F(CheckTool, FactsThatCannotBeWrittenAreAnInputError) {
+  write("m.zoo", structured(1, Cut::bricks));
+  EXPECT_EQ(check("m.zoo -o out.zoo --json nowhere/facts.json"), 3);
+  EXPECT_THAT(complaint(), HasSubstr("hiac-check: nowhere/facts.json: "));
+  write("t.zoo", kTangled);
+  EXPECT_EQ(check("t.zoo --json nowhere/facts.json"), 1);  // what went wrong first decides
 }
 
 // Numbers that no mesh may have arrive in containers that others wrote.

@@ -240,10 +240,11 @@ TEST_F(SortTool, ViewsAreOrderedOnce) {
 
 TEST_F(SortTool, AnInterruptLeavesWholeFrames) {
   // (a shell lets no command that it runs aside hear SIGINT; the tools take both alike)
-  ASSERT_EQ(run("$RENDER m.zoo --view turn.toml --set turntable.frames=2000 --size 160x120 "
-                "--frames -o f.npy & pid=$!; n=0; "
-                "until [ -e f-0003.npy ] || [ $n = 500 ]; do sleep 0.02; n=$((n+1)); done; "
-                "kill -TERM $pid; wait $pid; [ $? -ge 128 ]"),
+  // it tells of each frame that it has written: the fourth one ends it
+  ASSERT_EQ(run("mkfifo told; $RENDER m.zoo --view turn.toml --set turntable.frames=2000 "
+                "--size 160x120 --frames -v -o f.npy 2>told & pid=$!; n=0; "
+                "while read -r line; do case $line in *' write: '*) n=$((n+1)); "
+                "[ $n = 4 ] && kill -TERM $pid;; esac; done <told; wait $pid; [ $? -ge 128 ]"),
             0)
       << complaint();
   std::size_t frames = 0;
@@ -258,16 +259,63 @@ TEST_F(SortTool, AnInterruptLeavesWholeFrames) {
   EXPECT_LT(frames, 2000U);
 }
 
-// A mesh that takes its time to arrive, read on a terminal (which `script` plays) and on none.
+// A mesh that does not arrive before the progress is shown, read on a terminal (which `script`
+// plays) and, at the same time, on none.
 TEST_F(SortTool, ProgressIsShownOnATerminalAlone) {
-  const std::string slow = "(sleep 1.6; cat m.zoo) | $RENDER --view view.toml -o x.npy";
-  std::ofstream(file("slow.sh")) << "(sleep 1.6; cat m.zoo) | \"$1\" --view view.toml -o x.npy\n";
-  ASSERT_EQ(run("TERM=xterm script -qec \"sh slow.sh $RENDER\" /dev/null </dev/null"), 0);
-  const std::string seen = bytes_of(file("out.txt"));
-  EXPECT_THAT(seen, HasSubstr("hiac-render: read, 1 s\r\x1b[K"));
-  ASSERT_EQ(run(slow), 0);
-  EXPECT_EQ(complaint().find("read,"), std::string::npos);
-  EXPECT_EQ(complaint().find('\r'), std::string::npos);
+  std::ofstream(file("feed.sh")) << "read -r _ <$1; cat m.zoo\n";
+  std::ofstream(file("shown.sh")) << "sh feed.sh gate | \"$1\" --view view.toml -o x.npy\n";
+  ASSERT_EQ(run("mkfifo gate other; "
+                "sh feed.sh other | $RENDER --view view.toml -o y.npy 2>quiet.txt & quiet=$!; "
+                "TERM=xterm timeout 60 script -qefc \"sh shown.sh $RENDER\" /dev/null </dev/null | "
+                "stdbuf -o0 tee seen.txt | stdbuf -o0 tr '\\r' '\\n' | "
+                "while read -r line; do case $line in *'read, 1 s') echo >gate; echo >other;; "
+                "esac; done; wait $quiet"),
+            0)
+      << complaint();
+  EXPECT_THAT(bytes_of(file("seen.txt")), HasSubstr("hiac-render: read, 1 s\r\x1b[K"));
+  EXPECT_EQ(bytes_of(file("x.npy")), bytes_of(file("y.npy")));
+  const std::string quiet = bytes_of(file("quiet.txt"));
+  EXPECT_THAT(quiet, HasSubstr("hiac-render: "));
+  EXPECT_EQ(quiet.find("read,"), std::string::npos);
+  EXPECT_EQ(quiet.find('\r'), std::string::npos);
+}
+
+// A stream that is sorted has one order behind its mesh, that of the last sort; with a path, one
+// for each of its views.
+TEST_F(SortTool, ASecondSortReplacesTheOrdersOfTheFirst) {
+  const std::string other = "--view view.toml --set 'camera.eye=[-2, 0.3, 0.2]'";
+  ASSERT_EQ(run("$SORT m.zoo --view view.toml -o first.order && $SORT m.zoo " + other +
+                " -o second.order"),
+            0)
+      << complaint();
+  const auto first = read_order_file(file("first.order"));
+  const auto second = read_order_file(file("second.order"));
+  ASSERT_NE(first.view_hash, second.view_hash);
+  ASSERT_EQ(run("cat m.zoo | $SORT --view view.toml | $SORT " + other + " >twice.zoo"), 0)
+      << complaint();
+  const auto chunks = read_order_chunks(file("twice.zoo"));
+  ASSERT_EQ(chunks.size(), 1U);
+  const OrderRecord left = decode_order(chunks[0], "twice.zoo");
+  EXPECT_EQ(left.view_hash, second.view_hash);
+  EXPECT_TRUE(std::ranges::equal(left.order.cells, second.order.cells));
+  ASSERT_EQ(run("$SORT twice.zoo --view turn.toml >thrice.zoo"), 0) << complaint();
+  EXPECT_EQ(read_order_chunks(file("thrice.zoo")).size(), 5U);
+  // the first view's order is no longer there, the last one's is
+  EXPECT_EQ(run("$RENDER twice.zoo " + other + " -o x.npy"), 0) << complaint();
+}
+
+TEST_F(SortTool, FactsThatCannotBeWrittenAreAnInputError) {
+  for (const char* facts : {"nowhere/facts.json", ".", "m.zoo/facts.json"}) {
+    EXPECT_EQ(run(std::string("$SORT m.zoo --view view.toml -o m.order --json ") + facts), 3)
+        << facts;
+    EXPECT_THAT(complaint(), HasSubstr(std::string("hiac-sort: ") + facts + ": "));
+    EXPECT_EQ(run(std::string("$RENDER m.zoo --view view.toml -o x.npy --json ") + facts), 3)
+        << facts;
+    EXPECT_THAT(complaint(), HasSubstr(std::string("hiac-render: ") + facts + ": "));
+  }
+  EXPECT_EQ(run("$RENDER m.zoo --view view.toml -o x.npy --json - >/dev/full"), 3);
+  // what went wrong first decides
+  EXPECT_EQ(run("$RENDER m.zoo --view turn.toml -o x.npy --json nowhere/facts.json"), 2);
 }
 
 }  // namespace
