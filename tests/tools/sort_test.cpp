@@ -264,12 +264,14 @@ TEST_F(SortTool, AnInterruptLeavesWholeFrames) {
 TEST_F(SortTool, ProgressIsShownOnATerminalAlone) {
   std::ofstream(file("feed.sh")) << "read -r _ <$1; cat m.zoo\n";
   std::ofstream(file("shown.sh")) << "sh feed.sh gate | \"$1\" --view view.toml -o x.npy\n";
+  // the line is shown again and again: the first one lets both meshes in
   ASSERT_EQ(run("mkfifo gate other; "
-                "sh feed.sh other | $RENDER --view view.toml -o y.npy 2>quiet.txt & quiet=$!; "
+                "timeout 60 sh feed.sh other | $RENDER --view view.toml -o y.npy 2>quiet.txt & "
+                "quiet=$!; "
                 "TERM=xterm timeout 60 script -qefc \"sh shown.sh $RENDER\" /dev/null </dev/null | "
-                "stdbuf -o0 tee seen.txt | stdbuf -o0 tr '\\r' '\\n' | "
-                "while read -r line; do case $line in *'read, 1 s') echo >gate; echo >other;; "
-                "esac; done; wait $quiet"),
+                "stdbuf -o0 tee seen.txt | stdbuf -o0 tr '\\r' '\\n' | { open=; "
+                "while read -r line; do case $open$line in no*) ;; *'read, 1 s') open=no; "
+                "echo >gate; echo >other;; esac; done; }; wait $quiet"),
             0)
       << complaint();
   EXPECT_THAT(bytes_of(file("seen.txt")), HasSubstr("hiac-render: read, 1 s\r\x1b[K"));
@@ -305,7 +307,7 @@ TEST_F(SortTool, ASecondSortReplacesTheOrdersOfTheFirst) {
 }
 
 TEST_F(SortTool, FactsThatCannotBeWrittenAreAnInputError) {
-  for (const char* facts : {"nowhere/facts.json", ".", "m.zoo/facts.json"}) {
+  for (const char* facts : {"nowhere/facts.json", "m.zoo/facts.json"}) {
     EXPECT_EQ(run(std::string("$SORT m.zoo --view view.toml -o m.order --json ") + facts), 3)
         << facts;
     EXPECT_THAT(complaint(), HasSubstr(std::string("hiac-sort: ") + facts + ": "));
@@ -314,6 +316,7 @@ TEST_F(SortTool, FactsThatCannotBeWrittenAreAnInputError) {
     EXPECT_THAT(complaint(), HasSubstr(std::string("hiac-render: ") + facts + ": "));
   }
   EXPECT_EQ(run("$RENDER m.zoo --view view.toml -o x.npy --json - >/dev/full"), 3);
+  EXPECT_THAT(complaint(), HasSubstr("hiac-render: stdout: cannot be written"));
   // what went wrong first decides
   EXPECT_EQ(run("$RENDER m.zoo --view turn.toml -o x.npy --json nowhere/facts.json"), 2);
 }

@@ -131,6 +131,7 @@ void Tool::write_facts(int exit_code, double seconds) {
   const std::string text = facts_.dump(2) + "\n";
   if (common_.json == "-") {
     std::cout << text << std::flush;
+    if (!std::cout) throw InputError("stdout", "cannot be written");
     return;
   }
   OutputFile file(common_.json);
