@@ -1,17 +1,17 @@
 #!/usr/bin/env bash
-# Builds everything with warnings as errors and runs every test; then builds the sanitized preset
-# and runs the tests that it has. Installs the Debian packages that are missing. Says little unless
-# something fails; the last line is 'N passed, N failed, N skipped', test cases of both together.
-#   HIAC_BUILD_DIR   where to build (default build/release; the sanitized build: beside it)
-#   HIAC_SANITIZE=0  leaves the sanitized half out
+# From nothing to tested: installs the Debian packages that are missing, builds everything and runs
+# every test. Prints little unless something fails; the last line is 'N passed, N failed, N skipped',
+# in test cases. The build is that of samples/run.sh: what one has compiled, the other does not
+# compile again.
+#   tests/run.sh [PRESET]    default: release; sanitize and debug are the others (CMakePresets.json)
+#   HIAC_BUILD_DIR           where to build (default build/PRESET)
+#   HIAC_STRICT=ON           makes warnings errors (default: as the build was configured before)
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
-build=${HIAC_BUILD_DIR:-$root/build/release}
-sanitized=${HIAC_BUILD_DIR:+$HIAC_BUILD_DIR-}sanitize
-[ -n "${HIAC_BUILD_DIR:-}" ] || sanitized=$root/build/sanitize
-passed=0 failed=0 skipped=0
+preset=${1:-release}
+build=${HIAC_BUILD_DIR:-$root/build/$preset}
 
-# Runs a command whose output is shown only when it fails, and then ends everything.
+# Runs a command and shows its output only when it fails, which ends the script.
 quietly() {
   local log=$1
   shift
@@ -21,33 +21,20 @@ quietly() {
   exit 1
 }
 
-# Configures and builds the preset $1 in folder $2; $3: whether warnings are errors.
-build_preset() {
-  mkdir -p "$2"
-  quietly "$2/configure.log" cmake -S "$root" --preset "$1" -B "$2" -D HIAC_STRICT="$3"
-  quietly "$2/build.log" cmake --build "$2" -j "$(nproc)"
-}
-
-# Runs the tests of preset $1 in folder $2 and adds them up.
-run_tests() {
-  local began=$SECONDS p f s
-  rm -f "$2/tests.xml"
-  # the exit status is that of the tests; the report, read next, tells the same with numbers
-  ctest --test-dir "$2" -j "$(nproc)" --timeout 900 --no-tests=error --output-on-failure \
-    --output-junit "$2/tests.xml" >"$2/tests.log" 2>&1 || true
-  read -r p f s < <(python3 "$root/tests/project/count_tests.py" "$2/tests.xml")
-  [ "$f" = 0 ] || grep -v -e ' Passed ' -e '^ *Start ' "$2/tests.log" >&2
-  echo "$1: $p passed, $f failed, $s skipped (tests $((SECONDS - began)) s)"
-  passed=$((passed + p)) failed=$((failed + f)) skipped=$((skipped + s))
-}
-
 "$root/.ci/install"
-build_preset release "$build" ON
-run_tests release "$build"
-if [ "${HIAC_SANITIZE:-1}" != 0 ]; then
-  # instrumented code draws false warnings from the compiler
-  build_preset sanitize "$sanitized" OFF
-  run_tests sanitize "$sanitized"
-fi
+mkdir -p "$build"
+began=$SECONDS
+quietly "$build/configure.log" cmake -S "$root" --preset "$preset" -B "$build" \
+  ${HIAC_STRICT:+-D HIAC_STRICT="$HIAC_STRICT"}
+quietly "$build/build.log" cmake --build "$build" -j "$(nproc)"
+built=$SECONDS
+
+rm -f "$build/tests.xml"
+# The exit status of ctest is ignored: the report, which is read next, holds the same and numbers.
+ctest --test-dir "$build" -j "$(nproc)" --timeout 900 --no-tests=error --output-on-failure \
+  --output-junit "$build/tests.xml" >"$build/tests.log" 2>&1 || true
+read -r passed failed skipped < <(python3 "$root/tests/project/count_tests.py" "$build/tests.xml")
+[ "$failed" = 0 ] || grep -v -e ' Passed ' -e '^ *Start ' "$build/tests.log" >&2
+echo "$preset: build $((built - began)) s, tests $((SECONDS - built)) s"
 echo "$passed passed, $failed failed, $skipped skipped"
 [ "$failed" = 0 ] && [ "$passed" -gt 0 ]
