@@ -21,8 +21,7 @@ then
 fi
 PATH=$build/tools/convert:$build/tools/sort:$build/tools/render:$PATH
 
-# quadratic cells are kept by their corners alone: the data at the nodes between them is neglected
-hiac-convert "$sample/flow.vtu" --corners-only |
+hiac-convert "$sample/flow.vtu" |
   hiac-sort --view "$sample/view.toml" |
   hiac-render --view "$sample/view.toml" -o "$picture"
 echo "made $picture"
