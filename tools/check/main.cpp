@@ -156,13 +156,13 @@ void repair_file(Tool& tool, ZooFile& file, Judge& judge) {
   // they belong to the mesh as it was
   const auto orders =
       std::erase_if(file.extras, [](const ExtraChunk& chunk) { return chunk.type == kOrderChunk; });
-  if (orders > 0) tool.note("the orders behind the mesh do not fit the repaired one: left out");
+  if (orders > 0) tool.note("the file's orders do not fit the repaired mesh and are left out");
 }
 
 void check_options(const Options& options) {
   const bool views = !options.view.empty() || options.directions > 0;
   if (options.cycles && !views)
-    throw UsageError("--cycles: no view to look for cycles in (--view SPEC, or --directions N)");
+    throw UsageError("--cycles: no views are given (--view SPEC or --directions N expected)");
   if (!options.cycles && views) throw UsageError("--view, --directions: only for --cycles");
   if (!options.overrides.empty() && options.view.empty())
     throw UsageError("--set: no specification to override (--view SPEC)");
@@ -200,21 +200,22 @@ void check(Tool& tool, const Options& options) {
 }
 
 const char* const kMeaning =
-    "\n\nInvalid (exit 1, nothing is passed on): nodes that are not there, coordinates that are "
-    "not\n"
-    "finite, cells without volume, inverted, or with a Jacobian that is not positive throughout,\n"
-    "faces of more than two cells, cells on one side of their common face, overlapping interiors,\n"
-    "a stored adjacency that is not the mesh's.\n"
-    "Warnings (exit 0): nodes at one place, of no cell, or twice in a cell; faces that are not\n"
-    "planar, cells that are not convex; torn, hanging and sliding interfaces; overlaps that "
-    "rounding\n"
-    "or faces that are not planar leave open; visibility cycles (the exact order resolves them).\n"
-    "A mesh all of whose cells are numbered left-handed is valid: hiac draws either hand alike.";
+    "\n\nInvalid (exit 1, the mesh is not passed on): node numbers out of range, coordinates that\n"
+    "are not finite, cells without volume, inverted cells, cells whose Jacobian is not positive\n"
+    "everywhere, faces with more than two cells, two cells on one side of their common face,\n"
+    "overlapping interiors, a stored adjacency that does not match the mesh.\n"
+    "Warnings (exit 0): two nodes at one place, nodes of no cell or twice in a cell; faces that "
+    "are\n"
+    "not planar, cells that are not convex; torn, hanging and sliding interfaces; overlaps that "
+    "are\n"
+    "within rounding or cannot be decided because faces are not planar; visibility cycles (the\n"
+    "exact order resolves them).\n"
+    "A mesh whose cells are all numbered left-handed is valid: hiac draws either hand alike.";
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  Tool tool("hiac-check", "Judges whether a mesh is valid, and tells what is wrong with it.",
+  Tool tool("hiac-check", "Judges whether a mesh is valid, and names its defects.",
             std::string("  hiac-check part.zoo --overlap\n"
                         "  hiac-check part.zoo --cycles --directions 100 --json cycles.json\n"
                         "  hiac-check part.zoo --repair -o mended.zoo\n"
@@ -226,35 +227,35 @@ int main(int argc, char** argv) {
   auto& app = tool.app();
   app.add_option("MESH", options.input, "Zoo mesh; - or none: stdin");
   app.add_option("-o,--output", options.output,
-                 "Where a valid mesh goes; - or none: stdout where that is no terminal (and not "
-                 "taken by --json -)")
+                 "Write a valid mesh here; - or none: to stdout, unless stdout is a terminal or "
+                 "--json - uses it")
       ->type_name("FILE");
   app.add_flag("--overlap", options.overlap, "Look for cells whose interiors overlap");
   app.add_flag("--cycles", options.cycles,
-               "Look for visibility cycles in views, and for a proof that there are none in any");
+               "Look for visibility cycles in the views, and for a proof that no view has any");
   app.add_option("--view", options.view,
-                 "--cycles: the views of an image specification (TOML): its camera, or every frame")
+                 "For --cycles: the camera of this image specification (TOML), or all its frames")
       ->type_name("SPEC");
   app.add_option("--set", options.overrides, "Override KEY=VALUE of the specification; repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   app.add_option("--directions", options.directions,
-                 "--cycles: N parallel views, spread over all directions")
+                 "For --cycles: N parallel views, spread over all directions")
       ->check(CLI::Range(1U, 1000000U))
       ->type_name("N");
   app.add_option("--planarity", options.planarity,
-                 "Deviation, relative to a face's size, below which it counts as planar, faces as "
-                 "touching, and overlaps as rounding; 0: nothing is rounding")
+                 "Deviation, relative to a face's size, below which a face counts as planar, two "
+                 "faces as touching, and an overlap as rounding; 0 is exact")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
-  app.add_option("--max-ids", options.max_ids, "How many offenders of a kind are named")
+  app.add_option("--max-ids", options.max_ids, "How many cells or nodes to name for each defect")
       ->capture_default_str()
       ->type_name("N");
   app.add_flag("--repair", options.repair,
-               "Number left-handed cells right-handed, drop cells without volume, merge nodes at "
-               "one place with the same values; then judge");
+               "Renumber left-handed cells, drop cells without volume, merge nodes at one place "
+               "that have the same values; then judge");
   app.add_option("--picture", options.picture,
-                 "Draw the mesh's outline with the offending cells (" + image_extensions() + ")")
+                 "Draw the mesh's outline and the defective cells (" + image_extensions() + ")")
       ->type_name("FILE");
   return tool.run(argc, argv, [&] { check(tool, options); });
 }

@@ -54,7 +54,7 @@ std::string frame_path(const std::string& path, std::uint32_t frame) {
   constexpr std::size_t kDigits = 4;
   const std::vector<Place> places = places_in(path);
   if (places.size() > 1)
-    throw UsageError(fmt::format("-o {}: one place for the frame's number expected, {} found", path,
+    throw UsageError(fmt::format("-o {}: one place for the frame number expected, {} found", path,
                                  places.size()));
   if (places.size() == 1)
     return fmt::format("{}{:0{}}{}", path.substr(0, places[0].begin), frame, places[0].digits,

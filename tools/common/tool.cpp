@@ -40,8 +40,8 @@ Tool::Tool(std::string name, const std::string& description, const std::string& 
   app_.footer("Examples:\n" + examples +
               "\n\nExit codes: 0 done, 1 the input fails the judgement, 2 wrong usage,\n"
               "3 unreadable input or output that cannot be written, 4 anything else.");
-  app_.add_flag("-q,--quiet", common_.quiet, "Print errors alone");
-  app_.add_flag("-v,--verbose", common_.verbose, "Print what is done, stage by stage");
+  app_.add_flag("-q,--quiet", common_.quiet, "Print only errors");
+  app_.add_flag("-v,--verbose", common_.verbose, "Print every stage of the work");
   app_.add_option("--threads", common_.threads, "Number of threads (0: all cores)")
       ->check(CLI::Range(0U, 4096U))
       ->capture_default_str();

@@ -54,7 +54,7 @@ void note_lonely_channels(Tool& tool, const Image& image, const Image& reference
   const auto note_missing = [&](const Image& from, const std::string& name, const Image& in) {
     for (const std::string& channel : from.channels())
       if (!in.channel_index(channel))
-        tool.warn(fmt::format("channel {} is in {} alone and not compared", channel, name));
+        tool.warn(fmt::format("channel {} is only in {} and is not compared", channel, name));
   };
   note_missing(image, options.image, reference);
   note_missing(reference, options.reference, image);
@@ -207,8 +207,9 @@ void add_options(CLI::App& app, Options& options) {
       ->type_name("X");
   app.add_option("--heatmap", options.heat_map, "Draw the differences pixel by pixel")
       ->type_name("IMAGE");
-  app.add_option("--heatmap-of", options.heat_map_of,
-                 "What is drawn: the largest absolute difference of all channels, or FLIP")
+  app.add_option(
+         "--heatmap-of", options.heat_map_of,
+         "Draw the largest absolute difference of all channels (difference), or FLIP (flip)")
       ->check(CLI::IsMember({"difference", "flip"}))
       ->capture_default_str();
   app.add_option("--width", options.reading.width, "Width in pixels of .f32 images");
@@ -219,17 +220,18 @@ void add_options(CLI::App& app, Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Tool tool("hiac-compare",
-            "Tells how far image A is from image B.\n\n"
-            "Errors are absolute differences of linear, premultiplied values, channel by channel\n"
-            "(by name); the relative mean square error is (a - b)^2 / (|b| + 0.01)^2 in the mean.\n"
-            "A NaN or an infinity equals itself and differs infinitely from everything else. PSNR\n"
-            "is for a signal from 0 to 1; SSIM and FLIP (67 pixels per degree) are of the colours\n"
-            "as displayed, from 0 to 1. Images of different sizes, or without a common channel,\n"
-            "fail the judgement.",
-            "  hiac-compare new.exr reference.exr\n"
-            "  hiac-compare new.npy reference.npy --max-error 1e-12 --json facts.json\n"
-            "  hiac-compare new.png old.png --heatmap where.png --heatmap-of flip");
+  Tool tool(
+      "hiac-compare",
+      "Measures how far image A is from image B.\n\n"
+      "Errors are absolute differences of linear, premultiplied values, channel by channel\n"
+      "(matched by name); the relative mean square error is the mean of\n"
+      "(a - b)^2 / (|b| + 0.01)^2. A NaN or an infinity equals itself and differs infinitely\n"
+      "from everything else. PSNR assumes a signal from 0 to 1; SSIM and FLIP (67 pixels per\n"
+      "degree) compare the colours as displayed, from 0 to 1. Images of different sizes, or\n"
+      "without a common channel, fail the judgement.",
+      "  hiac-compare new.exr reference.exr\n"
+      "  hiac-compare new.npy reference.npy --max-error 1e-12 --json facts.json\n"
+      "  hiac-compare new.png old.png --heatmap where.png --heatmap-of flip");
   Options options;
   add_options(tool.app(), options);
   return tool.run(argc, argv, [&] { compare(tool, options); });

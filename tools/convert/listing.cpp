@@ -43,7 +43,7 @@ std::string inventory_text(const formats::Inventory& inventory) {
     text += fmt::format(
         "field   {} ({}, {} x {}) {}{}\n", field.name, field.location, field.type, field.components,
         range,
-        field.not_finite == 0 ? "" : fmt::format(", {} values not finite", field.not_finite));
+        field.not_finite == 0 ? "" : fmt::format(", {} values are not finite", field.not_finite));
   }
   if (!inventory.times.empty())
     text += fmt::format("times   {}\n", fmt::join(inventory.times, " "));

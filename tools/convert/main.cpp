@@ -50,20 +50,21 @@ struct Options {
 
 void add_options(CLI::App& app, Options& options) {
   app.add_option("INPUT", options.input,
-                 "The file to convert; - or nothing is stdin: a zoo stream, or with --format any "
-                 "format that is one file");
+                 "The file to convert; - or none: stdin, which carries a zoo stream or, with "
+                 "--format, any format that is one file");
   app.add_option(
          "-o,--output", options.output,
-         "Where to write, in the format that the extension names (.zoo, .vtu, .vtkhdf, .msh); - or "
-         "nothing is stdout: a zoo stream")
+         "Output file; its extension chooses the format (.zoo, .vtu, .vtkhdf, .msh); - or none: a "
+         "zoo stream to stdout")
       ->type_name("FILE");
-  app.add_option("--format", options.format, "Read INPUT as this format, whatever it looks like")
+  app.add_option("--format", options.format,
+                 "Read INPUT as this format instead of detecting the format")
       ->type_name("NAME");
-  app.add_flag("--list-formats", options.list_formats, "Print the formats that there are");
-  app.add_flag("--list", options.list, "Print what INPUT holds; convert nothing");
+  app.add_flag("--list-formats", options.list_formats, "Print a table of the formats");
+  app.add_flag("--list", options.list, "Print the contents of INPUT; convert nothing");
   app.add_option("--field", options.fields,
-                 "Take this field, under a new name if one is given; FIELD:x and FIELD:magnitude "
-                 "are scalars of it; repeatable (default: all fields)")
+                 "Convert this field and give it the name NEW; FIELD:x and FIELD:magnitude are "
+                 "the scalars of a vector field; repeatable (default: all fields)")
       ->type_name("NAME[=NEW]")
       ->expected(1)
       ->allow_extra_args(false)
@@ -74,13 +75,14 @@ void add_options(CLI::App& app, Options& options) {
       ->expected(1)
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  CLI::Option* time = app.add_option("--time", options.time, "Take the step of this time");
-  app.add_option("--step", options.step, "Take the step of this number, from 0")->excludes(time);
-  app.add_option("--block", options.block, "Take this block alone")->type_name("NAME");
+  CLI::Option* time = app.add_option("--time", options.time, "Convert the step at this time");
+  app.add_option("--step", options.step, "Convert the step with this number, counted from 0")
+      ->excludes(time);
+  app.add_option("--block", options.block, "Convert only this block")->type_name("NAME");
   app.add_flag("--corners-only", options.corners_only,
-               "Keep the conventional nodes of higher-order cells alone");
+               "Keep only the corner nodes of quadratic and cubic cells, which become linear");
   app.add_flag("--skip-unsupported", options.skip_unsupported,
-               "Leave volume cells out that cannot be converted");
+               "Leave out volume cells that cannot be converted");
   app.add_flag("--approximate", options.approximate,
                "Re-interpolate cells of order 4 and more (and cells whose centre nodes matter) to "
                "the nearest kind, divide polyhedra into tetrahedra and pyramids, and state the "

@@ -121,8 +121,8 @@ Json note_work(Tool& tool, bool one_of_many, const RenderStatistics& s) {
   if (s.violations > 0)
     tool.warn(fmt::format(
         "{} ray segments were met out of order: the picture is wrong there (cells "
-        "overlap, or the order does not fit; --overlap keeps those in order that do not "
-        "overlap)",
+        "overlap, or the order does not fit; --overlap keeps the cells in order that do "
+        "not overlap)",
         s.violations));
   return {{"segments", s.segments},
           {"covered_pixels", s.covered_pixels},
@@ -151,7 +151,7 @@ class Renderer {
   void look_for_overlaps(double planarity) {
     if (given_)
       throw UsageError("--overlap: " + given_->subject +
-                       " has an order that is there already (hiac-sort --overlap makes it anew)");
+                       " already has an order (hiac-sort --overlap makes a new one)");
     orderer_.look_for_overlaps(planarity);
   }
 
@@ -254,8 +254,8 @@ void render_frames(Tool& tool, const Options& options, const Scene& scene, Rende
 void check_frame_options(const Options& options, const Scene& scene) {
   if (scene.path && !options.all_frames && !options.frame)
     throw UsageError(
-        fmt::format("{}: holds a camera path of {} frames: --frames renders all of "
-                    "them, --frame N one",
+        fmt::format("{}: holds a camera path of {} frames: --frames renders all "
+                    "frames, --frame N one",
                     options.view, frame_count(scene)));
   if (!scene.path && options.all_frames)
     throw UsageError(
@@ -301,7 +301,7 @@ void write_color_bar(Tool& tool, const Options& options, const ZooMesh& mesh,
 void require_room_for_channels(const std::string& path) {
   const std::array<std::string_view, 3> roomy{".exr", ".npy", ".f32"};
   if (std::ranges::none_of(roomy, [&](std::string_view e) { return path.ends_with(e); }))
-    throw UsageError("--channels: this format holds colours alone (.exr, .npy or .f32 expected, " +
+    throw UsageError("--channels: this format holds only colours (.exr, .npy or .f32 expected, " +
                      path + " found)");
 }
 
@@ -324,8 +324,8 @@ std::vector<CellId> check_mesh(Tool& tool, const Options& options, const ZooMesh
   tool.facts()["skipped_cells"] = skipped.size();
   if (!skipped.empty())
     tool.warn(
-        fmt::format("{} of {} cells are turned inside out in part and left out, first cell "
-                    "{}: the picture has holes there",
+        fmt::format("{} of {} cells are partly turned inside out and are left out, the first is "
+                    "cell {}: the picture has holes there",
                     skipped.size(), mesh.cell_count(), skipped.front()));
   return skipped;
 }
@@ -389,9 +389,10 @@ int main(int argc, char** argv) {
   app.add_option("--view", options.view, "Image specification (TOML)")
       ->required()
       ->type_name("SPEC");
-  auto* order = app.add_option("--order", options.order,
-                               "Order file of hiac-sort; without one the mesh is sorted first")
-                    ->type_name("FILE");
+  auto* order =
+      app.add_option("--order", options.order,
+                     "Order file of hiac-sort; without it hiac-render sorts the mesh first")
+          ->type_name("FILE");
   app.add_flag("--overlap", options.overlap, kOverlapHelp)->excludes(order);
   app.add_option("-o,--output", options.output, "Image: " + image_extensions())->type_name("IMAGE");
   app.add_option("--size", options.size, "Size in pixels instead of the specification's")
@@ -400,38 +401,42 @@ int main(int argc, char** argv) {
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   app.add_option("--channels", options.channels,
-                 "Further channels of the picture, with commas between: " + channel_names())
+                 "Further channels of the picture, separated by commas: " + channel_names())
       ->type_name("LIST");
   add_picture_options(app, options.picture);
   app.add_option("--under", options.under,
-                 "Put this picture behind the new one, in place of the background: linear values, "
-                 "premultiplied by its alpha")
+                 "Put this picture behind the new one instead of the background: linear values, "
+                 "premultiplied by alpha")
       ->type_name("IMAGE");
-  auto* one = app.add_option("--frame", options.frame, "One frame of a camera path, from 0 on")
-                  ->type_name("N");
+  auto* one =
+      app.add_option("--frame", options.frame, "Render this frame of a camera path, counted from 0")
+          ->type_name("N");
   app.add_flag("--frames", options.all_frames,
-               "All frames of a camera path, numbered: part.png gives part-0000.png and so on, "
-               "part-%03d.png part-000.png")
+               "Render all frames of a camera path into numbered files: part.png gives "
+               "part-0000.png and so on, part-%03d.png gives part-000.png")
       ->excludes(one);
   app.add_flag("--no-background", options.no_background,
-               "Leave the background out, so that images can be accumulated");
-  app.add_option("--colorbar", options.color_bar,
-                 "Draw the colour map, and the opacity over a length, as a picture of its own")
+               "Leave the background out, so that images can be composited later");
+  app.add_option(
+         "--colorbar", options.color_bar,
+         "Draw the colour map, and the opacity of a length of the medium, as a second picture")
       ->type_name("IMAGE");
   app.add_option("--colorbar-length", options.color_bar_length,
-                 "That length, world units; default: a round number near a tenth of the diagonal")
+                 "Length for --colorbar in world units; default: a round number near a tenth of "
+                 "the diagonal")
       ->check(CLI::PositiveNumber)
       ->type_name("L");
   app.add_option("--depth", options.depth,
-                 "Bits a sample: 8 or 16 (.png .sgi), or 32, floating-point (.tiff); default: 8")
+                 "Bits per sample: 8, 16, or for .tiff also 32 (floating point); default: 8")
       ->type_name("BITS");
   app.add_flag("--skip-invalid", options.skip_invalid,
-               "Leave out cells that are turned inside out in part, in place of refusing the mesh");
-  app.add_flag("--linear", options.linear, "Integer images: linear values instead of sRGB");
+               "Leave out cells that are partly turned inside out instead of refusing the mesh");
+  app.add_flag("--linear", options.linear,
+               "Write linear values instead of sRGB into integer images");
   auto* pixel =
       app.add_option("--pixel", options.pixel,
-                     "Explain this pixel, column X and row Y, in place of a picture: a table of "
-                     "what its ray meets, or with --json all of it for programs")
+                     "Explain the pixel in column X and row Y instead of making a picture: a table "
+                     "of all cells on its ray, or with --json the same for programs")
           ->type_name("X,Y");
   for (const char* of_pictures :
        {"--output", "--channels", "--crop", "--samples", "--filter", "--under", "--frames",

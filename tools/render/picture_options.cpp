@@ -38,14 +38,14 @@ std::array<std::uint32_t, 2> parse_pixel(const std::string& text) {
 }
 
 void add_picture_options(CLI::App& app, PictureOptions& options) {
-  app.add_option("--crop", options.crop,
-                 "Only these W x H pixels, from column X and row Y on; as in the whole picture")
+  app.add_option("--crop", options.crop, "Render only the W x H pixels from column X and row Y on")
       ->type_name("X,Y,W,H");
-  CLI::Option* samples =
-      app.add_option("--samples", options.samples, "N x N rays a pixel, filtered, instead of one")
-          ->type_name("N");
-  app.add_option("--filter", options.filter,
-                 "Of the samples: box (their mean; the default) or bspline (three pixels wide)")
+  CLI::Option* samples = app.add_option("--samples", options.samples,
+                                        "Take N x N rays a pixel and filter them; default: one ray")
+                             ->type_name("N");
+  app.add_option(
+         "--filter", options.filter,
+         "Filter for --samples: box (their mean; the default) or bspline (three pixels wide)")
       ->needs(samples)
       ->check(CLI::IsMember({"box", "bspline"}))
       ->type_name("FILTER");

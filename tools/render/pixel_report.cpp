@@ -114,7 +114,7 @@ class PixelTable {
     append(back, s.color);
     back.push_back(error_text(s.error));
     table_.add(std::move(back), s.out_of_order ? "out of order"
-                                : s.in_group   ? "put in order pixel by pixel"
+                                : s.in_group   ? "sorted pixel by pixel"
                                                : "");
   }
 
@@ -163,7 +163,8 @@ std::string pixel_table(const PixelExplanation& pixel, const Scene& scene) {
   std::string text;
   if (!pixel.segments.empty()) text += PixelTable(pixel, scene).text();
   if (pixel.ended)
-    text += "too little of what is behind is seen: the ray ends here (render.tolerance)\n";
+    text +=
+        "the ray ends here: cells behind would change the pixel by less than render.tolerance\n";
   const auto& [r, g, b] = pixel.background;
   text += fmt::format("background {:.6g} {:.6g} {:.6g} seen through {:.17g}\n", r, g, b,
                       pixel.transparency);

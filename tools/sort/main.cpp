@@ -220,8 +220,8 @@ Target target_of(const Tool& tool, const Options& options) {
     return Target::nowhere;
   if (terminal)
     throw UsageError(
-        "the sorted mesh is binary and does not go to a terminal: name an order file with -o, or "
-        "pipe");
+        "the sorted mesh is binary and is not written to a terminal: name an order file with -o, "
+        "or use a pipe");
   if (tool.common().json == "-")
     throw UsageError("--json -: stdout carries the mesh here; name a file");
   return Target::behind_mesh;
@@ -240,7 +240,7 @@ void write_orders(Tool& tool, const Options& options, Target target, ZooFile& fi
 
 void sort(Tool& tool, const Options& options) {
   if (!options.given.empty() && !options.verify)
-    throw UsageError("--order: an order that is there is only verified (expected --verify)");
+    throw UsageError("--order: a given order can only be verified (expected --verify)");
   const Target target = target_of(tool, options);
   method_of(options);
   const Scene scene = read_scene(options.view, options.overrides).scene;
@@ -276,32 +276,33 @@ int main(int argc, char** argv) {
   app.add_option("--set", options.overrides, "Override KEY=VALUE of the specification; repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  app.add_option("--frame", options.frame, "One frame of a camera path, from 0 on, instead of all")
+  app.add_option("--frame", options.frame,
+                 "Sort for this frame of a camera path only, counted from 0")
       ->type_name("N");
   auto* algorithm =
       app.add_option(
              "--algorithm", options.algorithm,
-             "exact (right for every mesh; cycles become groups), stein and multitiled "
-             "(pairs of cells; a cycle is an error, exit 1), mpvo and centroid (heuristics)")
+             "exact (correct for every mesh; cycles become groups), stein or multitiled (compare "
+             "pairs of cells; a cycle is an error, exit 1), mpvo or centroid (heuristics)")
           ->default_str("exact")
           ->type_name("NAME");
-  app.add_option("--tiles", options.tiles, "multitiled: tiles of the window, by default n^(1/6)^2")
+  app.add_option("--tiles", options.tiles,
+                 "For multitiled: how many tiles the window has; default n^(1/6) each way")
       ->type_name("CxR");
   app.add_flag("--balanced", options.balanced,
-               "multitiled: tiles that hold equally many cells, not equally large ones");
-  auto* output =
-      app.add_option("-o,--output", options.output,
-                     "Order file; - or none: pass the mesh on to stdout with the order behind it")
-          ->type_name("FILE");
+               "For multitiled: tiles with equal numbers of cells, not of equal size");
+  auto* output = app.add_option("-o,--output", options.output,
+                                "Order file; - or none: write the mesh and its order to stdout")
+                     ->type_name("FILE");
   auto* statistics =
       app.add_flag("--stats", options.statistics,
                    "Print a table: arrows by source, groups, seconds by stage, memory");
   app.add_flag("--verify", options.verify,
-               fmt::format("Prove the order: up to {} cells every two of them by brute force, "
-                           "beyond that every arrow of the relation; exit 1 where it is wrong",
+               fmt::format("Prove the order: test every pair of cells by brute force (meshes of up "
+                           "to {} cells) or every arrow of the relation; exit 1 when it is wrong",
                            kMostCellsForPairs));
   app.add_flag("--overlap", options.overlap, kOverlapHelp)->excludes(algorithm);
-  app.add_option("--order", options.given, "Verify the order in FILE; make and write none")
+  app.add_option("--order", options.given, "Verify the order in FILE; sort nothing")
       ->type_name("FILE")
       ->excludes(output)
       ->excludes(statistics)

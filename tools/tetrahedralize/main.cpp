@@ -150,11 +150,12 @@ ZooFile mesh_of_points(Tool& tool, const Options& options) {
   std::vector<std::uint8_t> used(points.size(), 0);
   for (const NodeId node : nodes) used[node] = 1;
   if (const auto unused = std::ranges::count(used, 0); unused > 0)
-    tool.warn(fmt::format("{} points lie where others do; their values are not used", unused));
+    tool.warn(fmt::format("{} points lie at the place of another point; their values are not used",
+                          unused));
   const std::size_t fields = mesh.fields.size();
   std::erase_if(mesh.fields, [](const Field& f) { return f.location != FieldLocation::node; });
   if (mesh.fields.size() < fields)
-    tool.warn(fmt::format("{} fields of cells or corners are left out: points have none",
+    tool.warn(fmt::format("{} fields on cells or corners are left out: points have no cells",
                           fields - mesh.fields.size()));
   mesh.kinds = std::vector<CellKind>(tetrahedra.size(), CellKind::tetrahedron4);
   mesh.nodes = std::move(nodes);
@@ -177,8 +178,8 @@ void tell_of_orientations(Tool& tool, const ZooMesh& mesh) {
   if (flat > 0) tool.warn(fmt::format("{} tetrahedra are flat", flat));
   if (const std::uint64_t odd = std::min(positive, negative); odd > 0)
     tool.warn(
-        fmt::format("{} tetrahedra turn otherwise than the other {}: their cells are not "
-                    "convex, or turned inside out (hiac-check tells which)",
+        fmt::format("{} tetrahedra are inverted relative to the other {}: their cells are not "
+                    "convex, or are turned inside out (hiac-check names them)",
                     odd, std::max(positive, negative)));
 }
 
@@ -212,13 +213,14 @@ void tetrahedralize(Tool& tool, const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Tool tool("hiac-tetrahedralize",
-            "Makes tetrahedra: inside a closed surface, between points, or of the cells of a mesh.",
-            "  hiac-tetrahedralize part.stl --quality 1.4 --max-volume 0.01 -o part.zoo\n"
-            "  hiac-tetrahedralize measured.csv --delaunay -o measured.zoo   # x y z and fields\n"
-            "  hiac-convert part.vtu | hiac-tetrahedralize --cells | hiac-render --view v.toml -o "
-            "part.exr\n"
-            "  hiac-tetrahedralize quadratic.zoo --cells --linearize --levels 2 -o linear.zoo");
+  Tool tool(
+      "hiac-tetrahedralize",
+      "Makes tetrahedra inside a closed surface, between points, or from the cells of a mesh.",
+      "  hiac-tetrahedralize part.stl --quality 1.4 --max-volume 0.01 -o part.zoo\n"
+      "  hiac-tetrahedralize measured.csv --delaunay -o measured.zoo   # x y z and fields\n"
+      "  hiac-convert part.vtu | hiac-tetrahedralize --cells | hiac-render --view v.toml -o "
+      "part.exr\n"
+      "  hiac-tetrahedralize quadratic.zoo --cells --linearize --levels 2 -o linear.zoo");
   Options options;
   auto& app = tool.app();
   app.add_option("INPUT", options.input,
@@ -226,19 +228,19 @@ int main(int argc, char** argv) {
                  ".xyz .node) or zoo mesh; - or none: a zoo mesh from stdin");
   app.add_option("-o,--output", options.output, "Zoo mesh; - or none: stdout")->type_name("FILE");
   auto* cells = app.add_flag("--cells", options.cells,
-                             "Cut a mesh's cells in tetrahedra, face to face; quadratic and cubic "
-                             "cells in 10- and 20-node ones");
+                             "Cut a mesh's cells into conforming tetrahedra; quadratic and cubic "
+                             "cells become 10- and 20-node tetrahedra");
   app.add_flag("--delaunay", options.delaunay,
-               "The Delaunay tetrahedra of points, with their fields; of a mesh: of its nodes")
+               "Make the Delaunay tetrahedra of points, or of a mesh's nodes, with their fields")
       ->excludes(cells);
   app.add_flag("--linearize", options.subdivision.linearize,
-               "With --cells: linear tetrahedra of cells of every order");
+               "With --cells: make linear tetrahedra from cells of every order");
   app.add_option("--levels", options.subdivision.levels,
                  "With --linearize: halve all edges N times first (8^N times the tetrahedra)")
       ->check(CLI::Range(0U, kMostSubdivisionLevels))
       ->type_name("N");
   app.add_option("--quality", options.surface.quality,
-                 "Surfaces: bound of circumradius over shortest edge (1.1 to 2 are usual)")
+                 "Surfaces: largest ratio of circumradius to shortest edge (usually 1.1 to 2)")
       ->check(CLI::Range(1.0, 1e6))
       ->type_name("RATIO");
   app.add_option("--max-volume", options.surface.max_volume,
@@ -247,7 +249,7 @@ int main(int argc, char** argv) {
       ->type_name("V");
   app.add_flag("--preserve-surface", options.surface.preserve_surface,
                "Surfaces: put no new points on the surface");
-  app.add_option("--max-ids", options.max_ids, "Defects of a surface that are listed, of a kind")
+  app.add_option("--max-ids", options.max_ids, "How many surface defects of each kind to list")
       ->default_val(20)
       ->type_name("N");
   return tool.run(argc, argv, [&] { tetrahedralize(tool, options); });

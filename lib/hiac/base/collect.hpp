@@ -11,7 +11,7 @@
 namespace hiac {
 
 /// Calls find(index, list) for every index below `count`, in parallel; find appends Items to the
-/// list. Returns them all, by index, whatever the number of threads.
+/// list. Returns all Items in the order of the indices, for any number of threads.
 template <typename Item, typename Find>
 std::vector<Item> collect(std::size_t count, std::size_t grain, const Find& find) {
   using Part = std::pair<std::size_t, std::vector<Item>>;

@@ -5,7 +5,7 @@
 
 namespace hiac {
 
-/// Exit codes of every tool (and the only meaning that they have).
+/// Exit codes of every tool.
 enum class ExitCode : int {
   done = 0,       ///< the work was done
   judgement = 1,  ///< the input was read and judged, and fails the judgement

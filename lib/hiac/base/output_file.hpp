@@ -4,9 +4,9 @@
 
 namespace hiac {
 
-/// A file that is written whole or not at all: it is written under a temporary name beside its
-/// destination and takes its name in `commit`. Destroyed without commit, or when the process is
-/// ended by SIGINT, SIGTERM or SIGHUP, it leaves nothing behind.
+/// A file that is written completely or not at all: it is written under a temporary name beside its
+/// destination, and `commit` renames it. Nothing remains when the object is destroyed without
+/// commit or when SIGINT, SIGTERM or SIGHUP ends the process.
 class OutputFile {
  public:
   /// Creates the temporary file. Throws InputError naming `path` when that cannot be done.
@@ -17,7 +17,7 @@ class OutputFile {
 
   /// The name to write to until commit.
   [[nodiscard]] const std::string& temporary_path() const { return temporary_; }
-  /// Gives the file its name. Throws InputError when that cannot be done.
+  /// Renames the file to its destination. Throws InputError when that cannot be done.
   void commit();
 
  private:

@@ -12,13 +12,13 @@ struct IndexRange {
 };
 
 /// Calls `body` on disjoint ranges that together cover [0, count), from any number of threads.
-/// The ranges are multiples of `grain` long except the last; results must not depend on how they
-/// are dealt out. An exception thrown by `body` is rethrown here.
+/// The length of every range but the last is a multiple of `grain`; results must not depend on
+/// which thread gets which range. An exception thrown by `body` is rethrown here.
 void parallel_for(std::size_t count, std::size_t grain,
                   const std::function<void(IndexRange)>& body);
 
-/// Bounds the number of threads that parallel_for uses for as long as the object lives.
-/// 0 means one for every core that the process may use.
+/// Bounds the number of threads that parallel_for uses while the object lives.
+/// 0 means one thread for every core that the process may use.
 class ThreadLimit {
  public:
   explicit ThreadLimit(unsigned threads);

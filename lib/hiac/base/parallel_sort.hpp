@@ -6,8 +6,8 @@
 
 namespace hiac {
 
-/// Sorts by `less`, from any number of threads. `less` must tell any two elements apart: then there
-/// is one result, whatever the number of threads.
+/// Sorts by `less`, with any number of threads. `less` must be a total order: then the result does
+/// not depend on the number of threads.
 template <typename T, typename Less>
 void parallel_sort(std::vector<T>& elements, const Less& less) {
   oneapi::tbb::parallel_sort(elements.begin(), elements.end(), less);

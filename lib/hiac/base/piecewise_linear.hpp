@@ -12,8 +12,9 @@ namespace hiac {
 /// A piecewise-linear function of a scalar with `N` channels, constant outside its points: the form
 /// of every transfer function (Williams, Max, Stein 1998, section 4).
 ///
-/// The points are sorted by scalar (not decreasing). Two points at one scalar make a step; of more
-/// than two, the first and the last count. The function is continuous from the right at a step.
+/// The points are sorted by scalar (not decreasing). Two points at one scalar make a step; of three
+/// or more points at one scalar, only the first and the last have an effect. The function is
+/// continuous from the right at a step.
 ///
 /// Intervals: with breakpoints s_0 < s_1 < ... < s_{m-1} (the distinct scalars), interval 0 is
 /// (-inf, s_0), interval k is [s_{k-1}, s_k), interval m is [s_{m-1}, inf). On each interval the

@@ -8,15 +8,15 @@
 
 namespace hiac {
 
-/// An immutable array that shares its storage: the elements of a vector that it took over, or a
-/// part of a file mapped into memory. Copying it copies no element. The storage lives as long as
-/// the last SharedArray that looks into it.
+/// An immutable array that shares its storage: the elements of a vector moved into it, or a part of
+/// a file mapped into memory. Copying the array copies no element. The storage lives as long as the
+/// last SharedArray that refers to it.
 template <typename T>
 class SharedArray {
  public:
   SharedArray() = default;
 
-  /// Takes the vector's elements over.
+  /// Takes ownership of the vector's elements.
   SharedArray(
       std::vector<T>&& elements) {  // NOLINT(google-explicit-constructor): a value is a value
     auto owner = std::make_shared<const std::vector<T>>(std::move(elements));
@@ -24,7 +24,7 @@ class SharedArray {
     owner_ = std::move(owner);
   }
 
-  /// Looks at `view`, whose storage `owner` keeps alive.
+  /// Refers to `view`, whose storage `owner` keeps alive.
   SharedArray(std::span<const T> view, std::shared_ptr<const void> owner)
       : view_(view), owner_(std::move(owner)) {}
 

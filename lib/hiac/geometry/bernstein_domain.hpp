@@ -8,8 +8,8 @@
 namespace hiac {
 
 /// Bernstein coefficients of polynomials over a simplex or a product of simplices, from their
-/// values at evenly spaced points: the polynomial lies between the least and the largest of them,
-/// and at corners it equals them.
+/// values at evenly spaced points. The polynomial lies between the least and the largest
+/// coefficient, and at a corner it equals the corner's coefficient.
 class BernsteinDomain {
  public:
   /// One factor: a simplex of 1, 2 or 3 dimensions (a line, a triangle, a tetrahedron) with the
@@ -21,14 +21,14 @@ class BernsteinDomain {
   /// At most three dimensions in all.
   explicit BernsteinDomain(std::span<const Factor> factors);
 
-  /// The points at which values are wanted, in coordinates of the unit simplices, factor by factor.
+  /// The points at which values are needed, in coordinates of the unit simplices, factor by factor.
   [[nodiscard]] std::span<const std::array<double, 3>> points() const { return points_; }
   [[nodiscard]] std::size_t size() const { return points_.size(); }
 
   /// Replaces the values at points() by the coefficients.
   void to_coefficients(std::span<double> values) const;
 
-  /// How much larger than the largest rounding error of a value that of a coefficient can be.
+  /// Bound of a coefficient's rounding error, relative to the largest rounding error of a value.
   [[nodiscard]] double condition() const { return condition_; }
 
  private:

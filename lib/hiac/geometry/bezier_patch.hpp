@@ -18,13 +18,13 @@ namespace hiac {
 struct PatchShape {
   std::uint8_t degree = 1;
   bool triangle = false;
-  bool centre = false;  ///< has a node there: triangles of degree 3 alone
+  bool centre = false;  ///< whether there is a centre node: only in triangles of degree 3
 
   [[nodiscard]] std::size_t corner_count() const { return triangle ? 3 : 4; }
   [[nodiscard]] std::size_t node_count() const {
     return corner_count() * degree + (centre ? 1 : 0);
   }
-  /// Of the tensor product net.
+  /// Number of control points of the tensor product net.
   [[nodiscard]] std::size_t control_count() const {
     return (std::size_t{degree} + 1) * (std::size_t{degree} + 1);
   }
@@ -32,9 +32,9 @@ struct PatchShape {
 
 inline constexpr std::size_t kMostPatchNodes = 12, kMostPatchControls = 16;
 
-/// Weights of a patch's nodes in its control points: those of the tensor product Bernstein form
-/// over the unit square, also for triangles, which are a half of it. weights[control][node];
-/// control i + (degree + 1) j belongs to B_i(u) B_j(v).
+/// Weights of a patch's nodes in its control points, weights[control][node]. The control points are
+/// those of the tensor product Bernstein form over the unit square, also for triangles, which are
+/// a half of it; control i + (degree + 1) j belongs to B_i(u) B_j(v).
 using PatchWeights = std::array<std::array<double, kMostPatchNodes>, kMostPatchControls>;
 const PatchWeights& patch_weights(const PatchShape& shape);
 
@@ -42,7 +42,7 @@ const PatchWeights& patch_weights(const PatchShape& shape);
 template <typename Value>
 using PatchNet = std::array<Value, kMostPatchControls>;
 
-/// One coordinate of the control points from that of the nodes.
+/// One coordinate of the control points, from the same coordinate of the nodes.
 inline void patch_net(const PatchShape& shape, std::span<const double> nodes,
                       PatchNet<double>& net) {
   const PatchWeights& weights = patch_weights(shape);

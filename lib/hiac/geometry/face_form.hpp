@@ -15,29 +15,29 @@ namespace hiac {
 /// divided by the longer diagonal. 0 for a degenerate face.
 double quadrilateral_deviation(Point3 a, Point3 b, Point3 c, Point3 d);
 
-/// The nodes of an edge in the order in which its cells share it: from its lower corner on.
+/// The nodes of an edge from its corner of lower number on, the order that all its cells use.
 struct EdgeNodes {
   std::size_t count;
   std::array<NodeId, 4> nodes;
 };
 EdgeNodes edge_nodes(CellKind kind, std::span<const NodeId> nodes, std::size_t edge);
 
-/// Whether an edge's inner nodes are off their places on a straight one by more than `straightness`
-/// of its length.
+/// Whether an edge's inner nodes deviate from their places on the straight edge by more than
+/// `straightness` times its length.
 bool is_curved(const ZooMesh& mesh, const EdgeNodes& edge, double straightness);
 
-/// What a face of a cell is: planar, between straight edges; or a parametric surface. Judged by its
-/// own nodes in an order that its cells share, so that both say the same.
+/// The form of a cell's face: planar with straight edges, or a parametric surface. It is decided
+/// from the face's own nodes in an order that both cells use, so that both get the same form.
 struct FaceForm {
   bool curved;       ///< not planar, by more than `straightness` of its size, or with curved edges
   PatchShape shape;  ///< of degree 1 where all edges are straight (to `straightness`)
-  std::array<std::uint8_t, 4> corners;  ///< from the lowest node on, towards its lower neighbour
-  std::array<std::size_t, 4> edges;     ///< of the kind, from each of these corners to the next
-  std::array<bool, 4> curved_edges;     ///< of these, the ones that are (is_curved)
+  std::array<std::uint8_t, 4> corners;  ///< from the lowest node towards its lower neighbour
+  std::array<std::size_t, 4> edges;  ///< the kind's edges, from each of these corners to the next
+  std::array<bool, 4> curved_edges;  ///< which of these edges are curved (is_curved)
 };
 FaceForm face_form(const ZooMesh& mesh, CellId cell, std::size_t face, double straightness);
 
-/// The nodes of a face as its patch has them (bezier_patch.hpp); their number is
+/// The nodes of a face in the order of its patch (bezier_patch.hpp); their number is
 /// form.shape.node_count().
 std::array<NodeId, kMostPatchNodes> patch_nodes(const ZooMesh& mesh, CellId cell, std::size_t face,
                                                 const FaceForm& form);

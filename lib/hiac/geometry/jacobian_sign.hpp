@@ -8,18 +8,18 @@
 
 namespace hiac {
 
-/// What the Jacobian determinant of a cell's isoparametric map is inside the cell.
+/// The sign of the Jacobian determinant of a cell's isoparametric map inside the cell.
 enum class JacobianSign : std::uint8_t {
-  positive,   ///< everywhere, where it is not on the boundary
-  negative,   ///< everywhere: the cell is turned inside out as a whole, as its mirror image is
-  mixed,      ///< somewhere positive and somewhere negative: no cell at all
+  positive,   ///< everywhere inside
+  negative,   ///< everywhere inside: the cell is a mirror image, turned inside out as a whole
+  mixed,      ///< somewhere positive and somewhere negative: not a valid cell
   flat,       ///< zero everywhere: the cell has no volume
   undecided,  ///< none of these could be proven
 };
 
-/// Of any kind. `nodes`: positions of its node_count(kind) nodes. Values that are not farther from
-/// zero than `tolerance` times the product of the lengths of the map's three derivatives, at most,
-/// count as zero.
+/// The sign for a cell of any kind. `nodes`: positions of its node_count(kind) nodes. A value
+/// counts as zero when its magnitude is at most `tolerance` times the largest product of the
+/// lengths of the map's three derivatives.
 ///
 /// The determinant is a polynomial (for pyramids and wedges times a factor that is positive inside)
 /// and lies between its least and its largest Bernstein coefficient; where these are of both signs

@@ -4,9 +4,9 @@
 
 namespace hiac {
 
-/// How two coordinates of a patch lie to a ray: (a, b) is how far it is from the ray, sideways and
-/// upwards; `depth` is how far along the ray. `rounding`: what rounding may have done to a and b,
-/// and some more.
+/// The coordinates of a patch relative to a ray: a and b are its distances from the ray, sideways
+/// and upwards; `depth` is the distance along the ray. `rounding` bounds the rounding errors of a
+/// and b, with a margin.
 struct PatchAndRay {
   const PatchShape& shape;
   const PatchNet<double>&a, &b, &depth;
@@ -15,7 +15,7 @@ struct PatchAndRay {
 
 struct BorderPlace {
   double u, v;
-  double off;  ///< from the ray: the larger of |a| and |b|
+  double off;  ///< distance from the ray: the larger of |a| and |b|
 };
 
 /// Of the places on a patch's border that are as near to the ray as the nearest, to within

@@ -26,7 +26,7 @@ inline Vector unit(const Vector& v) {
   const double size = length(v);
   return {v[0] / size, v[1] / size, v[2] / size};
 }
-/// The largest of its components, without sign.
+/// The largest magnitude of its components.
 inline double largest(const Vector& v) {
   return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
 }

@@ -4,7 +4,8 @@
 
 namespace hiac {
 
-/// What a visibility order depends on: where rays come from. World units.
+/// The part of a camera that decides a visibility order: the rays' origin or direction. World
+/// units.
 struct View {
   bool perspective = true;
   std::array<double, 3> eye{};        ///< perspective: all rays start here

@@ -13,7 +13,7 @@ namespace hiac {
 /// How far the values a of one channel of an image are from the values b of a reference.
 ///
 /// Two values that are the same differ by 0, also where both are NaN or the same infinity. A NaN or
-/// an infinity against another value differs infinitely: it is counted, and never averaged away.
+/// an infinity differs infinitely from any other value: such values are counted, not averaged.
 struct Difference {
   std::string channel;
   double rmse = 0;           ///< sqrt(mean (a - b)^2)
@@ -22,7 +22,7 @@ struct Difference {
   double largest = 0;        ///< max |a - b|
   std::size_t x = 0;         ///< the first pixel, row by row from the top, that differs the most
   std::size_t y = 0;
-  std::uint64_t infinite = 0;  ///< how many values differ infinitely
+  std::uint64_t infinite = 0;  ///< number of values that differ infinitely
 };
 
 /// |a - b| as a Difference counts it.

@@ -17,7 +17,7 @@ inline constexpr double kFlipPixelsPerDegree = 67.020643276;
 /// Techniques 3 (2), 2020 (LDR-FLIP), with the paper's constants. R, G and B (or Y) are clamped to
 /// [0, 1], as a display would show them; a frequent summary is the mean over the pixels.
 ///
-/// None where an image has no colour, or one that is not finite.
+/// No result when an image has no colour, or a colour that is not finite.
 /// Throws std::invalid_argument when the images are not of one size.
 std::optional<Image> flip_map(const Image& image, const Image& reference,
                               double pixels_per_degree = kFlipPixelsPerDegree);

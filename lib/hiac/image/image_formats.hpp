@@ -45,7 +45,7 @@ Image read_pfm(const std::string& path);
 void write_hdr(const std::string& path, const Image& image);
 Image read_hdr(const std::string& path);
 
-// What they share. --------------------------------------------------------------------------------
+// Helpers that they share. ------------------------------------------------------------------------
 
 struct FileCloser {
   void operator()(std::FILE* file) const { std::fclose(file); }
@@ -71,7 +71,7 @@ class FileWriter {
   explicit FileWriter(const std::string& path);
   void write(std::span<const std::byte> bytes);
   [[nodiscard]] std::FILE* handle() { return file_.get(); }
-  /// Flushes and closes: whatever can fail for want of room has then been done.
+  /// Flushes and closes the file; afterwards nothing can fail for lack of space.
   void close();
   /// Gives the closed file its name.
   void commit() { output_.commit(); }
@@ -90,13 +90,14 @@ void require_sane_size(std::uint64_t width, std::uint64_t height, std::uint64_t 
 /// Deflate cannot make data smaller than by this factor.
 inline constexpr std::uint64_t kDeflateRatio = 1032;
 
-/// Throws InputError when rows of that many bytes, made smaller by at most the factor `ratio`,
-/// cannot be in a file of that length: whoever announces more has cut the file short.
+/// Throws InputError when rows of that many bytes, compressed by at most the factor `ratio`, do not
+/// fit in a file of that length: the file is truncated.
 void require_possible_size(std::uint64_t row_bytes, std::uint64_t rows, std::uint64_t ratio,
                            std::uint64_t file_bytes, const std::string& path);
 
-/// The image's channels that a format of grey or colour holds: R G B, or else Y; then A where it is
-/// there and wanted. Throws UsageError, which names the path and the format, when neither is there.
+/// The image's channels that a format of grey or colour holds: R G B, or else Y; then A when the
+/// image has it and it is wanted. Throws UsageError, which names the path and the format, when the
+/// image has neither.
 std::vector<std::size_t> picked_channels(const std::string& path, const char* format,
                                          const Image& image, bool with_alpha);
 

@@ -8,7 +8,7 @@
 
 namespace hiac {
 
-/// An image and the texts that its file carries (`.exr` and `.png`; the others carry none).
+/// An image and the texts in its file (`.exr` and `.png`; other formats hold no texts).
 struct ImageFile {
   Image image;
   /// Name and text: "hiac:specification", "hiac:mesh", "Software" ...
@@ -34,7 +34,7 @@ struct ReadOptions {
   bool linear = false;
 };
 
-/// Writes an image in the format that the name's extension tells:
+/// Writes an image in the format of the name's extension:
 ///
 ///     .npy   float64, H x W x C, every value to the last bit
 ///     .f32   a base name: BASE.r.f32 BASE.g.f32 BASE.b.f32 BASE.a.f32, and BASE.NAME.f32 for each
@@ -48,15 +48,15 @@ struct ReadOptions {
 ///
 /// The last five hold R G B or Y (.hdr: grey as equal R G B) and, where they have room for it and
 /// it is there, A; further channels are left out. Integer samples are straight alpha and
-/// sRGB-encoded unless options.linear; what they cannot hold, values outside [0, 1] and colours
-/// without alpha, is clamped; NaN becomes 0. Formats without alpha get R G B as they are.
+/// sRGB-encoded unless options.linear; values outside [0, 1] and colours without alpha, which they
+/// cannot hold, are clamped; NaN becomes 0. Formats without alpha get R G B unchanged.
 ///
-/// The file is whole or untouched: a temporary name beside it, then a rename.
+/// The file is complete or unchanged: it is written under a temporary name, then renamed.
 /// Throws UsageError for an extension that is not known, a depth that the format does not have, or
 /// channels that it cannot hold, InputError when the file cannot be written.
 void write_image(const std::string& path, const Image& image, const WriteOptions& options = {});
 
-/// Throws UsageError when write_image would refuse the name or the depth: to be asked before a long
+/// Throws UsageError when write_image would refuse the name or the depth; call it before a long
 /// computation.
 void require_known_image_extension(const std::string& path, int depth = 0);
 
@@ -73,7 +73,8 @@ std::string image_extensions();
 /// premultiplied linear values. A `.f32` image is named by its base; its R G B A are read, as many
 /// as there are, and since no file holds its size, options.width must be given and divide the
 /// number of pixels (UsageError when it is 0).
-/// Throws InputError naming the file; memory grows with what is there, not with what is announced.
+/// Throws InputError naming the file; memory grows with the data present, not with a size
+/// announced.
 ImageFile read_image(const std::string& path, const ReadOptions& options = {});
 
 }  // namespace hiac

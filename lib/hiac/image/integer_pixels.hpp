@@ -27,9 +27,9 @@ struct IntegerPixels {
   [[nodiscard]] bool has_alpha() const { return channels % 2 == 0; }
 };
 
-/// What an integer format holds of an image: R G B or Y, and A where there is one and the
-/// background is not included; options.depth bits, sRGB unless options.linear, rounded to the
-/// nearest. Values outside [0, 1] and colours without alpha are clamped; NaN becomes 0.
+/// An image converted for an integer format: R G B or Y, and A when there is one and the background
+/// is not included; options.depth bits, sRGB unless options.linear, rounded to the nearest. Values
+/// outside [0, 1] and colours without alpha are clamped; NaN becomes 0.
 /// Throws UsageError, which names the path and the format, for other channels.
 IntegerPixels encode_integers(const std::string& path, const char* format, const Image& image,
                               const WriteOptions& options);

@@ -14,7 +14,7 @@ struct Plane {
 };
 
 /// Correlates a plane with the separable kernel along_x(i) along_y(j), each of odd length with its
-/// middle at 0; beyond the borders the nearest value goes on.
+/// middle at 0; the nearest value continues beyond the borders.
 Plane filtered(const Plane& plane, std::span<const double> along_x,
                std::span<const double> along_y);
 

@@ -15,8 +15,8 @@ namespace hiac {
 /// and B (or Y) are clamped to [0, 1], sRGB-encoded, and weighed to the luma 0.299 R + 0.587 G +
 /// 0.114 B (ITU-R BT.601); L = 1.
 ///
-/// None where an image has no colour, a colour that is not finite, or fewer than 11 pixels a side.
-/// Throws std::invalid_argument when the images are not of one size.
+/// No result when an image has no colour, a colour that is not finite, or fewer than 11 pixels a
+/// side. Throws std::invalid_argument when the images are not of one size.
 std::optional<double> structural_similarity(const Image& image, const Image& reference);
 
 }  // namespace hiac

@@ -73,8 +73,8 @@ using ShapeEdge = std::array<std::uint8_t, 2>;
 /// A cell is positively oriented when its faces, as listed here, turn counter-clockwise seen from
 /// outside. For the tetrahedron, the pyramid and the brick that is the right-hand rule: the normal
 /// of 0 1 2 points into the cell. **The prism is the other way round**: the normal of 0 1 2 points
-/// out of it, away from 3 4 5. That is how VTK documents its wedge, lists its faces and stores it
-/// in files, although VTK's own parametric coordinates of that cell are then left-handed.
+/// out of it, away from 3 4 5. VTK documents its wedge, lists its faces and stores it in files in
+/// this way, although VTK's own parametric coordinates of that cell are then left-handed.
 ///
 /// Edges and faces are listed in VTK's order.
 struct ShapeTopology {
@@ -139,7 +139,7 @@ inline constexpr std::array<ShapeTopology, kShapeCount> kTopologies{
 
 }  // namespace shape_tables
 
-/// The topology of a shape. A table; throws nothing.
+/// The topology of a shape, from a table; does not throw.
 constexpr const ShapeTopology& topology_of(CellShape shape) {
   return shape_tables::kTopologies[static_cast<std::size_t>(shape)];
 }
@@ -150,7 +150,7 @@ constexpr std::size_t edge_count(CellKind kind) { return topology_of(kind).edges
 constexpr std::size_t face_count(CellKind kind) { return topology_of(kind).faces.size(); }
 
 /// Number of nodes: the corners, then (order - 1) on every edge in the edges' order, each edge
-/// from its first corner to its second, then the face centres (cubic tetrahedron alone) in the
+/// from its first corner to its second, then the face centres (cubic tetrahedron only) in the
 /// faces' order.
 constexpr std::size_t node_count(CellKind kind) {
   const std::size_t per_edge = static_cast<std::size_t>(order_of(kind)) - 1;
@@ -158,7 +158,7 @@ constexpr std::size_t node_count(CellKind kind) {
   return corner_count(kind) + per_edge * edge_count(kind) + on_faces;
 }
 
-/// Whether `value` is a kind's number: what has to be asked of a byte that came from outside.
+/// Whether `value` is the number of a kind. Check this for every byte from outside.
 constexpr bool is_kind(std::uint8_t value) { return value < kKindCount; }
 
 /// "tetrahedron4", "brick20", ...

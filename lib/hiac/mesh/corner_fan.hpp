@@ -15,7 +15,7 @@ struct CornerFan {
   std::array<std::uint8_t, 4> neighbors{};
 };
 
-/// Of all corners of a shape.
+/// The fans of all corners of a shape.
 using ShapeFans = std::array<CornerFan, 8>;
 
 constexpr ShapeFans make_fans(CellShape shape) {

@@ -10,8 +10,8 @@ namespace hiac {
 /// about 0.25 s on two cores, 0.9 s when cells and nodes are numbered at random.
 ///
 /// A triangle matches a triangle, a quadrilateral a quadrilateral with the same four nodes in any
-/// order. A face that three or more faces of the mesh equal is overshared; two equal faces of one
-/// cell (it is folded onto itself) are unmatched.
+/// order. A face that more than two cells share is overshared; two equal faces of one cell, which
+/// is folded onto itself, are unmatched.
 FaceAdjacency build_face_adjacency(const ZooMesh& mesh);
 
 }  // namespace hiac

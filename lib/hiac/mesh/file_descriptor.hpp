@@ -8,7 +8,7 @@
 
 namespace hiac {
 
-/// An open file descriptor that is closed with the object.
+/// An open file descriptor, which the destructor closes.
 class FileDescriptor {
  public:
   explicit FileDescriptor(int number) : number_(number) {}
@@ -18,7 +18,7 @@ class FileDescriptor {
   FileDescriptor& operator=(const FileDescriptor&) = delete;
 
   [[nodiscard]] int number() const { return number_; }
-  /// Closes it now. Throws InputError when the system reports that data was lost.
+  /// Closes the file now. Throws InputError when the system reports that data was lost.
   void close(const std::string& subject);
 
  private:
@@ -31,10 +31,10 @@ FileDescriptor open_to_read(const std::string& path);
 /// Opens an existing file, pipe or device to be written from its beginning. Throws InputError.
 FileDescriptor open_to_write(const std::string& path);
 
-/// Reads until `buffer` is full or the stream ends; returns how much was read. Throws InputError.
+/// Reads until `buffer` is full or the stream ends; returns the number of bytes. Throws InputError.
 std::size_t read_fully(int descriptor, std::span<std::uint8_t> buffer, const std::string& subject);
 
-/// Writes all of `bytes`. Throws InputError, also when nobody reads the pipe any more.
+/// Writes all of `bytes`. Throws InputError, also when the reader of a pipe has closed it.
 void write_fully(int descriptor, std::span<const std::uint8_t> bytes, const std::string& subject);
 
 }  // namespace hiac

@@ -10,7 +10,7 @@ namespace hiac {
 
 /// Bernstein coefficients of a kind's interpolant on the unit cube.
 ///
-/// The cube's coordinates u, v, w are those of the reference cell, collapsed where it tapers:
+/// The cube's coordinates u, v, w give the reference cell's coordinates, collapsed where it tapers:
 ///
 ///     tetrahedron   x = u (1-v) (1-w),  y = v (1-w),  z = w
 ///     pyramid       x = u (1-w),        y = v (1-w),  z = w
@@ -18,20 +18,20 @@ namespace hiac {
 ///     wedge         x = u (2-v-w),      y = v,        z = w
 ///     brick         x = u,              y = v,        z = w
 ///
-/// In these every kind's shape functions, the rational ones too, are polynomials of its order in
-/// each of u, v and w. The interpolant lies between the smallest and the largest coefficient (R. T.
+/// In u, v and w the shape functions of every kind, also the rational ones, are polynomials whose
+/// degree in each is the kind's order. The interpolant lies between the extreme coefficients (R. T.
 /// Farouki, "The Bernstein polynomial basis: a centennial retrospective", 2012, section 5).
-/// Coefficient (i, j, k) in u, v, w is at (k (p+1) + j) (p+1) + i with p the order; those with
-/// k = 0 are the interpolant's on the face z = 0.
+/// Coefficient (i, j, k) in u, v, w has index (k (p+1) + j) (p+1) + i, where p is the order; the
+/// coefficients with k = 0 belong to the interpolant on the face z = 0.
 struct InterpolantCoefficients {
   static constexpr std::size_t kMost = 64;
   std::array<double, kMost> c;
   std::size_t count = 0;  ///< (p+1)^3
-  double rounding = 0;    ///< what each of them may be wrong by
+  double rounding = 0;    ///< bound of the error of each coefficient
 };
 
-/// Into `sums`, `count` of them and up to 7 more, what every node but the first has of them:
-/// shares_of(k), for node k, points to what one unit of its value adds.
+/// Adds to `sums` (`count` sums, padded by up to 7) the contributions of every node but the first:
+/// shares_of(k) points to the contribution of one unit of the value at node k.
 template <class SharesOf>
 void add_shares(std::size_t nodes, std::size_t count, const SharesOf& shares_of,
                 std::span<const double> values,
@@ -51,14 +51,14 @@ void add_shares(std::size_t nodes, std::size_t count, const SharesOf& shares_of,
 /// `values`: of the kind's nodes.
 InterpolantCoefficients interpolant_coefficients(CellKind kind, std::span<const double> values);
 
-/// Numbers between which an interpolant stays in the whole cell.
+/// Bounds of an interpolant in the whole cell.
 struct InterpolantRange {
   double least, most;
 };
 
-/// Bounds of the interpolant of `values` (of the kind's nodes): theirs for linear kinds, and for
-/// others those of the coefficients, with their rounding: interpolants of higher order overshoot.
-/// A constant's are itself.
+/// Bounds of the interpolant of `values` (at the kind's nodes): the extreme values for linear
+/// kinds; for the others, whose interpolants overshoot, the extreme coefficients widened by their
+/// rounding. Both bounds of a constant are the constant.
 InterpolantRange interpolant_range(CellKind kind, std::span<const double> values);
 
 }  // namespace hiac

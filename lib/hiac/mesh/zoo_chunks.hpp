@@ -9,7 +9,7 @@
 
 namespace hiac {
 
-/// One chunk as read, its header checked, its payload's checksum not yet.
+/// One chunk as read. Its header is checked; the checksum of its payload is not checked yet.
 struct RawChunk {
   std::string type;
   SharedArray<std::uint8_t> payload;  ///< begins at a multiple of zoo_layout::kAlignment in memory
@@ -24,18 +24,18 @@ void check_file_header(const zoo_layout::FileHeader& header, const std::string& 
 std::string check_chunk_header(const zoo_layout::ChunkHeader& header, std::size_t number,
                                const std::string& subject);
 
-/// Makes a mesh of the chunks before and including the end chunk: checks payloads against their
-/// checksums (in parallel), which chunks there are, every size, and the mesh's invariants but for
-/// `numbers`. Throws InputError.
+/// Makes a mesh from the chunks up to the end chunk. Checks the payloads' checksums (in parallel),
+/// the set of chunks, every size, and the mesh's invariants as `numbers` asks.
+/// Throws InputError.
 ZooFile assemble_zoo(const std::vector<RawChunk>& chunks, const std::string& subject,
                      MeshNumbers numbers);
 
-/// The part of validate (zoo_mesh.hpp) that is about kinds and sizes, not about the nodes that
-/// cells name and not about coordinates.
+/// The part of validate (zoo_mesh.hpp) that checks kinds and sizes; node numbers and coordinates
+/// are not checked.
 void validate_layout(const ZooMesh& mesh, const std::string& subject);
 
-/// The chunks that this library's mesh part does not interpret, all payloads and the end chunk
-/// checked. Throws InputError.
+/// The chunks that this library's mesh part does not interpret. Checks all payloads and the end
+/// chunk. Throws InputError.
 std::vector<ExtraChunk> extra_chunks(const std::vector<RawChunk>& chunks,
                                      const std::string& subject);
 

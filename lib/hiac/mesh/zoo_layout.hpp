@@ -11,10 +11,10 @@ namespace hiac::zoo_layout {
 // The container's layout as bytes; zoo-container.md beside this file explains it. Little-endian.
 static_assert(std::endian::native == std::endian::little, "hiac needs a little-endian machine");
 
-/// Payloads, and every array that is looked at in place, begin at a multiple of this.
+/// Payloads, and every array that is used in place, begin at a multiple of this.
 inline constexpr std::uint64_t kAlignment = 64;
 
-/// Not text, and spoilt by every transfer that treats it as text (as PNG's signature is).
+/// Not text, and changed by every transfer that treats it as text (like PNG's signature).
 inline constexpr std::array<std::uint8_t, 8> kMagic{0x89, 'Z', 'O', 'O', '\r', '\n', 0x1a, '\n'};
 inline constexpr std::uint32_t kVersion = 1;
 
@@ -35,7 +35,7 @@ struct ChunkHeader {
   std::array<std::uint8_t, 32> zeros;
 };
 static_assert(sizeof(ChunkHeader) == kAlignment);
-/// How many of a chunk header's bytes its own checksum covers.
+/// Number of a chunk header's bytes that its own checksum covers.
 inline constexpr std::size_t kCheckedHeaderBytes = offsetof(ChunkHeader, header_checksum);
 
 /// Begins a FIELD chunk. Name and unit follow, then zeros up to a multiple of kAlignment, counted
@@ -80,7 +80,7 @@ constexpr bool is_type(std::string_view type) {
   return true;
 }
 
-/// How many zeros follow `bytes` bytes.
+/// Number of padding zeros after `bytes` bytes.
 constexpr std::uint64_t padding_after(std::uint64_t bytes) {
   return (kAlignment - bytes % kAlignment) % kAlignment;
 }

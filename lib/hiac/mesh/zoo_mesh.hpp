@@ -21,7 +21,7 @@ inline constexpr CellId kNoCell = std::numeric_limits<CellId>::max();
 /// Where a field's values live.
 enum class FieldLocation : std::uint8_t {
   node,   ///< one tuple a node: continuous
-  cell,   ///< one tuple a cell: constant in it
+  cell,   ///< one tuple a cell: constant in the cell
   corner  ///< one tuple an entry of ZooMesh::nodes: discontinuous across faces
 };
 
@@ -81,20 +81,20 @@ void validate(const ZooMesh& mesh, const std::string& subject);
 /// FaceAdjacency. (cell_count() + 1 entries.)
 std::vector<std::uint64_t> face_offsets(const ZooMesh& mesh);
 
-/// 128 bits over all that makes the mesh: kinds, nodes, coordinates and fields (not the metadata,
-/// not what can be recomputed). Written as 32 hexadecimal digits.
+/// A hash of 128 bits of the mesh: kinds, nodes, coordinates and fields, but not the metadata and
+/// not data that can be recomputed. Written as 32 hexadecimal digits.
 std::string content_hash(const ZooMesh& mesh);
 
-/// The name by which scalar_field knows a field of the mesh (before any `:`): its own, with its
-/// location behind it where several share it.
+/// The name by which scalar_field knows a field of the mesh (before any `:`): the field's own name,
+/// followed by its location when several fields share the name.
 std::string distinct_name(const ZooMesh& mesh, const Field& field);
 
 /// A scalar field picked out by name. Accepts NAME for a field of one component, NAME:x (y, z; xx,
 /// yy, zz, xy, yz, xz for six components; 0, 1, 2 ... always), and NAME:magnitude, the Euclidean
 /// length of every tuple. Where a node, a cell and a corner field share a name, NAME@node,
-/// NAME@cell and NAME@corner tell them apart (before any `:`). Throws UsageError naming what there
-/// is when there is no such field, or more than one.
-/// Copies nothing where the field already is a scalar.
+/// NAME@cell and NAME@corner distinguish them (before any `:`). Throws UsageError, which names the
+/// existing fields, when there is no such field, or more than one.
+/// Copies nothing when the field is a scalar.
 Field scalar_field(const ZooMesh& mesh, const std::string& reference);
 
 /// The names that scalar_field accepts, components and magnitudes included, in the mesh's order.

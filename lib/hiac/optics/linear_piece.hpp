@@ -2,8 +2,8 @@
 
 namespace hiac {
 
-/// What one linear piece of a ray does: I = c_front front + c_back back is the radiance that leaves
-/// its front, and `transparency` the part of the light behind it that passes.
+/// The effect of one linear piece of a ray: I = c_front front + c_back back is the radiance that
+/// leaves its front, and `transparency` the part of the light behind it that passes.
 struct LinearPieceWeights {
   double transparency;
   double front;

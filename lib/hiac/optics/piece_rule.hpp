@@ -10,8 +10,8 @@
 
 namespace hiac {
 
-/// How the radiance of a piece of a ray is found on which the transfer functions do not bend
-/// (Williams, Max, Stein 1998, sections 4 and 5.2). What the two last ones are wrong by is not
+/// Rules for the radiance of a piece of a ray on which the transfer functions do not bend
+/// (Williams, Max, Stein 1998, sections 4 and 5.2). The errors of the last two rules are not
 /// bounded.
 enum class PieceRule : std::uint8_t {
   exact,
@@ -23,10 +23,10 @@ enum class PieceRule : std::uint8_t {
   five_points
 };
 
-/// What linear_piece_weights (chromaticity) and linear_piece_emission find, by a rule.
+/// The weights of linear_piece_weights (chromaticity) and linear_piece_emission, by a rule.
 LinearPieceWeights linear_piece_by_rule(PieceRule rule, Glow glow, double b, double a);
 
-/// What a segment does to the light, without bounds.
+/// The effect of a segment on the light, without error bounds.
 struct PlainRadiance {
   std::array<double, 3> rgb{};  ///< radiance leaving the front, nothing behind
   double transparency = 1;

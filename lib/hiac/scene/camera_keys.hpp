@@ -14,15 +14,15 @@ std::span<const SpecKey<Camera>> camera_keys();
 std::span<const SpecKey<KeyframePath>> camera_path_keys();
 std::span<const SpecKey<Turntable>> turntable_keys();
 
-/// Gives every keyframe but the first what it does not name from the one before it. To be done
-/// before anything is read.
+/// Copies to every keyframe but the first the keys that it does not name from the keyframe before
+/// it. Call this before reading any key.
 void inherit_keyframes(toml::table& document);
 
 /// Reads [camera], or the keyframes [[camera]].
 void read_cameras(const SpecValue& value, Scene& scene);
-/// Reads how the keyframes, which must be there, are joined.
+/// Reads the interpolation between the keyframes, which must exist.
 void read_camera_path(const SpecValue& table, Scene& scene);
-/// Reads the turntable on which [camera], which must be one, stands.
+/// Reads the turntable; [camera] must be a single camera.
 void read_turntable(const SpecValue& table, Scene& scene);
 
 /// Throws unless the camera of every frame of the scene's path can be used.

@@ -12,7 +12,7 @@ namespace hiac {
 
 /// The table [volume.color] before a preset is resolved.
 struct ColorSource {
-  ColorTransfer transfer;  ///< field, and points where they are given
+  ColorTransfer transfer;  ///< the field, and the points if any are given
   std::optional<std::string> preset;
   std::optional<std::string> preset_name;
   std::optional<std::array<double, 2>> range;
@@ -21,7 +21,8 @@ struct ColorSource {
 
 std::span<const SpecKey<ColorSource>> color_keys();
 
-/// Reads the table: its points, or its preset as points (noting the bound that was reached).
+/// Reads the table: its points, or its preset converted to points, with a note of the bound
+/// reached.
 ColorTransfer read_color_transfer(const SpecValue& table);
 
 }  // namespace hiac

@@ -27,9 +27,9 @@ struct ColormapPreset {
 
 /// Reads a preset file: JSON (one map or a list of maps; commas before a closing bracket are
 /// tolerated, as ParaView users have such files) or XML (<ColorMap> elements with <Point>
-/// elements). Of several maps the one called `name`, else the first. Throws InputError naming the
-/// file: unreadable, malformed, no such map, a map of indexed colours, a colour space that is not
-/// known.
+/// elements). Of several maps it takes the one called `name`, or the first without a name. Throws
+/// InputError naming the file when it is unreadable or malformed, when there is no such map, when
+/// the map has indexed colours, or when its colour space is unknown.
 ColormapPreset read_colormap_preset(const std::string& path,
                                     const std::optional<std::string>& name = std::nullopt);
 

@@ -5,8 +5,8 @@
 
 namespace hiac::color_space {
 
-/// A closed interval. Arithmetic is not rounded outward: who proves a bound with it adds a margin
-/// for rounding.
+/// A closed interval. Arithmetic is not rounded outward: a proof that uses it must add a margin for
+/// rounding.
 struct Interval {
   double low = 0;
   double high = 0;
@@ -25,8 +25,8 @@ inline Interval operator*(Interval a, Interval b) {
   return {low, high};
 }
 
-/// What is known of a function of one variable u over an interval of u: where its values lie, where
-/// its slopes lie (every generalised slope at a kink), and whether it is continuous there.
+/// Bounds of a function of one variable u over an interval of u: the range of its values, the range
+/// of its slopes (every generalised slope at a kink), and whether it is continuous there.
 /// Arithmetic on it carries these through formulas: interval arithmetic with automatic
 /// differentiation (R. E. Moore, "Interval Analysis", 1966, chapter 11).
 struct Range {
@@ -72,7 +72,7 @@ template <typename T>
 T absolute(const T& a) {
   return maximum(a, -a);
 }
-/// a, but at least 0 and at most 1.
+/// a, clamped to [0, 1].
 template <typename T>
 T unit_clamped(const T& a) {
   return maximum(T(0), minimum(T(1), a));

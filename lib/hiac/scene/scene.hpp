@@ -14,7 +14,7 @@
 
 namespace hiac {
 
-/// Value types of an image specification: everything that decides a picture but the mesh.
+/// Value types of an image specification: everything that decides a picture except the mesh.
 ///
 /// Colours are linear RGB, not negative, of order 1 but free to exceed it. Lengths are in the
 /// mesh's world units. Member initializers are the defaults of a specification file; every
@@ -22,7 +22,7 @@ namespace hiac {
 
 using Color = std::array<double, 3>;
 
-/// Largest number of pixels along one side of an image, and in all.
+/// Largest number of pixels along one side of an image, and in the whole image.
 inline constexpr std::uint32_t kMaxImageSide = 65536;
 inline constexpr std::uint64_t kMaxImagePixels = std::uint64_t{1} << 30;
 
@@ -45,8 +45,8 @@ struct Camera {
   double fov = 0;     ///< perspective: the image's vertical angle, degrees, inside (0, 180)
   double height = 0;  ///< orthographic: the image's vertical extent, world units, positive
   /// Near and far plane: distances from the eye plane along the view direction, near < far; near is
-  /// not negative in perspective, far may be infinite. None: all that is in front of the eye
-  /// (perspective), everything (orthographic).
+  /// not negative in perspective, far may be infinite. None: everything in front of the
+  /// eye (perspective) or everything (orthographic).
   std::optional<std::array<double, 2>> clip;
 
   bool operator==(const Camera&) const = default;
@@ -76,7 +76,7 @@ struct KeyframePath {
   bool operator==(const KeyframePath&) const = default;
 };
 
-/// A camera that goes round its look_at, looking there.
+/// A camera that circles its look_at and looks there.
 struct Turntable {
   std::uint32_t frames = 1;
   double degrees = 360;  ///< from frame 0 to the frame after the last: 360 makes a seamless loop
@@ -137,7 +137,7 @@ struct Isosurface {
 
 /// A light infinitely far away.
 struct Light {
-  /// Towards the light, any length but 0; none: a headlight, from where the eye is.
+  /// Towards the light, any length but 0; none: a headlight at the eye.
   std::optional<std::array<double, 3>> direction;
   Color color{1, 1, 1};
 
@@ -146,7 +146,7 @@ struct Light {
 
 enum class BackgroundPattern : std::uint8_t { solid, checker, grid, gradient };
 
-/// What is composited behind everything.
+/// The image that is composited behind everything.
 struct Background {
   BackgroundPattern pattern = BackgroundPattern::solid;
   Color color{0, 0, 0};   ///< solid; one field of the checker; between the grid's lines; top
@@ -194,10 +194,10 @@ struct Scene {
 /// and rendering share.
 std::array<double, 3> view_direction(const Camera& camera);
 
-/// 128 bits, 32 hexadecimal digits, over what decides the visibility order of a mesh: the
-/// projection and, in perspective, the eye; orthographic, the view direction whatever its length;
-/// and the deviation below which a face counts as planar. Two scenes with one hash order every mesh
-/// alike.
+/// A hash (128 bits, 32 hexadecimal digits) of everything that decides the visibility order of a
+/// mesh: the projection; the eye (perspective) or the view direction without its length
+/// (orthographic); and the deviation below which a face counts as planar. Two scenes with the same
+/// hash order every mesh alike.
 std::string view_hash(const Scene& scene);
 
 }  // namespace hiac

@@ -9,7 +9,7 @@
 
 namespace hiac {
 
-/// A specification as read, and what a reader of it should be told.
+/// A specification as read, with notes for the user.
 struct ParsedScene {
   Scene scene;
   /// One line each: the bound that a preset's conversion to piecewise-linear RGB reached.

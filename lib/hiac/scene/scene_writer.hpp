@@ -9,8 +9,8 @@ namespace hiac {
 enum class Comments : bool { none, explain };
 
 /// The specification as TOML text: complete, self-contained (colour maps as points), numbers to the
-/// last bit, so that parsing it gives an equal scene. With `Comments::explain` every key carries a
-/// few words on what it means.
+/// last bit, so that parsing it gives an equal scene. With `Comments::explain` a short comment
+/// explains every key.
 std::string to_toml(const Scene& scene, Comments comments = Comments::none);
 
 }  // namespace hiac

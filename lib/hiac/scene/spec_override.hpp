@@ -9,8 +9,8 @@
 namespace hiac {
 
 /// Applies KEY=VALUE to a specification's table: replaces the value, adds it, or (empty VALUE)
-/// removes the key. Throws UsageError naming the option when it is malformed or its path does not
-/// lead anywhere.
+/// removes the key. Throws UsageError naming the option when it is malformed or its path leads
+/// nowhere.
 AppliedOverride apply_override(toml::table& document, const std::string& option);
 
 }  // namespace hiac

@@ -19,7 +19,7 @@ struct AppliedOverride {
   std::string option;
 };
 
-/// Where a specification comes from, as its errors name it, and what reading it has to say.
+/// The source of a specification, as errors name it, and the notes made while reading it.
 struct SpecContext {
   std::string subject;
   std::string folder;
@@ -70,9 +70,9 @@ class SpecValue {
   [[nodiscard]] const toml::node* find(std::string_view key) const;
   [[nodiscard]] bool has(std::string_view key) const { return find(key) != nullptr; }
   [[nodiscard]] std::string path_of(std::string_view key) const;
-  /// The value of a key of this table that is there.
+  /// The value of a key of this table, which must exist.
   [[nodiscard]] SpecValue child(std::string_view key) const;
-  /// Throws for a key of this table, there or not.
+  /// Throws for a key of this table, whether it exists or not.
   [[noreturn]] void fail_at(std::string_view key, const std::string& what) const;
   /// The tables of a list of tables; element i has the path `path.i`.
   [[nodiscard]] std::vector<SpecValue> tables() const;
