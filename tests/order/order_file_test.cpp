@@ -15,7 +15,6 @@
 
 #include "hiac/base/error.hpp"
 #include "tests/support/meshes.hpp"
-#include "tools/common/ordering.hpp"
 
 namespace hiac::test {
 namespace {
@@ -211,54 +210,6 @@ TEST_F(OrderFile, RandomChanges) {
       ASSERT_EQ(std::string(error.what()).find('\n'), std::string::npos);
     }
   }
-}
-
-TEST_F(OrderFile, AnotherMeshOrViewIsRefused) {
-  const ZooMesh mesh = structured(1, Cut::tetrahedra);
-  const Scene scene;
-  OrderRecord record{content_hash(mesh), view_hash(scene), {}};
-  record.order.cells = std::vector<CellId>{0, 1, 2, 3, 4, 5};
-  const auto fit = [&](const ZooMesh& m, const Scene& s, const OrderRecord& r) {
-    return error_of([&] {
-      tools::fitting_order({"x.order", {encode_order(r)}}, content_hash(m), m, s);
-    });
-  };
-  EXPECT_EQ(fit(mesh, scene, record), "no error");
-  Scene other_scene = scene;
-  other_scene.camera.eye[0] += 1e-12;
-  EXPECT_THAT(fit(mesh, other_scene, record), HasSubstr("another view"));
-  other_scene = scene;
-  other_scene.render.planarity = 1e-6;
-  EXPECT_THAT(fit(mesh, other_scene, record), HasSubstr("another view"));
-  const ZooMesh other_mesh = moved(mesh, [](const Position& p) -> Position {
-    return {p[0], p[1], p[2] == 1 ? 1 + 1e-15 : p[2]};
-  });
-  EXPECT_THAT(fit(other_mesh, scene, record), HasSubstr("another mesh"));
-  record.order.cells = std::vector<CellId>{0, 1, 2};
-  EXPECT_THAT(fit(mesh, scene, record), HasSubstr("6 cells expected, 3 found"));
-}
-
-TEST_F(OrderFile, TheOrderThatFitsIsFoundAmongSeveral) {
-  const ZooMesh mesh = structured(1, Cut::tetrahedra);
-  const std::string hash = content_hash(mesh);
-  tools::GivenOrders orders{"x.order", {}};
-  Scene scene;
-  for (CellId first = 0; first < 4; ++first) {
-    scene.camera.eye[0] = first;
-    OrderRecord record{hash, view_hash(scene), {}};
-    record.order.cells =
-        std::vector<CellId>{first, (first + 1) % 4, (first + 2) % 4, (first + 3) % 4, 4, 5};
-    orders.chunks.push_back(encode_order(record));
-  }
-  for (CellId first = 0; first < 4; ++first) {
-    scene.camera.eye[0] = first;
-    EXPECT_EQ(tools::fitting_order(orders, hash, mesh, scene).order.cells[0], first);
-  }
-  scene.camera.eye[0] = 4;
-  EXPECT_THAT(error_of([&] { tools::fitting_order(orders, hash, mesh, scene); }),
-              HasSubstr("x.order: the orders all belong to other views"));
-  EXPECT_THAT(error_of([&] { tools::fitting_order(orders, "0", mesh, scene); }),
-              HasSubstr("another mesh"));
 }
 
 }  // namespace

@@ -30,11 +30,26 @@ require_absent(${SOURCE})
 
 # moved before use: an installed prefix must not know where it was installed
 file(RENAME ${WORK}/prefix ${WORK}/moved)
-run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${WORK}/build -G ${GENERATOR}
-    -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${WORK}/moved
-    -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF -D HIAC_HEADERS=${WORK}/moved/include)
-run(${CMAKE_COMMAND} --build ${WORK}/build)
-run(${WORK}/build/consumer ${CMAKE_CURRENT_LIST_DIR}/consumer/view.toml ${WORK}/picture.png)
+function(build_project folder build)
+  run(${CMAKE_COMMAND} -S ${folder} -B ${build} -G ${GENERATOR}
+      -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_PREFIX_PATH=${WORK}/moved
+      -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF ${ARGN})
+  run(${CMAKE_COMMAND} --build ${build})
+endfunction()
+
+build_project(${CMAKE_CURRENT_LIST_DIR}/consumer ${WORK}/build
+              -D HIAC_HEADERS=${WORK}/moved/include)
+run(${WORK}/build/consumer ${WORK}/mesh.zoo)
+
+# the sample is a program that a newcomer reads at a glance
+file(STRINGS ${SOURCE}/samples/program/main.cpp lines REGEX "^")
+list(LENGTH lines count)
+if(count GREATER 40)
+  message(FATAL_ERROR "samples/program/main.cpp: 40 lines at most expected, ${count} found")
+endif()
+build_project(${SOURCE}/samples/program ${WORK}/program)
+run(${WORK}/program/first_picture ${WORK}/mesh.zoo ${WORK}/picture.png)
+run(${WORK}/moved/bin/hiac-info ${WORK}/picture.png)
 foreach(tool sort render compare)
   run(${WORK}/moved/bin/hiac-${tool} --version)
 endforeach()

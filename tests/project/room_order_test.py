@@ -14,7 +14,7 @@ FLOORS = {
     "element": 4, "order": 4, "tetrahedralize": 4,
     "check": 5, "frame": 5,
     "render": 6,
-    "formats": 7, "tools": 8,
+    "formats": 7, "session": 7, "tools": 8,
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]((?:hiac|formats|tools|tests)/[^">]+)[">]')
 

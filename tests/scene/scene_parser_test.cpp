@@ -282,18 +282,18 @@ TEST(SceneParser, BlamesTheOptionForAnOverridesFault) {
     const char* option;
     const char* message;
   } cases[] = {
-      {"camera.fov=200", "--set camera.fov=200: key `camera.fov`: an angle between 0 and 180"},
-      {"camera.fov=2x", "--set camera.fov=2x: key `camera.fov`: wrong type"},
-      {"camera.fow=2", "--set camera.fow=2: key `camera.fow`: unknown key; did you mean `fov`?"},
-      {"camera.eye.0=x", "--set camera.eye.0=x: key `camera.eye`: wrong type"},
-      {"camera=3", "--set camera=3: key `camera`: wrong type (expected a table"},
-      {"camera.fov", "--set camera.fov: expected KEY=VALUE"},
-      {"=3", "--set =3: malformed key"},
-      {"camera..fov=3", "--set camera..fov=3: malformed key"},
-      {"camera.eye.7=3", "--set camera.eye.7=3: no element `7` (the list has 3, counted from 0)"},
-      {"camera.eye.x=3", "--set camera.eye.x=3: no element `x`"},
-      {"camera.fov.x=3", "--set camera.fov.x=3: `x` lies below a plain value"},
-      {"isosurface.2.value=3", "--set isosurface.2.value=3: no element `2` (the list has 0"},
+      {"camera.fov=200", "camera.fov=200: key `camera.fov`: an angle between 0 and 180"},
+      {"camera.fov=2x", "camera.fov=2x: key `camera.fov`: wrong type"},
+      {"camera.fow=2", "camera.fow=2: key `camera.fow`: unknown key; did you mean `fov`?"},
+      {"camera.eye.0=x", "camera.eye.0=x: key `camera.eye`: wrong type"},
+      {"camera=3", "camera=3: key `camera`: wrong type (expected a table"},
+      {"camera.fov", "camera.fov: expected KEY=VALUE"},
+      {"=3", "=3: malformed key"},
+      {"camera..fov=3", "camera..fov=3: malformed key"},
+      {"camera.eye.7=3", "camera.eye.7=3: no element `7` (the list has 3, counted from 0)"},
+      {"camera.eye.x=3", "camera.eye.x=3: no element `x`"},
+      {"camera.fov.x=3", "camera.fov.x=3: `x` lies below a plain value"},
+      {"isosurface.2.value=3", "isosurface.2.value=3: no element `2` (the list has 0"},
   };
   for (const auto& c : cases)
     EXPECT_THAT(complaint(kLeast, {c.option}, ExitCode::usage), StartsWith(c.message));

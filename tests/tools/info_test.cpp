@@ -19,7 +19,7 @@
 #include "hiac/order/order_file.hpp"
 #include "hiac/scene/scene_parser.hpp"
 #include "hiac/scene/scene_writer.hpp"
-#include "tools/info/starter_view.hpp"
+#include "hiac/session/session.hpp"
 
 namespace hiac::tools {
 namespace {

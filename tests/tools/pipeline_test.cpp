@@ -66,6 +66,9 @@ TEST_F(Pipeline, AnOrderOfAnotherViewOrMeshIsRefused) {
                 "' --set 'camera.eye=[1,2,3]' -o no.png"),
             3);
   EXPECT_NE(bytes_of(file("err.txt")).find("another view"), std::string::npos);
+  EXPECT_EQ(run("$RENDER m.zoo --view '" + kSampleView + "' --set camera.fov=200 -o no.png"), 2);
+  EXPECT_NE(bytes_of(file("err.txt")).find("--set camera.fov=200: key `camera.fov`: an angle"),
+            std::string::npos);
   ASSERT_EQ(run("$CONVERT -q --corners-only --field velocity '" + kSample + "' -o p.zoo"), 0);
   EXPECT_EQ(run("$RENDER p.zoo --order m.order --view '" + kSampleView + "' -o no.png"), 3);
   EXPECT_FALSE(std::filesystem::exists(file("no.png")));
@@ -147,6 +150,8 @@ TEST_F(Pipeline, CellsInsideOutInPartAreNamedOrLeftOut) {
       bytes_of(file("err.txt")).find("cell 1 (brick8): the cell is turned inside out in part"),
       std::string::npos)
       << bytes_of(file("err.txt"));
+  EXPECT_NE(bytes_of(file("err.txt")).find("--skip-invalid leaves such cells out"),
+            std::string::npos);
   EXPECT_EQ(run(draw + "--skip-invalid"), 0) << bytes_of(file("err.txt"));
   EXPECT_NE(bytes_of(file("err.txt")).find("1 of 2 cells"), std::string::npos);
   EXPECT_NE(bytes_of(file("facts.json")).find("\"skipped_cells\": 1"), std::string::npos);
@@ -235,7 +240,8 @@ TEST_F(Pipeline, ChannelsAreWrittenWhereTheyFit) {
   EXPECT_TRUE(image.channel_index("depth") && image.channel_index("error"));
   EXPECT_EQ(run(render + "--channels depth -o no.png"), 2);
   EXPECT_EQ(run(render + "--channels depht -o no.npy"), 2);
-  EXPECT_NE(bytes_of(file("err.txt")).find("no channel is called 'depht'"), std::string::npos);
+  EXPECT_NE(bytes_of(file("err.txt")).find("--channels: no channel is called 'depht'"),
+            std::string::npos);
   EXPECT_EQ(run(render + "--channels error --set render.integration=gauss5 -o no.npy"), 2);
   EXPECT_FALSE(std::filesystem::exists(file("no.npy")));
 }

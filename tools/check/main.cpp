@@ -22,11 +22,11 @@
 #include "hiac/order/order_basis.hpp"
 #include "hiac/order/order_file.hpp"
 #include "hiac/scene/camera_path.hpp"
-#include "hiac/scene/scene_parser.hpp"
 #include "hiac/scene/view_of.hpp"
 #include "tools/check/picture.hpp"
 #include "tools/check/report.hpp"
 #include "tools/common/mesh_io.hpp"
+#include "tools/common/specification.hpp"
 #include "tools/common/tool.hpp"
 
 namespace {
@@ -53,7 +53,7 @@ struct NamedView {
 std::vector<NamedView> wanted_views(const Options& options) {
   std::vector<NamedView> views;
   if (!options.view.empty()) {
-    const Scene scene = read_scene(options.view, options.overrides).scene;
+    const Scene scene = read_specification(options.view, options.overrides).scene;
     for (std::uint32_t frame = 0; frame < frame_count(scene); ++frame)
       views.push_back({scene.path ? fmt::format("frame {}", frame) : options.view,
                        view_of(camera_at(scene, frame)), scene.render.planarity});

@@ -1,12 +1,12 @@
 #include "tools/common/frames.hpp"
 
 #include <filesystem>
-#include <numeric>
 
 #include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
-#include "hiac/scene/camera_path.hpp"
+#include "hiac/session/frames.hpp"
+#include "tools/common/as_option.hpp"
 
 namespace hiac::tools {
 namespace {
@@ -32,20 +32,7 @@ std::vector<Place> places_in(const std::string& path) {
 
 std::vector<std::uint32_t> chosen_frames(const Scene& scene,
                                          const std::optional<std::uint32_t>& one) {
-  const std::uint32_t count = frame_count(scene);
-  if (one && !scene.path)
-    throw UsageError(fmt::format(
-        "--frame {}: the specification has no camera path (keyframes [[camera]], or a [turntable])",
-        *one));
-  if (one && *one >= count)
-    throw UsageError(
-        fmt::format("--frame {0}: there is no such frame (expected 0 to {1}, found "
-                    "{0})",
-                    *one, count - 1));
-  if (one) return {*one};
-  std::vector<std::uint32_t> all(count);
-  std::iota(all.begin(), all.end(), 0U);
-  return all;
+  return as_option("--", [&] { return frames_of(scene, one); });
 }
 
 bool has_frame_number(const std::string& path) { return !places_in(path).empty(); }

@@ -73,6 +73,11 @@ int Tool::run(int argc, char** argv, const std::function<void()>& work) {
     facts_["version"] = version_text();
     if (!common_.quiet) bar_ = std::make_unique<ProgressBar>(name_, frames_, progress_);
     work();
+  } catch (const Cancelled&) {
+    // whoever asked for it sees what an interrupt leaves behind
+    bar_.reset();
+    std::signal(SIGINT, SIG_DFL);
+    std::raise(SIGINT);
   } catch (const Error& error) {
     exit_code = error.exit_code();
     message = error.what();
@@ -122,6 +127,17 @@ void Tool::add_seconds(const std::string& stage, double seconds) {
   sum = sum.is_null() ? seconds : sum.get<double>() + seconds;
 }
 
+void Tool::end_stage(const std::string& name, double seconds) {
+  add_seconds(name, seconds);
+  detail(name + ": " + std::to_string(seconds) + " s");
+}
+
+Monitor Tool::monitor() {
+  return {.progress = &progress_,
+          .stage_ended = [this](const std::string& name, double s) { end_stage(name, s); },
+          .note = [this](const std::string& line) { note(line); }};
+}
+
 void Tool::write_facts(int exit_code, double seconds) {
   if (common_.json.empty()) return;
   facts_["warnings"] = warnings_;
@@ -146,10 +162,6 @@ Tool::StageClock::StageClock(Tool& tool, std::string name)
   tool_.progress_.begin(name_);
 }
 
-Tool::StageClock::~StageClock() {
-  const double seconds = seconds_now() - start_;
-  tool_.add_seconds(name_, seconds);
-  tool_.detail(name_ + ": " + std::to_string(seconds) + " s");
-}
+Tool::StageClock::~StageClock() { tool_.end_stage(name_, seconds_now() - start_); }
 
 }  // namespace hiac::tools

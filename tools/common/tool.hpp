@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "hiac/base/progress.hpp"
+#include "hiac/session/session.hpp"
 #include "tools/common/progress_bar.hpp"
 
 namespace hiac::tools {
@@ -55,6 +56,8 @@ class Tool {
   /// Text on stderr as it is, of whole lines: what an option asks for.
   void print(const std::string& text) const;
 
+  /// How the library tells of its work here: stages, their times, notes.
+  [[nodiscard]] Monitor monitor();
   /// How far the present stage is; timed() begins one, which may begin parts of its own.
   Progress& progress() { return progress_; }
   /// How many of a run's frames are done; a run of one picture leaves it alone.
@@ -70,6 +73,8 @@ class Tool {
   }
 
  private:
+  void end_stage(const std::string& name, double seconds);
+
   class StageClock {
    public:
     StageClock(Tool& tool, std::string name);

@@ -8,11 +8,11 @@
 #include "hiac/image/image_io.hpp"
 #include "hiac/order/order_file.hpp"
 #include "hiac/scene/scene_writer.hpp"
+#include "hiac/session/session.hpp"
 #include "tools/common/mesh_io.hpp"
 #include "tools/common/text_output.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/info/describe.hpp"
-#include "tools/info/starter_view.hpp"
 
 namespace {
 

@@ -16,18 +16,17 @@
 #include "hiac/base/error.hpp"
 #include "hiac/base/progress.hpp"
 #include "hiac/frame/renderable.hpp"
-#include "hiac/image/composite.hpp"
 #include "hiac/image/image_io.hpp"
-#include "hiac/order/algorithm.hpp"
 #include "hiac/order/order_file.hpp"
 #include "hiac/render/engine.hpp"
 #include "hiac/render/explain_pixel.hpp"
 #include "hiac/scene/camera_path.hpp"
-#include "hiac/scene/scene_parser.hpp"
 #include "hiac/scene/scene_writer.hpp"
+#include "hiac/session/session.hpp"
 #include "tools/common/frames.hpp"
 #include "tools/common/mesh_io.hpp"
-#include "tools/common/ordering.hpp"
+#include "tools/common/order_facts.hpp"
+#include "tools/common/specification.hpp"
 #include "tools/common/text_output.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/common/version.hpp"
@@ -42,7 +41,7 @@ using namespace hiac;
 using namespace hiac::tools;
 
 struct Options {
-  std::string input, view, order, output, size, channels, under, color_bar, pixel;
+  std::string input, view, order, output, size, under, color_bar, pixel;
   double color_bar_length = 0;  // 0: a round number near a tenth of the diagonal
   std::vector<std::string> overrides;
   PictureOptions picture;
@@ -135,63 +134,62 @@ Json note_work(Tool& tool, bool one_of_many, const RenderStatistics& s) {
 // Makes pictures of one mesh.
 class Renderer {
  public:
-  // `skipped`: cells to leave out; `under`: the picture to put behind each of them.
-  Renderer(Tool& tool, const Options& options, const ZooFile& file, std::vector<CellId> skipped,
-           const std::optional<Image>& under)
-      : tool_(tool),
-        options_(options),
-        mesh_(file.mesh),
-        skipped_(std::move(skipped)),
-        under_(under),
-        orderer_(tool, file.mesh),
-        given_(given_orders(options, file)),
-        channels_(parse_channels(options.channels)) {}
-
-  // Throws where the order is there already.
-  void look_for_overlaps(double planarity) {
-    if (given_)
-      throw UsageError("--overlap: " + given_->subject +
+  Renderer(Tool& tool, const Options& options, const ZooFile& file)
+      : tool_(tool), options_(options), session_(file.mesh, tool.monitor()) {
+    const std::optional<GivenOrders> given = given_orders(options, file);
+    if (!given) return;
+    if (options.overlap)
+      throw UsageError("--overlap: " + given->subject +
                        " already has an order (hiac-sort --overlap makes a new one)");
-    orderer_.look_for_overlaps(planarity);
+    session_.use_orders(given->subject, given->chunks);
+  }
+
+  // Throws unless the mesh can be drawn, where need be without some of its cells.
+  void check(const Scene& scene) {
+    if (options_.overlap) session_.look_for_overlaps(scene.render.planarity);
+    if (!options_.skip_invalid) {
+      try {
+        session_.require_drawable(scene);
+      } catch (const InvalidCellError& error) {
+        throw InputError(fmt::format("{}; --skip-invalid leaves such cells out", error.what()));
+      }
+      return;
+    }
+    const std::vector<CellId> skipped = session_.skip_invalid_cells(scene);
+    const std::size_t cells = session_.mesh().cell_count();
+    tool_.facts()["skipped_cells"] = skipped.size();
+    if (!skipped.empty())
+      tool_.warn(
+          fmt::format("{} of {} cells are partly turned inside out and are left out, the first is cell "
+                      "{}: the picture has holes there",
+                      skipped.size(), cells, skipped.front()));
   }
 
   // Throws unless there is, or will be, an order for the scene.
-  void require_order(const Scene& scene) {
-    if (given_) fitting_order(*given_, orderer_.mesh_hash(), mesh_, scene);
-  }
+  void require_order(const Scene& scene) { session_.require_order(scene); }
 
   // One pixel of a scene of one frame, in place of a picture.
   void explain(const Scene& scene) {
-    Json order_facts;
-    const OrderRecord record = find_order(scene, order_facts);
     const auto at = parse_pixel(options_.pixel);
-    const PixelExplanation pixel = tool_.timed("explain", [&] {
-      return explain_pixel(mesh_, record.order, scene, at[0], at[1], !options_.no_background);
-    });
-    tool_.facts()["order"] = order_facts;
-    tool_.facts()["pixel"] = pixel_json(pixel, scene);
-    if (tool_.common().json != "-") write_text("-", pixel_table(pixel, scene));
+    const Explanation found = session_.explain(scene, at[0], at[1], !options_.no_background);
+    note_order(*found.order);
+    tool_.facts()["order"] = order_facts(*found.order);
+    tool_.facts()["pixel"] = pixel_json(*found.pixel, scene);
+    if (tool_.common().json != "-") write_text("-", pixel_table(*found.pixel, scene));
   }
 
   // One picture of a scene of one frame, and the facts of its making.
-  Json render(const Scene& scene, const std::string& path) {
-    Json order_facts;
-    const OrderRecord record = find_order(scene, order_facts);
-    const bool with_background = !options_.no_background && !under_;
-    RenderResult result = tool_.timed("render", [&] {
-      return render_choice(mesh_, record.order, scene,
-                           picture_choice(options_.picture, scene.image), channels_,
-                           with_background, &tool_.progress());
-    });
-    if (under_) composite_over(result.image, *under_);
-    Json facts = note_work(tool_, options_.all_frames, result.statistics);
-    facts["order"] = order_facts;
+  Json render(const Scene& scene, const PictureRequest& request, const std::string& path) {
+    const Picture picture = session_.picture(scene, request);
+    note_order(*picture.order);
+    Json facts = note_work(tool_, options_.all_frames, *picture.statistics);
+    facts["order"] = order_facts(*picture.order);
     tool_.timed("write", [&] {
-      write_image(path, result.image,
+      write_image(path, picture.image,
                   {.linear = options_.linear,
                    .background_included = !options_.no_background,
                    .attributes = {{"Software", "hiac-render " + version_text()},
-                                  {"hiac:mesh", record.mesh_hash},
+                                  {"hiac:mesh", picture.mesh_hash},
                                   {"hiac:specification", to_toml(scene)}},
                    .depth = options_.depth});
     });
@@ -199,39 +197,18 @@ class Renderer {
   }
 
  private:
-  // Without the cells that are left out.
-  OrderRecord find_order(const Scene& scene, Json& facts) {
-    OrderRecord record = order_of_all(scene, facts);
-    if (!skipped_.empty()) record.order = without_cells(record.order, skipped_);
-    return record;
-  }
-
-  OrderRecord order_of_all(const Scene& scene, Json& facts) {
-    if (!given_) {
-      MeshOrder made = orderer_.exact(scene);
-      facts = std::move(made.facts);
-      return std::move(made.record);
-    }
-    OrderRecord record = fitting_order(*given_, orderer_.mesh_hash(), mesh_, scene);
-    facts = order_facts(record.order);
-    if (record.order.algorithm != algorithm_name(OrderAlgorithm::exact))
-      tool_.note(fmt::format("{}: the order is by {}, not by the exact algorithm", given_->subject,
-                             record.order.algorithm));
-    return record;
+  void note_order(const MeshOrder& order) {
+    if (const std::string line = order_line(order); !line.empty()) tool_.detail(line);
   }
 
   Tool& tool_;
   const Options& options_;
-  const ZooMesh& mesh_;
-  std::vector<CellId> skipped_;
-  const std::optional<Image>& under_;
-  Orderer orderer_;
-  std::optional<GivenOrders> given_;
-  std::vector<Channel> channels_;
+  Session session_;
 };
 
 // Numbered pictures of the frames of a camera path.
-void render_frames(Tool& tool, const Options& options, const Scene& scene, Renderer& renderer) {
+void render_frames(Tool& tool, const Options& options, const Scene& scene,
+                   const PictureRequest& request, Renderer& renderer) {
   const std::vector<std::uint32_t> frames = chosen_frames(scene, options.frame);
   for (const std::uint32_t frame : frames) renderer.require_order(scene_of_frame(scene, frame));
   tool.frames().begin("frames", frames.size());
@@ -239,7 +216,7 @@ void render_frames(Tool& tool, const Options& options, const Scene& scene, Rende
     const bool numbered = options.all_frames || has_frame_number(options.output);
     const std::string path = numbered ? frame_path(options.output, frame) : options.output;
     Json facts{{"frame", frame}, {"file", path}};
-    facts.update(renderer.render(scene_of_frame(scene, frame), path));
+    facts.update(renderer.render(scene_of_frame(scene, frame), request, path));
     tool.facts()["frames"].push_back(std::move(facts));
     tool.frames().advance();
     const Progress::State state = tool.frames().state();
@@ -305,41 +282,21 @@ void require_room_for_channels(const std::string& path) {
                      path + " found)");
 }
 
-ParsedScene read_specification(Tool& tool, Options& options) {
+ParsedScene specification_of(Tool& tool, Options& options) {
   add_size(options.size, options.overrides);
-  ParsedScene parsed = read_scene(options.view, options.overrides);
+  ParsedScene parsed = read_specification(options.view, options.overrides);
   for (const std::string& line : parsed.notes) tool.note(line);
   return parsed;
 }
 
-// Throws unless the mesh can be drawn; returns the cells to leave out for that.
-std::vector<CellId> check_mesh(Tool& tool, const Options& options, const ZooMesh& mesh,
-                               const Scene& scene) {
-  if (!options.skip_invalid) {
-    check_renderable(mesh, scene);
-    return {};
-  }
-  check_renderable(mesh, scene, InvalidCells::skipped);
-  std::vector<CellId> skipped = invalid_cells(mesh, scene.render.planarity);
-  tool.facts()["skipped_cells"] = skipped.size();
-  if (!skipped.empty())
-    tool.warn(
-        fmt::format("{} of {} cells are partly turned inside out and are left out, the first is "
-                    "cell {}: the picture has holes there",
-                    skipped.size(), mesh.cell_count(), skipped.front()));
-  return skipped;
-}
-
 void explain(Tool& tool, Options options) {
   parse_pixel(options.pixel);
-  const ParsedScene parsed = read_specification(tool, options);
+  const ParsedScene parsed = specification_of(tool, options);
   check_frame_options(options, parsed.scene);
   const ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
-  std::vector<CellId> skipped = check_mesh(tool, options, file.mesh, parsed.scene);
+  Renderer renderer(tool, options, file);
+  renderer.check(parsed.scene);
   note_model(tool, file.mesh, parsed.scene);
-  const std::optional<Image> nothing;
-  Renderer renderer(tool, options, file, std::move(skipped), nothing);
-  if (options.overlap) renderer.look_for_overlaps(parsed.scene.render.planarity);
   renderer.explain(options.frame ? scene_of_frame(parsed.scene, *options.frame) : parsed.scene);
 }
 
@@ -347,23 +304,25 @@ void render(Tool& tool, Options options) {
   if (options.output.empty()) throw UsageError("--output is required");
   require_known_image_extension(options.output, options.depth);
   if (!options.color_bar.empty()) require_known_image_extension(options.color_bar);
-  if (!parse_channels(options.channels).empty()) require_room_for_channels(options.output);
-  const ParsedScene parsed = read_specification(tool, options);
+  if (!options.picture.channels.empty()) require_room_for_channels(options.output);
+  const ParsedScene parsed = specification_of(tool, options);
   const Scene& scene = parsed.scene;
-  const PixelRect part = picture_choice(options.picture, scene.image).part;
+  PictureRequest request = picture_request(options.picture, scene.image);
+  request.background = !options.no_background;
+  const PixelRect part = require_possible(request, scene.image);
   const std::optional<Image> under = read_under(options, {part.width, part.height});
+  if (under) request.under = &*under;
   check_frame_options(options, scene);
   const ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
-  std::vector<CellId> skipped = check_mesh(tool, options, file.mesh, scene);
+  Renderer renderer(tool, options, file);
+  renderer.check(scene);
   note_model(tool, file.mesh, scene);
   if (!options.color_bar.empty()) write_color_bar(tool, options, file.mesh, scene.volume);
-  Renderer renderer(tool, options, file, std::move(skipped), under);
-  if (options.overlap) renderer.look_for_overlaps(scene.render.planarity);
   if (scene.path) {
-    render_frames(tool, options, scene, renderer);
+    render_frames(tool, options, scene, request, renderer);
     return;
   }
-  Json facts = renderer.render(scene, options.output);
+  Json facts = renderer.render(scene, request, options.output);
   facts.erase("seconds");  // the run's own, stage by stage, stay
   tool.facts().update(facts);
 }
@@ -400,9 +359,6 @@ int main(int argc, char** argv) {
   app.add_option("--set", options.overrides, "Override KEY=VALUE of the specification; repeatable")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
-  app.add_option("--channels", options.channels,
-                 "Further channels of the picture, separated by commas: " + channel_names())
-      ->type_name("LIST");
   add_picture_options(app, options.picture);
   app.add_option("--under", options.under,
                  "Put this picture behind the new one instead of the background: linear values, "

@@ -1,9 +1,12 @@
 #include "tools/render/picture_options.hpp"
 
 #include <charconv>
+#include <span>
 #include <system_error>
 
 #include "hiac/base/error.hpp"
+#include "hiac/frame/channels.hpp"
+#include "tools/common/as_option.hpp"
 
 namespace hiac::tools {
 namespace {
@@ -38,6 +41,9 @@ std::array<std::uint32_t, 2> parse_pixel(const std::string& text) {
 }
 
 void add_picture_options(CLI::App& app, PictureOptions& options) {
+  app.add_option("--channels", options.channels,
+                 "Further channels of the picture, separated by commas: " + channel_names())
+      ->type_name("LIST");
   app.add_option("--crop", options.crop, "Render only the W x H pixels from column X and row Y on")
       ->type_name("X,Y,W,H");
   CLI::Option* samples = app.add_option("--samples", options.samples,
@@ -51,27 +57,18 @@ void add_picture_options(CLI::App& app, PictureOptions& options) {
       ->type_name("FILTER");
 }
 
-PictureChoice picture_choice(const PictureOptions& options, ImageSize size) {
-  PictureChoice choice{options.crop.empty() ? whole_picture(size) : parse_crop(options.crop),
-                       std::nullopt};
-  require_inside(choice.part, size);
-  if (!options.samples) return choice;
-  choice.sampling = {*options.samples,
-                     options.filter == "box" ? SampleFilter::box : SampleFilter::bspline};
-  require_possible(*choice.sampling, size);
-  return choice;
-}
-
-RenderResult render_choice(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
-                           const PictureChoice& choice, std::span<const Channel> channels,
-                           bool with_background, Progress* progress) {
-  if (choice.sampling)
-    return render_supersampled(mesh, order, scene, choice.part, *choice.sampling, with_background,
-                               progress, channels);
-  const PartRenderer renderer(mesh, order, scene, channels);
-  RenderResult result = renderer.render(choice.part, with_background, progress);
-  result.statistics.prepare_seconds += renderer.prepare_seconds();
-  return result;
+PictureRequest picture_request(const PictureOptions& options, ImageSize size) {
+  PictureRequest request;
+  as_option("--channels: ", [&] {
+    for (const Channel channel : parse_channels(options.channels))
+      request.channels.emplace_back(channel_name(channel));
+  });
+  if (!options.crop.empty()) request.part = parse_crop(options.crop);
+  if (options.samples)
+    request.sampling = {*options.samples,
+                        options.filter == "box" ? SampleFilter::box : SampleFilter::bspline};
+  require_possible(request, size);
+  return request;
 }
 
 }  // namespace hiac::tools

@@ -21,10 +21,12 @@
 #include "hiac/order/published/visibility_cycle.hpp"
 #include "hiac/order/verify_order.hpp"
 #include "hiac/scene/camera_path.hpp"
-#include "hiac/scene/scene_parser.hpp"
+#include "hiac/scene/view_of.hpp"
+#include "hiac/session/ordering.hpp"
 #include "tools/common/frames.hpp"
 #include "tools/common/mesh_io.hpp"
-#include "tools/common/ordering.hpp"
+#include "tools/common/order_facts.hpp"
+#include "tools/common/specification.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/sort/report.hpp"
 
@@ -83,8 +85,8 @@ class Sorting {
         frames_(chosen_frames(scene, options.frame)),
         mesh_(mesh),
         method_(method_of(options)),
-        orderer_(tool, mesh) {
-    if (options.overlap) orderer_.look_for_overlaps(scene.render.planarity);
+        ordering_(mesh, tool.monitor()) {
+    if (options.overlap) ordering_.look_for_overlaps(scene.render.planarity);
     if (scene.path) tool.frames().begin("frames", frames_.size());
   }
 
@@ -105,7 +107,7 @@ class Sorting {
   void verify(const GivenOrders& given) {
     for (const std::uint32_t frame : frames_) {
       const Scene scene = scene_of_frame(scene_, frame);
-      const VisibilityOrder order = fitting_order(given, orderer_.mesh_hash(), mesh_, scene).order;
+      const VisibilityOrder order = fitting_order(given, ordering_.mesh_hash(), mesh_, scene).order;
       Json facts = order_facts(order);
       verify(scene, order, frame, facts);
       keep(std::move(facts), frame);
@@ -127,12 +129,17 @@ class Sorting {
   OrderRecord make(const Scene& scene, std::uint32_t frame) {
     const double start = seconds_now();
     const bool exact = method_.algorithm == OrderAlgorithm::exact;
-    MeshOrder made = exact ? orderer_.exact(scene) : by_another(scene, frame);
+    MeshOrder made = exact ? ordering_.exact(scene) : by_another(scene, frame);
+    if (const std::string line = order_line(made); !line.empty()) tool_.detail(line);
     const VisibilityOrder& order = made.record.order;
+    Json facts = order_facts(made);
+    OrderStatistics statistics = made.statistics.value_or(OrderStatistics{});
+    statistics.cells_in_groups = facts["cells_in_groups"];
+    statistics.largest_group = facts["largest_group"];
     reported_.push_back(
-        {frame, order.algorithm, made.statistics, order.groups.size(), seconds_now() - start});
-    if (options_.verify) verify(scene, order, frame, made.facts);
-    keep(std::move(made.facts), frame);
+        {frame, order.algorithm, statistics, order.groups.size(), seconds_now() - start});
+    if (options_.verify) verify(scene, order, frame, facts);
+    keep(std::move(facts), frame);
     return std::move(made.record);
   }
 
@@ -143,7 +150,7 @@ class Sorting {
   // The order of an algorithm of which nothing but its groups is known.
   MeshOrder by_another(const Scene& scene, std::uint32_t frame) {
     const bool across_faces = method_.algorithm == OrderAlgorithm::mpvo;
-    const OrderBasis* basis = across_faces ? &orderer_.basis() : nullptr;
+    const OrderBasis* basis = across_faces ? &ordering_.basis() : nullptr;
     VisibilityOrder order = tool_.timed("order", [&] {
       try {
         return order_by(scene, basis);
@@ -151,11 +158,7 @@ class Sorting {
         throw JudgementError(name_of(frame) + cycle.what());
       }
     });
-    MeshOrder made{{orderer_.mesh_hash(), view_hash(scene), std::move(order)}, {}, {}};
-    made.facts = order_facts(made.record.order);
-    made.statistics.cells_in_groups = made.facts["cells_in_groups"];
-    made.statistics.largest_group = made.facts["largest_group"];
-    return made;
+    return {{ordering_.mesh_hash(), view_hash(scene), std::move(order)}, {}};
   }
 
   [[nodiscard]] VisibilityOrder order_by(const Scene& scene, const OrderBasis* basis) const {
@@ -177,7 +180,7 @@ class Sorting {
   }
 
   void verify(const Scene& scene, const VisibilityOrder& order, std::uint32_t frame, Json& facts) {
-    const OrderBasis& basis = orderer_.basis();
+    const OrderBasis& basis = ordering_.basis();
     const OrderCheck check = tool_.timed("verify", [&] {
       return verify_order(basis, view_of(scene.camera), order, scene.render.planarity);
     });
@@ -204,7 +207,7 @@ class Sorting {
   std::size_t next_ = 0;
   const ZooMesh& mesh_;
   Method method_;
-  Orderer orderer_;
+  Ordering ordering_;
   std::set<std::string> views_;  // the hashes of those that have an order
   std::vector<ReportedOrder> reported_;
 };
@@ -243,7 +246,7 @@ void sort(Tool& tool, const Options& options) {
     throw UsageError("--order: a given order can only be verified (expected --verify)");
   const Target target = target_of(tool, options);
   method_of(options);
-  const Scene scene = read_scene(options.view, options.overrides).scene;
+  const Scene scene = read_specification(options.view, options.overrides).scene;
   chosen_frames(scene, options.frame);
   ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
   tool.facts()["cells"] = file.mesh.cell_count();

@@ -7,6 +7,8 @@
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 
+#include "hiac/base/cancellation.hpp"
+
 namespace hiac {
 
 void parallel_for(std::size_t count, std::size_t grain,
@@ -14,7 +16,11 @@ void parallel_for(std::size_t count, std::size_t grain,
   if (count == 0) return;
   const std::size_t step = std::max<std::size_t>(grain, 1);
   const std::size_t chunks = (count + step - 1) / step;
+  // a thread that waits here may take a range of another loop, with another cancellation, over
+  const Cancellation* const cancellation = current_cancellation();
   oneapi::tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
+    const CancellationScope scope(cancellation);
+    check_cancelled();
     body({chunk * step, std::min(count, (chunk + 1) * step)});
   });
 }

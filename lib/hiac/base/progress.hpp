@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 namespace hiac {
@@ -31,6 +32,26 @@ class Progress {
   std::uint64_t total_ = 0;
   double start_ = 0;
   std::atomic<std::uint64_t> done_{0};
+};
+
+/// Asks a long piece of work to stop. Any thread may ask, and so may a signal handler. The work
+/// ends soon after by throwing Cancelled, and leaves its inputs as they were: it may be started
+/// again.
+class Cancellation {
+ public:
+  void request() { requested_.store(true, std::memory_order_relaxed); }
+  [[nodiscard]] bool requested() const { return requested_.load(std::memory_order_relaxed); }
+  /// Before work is started again.
+  void reset() { requested_.store(false, std::memory_order_relaxed); }
+
+ private:
+  std::atomic<bool> requested_{false};
+};
+
+/// Thrown by work that was asked to stop. It is no Error: nothing is wrong.
+class Cancelled : public std::runtime_error {
+ public:
+  Cancelled() : std::runtime_error("cancelled") {}
 };
 
 /// The seconds that remain when `done` of `total` took `seconds`; none when that is unknown.

@@ -26,11 +26,11 @@ std::vector<Channel> parse_channels(std::string_view list) {
     const std::string_view name = list.substr(0, comma);
     const auto at = std::ranges::find(kNames, name);
     if (at == kNames.end())
-      throw UsageError(fmt::format("--channels: no channel is called '{}' (one of {} expected)",
-                                   name, channel_names()));
+      throw UsageError(
+          fmt::format("no channel is called '{}' (one of {} expected)", name, channel_names()));
     const auto channel = static_cast<Channel>(at - kNames.begin());
     if (std::ranges::find(channels, channel) != channels.end())
-      throw UsageError(fmt::format("--channels: '{}' is there twice", name));
+      throw UsageError(fmt::format("'{}' is there twice", name));
     channels.push_back(channel);
     list.remove_prefix(std::min(comma + 1, list.size()));
   }

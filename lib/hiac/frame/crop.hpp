@@ -13,6 +13,16 @@ struct PixelRect {
   bool operator==(const PixelRect&) const = default;
 };
 
+/// What a pixel is made of its samples by: their mean, or a mean weighted by the biquadratic
+/// B-spline three pixels wide (Williams, Max, Stein 1998, section 5.3).
+enum class SampleFilter : std::uint8_t { box, bspline };
+
+/// `samples` x `samples` rays a pixel, through the centres of the squares that it is cut into.
+struct Supersampling {
+  std::uint32_t samples = 1;
+  SampleFilter filter = SampleFilter::box;
+};
+
 /// All of a picture.
 PixelRect whole_picture(ImageSize size);
 

@@ -133,9 +133,9 @@ void check_geometry(const ZooMesh& mesh, double planarity) {
   const std::vector<CellId> invalid = invalid_cells(mesh, planarity);
   if (invalid.empty()) return;
   const Failures failures{invalid.size(), invalid.front()};
-  throw InputError(cell_name(mesh, failures.first),
-                   fmt::format("{}{}; --skip-invalid leaves such cells out)",
-                               fault_of(mesh, failures.first, planarity), others(failures)));
+  throw InvalidCellError(
+      cell_name(mesh, failures.first),
+      fmt::format("{}{})", fault_of(mesh, failures.first, planarity), others(failures)));
 }
 
 // Whether every cell's nodes determine the polynomial that fields are to be interpolated by.

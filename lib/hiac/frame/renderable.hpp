@@ -4,19 +4,26 @@
 #include <span>
 #include <vector>
 
+#include "hiac/base/error.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/order/visibility_order.hpp"
 #include "hiac/scene/scene.hpp"
 
 namespace hiac {
 
+/// The mesh has cells that cannot be drawn (invalid_cells).
+class InvalidCellError : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 /// Throws InputError, naming what it is and where it is first met, when the scene or the mesh holds
 /// something that the engine does not draw: nothing is approximated or left out in silence.
 ///
-/// Of the mesh: invalid_cells, where they are refused; with polynomial interpolation, cells that
-/// have no such function (world_polynomial.hpp); values that are not finite in a field that is
-/// used, at a place that some cell uses. UsageError, as from scalar_field, when a field does not
-/// exist.
+/// Of the mesh: invalid_cells, where they are refused (InvalidCellError); with polynomial
+/// interpolation, cells that have no such function (world_polynomial.hpp); values that are not
+/// finite in a field that is used, at a place that some cell uses. UsageError, as from
+/// scalar_field, when a field does not exist.
 enum class InvalidCells : std::uint8_t { refused, skipped };
 void check_renderable(const ZooMesh& mesh, const Scene& scene,
                       InvalidCells invalid = InvalidCells::refused);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "hiac/base/cancellation.hpp"
 #include "hiac/base/large_pages.hpp"
 #include "hiac/base/parallel.hpp"
 
@@ -99,7 +100,9 @@ std::vector<Waiting> peel(const Graph& graph, std::vector<CellId>& order) {
     if (waiting[i].for_cells == 0) ready.push_back(static_cast<CellId>(i));
   // Last in, first out: consecutive cells of the order are neighbours. That serves whoever draws
   // them more than this loop would gain from first in, first out.
+  CancellationCheck check;
   while (!ready.empty()) {
+    check();
     const CellId cell = ready.back();
     ready.pop_back();
     order.push_back(cell);
@@ -142,6 +145,7 @@ class Tarjan {
   void visit(CellId root) {
     open(root);
     while (!path_.empty()) {
+      check_();
       auto& [cell, slot] = path_.back();
       if (slot == graph_.arrow_slots(cell)) {
         close(cell);
@@ -177,6 +181,7 @@ class Tarjan {
   std::vector<CellId> stack_;
   std::vector<std::pair<CellId, std::uint32_t>> path_;  // cell, its next arrow
   std::uint32_t next_index_ = 0;
+  CancellationCheck check_;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "hiac/base/cancellation.hpp"
 #include "hiac/base/seconds.hpp"
 #include "hiac/order/behind_relation.hpp"
 #include "hiac/order/components.hpp"
@@ -20,10 +21,12 @@ OrderResult exact_order(const OrderBasis& basis, const View& view, double planar
   const BehindRelation relation = shared_face_relation(basis, view, planarity);
   statistics.both_ways = relation.both_ways;
   statistics.edge_on = relation.edge_on;
+  check_cancelled();
   const double related = seconds_now();
   const GapRelation gaps = gap_relation(basis, view, planarity);
   statistics.gap_pairs = gaps.candidate_pairs;
   statistics.gap_arrows = gaps.behind.size();
+  check_cancelled();
   const double joined = seconds_now();
   result.order = order_of_components(relation, basis.faces, basis.adjacency.neighbors, gaps);
   statistics.relation_seconds = related - start;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "hiac/base/cancellation.hpp"
 #include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
 #include "hiac/base/progress.hpp"
@@ -55,6 +56,7 @@ class TileRenderer {
   void render() {
     std::size_t begin = 0;
     while (begin < ranks_.size()) {
+      check_cancelled();
       const CellGroup* group = group_of(order_, ranks_[begin]);
       const std::uint32_t stop =
           group != nullptr ? group->first + group->count : next_group_first(order_, ranks_[begin]);

@@ -1,20 +1,8 @@
 #pragma once
 
-#include <cstdint>
-
 #include "hiac/render/engine.hpp"
 
 namespace hiac {
-
-/// What a pixel is made of its samples by: their mean, or a mean weighted by the biquadratic
-/// B-spline three pixels wide (Williams, Max, Stein 1998, section 5.3).
-enum class SampleFilter : std::uint8_t { box, bspline };
-
-/// `samples` x `samples` rays a pixel, through the centres of the squares that it is cut into.
-struct Supersampling {
-  std::uint32_t samples = 1;
-  SampleFilter filter = SampleFilter::box;
-};
 
 /// Throws UsageError when there are no samples, or so many that the picture of them all, with its
 /// margin (below), would be wider or higher than kMaxImageSide.

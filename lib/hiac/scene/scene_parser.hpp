@@ -24,7 +24,7 @@ using Override = std::string;
 /// Reads a specification from a file. Paths inside it (presets) are relative to the file's folder.
 /// Overrides apply in order before anything is interpreted.
 /// Throws InputError "FILE:LINE: key `camera.fov`: what is wrong" for the first fault found, and
-/// UsageError "--set camera.fov=200: what is wrong" where an override is to blame.
+/// UsageError "camera.fov=200: what is wrong" where an override is to blame.
 ParsedScene read_scene(const std::string& path, std::span<const Override> overrides = {});
 
 /// The same from text. `subject` stands for the file in errors; `folder` is where relative paths

@@ -119,7 +119,7 @@ void remove_last(toml::node& node, const std::string& part, const std::string& o
 }  // namespace
 
 AppliedOverride apply_override(toml::table& document, const std::string& option) {
-  const std::string shown = "--set " + option;
+  const std::string& shown = option;
   const std::size_t equals = option.find('=');
   if (equals == std::string::npos) refuse(shown, "expected KEY=VALUE");
   const std::string path = option.substr(0, equals);

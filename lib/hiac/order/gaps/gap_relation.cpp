@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "hiac/base/cancellation.hpp"
 #include "hiac/base/collect.hpp"
 #include "hiac/base/parallel.hpp"
 #include "hiac/order/faces/eye_side.hpp"
@@ -185,6 +186,7 @@ class PairSearch {
     std::uint64_t decided = 0;
     std::size_t first_behind = 0;
     for (const BinnedFace& exit : exits) {
+      check_cancelled();
       while (first_behind < entries.size() && entries[first_behind].depth < exit.depth)
         ++first_behind;
       const MeetingTest test(exit.bounds);

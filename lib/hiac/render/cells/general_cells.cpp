@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "hiac/base/cancellation.hpp"
 #include "hiac/element/field_along_ray.hpp"
 #include "hiac/frame/tolerance_shares.hpp"
 #include "hiac/optics/piece_rule.hpp"
@@ -534,7 +535,10 @@ class GeneralCellRenderer {
 void render_general_cells(const Frame& frame, std::span<const CellId> cells, const TileRect& tile,
                           TileBuffer& buffer, SegmentList* group, TileCounts& counts) {
   GeneralCellRenderer renderer(frame, tile, buffer, group, counts);
-  for (const CellId cell : cells) renderer.render(cell);
+  for (const CellId cell : cells) {
+    check_cancelled();
+    renderer.render(cell);
+  }
 }
 
 }  // namespace hiac

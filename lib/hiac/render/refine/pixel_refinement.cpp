@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "hiac/base/cancellation.hpp"
 #include "hiac/base/rounding.hpp"
 #include "hiac/frame/cell_groups.hpp"
 #include "hiac/render/bounds/error_bound.hpp"
@@ -94,6 +95,7 @@ std::optional<PixelRefinement::Again> PixelRefinement::compute_again(int x, int 
 }
 
 double PixelRefinement::error(const Drawn& pixel, double background) {
+  check_cancelled();
   const double bound = pixel_error(frame_, *pixel.details, pixel.transparency,
                                    pixel.transparency <= frame_.least_transparency, background);
   // numbers no finer than the engine's tell nothing of its rounding

@@ -1,5 +1,3 @@
-#include "tools/info/starter_view.hpp"
-
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -16,8 +14,9 @@
 #include "hiac/base/parallel.hpp"
 #include "hiac/image/heat_map.hpp"
 #include "hiac/image/srgb.hpp"
+#include "hiac/session/session.hpp"
 
-namespace hiac::tools {
+namespace hiac {
 namespace {
 
 using Vec = std::array<double, 3>;
@@ -309,4 +308,4 @@ Scene starter_view(const ZooMesh& mesh, const std::string& subject) {
   return scene;
 }
 
-}  // namespace hiac::tools
+}  // namespace hiac

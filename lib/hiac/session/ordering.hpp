@@ -4,35 +4,31 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "hiac/order/order_basis.hpp"
 #include "hiac/order/order_file.hpp"
 #include "hiac/scene/scene.hpp"
-#include "hiac/scene/view_of.hpp"
-#include "tools/common/tool.hpp"
+#include "hiac/session/session.hpp"
 
-namespace hiac::tools {
+namespace hiac {
 
 /// A visibility order with the hashes that it belongs to, and what was met on the way.
-struct MeshOrder {  // NOLINT(bugprone-exception-escape): the JSON library's move says so
+struct MeshOrder {
   OrderRecord record;
-  OrderStatistics statistics;
-  nlohmann::ordered_json facts;
+  /// Of an order that was made by the exact algorithm; none of others.
+  std::optional<OrderStatistics> statistics;
+  double planarity = 0;
+  std::uint64_t overlapping_pairs = 0;
 };
-
-/// The facts of an order that any algorithm made.
-nlohmann::ordered_json order_facts(const VisibilityOrder& order);
 
 /// Orders one mesh for any number of views; what does not depend on the view is made once, when it
 /// is first needed.
-class Orderer {
+class Ordering {
  public:
-  /// Both have to outlive the orderer.
-  Orderer(Tool& tool, const ZooMesh& mesh) : tool_(tool), mesh_(mesh) {}
+  /// The mesh has to outlive it.
+  Ordering(const ZooMesh& mesh, Monitor monitor) : mesh_(mesh), monitor_(std::move(monitor)) {}
 
-  /// Cells that overlap will be looked for, and each two of them put into one group (the option
-  /// --overlap). Before the first order.
+  /// Cells that overlap will be looked for, and each two of them put into one group. Before the
+  /// first order.
   void look_for_overlaps(double planarity) { overlap_planarity_ = planarity; }
 
   /// The exact visibility order for a scene's camera (a scene of one frame).
@@ -43,17 +39,12 @@ class Orderer {
   const std::string& mesh_hash();
 
  private:
-  Tool& tool_;
   const ZooMesh& mesh_;
+  Monitor monitor_;
   std::optional<double> overlap_planarity_;
   std::optional<OrderBasis> basis_;
   std::string mesh_hash_;
 };
-
-/// What the option --overlap says of itself.
-inline constexpr const char* kOverlapHelp =
-    "Look for cells that overlap, as hiac-check --overlap does, so that all others are in the "
-    "right order";
 
 /// Orders that came in an order file, or behind a mesh.
 struct GivenOrders {
@@ -66,4 +57,4 @@ struct GivenOrders {
 OrderRecord fitting_order(const GivenOrders& orders, const std::string& mesh_hash,
                           const ZooMesh& mesh, const Scene& scene);
 
-}  // namespace hiac::tools
+}  // namespace hiac

@@ -1,0 +1,81 @@
+#include "hiac/session/ordering.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "hiac/base/error.hpp"
+#include "hiac/check/overlap.hpp"
+#include "hiac/mesh/face_adjacency.hpp"
+#include "hiac/scene/view_of.hpp"
+#include "hiac/session/stages.hpp"
+
+namespace hiac {
+
+// Nothing is kept of a stage that was cancelled: each result is stored when it is complete.
+const OrderBasis& Ordering::basis() {
+  if (basis_) return *basis_;
+  FaceAdjacency adjacency = run_stage(monitor_, "adjacency", [&] {
+    return mesh_.adjacency ? *mesh_.adjacency : build_face_adjacency(mesh_);
+  });
+  OrderBasis made =
+      run_stage(monitor_, "basis", [&] { return order_basis(mesh_, std::move(adjacency)); });
+  if (overlap_planarity_) {
+    made.overlaps = run_stage(monitor_, "overlap",
+                              [&] { return overlapping_cells(made, *overlap_planarity_); });
+    if (monitor_.note)
+      monitor_.note(fmt::format("{} pairs of cells overlap, or may", made.overlaps.size()));
+  }
+  return basis_.emplace(std::move(made));
+}
+
+const std::string& Ordering::mesh_hash() {
+  if (mesh_hash_.empty())
+    mesh_hash_ = run_stage(monitor_, "hash", [&] { return content_hash(mesh_); });
+  return mesh_hash_;
+}
+
+MeshOrder Ordering::exact(const Scene& scene) {
+  const OrderBasis& common = basis();
+  const double planarity = scene.render.planarity;
+  OrderResult result = run_stage(
+      monitor_, "order", [&] { return exact_order(common, view_of(scene.camera), planarity); });
+  return {{mesh_hash(), view_hash(scene), std::move(result.order)},
+          result.statistics,
+          planarity,
+          common.overlaps.size()};
+}
+
+OrderRecord fitting_order(const GivenOrders& orders, const std::string& mesh_hash,
+                          const ZooMesh& mesh, const Scene& scene) {
+  const std::string view = view_hash(scene);
+  std::string other_mesh, other_view;
+  for (const ExtraChunk& chunk : orders.chunks) {
+    const OrderHead head = decode_order_head(chunk, orders.subject);
+    if (head.mesh_hash != mesh_hash) {
+      other_mesh = head.mesh_hash;
+    } else if (head.view_hash != view) {
+      other_view = head.view_hash;
+    } else if (head.cell_count != mesh.cell_count()) {
+      throw InputError(orders.subject,
+                       fmt::format("the order is of another mesh ({} cells expected, {} found)",
+                                   mesh.cell_count(), head.cell_count));
+    } else {
+      return decode_order(chunk, orders.subject);
+    }
+  }
+  if (other_view.empty())
+    throw InputError(orders.subject,
+                     fmt::format("the order belongs to another mesh (hash {} expected, {} found)",
+                                 mesh_hash, other_mesh));
+  if (orders.chunks.size() == 1)
+    throw InputError(orders.subject,
+                     fmt::format("the order belongs to another view (hash {} expected, {} found)",
+                                 view, other_view));
+  throw InputError(orders.subject,
+                   fmt::format("the orders all belong to other views (hash {} expected, found "
+                               "{} others, the last of them {})",
+                               view, orders.chunks.size(), other_view));
+}
+
+}  // namespace hiac

@@ -1,0 +1,151 @@
+#include "hiac/session/session.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "hiac/base/error.hpp"
+#include "hiac/frame/channels.hpp"
+#include "hiac/frame/crop.hpp"
+#include "hiac/frame/renderable.hpp"
+#include "hiac/image/composite.hpp"
+#include "hiac/order/algorithm.hpp"
+#include "hiac/render/engine.hpp"
+#include "hiac/render/explain_pixel.hpp"
+#include "hiac/render/supersampling.hpp"
+#include "hiac/session/ordering.hpp"
+#include "hiac/session/stages.hpp"
+
+namespace hiac {
+namespace {
+
+std::vector<Channel> channels_of(const PictureRequest& request) {
+  return parse_channels(fmt::format("{}", fmt::join(request.channels, ",")));
+}
+
+RenderResult draw(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
+                  const PictureRequest& request, const PixelRect& part, Progress* progress) {
+  const std::vector<Channel> channels = channels_of(request);
+  const bool background = request.background && request.under == nullptr;
+  if (request.sampling)
+    return render_supersampled(mesh, order, scene, part, *request.sampling, background, progress,
+                               channels);
+  const PartRenderer renderer(mesh, order, scene, channels);
+  RenderResult result = renderer.render(part, background, progress);
+  result.statistics.prepare_seconds += renderer.prepare_seconds();
+  return result;
+}
+
+}  // namespace
+
+struct Session::State {
+  ZooMesh mesh;
+  Monitor monitor;
+  Ordering ordering;
+  std::optional<GivenOrders> given;
+  std::vector<CellId> skipped;
+
+  State(ZooMesh drawn, Monitor watching)
+      : mesh(std::move(drawn)), monitor(std::move(watching)), ordering(mesh, monitor) {}
+
+  MeshOrder order_of_all(const Scene& scene) {
+    if (!given) return ordering.exact(scene);
+    MeshOrder order{fitting_order(*given, ordering.mesh_hash(), mesh, scene), {}};
+    const std::string& algorithm = order.record.order.algorithm;
+    if (monitor.note && algorithm != algorithm_name(OrderAlgorithm::exact))
+      monitor.note(fmt::format("{}: the order is by {}, not by the exact algorithm", given->subject,
+                               algorithm));
+    return order;
+  }
+};
+
+Session::Session(ZooMesh mesh, Monitor monitor)
+    : state_(std::make_unique<State>(std::move(mesh), std::move(monitor))) {}
+
+Session::~Session() = default;
+
+const ZooMesh& Session::mesh() const { return state_->mesh; }
+
+void Session::require_drawable(const Scene& scene) {
+  const CancellationScope scope(state_->monitor.cancellation);
+  check_renderable(state_->mesh, scene);
+}
+
+std::vector<CellId> Session::skip_invalid_cells(const Scene& scene) {
+  const CancellationScope scope(state_->monitor.cancellation);
+  check_renderable(state_->mesh, scene, InvalidCells::skipped);
+  state_->skipped = invalid_cells(state_->mesh, scene.render.planarity);
+  return state_->skipped;
+}
+
+void Session::look_for_overlaps(double planarity) {
+  if (state_->given)
+    throw UsageError(state_->given->subject +
+                     " has an order that is there already, made without looking for overlaps");
+  state_->ordering.look_for_overlaps(planarity);
+}
+
+void Session::use_orders(std::string subject, std::vector<ExtraChunk> chunks) {
+  state_->given = GivenOrders{std::move(subject), std::move(chunks)};
+}
+
+void Session::require_order(const Scene& scene) {
+  State& s = *state_;
+  if (s.given) fitting_order(*s.given, s.ordering.mesh_hash(), s.mesh, scene);
+}
+
+std::shared_ptr<const MeshOrder> Session::order(const Scene& scene) {
+  MeshOrder order = state_->order_of_all(scene);
+  if (!state_->skipped.empty())
+    order.record.order = without_cells(order.record.order, state_->skipped);
+  return std::make_shared<const MeshOrder>(std::move(order));
+}
+
+Picture Session::picture(const Scene& scene, const PictureRequest& request) {
+  State& s = *state_;
+  const PixelRect part = require_possible(request, scene.image);
+  const std::shared_ptr<const MeshOrder> made = order(scene);
+  RenderResult result = run_stage(s.monitor, "render", [&] {
+    return draw(s.mesh, made->record.order, scene, request, part, s.monitor.progress);
+  });
+  if (request.under != nullptr) composite_over(result.image, *request.under);
+  const RenderStatistics& met = result.statistics;
+  return {std::move(result.image),
+          met.segments,
+          met.violations,
+          met.covered_pixels,
+          met.mean_optical_depth,
+          met.largest_optical_depth,
+          made->record.mesh_hash,
+          made,
+          std::make_shared<const RenderStatistics>(met)};
+}
+
+Explanation Session::explain(const Scene& scene, std::uint32_t x, std::uint32_t y,
+                             bool background) {
+  const std::shared_ptr<const MeshOrder> made = order(scene);
+  return {run_stage(state_->monitor, "explain",
+                    [&] {
+                      return std::make_shared<const PixelExplanation>(
+                          explain_pixel(state_->mesh, made->record.order, scene, x, y, background));
+                    }),
+          made};
+}
+
+PixelRect require_possible(const PictureRequest& request, ImageSize size) {
+  const PixelRect part = request.part.value_or(whole_picture(size));
+  require_inside(part, size);
+  if (request.sampling) require_possible(*request.sampling, size);
+  channels_of(request);
+  if (request.under == nullptr) return part;
+  const Image& under = *request.under;
+  if (under.width() != part.width || under.height() != part.height)
+    throw UsageError(
+        fmt::format("the picture behind is of another size ({} x {} pixels expected, "
+                    "{} x {} found)",
+                    part.width, part.height, under.width(), under.height()));
+  if (!color_channels(under)) throw UsageError("the picture behind has no colour");
+  return part;
+}
+
+}  // namespace hiac

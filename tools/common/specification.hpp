@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hiac/scene/scene_parser.hpp"
+
+namespace hiac::tools {
+
+/// The specification in a file with the overrides of the option --set, which errors name.
+ParsedScene read_specification(const std::string& path, const std::vector<std::string>& overrides);
+
+}  // namespace hiac::tools
