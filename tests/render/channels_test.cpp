@@ -174,6 +174,54 @@ TEST(Channels, DoNotChangeThePicture) {
     }
 }
 
+class ChannelsOfKinds : public testing::TestWithParam<CellKind> {};
+
+INSTANTIATE_TEST_SUITE_P(Kinds, ChannelsOfKinds, testing::ValuesIn(test::all_kinds()),
+                         [](const auto& instance) {
+                           return std::string(kind_name(instance.param));
+                         });
+
+void expect_same_pixels(const ZooMesh& mesh, const Scene& scene, const std::string& what) {
+  const Image plain = draw_with(mesh, scene, {});
+  std::vector<std::vector<Channel>> wanted{kAll};
+  for (const Channel channel : kAll) wanted.push_back({channel});
+  double seen = 0;
+  for (const auto& channels : wanted) {
+    const Image more = draw_with(mesh, scene, channels);
+    for (std::uint32_t y = 0; y < scene.image.height; ++y)
+      for (std::uint32_t x = 0; x < scene.image.width; ++x) {
+        for (std::size_t c = 0; c < 4; ++c)
+          ASSERT_EQ(plain.at(x, y, c), more.at(x, y, c))
+              << what << ' ' << x << ' ' << y << ' ' << c << ' ' << channels.size();
+        seen += plain.at(x, y, 3);
+      }
+  }
+  EXPECT_GT(seen, 0);
+}
+
+// Cells of every kind, straight and curved, in both projections; partly clipped, in groups whose
+// order is found in each pixel, and crossed by surfaces.
+TEST_P(ChannelsOfKinds, DoNotChangeThePicture) {
+  for (const bool curved : {false, true})
+    for (const Projection projection : {Projection::perspective, Projection::orthographic})
+      for (const bool with_surfaces : {false, true}) {
+        ZooMesh mesh = curved ? test::curved_mesh(GetParam()) : test::straight_mesh(GetParam());
+        test::add_random_field(mesh, "f", FieldLocation::node, 15);
+        test::add_random_field(mesh, "corner", FieldLocation::corner, 16);
+        Scene scene = cube_scene(projection, 19, 9);
+        scene.render.tolerance = 1e-9;
+        if (with_surfaces) scene.isosurfaces = {surface_of("f", 0.5, 0.5)};
+        if (curved == with_surfaces) {
+          scene.volume.color->field = "corner";
+          scene.camera.clip = {{3.3, 4.2}};
+        }
+        const std::string what = std::string(curved ? "curved" : "straight") +
+                                 (projection == Projection::perspective ? " near" : " far") +
+                                 (with_surfaces ? " cut" : "");
+        expect_same_pixels(mesh, scene, what);
+      }
+}
+
 // The unit cube along an axis: two layers of cells, of which the first is empty, or nothing but an
 // isosurface.
 TEST(Channels, SayWhereThingsAre) {

@@ -127,6 +127,43 @@ TEST(ExplainPixel, EndsWithWhatThePictureHolds) {
   EXPECT_GT(ended, 0U);
 }
 
+class ExplainKinds : public testing::TestWithParam<CellKind> {};
+
+INSTANTIATE_TEST_SUITE_P(Kinds, ExplainKinds, testing::ValuesIn(test::all_kinds()),
+                         [](const auto& instance) {
+                           return std::string(kind_name(instance.param));
+                         });
+
+// Cells of every kind, straight and curved, drawn with channels and without, one by one and as a
+// group.
+TEST_P(ExplainKinds, EndWithWhatThePictureHolds) {
+  for (const bool curved : {false, true})
+    for (const Projection projection : {Projection::perspective, Projection::orthographic})
+      for (const bool grouped : {false, true}) {
+        ZooMesh mesh = curved ? test::curved_mesh(GetParam()) : test::straight_mesh(GetParam());
+        test::add_random_field(mesh, "f", FieldLocation::node, 15);
+        Scene scene = cube_scene(projection, 9, 7);
+        scene.render.tolerance = 1e-9;
+        VisibilityOrder order = test::sorted(mesh, scene);
+        if (grouped)
+          order.groups =
+              std::vector<CellGroup>{{0, static_cast<std::uint32_t>(order.cells.size())}};
+        const Image plain = render(mesh, order, scene, false).image;
+        const Image image =
+            render(mesh, order, scene, false, nullptr, parse_channels("cells,error")).image;
+        for (const auto& [x, y] : {std::pair{4U, 3U}, std::pair{3U, 2U}, std::pair{5U, 4U}}) {
+          const PixelExplanation pixel = explain_pixel(mesh, order, scene, x, y, false);
+          for (std::size_t c = 0; c < 4; ++c)
+            ASSERT_EQ(pixel.rgba[c], plain.at(x, y, c)) << curved << ' ' << x << ' ' << y;
+          ASSERT_EQ(static_cast<double>(pixel.segments.size()), image.at(x, y, 4));
+          ASSERT_EQ(*pixel.error, image.at(x, y, 5));
+          ASSERT_FALSE(pixel.segments.empty());
+          ASSERT_EQ(pixel.segments.back().transparency, pixel.transparency);
+          ASSERT_EQ(pixel.segments.back().color[0], plain.at(x, y, 0));
+        }
+      }
+}
+
 // Psi by Simpson's rule, of an extinction that is linear along the segment.
 double psi_of(double front, double back, double length) {
   const auto at = [&](double u) {

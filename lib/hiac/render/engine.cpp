@@ -13,13 +13,11 @@
 #include "hiac/frame/background.hpp"
 #include "hiac/frame/cell_groups.hpp"
 #include "hiac/frame/frame.hpp"
-#include "hiac/render/cells/general_cells.hpp"
+#include "hiac/render/draw_cells.hpp"
 #include "hiac/render/pixels/tile.hpp"
 #include "hiac/render/pixels/tile_bins.hpp"
 #include "hiac/render/refine/pixel_refinement.hpp"
 #include "hiac/render/splatting.hpp"
-#include "hiac/render/tetrahedra/higher_order_kernel.hpp"
-#include "hiac/render/tetrahedra/tetrahedron_kernel.hpp"
 
 namespace hiac {
 namespace {
@@ -84,30 +82,16 @@ class TileRenderer {
   [[nodiscard]] const TileCounts& counts() const { return counts_; }
 
  private:
-  [[nodiscard]] auto draw_for(std::uint32_t rank) const {
-    const CellId cell = order_.cells[rank];
-    switch (frame_.kernel_cells[cell]) {
-      case CellKernel::linear:
-        return render_tetrahedra;
-      case CellKernel::quadratic:
-        return for_higher_order_kernel(frame_, cell) ? render_quadratic_tetrahedra
-                                                     : render_general_cells;
-      case CellKernel::cubic:
-        return for_higher_order_kernel(frame_, cell) ? render_cubic_tetrahedra
-                                                     : render_general_cells;
-      case CellKernel::none_planar:
-      case CellKernel::none_curved:
-        break;
-    }
-    return render_general_cells;
+  [[nodiscard]] DrawCells draw_for_rank(std::uint32_t rank) const {
+    return draw_for(frame_, order_.cells[rank]);
   }
 
   void render_run(std::span<const std::uint32_t> ranks, SegmentList* group) {
     std::size_t begin = 0;
     while (begin < ranks.size()) {
-      const auto draw = draw_for(ranks[begin]);
+      const DrawCells draw = draw_for_rank(ranks[begin]);
       cells_.clear();
-      for (; begin < ranks.size() && draw_for(ranks[begin]) == draw; ++begin) {
+      for (; begin < ranks.size() && draw_for_rank(ranks[begin]) == draw; ++begin) {
         if (begin + kFetchAhead < ranks.size())
           __builtin_prefetch(&frame_.kernel_cells[order_.cells[ranks[begin + kFetchAhead]]]);
         if (const CellId cell = order_.cells[ranks[begin]]; !frame_.is_splatted(cell))

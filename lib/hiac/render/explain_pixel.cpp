@@ -16,11 +16,10 @@
 #include "hiac/render/bounds/error_bound.hpp"
 #include "hiac/render/cells/cell_scan.hpp"
 #include "hiac/render/cells/cuts_along_ray.hpp"
-#include "hiac/render/cells/general_cells.hpp"
+#include "hiac/render/draw_cells.hpp"
 #include "hiac/render/pixels/tile_bins.hpp"
 #include "hiac/render/refine/pixel_refinement.hpp"
 #include "hiac/render/splatting.hpp"
-#include "hiac/render/tetrahedra/tetrahedron_kernel.hpp"
 
 namespace hiac {
 namespace {
@@ -124,9 +123,7 @@ class RayFollower {
  private:
   // In the whole tile, as the engine does: what the tile's pixels share is the same, too.
   void draw(CellId cell, SegmentList* group) {
-    const auto renderer =
-        frame_.kernel_cells[cell] == CellKernel::linear ? render_tetrahedra : render_general_cells;
-    renderer(frame_, {&cell, 1}, tile_, buffer_, group, counts_);
+    draw_for(frame_, cell)(frame_, {&cell, 1}, tile_, buffer_, group, counts_);
   }
 
   // Appends a cell's segments in the pixel, and those in the tile's other pixels.

@@ -21,39 +21,14 @@ using test::cube_scene;
 using test::Cut;
 using test::Position;
 
-// Of the unit cube with `per_edge` cells to an edge, or two wedges.
-ZooMesh straight_mesh(CellKind kind, std::size_t per_edge = 1) {
-  const ZooMesh linear = [&] {
-    switch (shape_of(kind)) {
-      case CellShape::tetrahedron:
-        return test::structured(per_edge, Cut::tetrahedra);
-      case CellShape::pyramid:
-        return test::structured(per_edge, Cut::pyramids);
-      case CellShape::prism:
-        return test::structured(per_edge, Cut::prisms);
-      case CellShape::wedge:
-        return test::two_wedges();
-      case CellShape::brick:
-        break;
-    }
-    return test::structured(per_edge, Cut::bricks);
-  }();
-  return order_of(kind) == CellOrder::linear ? linear : test::of_order(linear, order_of(kind));
-}
-
 constexpr std::uint32_t kSide = test::kInstrumented ? 1 : 2;
 
-// Bent by as much as keeps them valid, 0.06 at most.
 ZooMesh curved_mesh(CellKind kind) {
-  const ZooMesh straight = straight_mesh(kind);
-  for (double by = 0.06;; by *= 0.8) {
-    ZooMesh mesh = test::moved(straight, [by](const Position& p) { return test::rippled(p, by); });
-    if (!invalid_cells(mesh, 1e-10).empty()) continue;
-    test::add_random_field(mesh, "f", FieldLocation::node, 15);
-    test::add_random_field(mesh, "corner", FieldLocation::corner, 16);
-    test::add_random_field(mesh, "cell", FieldLocation::cell, 17);
-    return mesh;
-  }
+  ZooMesh mesh = test::curved_mesh(kind);
+  test::add_random_field(mesh, "f", FieldLocation::node, 15);
+  test::add_random_field(mesh, "corner", FieldLocation::corner, 16);
+  test::add_random_field(mesh, "cell", FieldLocation::cell, 17);
+  return mesh;
 }
 
 struct Errors {
@@ -166,7 +141,7 @@ TEST_P(CurvedCells, LinearFieldsAreThoseOfTheBody) {
   ZooMesh body =
       shape == CellShape::wedge ? test::two_wedges() : test::structured(1, Cut::tetrahedra);
   test::add_node_field(body, "f", linear);
-  ZooMesh mesh = straight_mesh(GetParam(), 2);
+  ZooMesh mesh = test::straight_mesh(GetParam(), 2);
   mesh = test::moved(mesh, [&](const Position& p) { return bent_inside(shape, p); });
   test::add_node_field(mesh, "f", linear);
   for (const Projection projection : {Projection::perspective, Projection::orthographic})
@@ -204,12 +179,7 @@ TEST_P(CurvedCells, ExplainedFieldsAreThoseOfThePlaces) {
   EXPECT_GT(told, 0U);
 }
 
-std::vector<CellKind> all_kinds() {
-  std::vector<CellKind> kinds;
-  for (std::size_t k = 0; k < kKindCount; ++k) kinds.push_back(static_cast<CellKind>(k));
-  return kinds;
-}
-INSTANTIATE_TEST_SUITE_P(Kinds, CurvedCells, testing::ValuesIn(all_kinds()),
+INSTANTIATE_TEST_SUITE_P(Kinds, CurvedCells, testing::ValuesIn(test::all_kinds()),
                          [](const auto& instance) {
                            return std::string(kind_name(instance.param));
                          });

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <random>
 
+#include "hiac/frame/renderable.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
 #include "hiac/scene/view_of.hpp"
 
@@ -174,6 +175,40 @@ ZooMesh of_order(const ZooMesh& mesh, CellOrder order) {
           mean_of({corners[face.corners[0]], corners[face.corners[1]], corners[face.corners[2]]}));
   }
   return make_mesh(positions, cells);
+}
+
+std::vector<CellKind> all_kinds() {
+  std::vector<CellKind> kinds;
+  for (std::size_t k = 0; k < kKindCount; ++k) kinds.push_back(static_cast<CellKind>(k));
+  return kinds;
+}
+
+ZooMesh straight_mesh(CellKind kind, std::size_t per_edge) {
+  const ZooMesh linear = [&] {
+    switch (shape_of(kind)) {
+      case CellShape::tetrahedron:
+        return structured(per_edge, Cut::tetrahedra);
+      case CellShape::pyramid:
+        return structured(per_edge, Cut::pyramids);
+      case CellShape::prism:
+        return structured(per_edge, Cut::prisms);
+      case CellShape::wedge:
+        return two_wedges();
+      case CellShape::brick:
+        break;
+    }
+    return structured(per_edge, Cut::bricks);
+  }();
+  return hiac::order_of(kind) == CellOrder::linear ? linear
+                                                   : of_order(linear, hiac::order_of(kind));
+}
+
+ZooMesh curved_mesh(CellKind kind) {
+  const ZooMesh straight = straight_mesh(kind);
+  for (double by = 0.06;; by *= 0.8) {
+    ZooMesh mesh = moved(straight, [by](const Position& p) { return rippled(p, by); });
+    if (invalid_cells(mesh, 1e-10).empty()) return mesh;
+  }
 }
 
 void add_random_field(ZooMesh& mesh, const std::string& name, FieldLocation location,

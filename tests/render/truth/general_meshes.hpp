@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "hiac/render/engine.hpp"
 #include "tests/support/meshes.hpp"
@@ -45,6 +46,16 @@ ZooMesh mixed_columns(std::size_t n);
 /// A linear mesh with nodes added on straight edges (and in the faces of cubic tetrahedra), shared
 /// by the cells around them. Without fields.
 ZooMesh of_order(const ZooMesh& mesh, CellOrder order);
+
+/// All fifteen kinds of cells.
+std::vector<CellKind> all_kinds();
+
+/// The unit cube cut into straight-edged cells of one kind, `per_edge` cubes to an edge; of wedges
+/// two_wedges(). Without fields.
+ZooMesh straight_mesh(CellKind kind, std::size_t per_edge = 1);
+
+/// straight_mesh(kind) rippled by as much as keeps its cells valid, 0.06 at most.
+ZooMesh curved_mesh(CellKind kind);
 
 /// A field of random numbers in [0, 1].
 void add_random_field(ZooMesh& mesh, const std::string& name, FieldLocation location,

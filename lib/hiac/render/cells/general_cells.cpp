@@ -9,17 +9,17 @@
 
 #include "hiac/base/cancellation.hpp"
 #include "hiac/element/field_along_ray.hpp"
-#include "hiac/frame/tolerance_shares.hpp"
 #include "hiac/optics/piece_rule.hpp"
-#include "hiac/optics/polynomial_piece.hpp"
 #include "hiac/render/bounds/cell_errors.hpp"
 #include "hiac/render/bounds/error_bound.hpp"
 #include "hiac/render/bounds/ray_displacement.hpp"
-#include "hiac/render/cells/cell_scalars.hpp"
 #include "hiac/render/cells/cell_scan.hpp"
 #include "hiac/render/cells/cell_segments.hpp"
 #include "hiac/render/cells/cuts_along_ray.hpp"
+#include "hiac/render/cells/planar_crossing.hpp"
+#include "hiac/render/cells/volume_along_ray.hpp"
 #include "hiac/render/integrate/cell_integrals.hpp"
+#include "hiac/render/pixels/compositor.hpp"
 
 namespace hiac {
 namespace {
@@ -37,56 +37,38 @@ class GeneralCellRenderer {
         buffer_(buffer),
         group_(group),
         counts_(counts),
-        glow_(optics_.emission ? Glow::emission : Glow::chromaticity),
-        longest_unit_(longest_unit(frame.projector, tile)),
+        volume_(frame, tile),
         cuts_(frame),
-        errors_(frame, frame.depth * longest_unit_) {}
+        errors_(frame, volume_.longest()) {}
 
   void render(CellId cell) {
-    load(cell);
-    is_empty_ = is_empty_space(optics_, color_.intervals, extinction_.intervals);
+    volume_.enter(cell);
+    is_empty_ = volume_.is_empty();
     const RayDisplacement displacement =
         frame_.with_error ? ray_displacement(frame_, cell) : RayDisplacement{};
     is_cut_ = cuts_.enter(cell, displacement);
     if (is_empty_ && !is_cut_) return;
     kind_ = frame_.mesh.kinds[cell];
     curved_ = frame_.is_curved(cell);
-    is_uniform_ = uniform_optics();
-    const bool together = optics_.rule == PieceRule::exact && !is_uniform_ && !is_empty_ &&
-                          !extinction_.nodes.polynomial && !color_.nodes.polynomial;
+    const bool together = optics_.rule == PieceRule::exact && !volume_.is_uniform() && !is_empty_ &&
+                          !volume_.extinction().nodes.polynomial &&
+                          !volume_.color().nodes.polynomial;
     scan(cell, together && !curved_ && !is_cut_);
     if (crossings_.empty() && runs_.count == 0) return;
     nodes_ = relative_positions(frame_.mesh, cell, frame_.projector);
     const CellMap map(kind_, nodes_, frame_.straightness);
-    const std::array<CellField, 2> fields{extinction_.nodes, color_.nodes};
-    const FieldAlongRay field(kind_, map, std::span(fields).first(optics_.same_field ? 1 : 2));
-    if (frame_.with_error) errors_.enter(cell, nodes_, color_, extinction_, displacement);
+    const FieldAlongRay field(kind_, map, volume_.fields());
+    if (frame_.with_error)
+      errors_.enter(cell, nodes_, volume_.color(), volume_.extinction(), displacement);
     if (is_cut_)
-      render_cut_together(map, field, std::span(fields).first(optics_.same_field ? 1 : 2),
-                          together);
+      render_cut_together(map, field, together);
     else if (together)
-      render_together(map, field, std::span(fields).first(optics_.same_field ? 1 : 2));
+      render_together(map, field);
     else
       for (const CellCrossing& crossing : crossings_) render(crossing, field, {});
   }
 
  private:
-  static double longest_unit(const Projector& projector, const TileRect& tile) {
-    double longest = 0;
-    for (const int x : {tile.x0, tile.x1})
-      for (const int y : {tile.y0, tile.y1}) longest = std::max(longest, projector.ray_scale(x, y));
-    return longest;
-  }
-
-  void load(CellId cell) {
-    extinction_ = cell_scalars(frame_.mesh, cell, frame_.extinction, optics_.extinction);
-    color_ = optics_.same_field ? extinction_
-                                : cell_scalars(frame_.mesh, cell, frame_.color, optics_.color);
-    shares_ = tolerance_shares(order_of(frame_.mesh.kinds[cell]));
-    set_allowed_errors(frame_, frame_.depth * longest_unit_, shares_.field * frame_.tolerance,
-                       color_, extinction_);
-  }
-
   // Into runs_ what can be `by_runs`, the rest into crossings_.
   void scan(CellId cell, bool by_runs) {
     crossings_.clear();
@@ -97,11 +79,6 @@ class GeneralCellRenderer {
         return scan_projected_runs(frame_, surface, tile_, runs_, crossings_);
     }
     scan_cell(frame_, cell, tile_, crossings_);
-  }
-
-  // Whether colour and extinction have one value in the whole cell.
-  [[nodiscard]] bool uniform_optics() const {
-    return is_flat(optics_.extinction, extinction_) && is_flat(optics_.color, color_);
   }
 
   [[nodiscard]] std::size_t index_of(const CellCrossing& crossing) const {
@@ -116,21 +93,15 @@ class GeneralCellRenderer {
             std::min(crossing.back, frame_.projector.far()), place_of(crossing)};
   }
 
-  // Of a segment, as a part of the tolerance in proportion to its length.
-  [[nodiscard]] double allowed_error(double front, double back, double visible) const {
-    return shares_.integration * frame_.tolerance * ((back - front) / frame_.depth) / visible;
-  }
-
   // Segments of the cell many at a time.
-  void render_together(const CellMap& map, const FieldAlongRay& field,
-                       std::span<const CellField> fields) {
+  void render_together(const CellMap& map, const FieldAlongRay& field) {
     segments_.start(runs_.count + crossings_.size(), curved_);
-    collect_runs(frame_, runs_, tile_, buffer_, allowed_error(0, 1, 1), group_ == nullptr,
+    collect_runs(frame_, runs_, tile_, buffer_, volume_.allowed_error(0, 1, 1), group_ == nullptr,
                  segments_);
     const std::size_t of_runs = segments_.count;
     collect_segments(map);
     if (segments_.count == 0) return;
-    integrate_together(map, fields);
+    integrate_together(map);
     const bool one_by_one = group_ != nullptr || frame_.with_details;
     if (!one_by_one) counts_.violations += composite_segments(frame_, segments_, of_runs, buffer_);
     for (std::size_t k = 0; k < of_runs; ++k)
@@ -142,12 +113,12 @@ class GeneralCellRenderer {
       render_or_add(k, crossings_[kept_[k - of_runs]], field);
   }
 
-  void integrate_together(const CellMap& map, std::span<const CellField> fields) {
-    const CellPolynomials polynomials(kind_, nodes_, map, fields);
+  void integrate_together(const CellMap& map) {
+    const CellPolynomials polynomials(kind_, nodes_, map, volume_.fields());
+    const IntervalRange color = volume_.color().intervals;
+    const IntervalRange extinction = volume_.extinction().intervals;
     integrate_cell_segments(frame_, polynomials,
-                            {color_.intervals.low, color_.intervals.high, extinction_.intervals.low,
-                             extinction_.intervals.high},
-                            segments_);
+                            {color.low, color.high, extinction.low, extinction.high}, segments_);
   }
 
   // The surfaces that cross a segment, and what is in front of, between and behind them.
@@ -160,8 +131,7 @@ class GeneralCellRenderer {
 
   // The same where surfaces cross the cell. `with_parts`: the volume between them, too, can be
   // integrated together.
-  void render_cut_together(const CellMap& map, const FieldAlongRay& field,
-                           std::span<const CellField> fields, bool with_parts) {
+  void render_cut_together(const CellMap& map, const FieldAlongRay& field, bool with_parts) {
     segments_.start(crossings_.size(), curved_);
     collect_segments(map);
     cuts_.interpolate(map, segments_);
@@ -174,7 +144,7 @@ class GeneralCellRenderer {
         for_parts(stretch_of(crossing), surfaces_of(cut),
                   [&](double front, double back) { append_segment(crossing, map, front, back); });
       }
-      integrate_together(map, fields);
+      integrate_together(map);
     }
     for (const CutSegment& cut : cut_segments_)
       render(crossings_[cut.crossing], field, {.cut = &cut});
@@ -255,21 +225,6 @@ class GeneralCellRenderer {
       render(crossing, field, {.radiance = segments_.done[k] != 0 ? &radiance : nullptr});
   }
 
-  // Of a segment of runs_, whose faces nobody asks for: beyond the view where that clips it.
-  [[nodiscard]] CellCrossing plain_crossing(std::size_t k) const {
-    constexpr double kFar = std::numeric_limits<double>::infinity();
-    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    const double front = segments_.front[k], back = segments_.back[k];
-    CellCrossing crossing{};
-    crossing.x = static_cast<int>(segments_.x[k]);
-    crossing.y = static_cast<int>(segments_.y[k]);
-    crossing.front = front == frame_.projector.near() ? -kFar : front;
-    crossing.back = back == frame_.projector.far() ? kFar : back;
-    crossing.front_reference = crossing.back_reference = {kNone, kNone, kNone};
-    crossing.front_doubt = crossing.back_doubt = kNone;
-    return crossing;
-  }
-
   // Those of crossings_.
   void collect_segments(const CellMap& map) {
     kept_.clear();
@@ -293,7 +248,7 @@ class GeneralCellRenderer {
     segments_.front[k] = front;
     segments_.back[k] = back;
     segments_.length[k] = (back - front) * buffer_.ray_scale[at];
-    segments_.allowed[k] = allowed_error(0, 1, 1) * (back - front) / seen;
+    segments_.allowed[k] = volume_.allowed_error(0, 1, 1) * (back - front) / seen;
     if (curved_) set_known(crossing, map, k);
   }
 
@@ -317,7 +272,7 @@ class GeneralCellRenderer {
       group_->append(static_cast<std::uint32_t>(at), front, back, radiance.rgb[0], radiance.rgb[1],
                      radiance.rgb[2], radiance.transparency);
     else
-      composite(at, front, back, radiance);
+      composite(at, front, back, radiance, frame_.witness_tolerance, buffer_, counts_);
   }
 
   // What was found of a segment together with others, if anything: its radiance, or that of its
@@ -345,7 +300,7 @@ class GeneralCellRenderer {
       are_doubtful_ = together.cut->doubtful;
       radiance = between_surfaces(stretch, scale, field, visible, together.cut->first_part);
     } else if (together.radiance == nullptr || frame_.with_error) {
-      radiance = radiance_of(stretch, scale, field, visible);
+      radiance = volume_.radiance(stretch, scale, field, visible);
       add_quadrature(1, radiance);
     }
     if (together.radiance != nullptr) radiance = checked(1, *together.radiance, radiance);
@@ -367,14 +322,6 @@ class GeneralCellRenderer {
     return together;
   }
 
-  // `scale`: world length per unit of the ray parameter; `visible`: the transparency in front.
-  [[nodiscard]] PlainRadiance radiance_of(const RayStretch& stretch, double scale,
-                                          const FieldAlongRay& field, double visible) {
-    quadrature_ = {};
-    const double length = (stretch.back - stretch.front) * scale;
-    return is_uniform_ ? uniform_radiance(length) : integrated(stretch, length, field, visible);
-  }
-
   // From surface to surface, of surfaces_. `part`: the first one's number among segments_.
   [[nodiscard]] PlainRadiance between_surfaces(const RayStretch& stretch, double scale,
                                                const FieldAlongRay& field, double visible,
@@ -386,8 +333,8 @@ class GeneralCellRenderer {
       const bool is_known = part && segments_.done[*part] != 0;
       PlainRadiance r;
       if (!is_known || frame_.with_error) {
-        r = radiance_of({stretch.origin, stretch.direction, front, back, stretch.known}, scale,
-                        field, std::max(visible * before, kLeastVisible));
+        r = volume_.radiance({stretch.origin, stretch.direction, front, back, stretch.known}, scale,
+                             field, std::max(visible * before, kLeastVisible));
         add_quadrature(before, r);
       }
       sum.add_behind(is_known ? checked(before, integrated_together(*part), r) : r);
@@ -403,56 +350,12 @@ class GeneralCellRenderer {
     return sum;
   }
 
-  [[nodiscard]] PlainRadiance uniform_radiance(double length) const {
-    const double depth = optics_.extinction_function(extinction_.nodes.least)[0] * length;
-    const auto color = optics_.color_function(color_.nodes.least);
-    const LinearPieceWeights weights = linear_piece_by_rule(optics_.rule, glow_, depth, depth);
-    const double weight = (weights.front + weights.back) * (optics_.emission ? length : 1);
-    return {{weight * color[0], weight * color[1], weight * color[2]}, weights.transparency};
-  }
-
-  [[nodiscard]] PlainRadiance integrated(const RayStretch& stretch, double length,
-                                         const FieldAlongRay& field, double visible) {
-    const double tolerance = allowed_error(stretch.front, stretch.back, visible);
-    field.along(stretch, pieces_);
-    if (optics_.unsliced) return unsliced(length);
-    PlainRadiance radiance;
-    for (const FieldAlongRay::Piece& piece : pieces_) {
-      const double share = piece.end - piece.begin;
-      const PolynomialSegment segment{piece.fields[optics_.same_field ? 0 : 1], piece.fields[0],
-                                      share * length};
-      if (optics_.rule != PieceRule::exact) {
-        radiance.add_behind(integrate_segment_by_rule(optics_.rule, segment, optics_.color_function,
-                                                      optics_.extinction_function, glow_));
-        continue;
-      }
-      const SegmentRadiance r =
-          integrate_segment(segment, optics_.color_function, optics_.extinction_function, glow_,
-                            std::max(share * tolerance, std::numeric_limits<double>::min()));
-      radiance.add_behind({r.rgb, r.transparency});
-      quadrature_.radiance += r.error + quadrature_.transparency * std::ranges::max(r.rgb);
-      quadrature_.transparency += r.transparency_error;
-    }
-    return radiance;
-  }
-
   // Notes the bound of the last quadrature, of a part that is seen through `visible` of the
   // segment.
   void add_quadrature(double visible, const PlainRadiance& part) {
-    details_.radiance_error +=
-        visible * quadrature_.radiance + details_.transparency_error * std::ranges::max(part.rgb);
-    details_.transparency_error += visible * quadrature_.transparency;
-  }
-
-  // From the ends of what lies in pieces_.
-  [[nodiscard]] PlainRadiance unsliced(double length) const {
-    const std::size_t color = optics_.same_field ? 0 : 1;
-    const auto &front = pieces_.front().fields, &back = pieces_.back().fields;
-    return integrate_unsliced(optics_.rule, length,
-                              optics_.color_function(evaluate(front[color], 0)),
-                              optics_.color_function(evaluate(back[color], 1)),
-                              optics_.extinction_function(evaluate(front[0], 0))[0],
-                              optics_.extinction_function(evaluate(back[0], 1))[0], glow_);
+    details_.radiance_error += visible * volume_.quadrature().radiance +
+                               details_.transparency_error * std::ranges::max(part.rgb);
+    details_.transparency_error += visible * volume_.quadrature().transparency;
   }
 
   // Notes at what depth a part of the segment's opacity is.
@@ -474,25 +377,15 @@ class GeneralCellRenderer {
       errors_.add(crossing, stretch, scale, field, cut, details_);
     }
     if (group_ != nullptr) return group_->details.push_back(details_);
-    details_.out_of_order = out_of_order(at, stretch.front, stretch.back);
+    details_.out_of_order =
+        out_of_order(stretch.front, stretch.back, buffer_.last[at], frame_.witness_tolerance);
     buffer_.describe(at, details_);
   }
 
-  // A segment shorter than the tolerance may be rounding, and lie anywhere.
-  [[nodiscard]] bool out_of_order(std::size_t at, double front, double back) const {
-    const double tolerance = frame_.witness_tolerance;
-    return front < buffer_.last[at] - tolerance && back - front > tolerance;
-  }
-
-  void composite(std::size_t at, double front, double back, const PlainRadiance& radiance) {
-    double& last = buffer_.last[at];
-    if (out_of_order(at, front, back)) ++counts_.violations;
-    last = std::max(last, back);
-    double& transparency = buffer_.transparency[at];
-    buffer_.red[at] += transparency * radiance.rgb[0];
-    buffer_.green[at] += transparency * radiance.rgb[1];
-    buffer_.blue[at] += transparency * radiance.rgb[2];
-    transparency *= radiance.transparency;
+  // Segment k of segments_, of runs_.
+  [[nodiscard]] CellCrossing plain_crossing(std::size_t k) const {
+    return planar_crossing(frame_.projector, static_cast<int>(segments_.x[k]),
+                           static_cast<int>(segments_.y[k]), segments_.front[k], segments_.back[k]);
   }
 
   const Frame& frame_;
@@ -501,32 +394,26 @@ class GeneralCellRenderer {
   TileBuffer& buffer_;
   SegmentList* group_;
   TileCounts& counts_;
-  Glow glow_;
-  double longest_unit_;  // world length per unit of the ray parameter, at most
   // of the cell at hand
-  CellScalars extinction_{}, color_{};
+  VolumeAlongRay volume_;
   CutsAlongRay cuts_;
-  ToleranceShares shares_{};
   CellKind kind_{};
   bool curved_ = false;        // it has curved faces
   bool is_empty_ = false;      // neither absorbs nor shines
   bool is_cut_ = false;        // by surfaces
-  bool is_uniform_ = false;    // colour and extinction have one value
   bool are_doubtful_ = false;  // CutsAlongRay::doubtful of the segment at hand
   CrossingRuns runs_;
   std::vector<CellCrossing> crossings_;
   CellSegments segments_;          // of runs_, and then of crossings_
   std::vector<std::size_t> kept_;  // of crossings_, those that segments_ has
   std::vector<CutSegment> cut_segments_;
-  std::vector<IsosurfaceCrossing> all_surfaces_;  // of these
-  std::vector<FieldAlongRay::Piece> pieces_;
+  std::vector<IsosurfaceCrossing> all_surfaces_;             // of these
   std::vector<IsosurfaceCrossing> surfaces_;                 // of the segment at hand
   std::vector<IsosurfaceCrossing> alone_;                    // scratch
   std::array<CellMap::Point, CellMap::kMostNodes> nodes_{};  // relative (projection.hpp)
   // where details are asked for
   CellErrors errors_;
   SegmentDetails details_;  // of the segment at hand
-  ErrorBound quadrature_;   // of its part that was integrated last
   double weight_ = 0, weighted_depth_ = 0;
 };
 

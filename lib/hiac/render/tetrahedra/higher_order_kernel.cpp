@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "hiac/render/tetrahedra/higher_order_kernel.cpp"
@@ -13,7 +14,9 @@
 
 #include "hiac/frame/tolerance_shares.hpp"
 #include "hiac/render/integrate/higher_order_shading-inl.hpp"
+#include "hiac/render/pixels/compositor.hpp"
 #include "hiac/render/pixels/segment_sink-inl.hpp"
+#include "hiac/render/tetrahedra/higher_order_details.hpp"
 #include "hiac/render/tetrahedra/scan_conversion-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -64,12 +67,15 @@ class HigherOrderRenderer {
         group_(group),
         counts_(counts),
         perspective_(frame.projector.perspective()),
-        sink_(frame, buffer, group, counts) {}
+        sink_(frame, buffer, group, counts) {
+    if (frame.with_details) details_.emplace(frame, tile);
+  }
 
   HWY_INLINE void render(CellId cell) {
     if (!load(cell) || !scan_faces(corners_, tile_, runs_)) return;
     set_face_planes(corners_, false, planes_);
     set_weights();
+    if (HWY_UNLIKELY(details_.has_value())) details_->enter(cell);
     sides_ = face_sides(corners_);
     Walk walk(frame_.optics, {color_.intervals, color_.base},
               {extinction_.intervals, extinction_.base});
@@ -221,7 +227,40 @@ class HigherOrderRenderer {
     const V allowed = hn::Mul(hn::Set(d, kShare * frame_.tolerance / frame_.depth), depth);
     s.weight = hn::Div(group_ == nullptr ? behind : one, allowed);
     const Radiance<V> radiance = walk.run(d, s, active);
+    if (HWY_UNLIKELY(details_.has_value())) {
+      const Radiance<V> light = radiance;
+      describe(d, at, front, back, light, active);
+    }
     sink_.add(d, {at, front, back, radiance, active, behind});
+  }
+
+  // Tells the pixels, or the group's list, of segments that are about to be composited.
+  HWY_NOINLINE void describe(D d, std::size_t at, V front, V back, const Radiance<V>& light,
+                             M active) {
+    enum : std::size_t { kFront, kBack, kRed, kGreen, kBlue, kZeta, kActive, kCount };
+    const V all[kCount] = {front,
+                           back,
+                           light.red,
+                           light.green,
+                           light.blue,
+                           light.transparency,
+                           hn::IfThenElseZero(active, hn::Set(d, 1.0))};
+    HWY_ALIGN double lane[kCount][8];
+    for (std::size_t q = 0; q < kCount; ++q) hn::Store(all[q], d, lane[q]);
+    for (std::size_t k = 0; k < hn::Lanes(d); ++k)
+      if (lane[kActive][k] != 0)
+        describe_one(at + k, lane[kFront][k], lane[kBack][k],
+                     {{lane[kRed][k], lane[kGreen][k], lane[kBlue][k]}, lane[kZeta][k]});
+  }
+
+  void describe_one(std::size_t at, double front, double back, const PlainRadiance& light) {
+    SegmentDetails segment = details_->describe(
+        {tile_.x0 + static_cast<int>(at % kTileStride),
+         tile_.y0 + static_cast<int>(at / kTileStride), front, back, buffer_.ray_scale[at],
+         group_ == nullptr ? buffer_.transparency[at] : 1, light});
+    if (group_ != nullptr) return group_->details.push_back(segment);
+    segment.out_of_order = out_of_order(front, back, buffer_.last[at], frame_.witness_tolerance);
+    buffer_.describe(at, segment);
   }
 
   const Frame& frame_;
@@ -241,6 +280,7 @@ class HigherOrderRenderer {
   FaceRuns runs_;
   FaceSides sides_;
   FaceRow face_row_;
+  std::optional<HigherOrderDetails> details_;  // where details are asked for
 };
 
 template <bool kEmission, std::size_t kOrder>
@@ -273,8 +313,7 @@ HWY_EXPORT(render_quadratic_here);
 HWY_EXPORT(render_cubic_here);
 
 bool for_higher_order_kernel(const Frame& frame, CellId cell) {
-  return !frame.with_details && frame.optics.rule == PieceRule::exact &&
-         frame.isosurfaces.in(cell).empty();
+  return frame.optics.rule == PieceRule::exact && frame.isosurfaces.in(cell).empty();
 }
 
 void render_quadratic_tetrahedra(const Frame& frame, std::span<const CellId> cells,

@@ -8,7 +8,7 @@
 namespace hiac {
 
 /// Whether a cell that kernel_cells() has for one of the kernels below is drawn by it: no
-/// isosurface crosses it, no details of pixels are asked for, and integration is exact.
+/// isosurface crosses it, and integration is exact.
 bool for_higher_order_kernel(const Frame& frame, CellId cell);
 
 /// Render quadratic and cubic tetrahedra with straight edges many pixels at a time: the scan

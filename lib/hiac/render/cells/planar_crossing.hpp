@@ -1,0 +1,26 @@
+#pragma once
+
+#include <limits>
+
+#include "hiac/frame/projection.hpp"
+#include "hiac/render/cells/cell_scan.hpp"
+
+namespace hiac {
+
+/// The crossing of a cell with planar faces by the ray through a pixel's centre, of which only the
+/// clipped segment is known: it reaches beyond the view where that clips it.
+inline CellCrossing planar_crossing(const Projector& projector, int x, int y, double front,
+                                    double back) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  CellCrossing crossing{};
+  crossing.x = x;
+  crossing.y = y;
+  crossing.front = front == projector.near() ? -kFar : front;
+  crossing.back = back == projector.far() ? kFar : back;
+  crossing.front_reference = crossing.back_reference = {kNone, kNone, kNone};
+  crossing.front_doubt = crossing.back_doubt = kNone;
+  return crossing;
+}
+
+}  // namespace hiac
