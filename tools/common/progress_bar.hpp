@@ -16,10 +16,10 @@ struct Shown {
   Progress::State frames, stage;
 };
 
-/// In a few words: "frame 13 of 36, tiles 45 %, about 2 min 10 s left", "adjacency, 7 s".
+/// A short text: "frame 13 of 36, tiles 45 %, about 2 min 10 s left", "adjacency, 7 s".
 std::string progress_text(const Shown& shown);
 
-/// The same for a terminal, with a bar where it is known how much is left: one line of at most
+/// The same for a terminal, with a bar when the remaining work is known: one line of at most
 /// `columns` characters.
 std::string progress_line(const std::string& tool, const Shown& shown, std::size_t columns);
 

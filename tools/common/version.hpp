@@ -4,8 +4,7 @@
 
 namespace hiac::tools {
 
-/// The version of hiac and, in brackets, those of the libraries that this build stands on: one
-/// line.
+/// The version of hiac and, in brackets, the versions of the libraries of this build: one line.
 std::string version_text();
 
 }  // namespace hiac::tools

@@ -26,9 +26,9 @@ struct ConvertedCells {
   std::vector<std::uint8_t> places;
 };
 
-/// Converts a file's cells one after the other: nodes into the zoo's order, cells with repeated
-/// nodes to their true kind; counts what is left out, for the notes or for the refusal. Every
-/// reader's cells go through here.
+/// Converts a file's cells one after the other: it puts nodes into the zoo's order, gives cells
+/// with repeated nodes their true kind, and counts the cells left out, for the notes or for the
+/// refusal. The cells of every reader pass through this class.
 class CellCollector {
  public:
   /// The name of a cell type in the format's own words.
@@ -36,7 +36,7 @@ class CellCollector {
 
   CellCollector(const ReadOptions& options, std::string subject, TypeName type_name);
 
-  /// Memory for that many cells and entries, which the caller has seen to be there.
+  /// Reserves memory for that many cells and entries; the caller has checked that they exist.
   void reserve(std::size_t cells, std::size_t entries);
   /// From now on ConvertedCells::places is kept.
   void keep_places() { keep_places_ = true; }
@@ -44,7 +44,7 @@ class CellCollector {
   /// Says why cells are unsupported, for the message that refuses them.
   void explain(const std::string& reason) { reason_ = reason; }
 
-  /// Takes the file's cell number `index` (rising). `nodes` are numbers of points that there are.
+  /// Adds the file's cell number `index` (rising). `nodes` are numbers of existing points.
   /// Throws InputError when the conversion says that the number of nodes is wrong.
   void add(std::size_t index, int type, std::span<const NodeId> nodes,
            const CellConversion& conversion);
@@ -78,15 +78,15 @@ class CellCollector {
   Counts unsupported_;
   Counts reduced_;
   Counts extra_nodes_;
-  std::map<std::string, std::size_t> problems_;  ///< unsupported for what their nodes are
+  std::map<std::string, std::size_t> problems_;  ///< unsupported because of their nodes
   std::map<std::string, std::size_t> true_cells_;
   std::string first_problem_;
   std::string reason_;
   bool any_reducible_ = false;
 };
 
-/// What becomes of such a cell, as an inventory tells it: "tetrahedron4", "dropped (no volume)",
-/// "unsupported". `nodes` as the file has them.
+/// The conversion of such a cell, in the words of an inventory: "tetrahedron4", "dropped (no
+/// volume)", "unsupported". `nodes` are in the file's order.
 std::string fate_of(const CellConversion& conversion, std::span<const NodeId> nodes,
                     TrueKinds& true_kinds);
 

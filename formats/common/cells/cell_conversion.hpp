@@ -8,12 +8,12 @@
 
 namespace hiac::formats {
 
-/// What becomes of a cell of a format's own type.
+/// The outcome of the conversion of a cell of a format's own type.
 enum class CellFate : std::uint8_t {
   converted,    ///< it is one of the zoo's kinds
   no_volume,    ///< a point, a line, a surface
-  unsupported,  ///< a volume that no kind of the zoo is
-  wrong         ///< its number of nodes is not one that its type can have
+  unsupported,  ///< a volume cell that the zoo has no kind for
+  wrong         ///< its type cannot have this number of nodes
 };
 
 /// How a cell of a format's own type and number of nodes is converted.
@@ -22,10 +22,10 @@ struct CellConversion {
   CellKind kind{};
   /// Node i of the kind is node permutation[i] of the format's cell; empty: the same order.
   std::span<const std::uint8_t> permutation;
-  /// Of an unsupported cell: the linear kind that its corners make, where they make one; its node i
+  /// For an unsupported cell: the linear kind that its corners make, if they make one; its node i
   /// is node permutation[i].
   std::optional<CellKind> corners;
-  /// The cell has nodes beyond those of its kind; that they are left out is worth a note.
+  /// The cell has more nodes than its kind; a note says that the further nodes are left out.
   bool further_nodes = false;
 };
 

@@ -11,7 +11,7 @@
 
 namespace hiac::formats {
 
-/// What a cell with repeated nodes really is.
+/// The true kind of a cell with repeated nodes.
 struct TrueCell {
   /// Empty, or why the cell is none of the zoo's kinds.
   std::string_view problem;
@@ -23,12 +23,13 @@ struct TrueCell {
 /// Finds the true kind of cells that were written with repeated nodes: the brick that is a prism, a
 /// pyramid, a tetrahedron or a wedge, in any position, and likewise for the other shapes.
 ///
-/// Method: nodes that are one are merged in the shape's faces; faces left with fewer than three
-/// corners are gone; what is left is compared, face by face with its winding, with the shapes of
-/// the zoo under every numbering of its corners. Orientation is kept. Of a 20-node brick the
-/// mid-edge nodes go along: those of a collapsed edge must be its corner, those of edges that
-/// became one must be the same node. (Merging nodes makes exactly the interpolant of the linear
-/// true kind: with xi = r(1-s), eta = s the collapsed bilinear square is the linear triangle.)
+/// Method: repeated nodes are merged in the shape's faces, and faces left with fewer than three
+/// corners are removed. The remaining faces are compared, with their winding, with the shapes of
+/// the zoo under every numbering of its corners. Orientation is kept. The mid-edge nodes of a
+/// 20-node brick follow: the mid-edge node of a collapsed edge must be its corner, and edges that
+/// become one must have the same mid-edge node. (Merging nodes gives exactly the interpolant of the
+/// linear true kind: with xi = r(1-s), eta = s the collapsed bilinear square is the linear
+/// triangle.)
 class TrueKinds {
  public:
   /// Whether two of the conventional nodes are the same.

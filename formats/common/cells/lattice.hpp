@@ -11,8 +11,8 @@
 
 namespace hiac::formats {
 
-/// Evenly spaced points of a reference cell (shape_functions.hpp): all that a cell of that order
-/// can have nodes at. Of order 2 the centres of all faces and of the cell are among them.
+/// Evenly spaced points of a reference cell (shape_functions.hpp): all possible positions of nodes
+/// in a cell of that order. For order 2 they include the centres of all faces and of the cell.
 struct Lattice {
   CellShape shape;
   std::size_t order;

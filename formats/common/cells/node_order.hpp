@@ -22,8 +22,8 @@ inline constexpr double kFarAndNearerToAnother = 0.3;
 /// A misplaced node is exchanged when it lies this near to another edge node's place, in lengths of
 /// that one's edge: in cells with straight edges a permuted order puts it there exactly.
 inline constexpr double kInAnothersPlace = 0.01;
-/// Meshes that are tangled or curved to excess have some cells with misplaced nodes; of a wrong
-/// node order it is nearly all cells of the kind.
+/// Meshes that are tangled or extremely curved have some cells with misplaced nodes; a wrong node
+/// order misplaces nodes in nearly all cells of the kind.
 inline constexpr double kMostMisplacedCells = 0.05;
 
 /// Throws InputError(subject, ...) when the edge nodes of higher-order cells are not in the order

@@ -18,8 +18,8 @@ using FaceNodes = std::vector<std::int64_t>;
 std::vector<FaceNodes> faces_of(const ForeignPolyhedra& polyhedra, std::size_t place,
                                 const std::string& subject);
 
-/// The faces of a closed polyhedron all turned counter-clockwise seen from outside, in whatever
-/// directions they come; `position(node)` is where a node is. Nothing when the faces do not close.
+/// The faces of a closed polyhedron, all reoriented to be counter-clockwise seen from outside;
+/// `position(node)` is a node's position. Nothing when the faces do not close.
 std::optional<std::vector<FaceNodes>> turned_outward(
     std::vector<FaceNodes> faces,
     const std::function<std::span<const double>(std::int64_t node)>& position);

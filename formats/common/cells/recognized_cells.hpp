@@ -12,10 +12,10 @@
 
 namespace hiac::formats {
 
-/// Where the nodes of a file's cell are, in the file's order.
+/// The positions of the nodes of a file's cell, in the file's order.
 using NodePositions = std::vector<std::array<double, 3>>;
 
-/// How cells with more nodes than any of the zoo's kinds become the nearest of these.
+/// The conversion of cells with more nodes than any of the zoo's kinds to the nearest kind.
 struct RecognizedCell {
   CellKind kind;
   std::size_t order;

@@ -15,7 +15,7 @@ CellConversion solid_conversion(CellKind kind, std::span<const ShapeEdge> edges 
 CellConversion ordered_conversion(CellKind kind, std::span<const std::uint8_t> corners,
                                   std::span<const ShapeEdge> edges);
 
-/// Solids whose vertical edges come before those of the top: bricks of 20 nodes and prisms of 15
+/// Solids that list vertical edges before the edges of the top: bricks of 20 nodes and prisms of 15
 /// (CalculiX's results, Nastran).
 CellConversion vertical_edges_first(CellKind kind);
 

@@ -4,12 +4,11 @@
 
 namespace hiac::formats {
 
-/// Numbers tetrahedra right-handed where their order says nothing of a hand: FEniCS sorts the nodes
-/// of every cell by number, and so writes half of its tetrahedra in the mirror. That is taken to be
-/// so where a mesh has 24 linear tetrahedra or more, all of them sorted, and of either hand; other
-/// meshes stay as they are, since there a tetrahedron in the mirror is a defect to be seen. A note
-/// tells how many were turned. Points have to be numbered from first_node on, and corner fields not
-/// to be there yet.
+/// Numbers tetrahedra right-handed when their node order carries no orientation: FEniCS sorts the
+/// nodes of every cell by number, so that half of its tetrahedra are mirrored. This is assumed when
+/// a mesh has at least 24 linear tetrahedra, all sorted, and of both hands. Other meshes stay as
+/// they are, because a mirrored tetrahedron is a defect there. A note says how many tetrahedra were
+/// renumbered. Points must be numbered from first_node on, and there must be no corner fields yet.
 void turn_sorted_tetrahedra(ForeignMesh& mesh);
 
 }  // namespace hiac::formats

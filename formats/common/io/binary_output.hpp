@@ -9,7 +9,8 @@
 
 namespace hiac::formats {
 
-/// A file that is written front to back, whole or not at all, from text and little-endian numbers.
+/// A file that is written front to back, completely or not at all, from text and little-endian
+/// numbers.
 class BinaryOutput {
  public:
   /// Throws InputError naming the file when it cannot be created.
@@ -25,7 +26,7 @@ class BinaryOutput {
     std::memcpy(bytes, &value, sizeof(Number));
     text({bytes, sizeof(Number)});
   }
-  /// Gives the file its name. Throws InputError when it could not be written whole.
+  /// Renames the file to its destination. Throws InputError when a write failed.
   void finish();
 
  private:

@@ -21,7 +21,7 @@ class ByteStream {
   [[nodiscard]] std::size_t offset() const { return at_; }
   [[nodiscard]] std::size_t size() const { return bytes_.size(); }
   [[nodiscard]] std::size_t left() const { return bytes_.size() - at_; }
-  /// To that offset, which is at most the size.
+  /// Moves to that offset, which is at most the size.
   void move_to(std::size_t offset) { at_ = offset; }
 
   /// The next number. Throws InputError "FILE: at byte N: ..." when the file ends.

@@ -9,8 +9,8 @@
 
 namespace hiac::formats {
 
-/// The fields of one line that commas part, as decks of solvers have them; blanks round a field do
-/// not count.
+/// The fields of one line, separated by commas, as in decks of solvers; blanks around a field are
+/// ignored.
 class CommaFields {
  public:
   explicit CommaFields(std::string_view line) : at_(line.data()), end_(at_ + line.size()) {}

@@ -10,10 +10,10 @@
 
 namespace hiac::formats {
 
-/// The largest number of a node or element in decks whose keywords or commands make further ones.
+/// The largest number of a node or element in decks whose keywords or commands generate them.
 inline constexpr std::int64_t kLargestNumber = 999'999'999;
 
-/// What these make is no more than this many numbers: a short deck may ask for anything.
+/// A deck generates at most this many numbers, because a short deck may ask for any number.
 inline constexpr std::size_t kMostMade = 16'000'000;
 
 /// A whole number of such a deck, which may be written as a real (2.0), at most kLargestNumber in

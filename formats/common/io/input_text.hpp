@@ -9,8 +9,8 @@
 
 namespace hiac::formats {
 
-/// The bytes of a file, mapped into memory; those of a gzip file unpacked. A mark before UTF-8 is
-/// passed over.
+/// The bytes of a file, mapped into memory; a gzip file is unpacked. A byte-order mark before UTF-8
+/// is skipped.
 class InputText {
  public:
   /// Throws InputError naming the file when it cannot be opened, is not a regular file, or is a
@@ -33,8 +33,8 @@ std::string_view without_byte_order_mark(std::string_view text);
 /// Whether these are the first bytes of a gzip file.
 bool is_gzip(std::string_view head);
 
-/// Unpacks the beginning of a gzip file, at most `limit` bytes; what can be unpacked where the data
-/// end or are damaged.
+/// Unpacks the beginning of a gzip file, at most `limit` bytes; fewer when the data end early or
+/// are damaged.
 std::string unpacked_head(std::string_view head, std::size_t limit);
 
 }  // namespace hiac::formats

@@ -5,12 +5,12 @@
 
 namespace hiac::formats {
 
-/// Asks the system to back memory by large pages where it likes to: a mesh's arrays are written
-/// from front to back, and every page that is touched first costs a fault.
+/// Advises the system to back memory by large pages: a mesh's arrays are written from front to
+/// back, and the first access to every page costs a fault.
 void prefer_large_pages(const void* data, std::size_t bytes);
 
-/// Room for that many elements, on large pages. More than will be needed does no harm: memory is
-/// taken when it is written to.
+/// Reserves room for that many elements, on large pages. Too much does no harm: the system
+/// allocates memory when it is written.
 template <typename T>
 void reserve_large(std::vector<T>& values, std::size_t count) {
   if (count <= values.capacity()) return;

@@ -5,7 +5,7 @@
 
 namespace hiac::formats {
 
-/// A regular file mapped into memory, to be looked at without taking memory for it.
+/// A regular file mapped into memory, which can be read without allocating memory for it.
 class MappedFile {
  public:
   /// Throws InputError naming the file when it is not a regular file or cannot be opened.

@@ -20,7 +20,7 @@ class TextCursor {
         subject_(std::move(subject)) {}
 
   [[nodiscard]] bool at_end() const { return at_ == end_; }
-  /// How far the cursor is from the beginning, and how much is left, in bytes.
+  /// The cursor's distance from the beginning and from the end, in bytes.
   [[nodiscard]] std::size_t offset() const { return static_cast<std::size_t>(at_ - begin_); }
   [[nodiscard]] std::size_t left() const { return static_cast<std::size_t>(end_ - at_); }
   void move_to(std::size_t offset) { at_ = begin_ + offset; }
@@ -92,7 +92,7 @@ class TextCursor {
   static bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 
  private:
-  /// Digits that fit 64 bits whatever they are.
+  /// Number of digits that always fit in 64 bits.
   static constexpr std::ptrdiff_t kSafeDigits = 18;
   struct Bare {};
   /// A copy without a name, for looking ahead.
@@ -105,11 +105,11 @@ class TextCursor {
   std::string subject_;
 };
 
-/// Without blanks (and tabs, carriage returns) at either end.
+/// The text without blanks, tabs and carriage returns at either end.
 std::string_view trimmed(std::string_view text);
-/// In capitals (ASCII).
+/// The text in capitals (ASCII).
 std::string upper(std::string_view text);
-/// `text` is `prefix` at its beginning, whatever the case; `prefix` is given in capitals.
+/// Whether `text` begins with `prefix`, ignoring case; `prefix` is given in capitals.
 bool starts_with_upper(std::string_view text, std::string_view prefix);
 /// A word for an error message: printable, shortened.
 std::string shown(std::string_view word);

@@ -8,21 +8,21 @@
 
 namespace hiac::formats {
 
-/// The zoo mesh of what a file holds: --time, --step, --block and the treatment of kinds that the
-/// zoo has not are the same for every format that goes through here, and so is the gate.
+/// Makes the zoo mesh of a file's contents. Every format that uses this function treats --time,
+/// --step, --block and unsupported kinds in the same way, and its meshes pass the gate.
 ///
-/// Of fields with several steps the one asked for is taken; without a request the last of each,
-/// with a note when those are of different times. Mid-edge nodes that cells leave out are put in
-/// the middle of their straight edges, one for all cells of an edge, with the mean of the fields at
-/// its ends; a cell that leaves out all of them is the linear one. Throws InputError(subject, ...),
-/// and UsageError where the options ask for what there is not.
+/// Of fields with several steps it takes the requested step; without a request it takes the last
+/// step of each field, with a note when these have different times. Mid-edge nodes that cells leave
+/// out are put in the middle of their straight edges, one for all cells of an edge, with the mean
+/// of the fields at its ends; a cell that leaves out all of them becomes linear. Throws
+/// InputError(subject, ...), and UsageError when the options ask for something that does not exist.
 Reading assemble(ForeignMesh&& foreign, const ReadOptions& options, const std::string& subject);
 
-/// The same of a piece of a mesh, which may be without cells.
+/// The same for a piece of a mesh, which may have no cells.
 Reading assemble_piece(ForeignMesh&& foreign, const ReadOptions& options,
                        const std::string& subject);
 
-/// The inventory of what a file holds. Fields are summed up at their last step.
+/// The inventory of a file's contents. Ranges of fields are those of their last step.
 Inventory inventory_of(const ForeignMesh& foreign, std::string_view format,
                        const std::string& subject);
 

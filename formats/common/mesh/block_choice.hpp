@@ -7,7 +7,7 @@
 
 namespace hiac::formats {
 
-/// What is thrown where a file has not got the block that --block names; tells which it has.
+/// The error for a file that does not have the block named by --block; it lists the file's blocks.
 UsageError no_such_block(const std::string& block, std::span<const std::string> names,
                          const std::string& subject);
 

@@ -19,14 +19,14 @@ namespace hiac::formats {
 /// A mid-edge node that a cell leaves out, as solvers' decks may.
 inline constexpr std::int64_t kLeftOutNode = std::numeric_limits<std::int64_t>::min();
 
-/// A cell type of the format: its name, how many nodes its cells have in the file, and what becomes
-/// of them. A file has few of them.
+/// A cell type of the format: its name, the number of nodes of its cells in the file, and their
+/// conversion. A file has few types.
 struct ForeignType {
   std::string name;
   std::size_t nodes = 0;
   CellConversion conversion;
-  /// Of a type that the zoo has not: where its nodes are in a cell of their own, evenly spaced,
-  /// where the format tells; empty: it is found from where the cells' nodes lie.
+  /// For a type that the zoo does not have: the evenly spaced reference positions of its nodes, if
+  /// the format defines them; empty: they are recognized from the positions of the cells' nodes.
   std::vector<std::array<double, 3>> places = {};
 };
 
@@ -36,15 +36,15 @@ struct ForeignBlock {
   std::vector<IndexRange> cells;  ///< places in ForeignMesh::cell_types
 };
 
-/// Cells that are told by their faces.
+/// Cells that are described by their faces.
 struct ForeignPolyhedra {
   /// Places in ForeignMesh::cell_types, rising; the type of such a cell has no nodes.
   std::vector<std::size_t> cells;
-  std::vector<std::size_t> ends;    ///< for every one of them where its list in `faces` ends
+  std::vector<std::size_t> ends;    ///< for every such cell the end of its list in `faces`
   std::vector<std::int64_t> faces;  ///< face after face: how many nodes it has, and their numbers
 };
 
-/// One field at one step. Its values are read when they are asked for.
+/// One field at one step. Its values are read on request.
 struct ForeignField {
   std::string name;
   std::string unit;
@@ -53,16 +53,16 @@ struct ForeignField {
   std::optional<std::size_t> step;  ///< place in ForeignMesh::times; none: it holds at all times
   std::string type = "double";      ///< the format's number type
   /// A tuple for every point, every cell, or every entry of ForeignMesh::cell_nodes; NaN where the
-  /// file tells none. Throws InputError.
+  /// file has none. Throws InputError.
   std::function<std::vector<double>()> values;
 };
 
-/// A field whose values are there already, of the format's integers or reals.
+/// A field whose values are already in memory, as the format's integers or reals.
 ForeignField field_of(std::string name, FieldLocation location, std::uint32_t components,
                       std::vector<double>&& values);
 
-/// What a file holds, in its own numbers and node orders: what a reader makes, and `assemble` turns
-/// into a zoo mesh.
+/// The contents of a file, with its own numbers and node orders. A reader makes it, and `assemble`
+/// turns it into a zoo mesh.
 struct ForeignMesh {
   std::vector<double> xyz;
   /// The number of every point; empty: points are numbered from first_node on.

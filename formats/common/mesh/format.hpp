@@ -13,11 +13,11 @@
 
 namespace hiac::formats {
 
-/// What of a file is to be read.
+/// The options that choose the parts of a file to read.
 struct ReadOptions {
   std::optional<double> time;        ///< the step of this time
   std::optional<std::size_t> step;   ///< the step of this number, from 0
-  std::optional<std::string> block;  ///< the block of this name alone
+  std::optional<std::string> block;  ///< only the block with this name
   /// Leave volume cells out that the zoo has no kind for, instead of refusing the file.
   bool skip_unsupported = false;
   /// Read volume cells of orders or node counts that the zoo has no kind for (27-node bricks, say)
@@ -28,21 +28,21 @@ struct ReadOptions {
   bool approximate = false;
 };
 
-/// A mesh, and what a user should know about how it came from its file: cells left out, nodes
-/// dropped, ... one sentence each.
+/// A mesh, and notes for the user on its conversion, one sentence each: cells left out, nodes
+/// dropped and so on.
 struct Reading {
   ZooMesh mesh;
   std::vector<std::string> notes;
 };
 
-/// How many cells of one of the format's own kinds a file holds, and what becomes of them.
+/// The number of cells of one of the format's own kinds in a file, and their conversion.
 struct CellCount {
   std::string kind;  ///< the format's name
   std::size_t count;
   std::string fate;  ///< "tetrahedron4", "dropped (not a volume)", "unsupported"
 };
 
-/// One field of a file: where it lives, how it is stored, its range.
+/// One field of a file: its location, its type and its range.
 struct FieldSummary {
   std::string name;
   std::string location;  ///< "node", "cell", "corner"
@@ -54,7 +54,7 @@ struct FieldSummary {
   std::size_t not_finite = 0;
 };
 
-/// What a file holds, without converting it.
+/// The contents of a file, without converting it.
 struct Inventory {
   std::string format;
   std::size_t points = 0;
@@ -65,7 +65,7 @@ struct Inventory {
   std::vector<std::string> notes;
 };
 
-/// One file format: what --list-formats shows, and what can be done with it.
+/// One file format: its line of --list-formats, and its functions.
 struct Format {
   std::string_view name;
   std::vector<std::string_view> extensions;  ///< with the dot, lower case
@@ -78,12 +78,13 @@ struct Format {
   /// For formats that are kept in a container (HDF5, say): whether the file is one and holds this
   /// format. Throws InputError when the container is damaged. Empty: no container.
   std::function<bool(const std::string& path)> contains;
-  /// For formats that no first bytes prove: whether a file that begins with these bytes, has one of
-  /// the extensions and is of no format that recognizes it may be of this format. Empty: none is.
+  /// For formats that the first bytes do not prove: whether a file that begins with these bytes,
+  /// has one of the extensions and is recognized by no other format may be of this format. Empty:
+  /// never.
   std::function<bool(std::string_view head)> plausible;
   /// Whether files packed by gzip are read too.
   bool gzip = false;
-  /// Empty where the format cannot be read or written. All throw InputError naming the file.
+  /// Empty when the format cannot be read or written. All throw InputError naming the file.
   std::function<Reading(const std::string& path, const ReadOptions& options)> read;
   std::function<Inventory(const std::string& path)> inspect;
   /// Returns notes on what the format cannot hold.

@@ -7,9 +7,9 @@
 
 namespace hiac::formats {
 
-/// The gate that every mesh from a foreign file passes: coordinates are finite, edge nodes lie near
-/// their edges (a wrong node order is an error that says so), and the mesh's invariants hold, so
-/// that every index names something. `used` says which of the file's points the nodes are. Throws
+/// The checks that every mesh from a foreign file passes: coordinates are finite, edge nodes lie
+/// near their edges (a wrong node order is an error that says so), and the mesh's invariants hold,
+/// so that every index is in range. `used` maps the nodes to the file's points. Throws
 /// InputError(subject, ...).
 void pass_gate(Reading& reading, const UsedPoints& used, const std::string& subject);
 

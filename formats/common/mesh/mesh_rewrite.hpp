@@ -12,9 +12,9 @@
 
 namespace hiac::formats {
 
-/// Writes a foreign mesh's cells anew, one after the other, each as itself or as several others,
-/// with points in new places that are means of its points; its fields, blocks and cell numbers
-/// follow.
+/// Rewrites the cells of a foreign mesh, one after the other: each stays or is replaced by other
+/// cells, which may use new points that are means of its points. The mesh's fields, blocks and cell
+/// numbers follow.
 class MeshRewrite {
  public:
   /// `mesh` must outlive the rewrite. Throws as NumberIndex does.
@@ -22,17 +22,17 @@ class MeshRewrite {
 
   /// The cells' numbers of nodes as they are in the mesh, until finish().
   [[nodiscard]] std::span<const std::int64_t> nodes_of(std::size_t cell) const;
-  /// The place of the point of that number. Throws InputError naming the cell.
+  /// The place of the point with that number. Throws InputError naming the cell.
   [[nodiscard]] std::size_t place_of(std::int64_t number, std::size_t cell) const;
 
-  /// The number of the point that has this mean of points. The same places and `anchor` give the
-  /// same point, whoever asks: neighbours share what lies on their faces. Two points that are means
-  /// of the same points need different anchors.
+  /// The number of the point with this mean of points. The same places and `anchor` always give the
+  /// same point, so that neighbours share the points on their faces. Two points that are means of
+  /// the same points need different anchors.
   std::int64_t point(Weights places, std::size_t anchor);
 
   /// Keeps the next cell of the mesh as it is.
   void keep();
-  /// The next cell of the mesh becomes what is added until the next of these calls.
+  /// Replaces the next cell of the mesh by the cells that are added until the next such call.
   void replace();
   /// A cell of that type. `entries`: of every node the mean of entries of the replaced cell that
   /// its values are, for fields on corners; empty where there are none.
@@ -57,7 +57,7 @@ class MeshRewrite {
   std::vector<std::size_t> parents_;    ///< for every new cell the cell of the mesh
   std::vector<std::uint16_t> types_;
   std::vector<std::int64_t> nodes_;
-  ForeignPolyhedra polyhedra_;  ///< those that stay
+  ForeignPolyhedra polyhedra_;  ///< the polyhedra that stay
   std::size_t next_polyhedron_ = 0;
   std::vector<std::size_t> entry_ends_;  ///< of every new entry, in entry_weights_
   Weights entry_weights_;

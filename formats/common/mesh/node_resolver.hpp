@@ -25,17 +25,17 @@ class NodeResolver {
     const CellConversion* conversion;
   };
   /// The cell with that place, whose node numbers begin at `begin`. Throws InputError(subject, ...)
-  /// naming the cell when a node is not there.
+  /// naming the cell when a node does not exist.
   Cell resolve(std::size_t cell, std::size_t begin);
 
   /// The ends of the edges in whose middles nodes were made.
   [[nodiscard]] const std::vector<std::pair<NodeId, NodeId>>& made() const { return made_; }
 
  private:
-  /// What of a type is used again and again.
+  /// Data of a type that many cells use.
   struct Type {
     CellConversion linear;               ///< for cells that leave out all their mid-edge nodes
-    std::vector<std::uint8_t> required;  ///< places of nodes that no cell can do without
+    std::vector<std::uint8_t> required;  ///< places of nodes that every cell must have
   };
   static Type type_of(const ForeignType& foreign);
   [[nodiscard]] NodeId place_of(std::int64_t number, std::size_t cell) const;

@@ -10,12 +10,12 @@
 namespace hiac::formats {
 
 /// The step that the options ask for by --time or --step; none when they ask for none. Times agree
-/// when they differ by less than a millionth of themselves, since listings round them; of several
-/// that do, the nearest is taken. Throws UsageError naming the steps that there are.
+/// when their relative difference is below a millionth, because listings round them; the nearest of
+/// several such steps is taken. Throws UsageError naming the existing steps.
 std::optional<std::size_t> requested_step(const ReadOptions& options, std::span<const double> times,
                                           const std::string& subject);
 
-/// What a reader says that took the last of several steps unasked.
+/// The note of a reader that took the last of several steps without a request.
 std::string last_step_note(std::size_t steps, double time);
 
 }  // namespace hiac::formats

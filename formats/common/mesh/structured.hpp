@@ -10,7 +10,7 @@
 
 namespace hiac::formats {
 
-/// A structured block: how many points it has along i, j, k; i is fastest.
+/// A structured block: its numbers of points along i, j, k; i is fastest.
 struct StructuredBlock {
   std::array<std::size_t, 3> points{};
 
@@ -21,7 +21,7 @@ struct StructuredBlock {
 };
 
 /// The block whose extents were read from a file. Throws InputError(subject, ...) when one is not
-/// positive, or when the points are more than `limit`, which is what the file can hold.
+/// positive, or when there are more than `limit` points, the most that the file can hold.
 StructuredBlock structured_block(std::span<const std::int64_t> extents, std::size_t limit,
                                  const std::string& subject);
 
