@@ -53,8 +53,8 @@ namespace hiac {
 ///   the largest light behind is added.
 ///
 /// By definition, not by error: pixel centres on a projected edge to within rounding (on_crossing,
-/// screen_rounding.hpp) are on the side where the engine puts them; a ray in a face belongs to one of
-/// its cells.
+/// screen_rounding.hpp) are on the side where the engine puts them; a ray in a face belongs to one
+/// of its cells.
 struct ErrorBound {
   double radiance = 0;      ///< of any channel
   double transparency = 0;  ///< absolute, too
