@@ -93,6 +93,16 @@ TEST(BentFace, OverlapsWithinTheSlackAreTouches) {
   }
 }
 
+// An exit that an entry in front of it pierces by less than the slack is beyond it.
+TEST(BentFace, OnesThatPierceOneAnotherWithinTheSlackAreMetOneWay) {
+  const Hull far = square(0, 0.1), near = square(5e-4, -0.1);
+  for (const View& view : {kUpwards, kFromBelow}) {
+    EXPECT_FALSE(may_be_met_first(far, near, view, 1e-3));
+    EXPECT_TRUE(may_be_met_first(far, near, view, 1e-4));
+    EXPECT_TRUE(may_be_met_first(near, far, view, 1e-3));
+  }
+}
+
 // A brick with sides of 1 on the square [0, 1]^2, from z to z + 1, its bottom and top warped.
 test::Cell add_brick(std::vector<Position>& positions, double z, double warp) {
   test::Cell brick{CellKind::brick8, {}};

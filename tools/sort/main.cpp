@@ -301,8 +301,9 @@ int main(int argc, char** argv) {
       app.add_flag("--stats", options.statistics,
                    "Print a table: arrows by source, groups, seconds by stage, memory");
   app.add_flag("--verify", options.verify,
-               fmt::format("Prove the order: test every pair of cells by brute force (meshes of up "
-                           "to {} cells) or every arrow of the relation; exit 1 when it is wrong",
+               fmt::format("Prove the order: test every pair of cells by brute force, to within "
+                           "2 x planarity of their faces (meshes of up to {} cells), or every "
+                           "arrow of the relation; exit 1 when it is wrong",
                            kMostCellsForPairs));
   app.add_flag("--overlap", options.overlap, kOverlapHelp)->excludes(algorithm);
   app.add_option("--order", options.given, "Verify the order in FILE; sort nothing")
