@@ -98,6 +98,18 @@ TEST(PolynomialRoots, EnclosesEveryRandomRootAndDoubtsLittle) {
   }
 }
 
+/// Roots at the ends of parabolas that turn in the middle, where parts are divided: what the slope
+/// is there says nothing of the roots.
+TEST(PolynomialRoots, EnclosesRootsFarFromWhereTheSlopeVanishes) {
+  std::mt19937_64 engine(7);
+  std::uniform_real_distribution<double> uniform(-1e-13, 1e-13);
+  for (int trial = 0; trial < 1000; ++trial) {
+    const std::vector<double> c{uniform(engine), -1, uniform(engine)};
+    for (const RootEnclosure& root : roots_of(c, 0))
+      EXPECT_LT(root.high - root.low, 1e-14) << c[0] << ' ' << c[2];
+  }
+}
+
 /// Outside the enclosures the sign of f - s, in long double, does not change.
 TEST(PolynomialRoots, SignsAreCertainOutsideTheEnclosures) {
   std::mt19937_64 engine(6);

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <numeric>
+#include <random>
 #include <tuple>
 #include <vector>
 
@@ -278,6 +279,53 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Combine(testing::Values(Cut::bricks, Cut::tetrahedra, Cut::prisms, Cut::pyramids),
                      testing::Values(Projection::orthographic, Projection::perspective),
                      testing::Values(-1.0, 1.0)));
+
+// The value at a node is the surface's or one within three units in the last place of it; every
+// third one is far from it (by no more than what extended precision tells from these units).
+double near_value(double value, std::mt19937_64& random) {
+  const auto steps = static_cast<int>(random() % 7) - 3;
+  const double far = std::ldexp(static_cast<double>(random() >> 11), -57) - 0.03125;
+  if (random() % 3 == 0) return value + far;
+  double near = value;
+  for (int k = 0; k < std::abs(steps); ++k)
+    near = std::nextafter(near, steps > 0 ? value + 1 : value - 1);
+  // where whole faces have the value, which of their cells draws the surface is a convention
+  return steps == 0 ? std::nextafter(value, value + 1) : near;
+}
+
+// Most nodes have a value within three units in the last place of the surface's: it runs along
+// faces, at 1e-16 of a cell's size from them. The truth is found from the differences, which are
+// exact.
+TEST(Isosurfaces, NodesWithinRoundingOfTheValueAgreeWithTheTruth) {
+  for (const auto cut : {Cut::tetrahedra, Cut::prisms, Cut::bricks})
+    for (const double value : {0.5, 1.0})
+      for (const Projection projection : {Projection::orthographic, Projection::perspective})
+        for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+          ZooMesh mesh = test::moved(test::structured(2, cut), test::sheared);
+          std::mt19937_64 random(seed);
+          std::vector<double> values(mesh.node_count()), offsets;
+          for (double& v : values) offsets.push_back((v = near_value(value, random)) - value);
+          ZooMesh shifted = mesh;
+          mesh.fields = {Field{"f", "", FieldLocation::node, 1, std::move(values)}};
+          shifted.fields = {Field{"f", "", FieldLocation::node, 1, std::move(offsets)}};
+          Scene scene = cube_scene(projection, 30, 26);
+          scene.volume = {};
+          scene.isosurfaces = {surface_of("f", value, {1, 1, 1}, 0.5)};
+          Scene shifted_scene = scene;
+          shifted_scene.isosurfaces[0].value = 0;
+          const test::SceneTruth truth(shifted, shifted_scene);
+          EXPECT_LE(largest_error(scene, draw(mesh, scene).image,
+                                  [&](std::uint32_t x, std::uint32_t y) {
+                                    const auto p = truth.pixel(x, y);
+                                    return std::array{
+                                        static_cast<double>(p[0]), static_cast<double>(p[1]),
+                                        static_cast<double>(p[2]), static_cast<double>(1 - p[3])};
+                                  }),
+                    1e-6)
+              << static_cast<int>(cut) << ' ' << value << ' ' << seed << " perspective "
+              << (projection == Projection::perspective);
+        }
+}
 
 // Fields with jumps: a surface in every cell whose corners' values lie around it, none between.
 TEST(Isosurfaces, NothingIsDrawnAtJumps) {

@@ -15,6 +15,12 @@ template <class Real>
 constexpr Real kUnit = std::numeric_limits<Real>::epsilon() / 2;
 template <class Real>
 constexpr Real kSmallestWidth = 8 * kUnit<Real>;
+// Of a part's width: enclosures of simple roots that are wider than the first are found again from
+// the slope near the root, those that are wider than the second on shorter parts.
+template <class Real>
+constexpr Real kWide = 0x1p-30;
+template <class Real>
+constexpr Real kWidest = 0.125;
 
 /// f - s on [low, low + width], its coefficients wrong by at most `margin` each.
 template <class Real>
@@ -77,7 +83,15 @@ BasicRootEnclosure<Real> enclosed_simple_root(const Part<Real>& part,
   }
   const Real x = monotone_root(part.f, slope);
   const Real doubt = part.margin + evaluation_error(part.f);
-  const Real reach = (std::abs(evaluate(part.f, x)) + doubt) / flattest;
+  const Real residual = std::abs(evaluate(part.f, x)) + doubt;
+  Real reach = residual / flattest;
+  if (reach > kWide<Real> && slope.degree > 0) {
+    // what the slope is at the root, less what it may change up to the enclosure's ends
+    Real bend = 0;
+    for (const Real b : derivative(slope).coefficients()) bend = std::max(bend, std::abs(b));
+    const Real nearby = std::abs(evaluate(slope, x)) - 2 * slope_margin - bend * reach;
+    if (nearby > flattest) reach = residual / nearby;
+  }
   const Real t = part.low + part.width * x;
   const Real half = part.width * reach + 2 * kUnit<Real> * t;
   const Real low = std::max(t - half, part.low);
@@ -97,8 +111,12 @@ void isolate(const Part<Real>& part, std::vector<BasicRootEnclosure<Real>>& root
   const BasicBernstein<Real> slope = derivative(part.f);
   const Real slope_margin = 2 * n * part.margin + 4 * n * kUnit<Real> * largest;
   if (certainly_nonzero(slope, slope_margin)) {
-    roots.push_back(enclosed_simple_root(part, slope, slope_margin));
-    return;
+    const BasicRootEnclosure<Real> root = enclosed_simple_root(part, slope, slope_margin);
+    // the flattest slope may be far from the root, and say nothing of it
+    if (root.high - root.low <= kWidest<Real> * part.width) {
+      roots.push_back(root);
+      return;
+    }
   }
   // n averages deep, each wrong by kUnit<Real> of the largest coefficient at most
   const Real margin =
