@@ -159,10 +159,10 @@ class Renderer {
     const std::size_t cells = session_.mesh().cell_count();
     tool_.facts()["skipped_cells"] = skipped.size();
     if (!skipped.empty())
-      tool_.warn(
-          fmt::format("{} of {} cells are partly turned inside out and are left out, the first is cell "
-                      "{}: the picture has holes there",
-                      skipped.size(), cells, skipped.front()));
+      tool_.warn(fmt::format(
+          "{} of {} cells are partly turned inside out and are left out, the first is cell "
+          "{}: the picture has holes there",
+          skipped.size(), cells, skipped.front()));
   }
 
   // Throws unless there is, or will be, an order for the scene.
@@ -181,6 +181,7 @@ class Renderer {
   // One picture of a scene of one frame, and the facts of its making.
   Json render(const Scene& scene, const PictureRequest& request, const std::string& path) {
     const Picture picture = session_.picture(scene, request);
+    require_numbers(picture.image);
     note_order(*picture.order);
     Json facts = note_work(tool_, options_.all_frames, *picture.statistics);
     facts["order"] = order_facts(*picture.order);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <stdexcept>
 #include <vector>
@@ -15,6 +17,7 @@ namespace hiac {
 /// The points are sorted by scalar (not decreasing). Two points at one scalar make a step; of three
 /// or more points at one scalar, only the first and the last have an effect. The function is
 /// continuous from the right at a step.
+/// Points between which the slope is beyond the largest number make a step at the second one.
 ///
 /// Intervals: with breakpoints s_0 < s_1 < ... < s_{m-1} (the distinct scalars), interval 0 is
 /// (-inf, s_0), interval k is [s_{k-1}, s_k), interval m is [s_{m-1}, inf). On each interval the
@@ -84,8 +87,11 @@ class PiecewiseLinear {
  private:
   static Piece piece_between(const Point& a, const Point& b) {
     Piece p{a.scalar, a.value, {}};
-    for (std::size_t c = 0; c < N; ++c)
+    for (std::size_t c = 0; c < N; ++c) {
       p.slope[c] = (b.value[c] - a.value[c]) / (b.scalar - a.scalar);
+      // too close together for a number to hold the slope: a step
+      if (!(std::abs(p.slope[c]) <= std::numeric_limits<double>::max())) p.slope[c] = 0;
+    }
     return p;
   }
 

@@ -160,6 +160,8 @@ FrameLight frame_light(const Light& light, const Projector& projector) {
   return result;
 }
 
+}  // namespace
+
 double largest_light(const Isosurface& surface, std::span<const Light> lights) {
   double largest = 0;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -170,8 +172,6 @@ double largest_light(const Isosurface& surface, std::span<const Light> lights) {
   }
   return largest;
 }
-
-}  // namespace
 
 Isosurfaces make_isosurfaces(const ZooMesh& mesh, const Scene& scene, const Projector& projector) {
   Isosurfaces all;

@@ -80,6 +80,9 @@ struct Isosurfaces {
   }
 };
 
+/// Bound of what a surface shines with, any channel.
+double largest_light(const Isosurface& surface, std::span<const Light> lights);
+
 /// Throws UsageError, as scalar_field does, when a field does not exist.
 Isosurfaces make_isosurfaces(const ZooMesh& mesh, const Scene& scene, const Projector& projector);
 

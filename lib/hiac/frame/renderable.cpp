@@ -16,6 +16,7 @@
 #include "hiac/base/parallel.hpp"
 #include "hiac/element/cell_field.hpp"
 #include "hiac/element/world_polynomial.hpp"
+#include "hiac/frame/isosurfaces.hpp"
 #include "hiac/geometry/face_form.hpp"
 #include "hiac/geometry/jacobian_sign.hpp"
 #include "hiac/geometry/vector.hpp"
@@ -186,6 +187,53 @@ void check_field(const ZooMesh& mesh, const std::string& name) {
                                failures.count, values[failures.first], place, failures.first));
 }
 
+// Values whose differences and products numbers cannot hold.
+void check_size(const std::string& name, std::span<const double> values) {
+  const Failures failures = count_failures(values.size(), [&](std::size_t i) {
+    return std::isfinite(values[i]) && std::abs(values[i]) > kLargestNumber;
+  });
+  if (failures.count == 0) return;
+  throw InputError(
+      fmt::format("field '{}'", name),
+      fmt::format("values are too large (at most {} in magnitude expected, {} others found, first "
+                  "{})",
+                  kLargestNumber, failures.count, values[failures.first]));
+}
+
+double diagonal_of(const ZooMesh& mesh) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::array<double, 3> least{kInfinity, kInfinity, kInfinity};
+  std::array<double, 3> most{-kInfinity, -kInfinity, -kInfinity};
+  for (NodeId node = 0; node < mesh.node_count(); ++node) {
+    const auto p = mesh.position(node);
+    for (std::size_t c = 0; c < 3; ++c) {
+      least[c] = std::min(least[c], p[c]);
+      most[c] = std::max(most[c], p[c]);
+    }
+  }
+  if (mesh.node_count() == 0) return 0;
+  return std::hypot(most[0] - least[0], most[1] - least[1], most[2] - least[2]);
+}
+
+// A pixel is at most as bright as colours may be.
+void check_brightness(const ZooMesh& mesh, const Scene& scene) {
+  const auto refuse = [](const std::string& key, double most) {
+    throw InputError(fmt::format("key `{}`", key),
+                     fmt::format("pixels may become too bright (at most {} expected, {} found)",
+                                 kLargestColor, most));
+  };
+  for (std::size_t s = 0; s < scene.isosurfaces.size(); ++s) {
+    const double most = largest_light(scene.isosurfaces[s], scene.lights);
+    if (!(most <= kLargestColor)) refuse(fmt::format("isosurface.{}", s), most);
+  }
+  if (!scene.volume.color || scene.volume.glow != Glow::emission) return;
+  double brightest = 0;
+  for (const auto& point : scene.volume.color->points)
+    for (const double component : point.value) brightest = std::max(brightest, component);
+  const double most = brightest * diagonal_of(mesh);
+  if (!(most <= kLargestColor)) refuse("volume.color.points", most);
+}
+
 }  // namespace
 
 std::vector<CellId> invalid_cells(const ZooMesh& mesh, double planarity) {
@@ -224,7 +272,11 @@ void check_renderable(const ZooMesh& mesh, const Scene& scene, InvalidCells inva
   if (scene.volume.color) fields.insert(scene.volume.color->field);
   if (scene.volume.extinction) fields.insert(scene.volume.extinction->field);
   for (const Isosurface& surface : scene.isosurfaces) fields.insert(surface.field);
-  for (const std::string& field : fields) check_field(mesh, field);
+  for (const std::string& field : fields) {
+    check_field(mesh, field);
+    check_size(field, scalar_field(mesh, field).values.view());
+  }
+  check_brightness(mesh, scene);
 }
 
 }  // namespace hiac

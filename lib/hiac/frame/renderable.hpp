@@ -22,8 +22,9 @@ class InvalidCellError : public InputError {
 ///
 /// Of the mesh: invalid_cells, where they are refused (InvalidCellError); with polynomial
 /// interpolation, cells that have no such function (world_polynomial.hpp); values that are not
-/// finite in a field that is used, at a place that some cell uses. UsageError, as from
-/// scalar_field, when a field does not exist.
+/// finite in a field that is used, at a place that some cell uses, or above kLargestNumber. Of the
+/// scene: isosurfaces or emission that may make a pixel brighter than kLargestColor. UsageError, as
+/// from scalar_field, when a field does not exist.
 enum class InvalidCells : std::uint8_t { refused, skipped };
 void check_renderable(const ZooMesh& mesh, const Scene& scene,
                       InvalidCells invalid = InvalidCells::refused);

@@ -53,12 +53,60 @@ std::vector<std::uint8_t> zero_intervals(const TransferTable<N>& table) {
   return zero;
 }
 
+using ExtinctionPoint = PiecewiseLinear<1>::Point;
+
+// Where the function between two points, one of them above `most`, is `most`. Not at the lower
+// point, whose own value stays what it is.
+double scalar_of(const ExtinctionPoint& low, const ExtinctionPoint& high, double most) {
+  const double share = (most - low.value[0]) / (high.value[0] - low.value[0]);
+  const double scalar = low.scalar + share * (high.scalar - low.scalar);
+  return scalar == low.scalar ? std::nextafter(low.scalar, high.scalar) : scalar;
+}
+
+PiecewiseLinear<1> limited(const ExtinctionTransfer& extinction, double most) {
+  const auto above = [most](const ExtinctionPoint& point) { return point.value[0] > most; };
+  if (std::ranges::none_of(extinction.points, above)) return extinction.function();
+  std::vector<ExtinctionPoint> points;
+  for (const ExtinctionPoint& point : extinction.points) {
+    const ExtinctionPoint kept{point.scalar, {std::min(point.value[0], most)}};
+    if (!points.empty() && points.back().scalar < point.scalar) {
+      const ExtinctionPoint& before = (&point)[-1];
+      if (above(point) && before.value[0] < most)
+        points.push_back({scalar_of(before, point, most), {most}});
+      else if (above(before) && point.value[0] < most)
+        points.push_back({scalar_of(point, before, most), {most}});
+    }
+    points.push_back(kept);
+  }
+  return PiecewiseLinear<1>(points);
+}
+
+// The steepest slope of any channel.
+template <std::size_t N>
+double steepest(const TransferTable<N>& table) {
+  double most = 0;
+  for (const std::vector<double>& slope : table.slope)
+    for (const double s : slope) most = std::max(most, std::abs(s));
+  return most;
+}
+
 }  // namespace
 
-OpticsTables make_optics_tables(const Volume& volume, Integration integration) {
+bool is_steep(const OpticsTables& optics, double largest_color_field,
+              double largest_extinction_field, double longest) {
+  // Fields along rays of other cells than linear tetrahedra are known to less than 2^-40.
+  constexpr double kMost = 0x1p40;
+  const double color = steepest(optics.color) * largest_color_field;
+  const double depth = steepest(optics.extinction) * largest_extinction_field * longest;
+  // a product that is no number counts as steep
+  return !(depth <= kMost && color <= kMost * std::max(1.0, optics.largest_color));
+}
+
+OpticsTables make_optics_tables(const Volume& volume, Integration integration,
+                                double most_extinction) {
   OpticsTables tables;
   if (volume.color) tables.color_function = volume.color->function();
-  if (volume.extinction) tables.extinction_function = volume.extinction->function();
+  if (volume.extinction) tables.extinction_function = limited(*volume.extinction, most_extinction);
   const auto& color = tables.color_function;
   const auto& extinction = tables.extinction_function;
   tables.emission = volume.glow == Glow::emission;

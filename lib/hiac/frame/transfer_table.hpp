@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -34,13 +35,24 @@ struct OpticsTables {
   bool emission = false;
   PieceRule rule = PieceRule::exact;
   bool unsliced = false;  ///< segments are not cut at breakpoints (with mean_color alone)
+  /// Functions are so steep (is_steep) that rounding of a field may change the optical depth of a
+  /// ray by more than 1, or colours by more than they are.
+  bool steep = false;
   /// Largest colour component that the colour function takes anywhere.
   double largest_color = 0;
   /// For every interval of its table: whether the function is zero on all of it.
   std::vector<std::uint8_t> no_color, no_extinction;
 };
 
-OpticsTables make_optics_tables(const Volume& volume, Integration integration);
+/// Extinction above `most_extinction` is taken as that much: the function gets a bend where it
+/// rises above it.
+OpticsTables make_optics_tables(const Volume& volume, Integration integration,
+                                double most_extinction = std::numeric_limits<double>::infinity());
+
+/// See OpticsTables::steep. `largest_color_field`, `largest_extinction_field`: the fields' largest
+/// magnitudes; `longest`: ray in the mesh, world units.
+bool is_steep(const OpticsTables& optics, double largest_color_field,
+              double largest_extinction_field, double longest);
 
 /// For one scalar: how many breakpoints lie below it, and how many do not lie above it. Equal, the
 /// scalar is inside an interval, and both are that interval's number.

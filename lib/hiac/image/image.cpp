@@ -1,9 +1,14 @@
 #include "hiac/image/image.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
+
+#include <fmt/format.h>
+
+#include "hiac/base/error.hpp"
 
 namespace hiac {
 namespace {
@@ -45,6 +50,19 @@ std::optional<std::array<std::size_t, 3>> color_channels(const Image& image) {
   if (r && g && b) return std::array{*r, *g, *b};
   if (grey) return std::array{*grey, *grey, *grey};
   return std::nullopt;
+}
+
+void require_numbers(const Image& image) {
+  const auto values = image.values();
+  const auto bad = std::ranges::find_if(values, [](double value) { return std::isnan(value); });
+  if (bad == values.end()) return;
+  const auto at = static_cast<std::size_t>(bad - values.begin());
+  const std::size_t pixel = at / image.channel_count();
+  throw Error(ExitCode::internal,
+              fmt::format("pixel {},{}: channel {} is not a number (a number expected; this is a "
+                          "defect, and no picture is written)",
+                          pixel % image.width(), pixel / image.width(),
+                          image.channels()[at % image.channel_count()]));
 }
 
 std::vector<std::string> rgba_channels() { return {"R", "G", "B", "A"}; }

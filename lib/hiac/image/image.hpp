@@ -59,6 +59,10 @@ class Image {
 /// The indices of R, G and B, or that of Y three times; none where an image has neither.
 std::optional<std::array<std::size_t, 3>> color_channels(const Image& image);
 
+/// Throws Error (ExitCode::internal), with the first pixel and its channel, when a value is not a
+/// number: such a picture must not be written.
+void require_numbers(const Image& image);
+
 /// The channels of a rendered image, in this order, before any further ones.
 std::vector<std::string> rgba_channels();
 

@@ -6,6 +6,7 @@
 // the integrals over [0, 1] are those over [0, inf) less zeta times those from the back onwards.
 #include "hiac/optics/linear_piece.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -38,6 +39,8 @@ namespace {
 namespace series = linear_piece_series;
 
 constexpr double kSqrtPi = 1 / std::numbers::inv_sqrtpi;
+// Sums of two of these are finite, and nothing is seen through them.
+constexpr double kThickest = 1e150;
 
 /// Values of the series at one (b, a); the names are those of linear_piece_series.hpp.
 struct SeriesValues {
@@ -114,6 +117,8 @@ LinearPieceWeights emission_of(const SeriesValues& v, double b, double a) {
 LinearPieceWeights linear_piece_weights(double b, double a) {
   const double sigma = 0.25 * (a + b);
   if (sigma <= series::MediumSeries::kSigma) return weights_of(series_values(sigma, b, a));
+  b = std::min(b, kThickest);
+  a = std::min(a, kThickest);
   const double zeta = thick_transparency(b, a);
   const double psi = thick_psi(b, a, zeta);
   return {zeta, 1 - psi, psi - zeta};
@@ -122,6 +127,8 @@ LinearPieceWeights linear_piece_weights(double b, double a) {
 LinearPieceWeights linear_piece_emission(double b, double a) {
   const double sigma = 0.25 * (a + b);
   if (sigma <= series::MediumSeries::kSigma) return emission_of(series_values(sigma, b, a), b, a);
+  b = std::min(b, kThickest);
+  a = std::min(a, kThickest);
   const double zeta = thick_transparency(b, a);
   const double psi1 = thick_psi1(b, a, zeta);
   return {zeta, thick_psi(b, a, zeta) - psi1, psi1};

@@ -18,7 +18,8 @@ struct LinearPieceWeights {
 //
 // Both functions hold for finite b, a >= 0, a = b, zero and denormal numbers included. The relative
 // error of every number returned, and of the sum front + back, is at most 1e-14 for b, a <= 1e6
-// (results that are denormal: at most two units of the smallest denormal, absolute).
+// (results that are denormal: at most two units of the smallest denormal, absolute). Densities
+// above 1e150, infinite ones too, count as 1e150.
 // Williams, Max, Stein 1998, equation (8) and appendix B, recast so that nothing overflows or
 // cancels; the methods are in linear_piece_series.hpp (thin and medium) and linear_piece.cpp.
 

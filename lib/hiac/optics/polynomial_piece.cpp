@@ -13,6 +13,7 @@
 
 #include "hiac/base/rounding.hpp"
 #include "hiac/optics/gauss_legendre.hpp"
+#include "hiac/optics/linear_piece.hpp"
 #include "hiac/optics/polynomial_roots.hpp"
 
 namespace hiac {
@@ -25,6 +26,7 @@ template <class Real>
 constexpr Real kRuleUnit = kUnitOf<Real>*(std::is_same_v<Real, double>&& kExtendedIsFiner ? 1 : 64);
 constexpr double kLargestCoefficient = 1e150;  // differences and slopes of such do not overflow
 constexpr int kDeepestBisection = 60;
+constexpr double kMostNegative = 0x1p-6;  // what rounding may make of an optical depth of none
 
 template <class Real>
 BasicGaussRule<Real> gauss_rule(std::size_t n) {
@@ -299,11 +301,13 @@ class Walk {
     const Real middle = static_cast<Real>(0.5) * (t0 + t1);
     color_piece_ = color_.shifted_piece(interval_around(color_, middle));
     extinction_piece_ = extinction_.shifted_piece(interval_around(extinction_, middle));
+    check_functions();
     integrate(t0, t1, 0);
   }
 
   void integrate(Real t0, Real t1, int bisections) {
     const Piece<Real> piece = piece_on(t0, t1);
+    if (!is_sound(piece)) return add_between_ends(piece);
     if (integrate_whole(piece, bisections >= kDeepestBisection)) return;
     const Real middle = static_cast<Real>(0.5) * (t0 + t1);
     integrate(t0, middle, bisections + 1);
@@ -326,7 +330,6 @@ class Walk {
     p.largest_color = p.color_bound(1);
     p.largest_tau = ellipse_bound(p.tau, 1, 0);
     set_rounding_bounds(p, std::abs(slope));
-    check(p);
     return p;
   }
 
@@ -342,14 +345,52 @@ class Walk {
         2 * p.half_length * (p.tau_error + 4 * terms * terms * kRuleUnit<Real> * p.largest_tau);
   }
 
-  void check(const Piece<Real>& p) const {
-    if (!std::isfinite(p.total_depth) || !std::isfinite(crude_bound(p)) ||
-        !std::isfinite(p.depth_error))
-      throw std::invalid_argument("the optical depth or colour along a ray is not finite");
+  void check_functions() const {
+    const Real tau = extinction_piece_.value[0];
+    if (tau < 0) throw std::invalid_argument("the extinction must not be negative");
+    for (const Real value :
+         {tau, color_piece_.value[0], color_piece_.value[1], color_piece_.value[2]})
+      if (!std::isfinite(static_cast<double>(value * length_)))
+        throw std::invalid_argument("the optical depth or colour along a ray is not finite");
+  }
+
+  /// False where functions are so steep that the rounding of the field makes anything of the depth.
+  [[nodiscard]] bool is_sound(const Piece<Real>& p) const {
     // slopes are rounded, and functions not below zero may be so by that
     const Real slack = 0x1p-50 * p.half_length * std::abs(extinction_piece_.value[0]);
-    if (p.total_depth < -2 * p.depth_error - slack)
-      throw std::invalid_argument("the extinction must not be negative");
+    return std::isfinite(p.total_depth) && std::isfinite(crude_bound(p)) &&
+           std::isfinite(p.depth_error) &&
+           p.total_depth >= -std::min<Real>(2 * p.depth_error + slack, kMostNegative);
+  }
+
+  /// A function's channel at t, the field kept in the function's interval on the piece; not below
+  /// 0.
+  template <std::size_t N>
+  static Real kept_value(const Course<N, Real>& course, const Piece<Real>& p, std::size_t c,
+                         Real t) {
+    const std::size_t k = interval_around(course, static_cast<Real>(0.5) * (p.t0 + p.t1));
+    const auto breakpoints = course.function.breakpoints();
+    Real s = evaluate(course.field, t);
+    if (k > 0) s = std::max<Real>(s, breakpoints[k - 1]);
+    if (k < breakpoints.size()) s = std::min<Real>(s, breakpoints[k]);
+    const auto& f = course.function.piece(k);
+    return std::max<Real>(0, f.value[c] + f.slope[c] * (s - f.anchor));
+  }
+
+  /// Adds the piece as if extinction and colour ran linearly from end to end; no bound is known.
+  void add_between_ends(const Piece<Real>& p) {
+    const Real length = 2 * p.half_length, front = std::exp(-depth_);
+    const auto b = static_cast<double>(length * kept_value(extinction_, p, 0, p.t0));
+    const auto a = static_cast<double>(length * kept_value(extinction_, p, 0, p.t1));
+    const bool emits = glow_ == Glow::emission;
+    const LinearPieceWeights w = emits ? linear_piece_emission(b, a) : linear_piece_weights(b, a);
+    const Real unit = emits ? length : 1;
+    for (std::size_t c = 0; c < 3; ++c)
+      rgb_[c] +=
+          front * unit *
+          (w.front * kept_value(color_, p, c, p.t0) + w.back * kept_value(color_, p, c, p.t1));
+    depth_ += static_cast<Real>(0.5) * b + static_cast<Real>(0.5) * a;
+    error_ = depth_error_ = std::numeric_limits<Real>::infinity();
   }
 
   /// Adds the piece when a rule meets its share of the tolerance; `at_last`: with any rule.
@@ -423,11 +464,13 @@ class Walk {
       for (std::size_t c = 0; c < 3; ++c) sum[c] += weight * piece.color->channel(c, field);
     }
     Real largest = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const Real radiance = piece.half_length * sum[c];
-      largest = std::max(largest, std::abs(radiance));
-      rgb_[c] += front * radiance;
+    const Real most =
+        2 * piece.largest_color * (glow_ == Glow::emission ? 2 * piece.half_length : 1);
+    for (const Real channel : sum) {
+      largest = std::max(largest, std::abs(piece.half_length * channel));
+      if (!(std::abs(piece.half_length * channel) <= most)) return add_between_ends(piece);
     }
+    for (std::size_t c = 0; c < 3; ++c) rgb_[c] += front * (piece.half_length * sum[c]);
     add_errors(piece, front, largest, rule.bound + rounding);
   }
 

@@ -40,6 +40,9 @@ using SegmentRadiance = BasicSegmentRadiance<double>;
 /// largest colour times the largest change of the optical depth that the field's variation could
 /// cause; doubts about cuts cost less, unless a field grazes a jump to within rounding.
 ///
+/// Where functions are so steep that the rounding of a field makes anything of the light, a piece
+/// counts as linear from end to end, and `error` is infinite.
+///
 /// `extinction` must not be negative. Throws std::invalid_argument when a coefficient or the length
 /// is not finite or absurdly large, the length is negative, the tolerance is not positive, the
 /// extinction is negative, or the optical depth or colour is not finite.

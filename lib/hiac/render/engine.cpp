@@ -132,7 +132,8 @@ double channel_value(Channel channel, const PixelRefinement::Drawn& drawn, const
     case Channel::error:
       break;
   }
-  return refinement.error(drawn, background);
+  const double error = refinement.error(drawn, background);
+  return std::isnan(error) ? kInfinity : error;  // nothing is known
 }
 
 // What a tile leaves behind besides its pixels.

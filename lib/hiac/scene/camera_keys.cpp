@@ -30,6 +30,8 @@ void read_clip(const SpecValue& value, Camera& camera) {
 
 void read_fov(const SpecValue& value, Camera& camera) {
   camera.fov = value.number();
+  if (camera.fov > 0 && camera.fov < kLeastFov)
+    value.fail(fmt::format("too small (expected at least {}, found {})", kLeastFov, camera.fov));
   if (!(camera.fov > 0 && camera.fov < 180))
     value.fail(
         fmt::format("an angle between 0 and 180 degrees, both excluded, is expected "

@@ -22,6 +22,14 @@ namespace hiac {
 
 using Color = std::array<double, 3>;
 
+/// Largest component of a colour: pictures are files of 32-bit numbers.
+inline constexpr double kLargestColor = 1e30;
+/// Largest magnitude of other numbers, but for extinctions, which may have any; the least of those
+/// that are positive is its reciprocal. Differences and products of such have no overflow.
+inline constexpr double kLargestNumber = 1e100;
+/// Narrowest vertical angle of an image, degrees.
+inline constexpr double kLeastFov = 1e-9;
+
 /// Largest number of pixels along one side of an image, and in the whole image.
 inline constexpr std::uint32_t kMaxImageSide = 65536;
 inline constexpr std::uint64_t kMaxImagePixels = std::uint64_t{1} << 30;

@@ -31,6 +31,16 @@ constexpr std::pair<std::string_view, Integration> kIntegrations[] = {
 constexpr std::pair<std::string_view, Interpolation> kInterpolations[] = {
     {"isoparametric", Interpolation::isoparametric}, {"polynomial", Interpolation::polynomial}};
 
+/// Far below what any number of a picture can be right to.
+constexpr double kLeastTolerance = 1e-30;
+
+void read_tolerance(const SpecValue& value, RenderSettings& render) {
+  render.tolerance = value.positive();
+  if (render.tolerance < kLeastTolerance)
+    value.fail(fmt::format("too small (expected at least {}, found {})", kLeastTolerance,
+                           render.tolerance));
+}
+
 /// True for the patterns that are made of square fields.
 bool has_fields(BackgroundPattern pattern) {
   return pattern == BackgroundPattern::checker || pattern == BackgroundPattern::grid;
@@ -147,8 +157,7 @@ constexpr SpecKey<RenderSettings> kRenderKeys[] = {
      [](const RenderSettings& r) -> Text {
        return name_text<Interpolation>(kInterpolations, r.interpolation);
      }},
-    {"tolerance", "absolute error allowed per pixel and channel", false,
-     [](const SpecValue& v, RenderSettings& r) { r.tolerance = v.positive(); },
+    {"tolerance", "absolute error allowed per pixel and channel", false, read_tolerance,
      [](const RenderSettings& r) -> Text { return toml_text(r.tolerance); }},
     {"splat_below", "cells covering fewer pixel centres are splatted; 0: none", false,
      [](const SpecValue& v, RenderSettings& r) { r.splat_below = v.whole(0, 1u << 30); },

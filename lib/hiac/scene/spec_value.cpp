@@ -1,10 +1,12 @@
 #include "hiac/scene/spec_value.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/scene/scene.hpp"
 #include "hiac/scene/spec_text.hpp"
 
 namespace hiac {
@@ -54,6 +56,10 @@ void SpecValue::fail(const std::string& what) const {
   context_->fail(path_, node_->source().begin.line, what);
 }
 
+void SpecValue::fail_bright(double component) const {
+  fail(fmt::format("too bright (expected at most {}, found {})", kLargestColor, component));
+}
+
 void SpecValue::fail_kind(const char* expected) const {
   fail(fmt::format("wrong type (expected {}, found {})", expected, kind_name(*node_)));
 }
@@ -70,15 +76,27 @@ double SpecValue::number_or_infinity() const {
   return floating->get();
 }
 
-double SpecValue::number() const {
+double SpecValue::at_least_finite(double smallest) const {
   const double value = number_or_infinity();
   if (std::isinf(value)) fail("not finite (expected a finite number, found inf)");
+  if (value < smallest)
+    fail(fmt::format("too small (expected at least {}, found {})", smallest, value));
+  return value;
+}
+
+double SpecValue::number() const {
+  const double value = at_least_finite(-std::numeric_limits<double>::max());
+  if (std::abs(value) > kLargestNumber)
+    fail(fmt::format("too large (expected at most {} in magnitude, found {})", kLargestNumber,
+                     value));
   return value;
 }
 
 double SpecValue::positive() const {
   const double value = number();
   if (!(value > 0)) fail(fmt::format("expected a positive number, found {}", value));
+  if (value < 1 / kLargestNumber)
+    fail(fmt::format("too small (expected at least {}, found {})", 1 / kLargestNumber, value));
   return value;
 }
 
@@ -129,7 +147,10 @@ std::array<double, 3> SpecValue::triple() const {
 std::array<double, 3> SpecValue::color() const {
   const std::array<double, 3> rgb = triple();
   for (const double channel : rgb)
-    if (channel < 0) fail(fmt::format("a colour is not negative (found {})", channel));
+    if (channel < 0)
+      fail(fmt::format("a colour is not negative (found {})", channel));
+    else if (channel > kLargestColor)
+      fail_bright(channel);
   return rgb;
 }
 

@@ -46,7 +46,9 @@ class SpecValue {
   [[noreturn]] void fail(const std::string& what) const;
 
   /// A number, integer or float; `inf` only where allowed, never NaN.
-  [[nodiscard]] double number() const;
+  [[nodiscard]] double number() const;  ///< of magnitude kLargestNumber at most
+  [[nodiscard]] double at_least_finite(double smallest) const;  ///< of any size
+  [[noreturn]] void fail_bright(double component) const;        ///< more than kLargestColor
   [[nodiscard]] double number_or_infinity() const;
   [[nodiscard]] double positive() const;
   [[nodiscard]] double at_least(double smallest) const;

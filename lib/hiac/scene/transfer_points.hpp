@@ -10,13 +10,15 @@
 #include <fmt/format.h>
 
 #include "hiac/base/piecewise_linear.hpp"
+#include "hiac/scene/scene.hpp"
 #include "hiac/scene/spec_key.hpp"
 #include "hiac/scene/spec_value.hpp"
 
 namespace hiac {
 
 /// Reads a list of points [scalar, value ...]: at least one, scalars not decreasing, values not
-/// negative.
+/// negative. Three values are a colour, none above kLargestColor; a single one is an extinction,
+/// which has no limit.
 template <std::size_t N>
 void read_points(const SpecValue& value, std::vector<typename PiecewiseLinear<N>::Point>& into) {
   const std::vector<SpecValue> rows = value.list();
@@ -27,7 +29,10 @@ void read_points(const SpecValue& value, std::vector<typename PiecewiseLinear<N>
     const std::vector<SpecValue> numbers = row.list(N + 1);
     auto& point = into.emplace_back();
     point.scalar = numbers[0].number();
-    for (std::size_t c = 0; c < N; ++c) point.value[c] = numbers[c + 1].at_least(0);
+    for (std::size_t c = 0; c < N; ++c) {
+      point.value[c] = numbers[c + 1].at_least_finite(0);
+      if (N == 3 && point.value[c] > kLargestColor) numbers[c + 1].fail_bright(point.value[c]);
+    }
     if (into.size() > 1 && point.scalar < into[into.size() - 2].scalar)
       row.fail(fmt::format("scalars must not decrease (point {} has {} after {})", into.size(),
                            point.scalar, into[into.size() - 2].scalar));

@@ -13,6 +13,7 @@
 #  include <hwy/highway.h>
 
 #  include "hiac/element/polar_form-inl.hpp"
+#  include "hiac/render/integrate/light_between_ends-inl.hpp"
 #  include "hiac/render/integrate/piece_optics-inl.hpp"
 #  include "hiac/render/integrate/rule_choice-inl.hpp"
 #  include "hiac/render/integrate/segment_cuts-inl.hpp"
@@ -80,14 +81,15 @@ class HigherOrderWalk {
     Piece<V> part;
     bool whole = s.whole && cuts_.none();
     V z = s.begin, next = s.end, step = hn::Sub(s.end, s.begin);
-    int halvings = 0;
+    int halvings = 0, rounds = 0;
     active = hn::And(active, hn::Lt(z, s.end));
     while (!hn::AllFalse(d, active)) {
       if (!whole) {
         next = cuts_.next(d, z, hn::Min(s.end, hn::Add(z, step)));
         cut_out(d, all, z, next, part);
       }
-      if (!add_piece(d, whole ? all : part, active, halvings < kMostHalvings, sum)) {
+      const bool may_refuse = halvings < kMostHalvings && ++rounds < kMostRounds;
+      if (!add_piece(d, whole ? all : part, active, may_refuse, sum)) {
         ++halvings;
         step = hn::Mul(step, half);
         whole = false;
@@ -108,6 +110,7 @@ class HigherOrderWalk {
 
  private:
   static constexpr int kMostHalvings = 40;
+  static constexpr int kMostRounds = 100000;  // more than pieces that any rule is fit for take
   static constexpr double kInvisible = 1e-20;
   // of the integrand: kappa' or g
   static constexpr std::size_t kFactorDegree = kEmission ? kDegree : kDegree - 1;
@@ -206,8 +209,30 @@ class HigherOrderWalk {
       linear =
           hn::Add(hn::NegMulAdd(hn::Add(even, odd), zeta, hn::Sub(even, odd)), means.of_factor);
     }
-    add_piece_behind(channels, constant, linear, zeta, active, sum);
+    if (HWY_UNLIKELY(optics_.steep)) {
+      const auto channel = [&](std::size_t c) {
+        return hn::MulAdd(channels.slope[c], linear, hn::Mul(channels.value[c], constant));
+      };
+      Radiance<V> light{channel(0), channel(1), channel(2), zeta};
+      light = sound_light<kEmission>(
+          d, optics_, light,
+          PieceEnds<D>{color, extinction, end_of(d, field, -1.0, color_.base),
+                       end_of(d, field, 1.0, color_.base),
+                       end_of(d, piece.extinction, -1.0, extinction_.base),
+                       end_of(d, piece.extinction, 1.0, extinction_.base), piece.length});
+      add_behind(light, active, sum);
+    } else {
+      add_piece_behind(channels, constant, linear, zeta, active, sum);
+    }
     return true;
+  }
+
+  // A field at an end of a piece, z = -1 or 1.
+  template <class D, class V>
+  static HWY_INLINE V end_of(D d, const PowerScalar<V, kDegree>& f, double z, double base) {
+    V value = f.c[kDegree];
+    for (std::size_t k = kDegree; k-- > 0;) value = hn::MulAdd(value, hn::Set(d, z), f.c[k]);
+    return hn::Add(value, hn::Set(d, base));
   }
 
   template <class D, class V>

@@ -31,11 +31,13 @@ HWY_INLINE V dot(const V (&a)[3], const V (&b)[3]) {
   return hn::MulAdd(a[0], b[0], hn::MulAdd(a[1], b[1], hn::Mul(a[2], b[2])));
 }
 
-// R.V^shininess where R.V > 0.
+// R.V^shininess where R.V > 0. By rounding the cosine may be above 1, which huge exponents must not
+// feel.
 template <class D, class V>
 HWY_NOINLINE V highlight(D d, double shininess, V cosine) {
   const V smallest = hn::Set(d, 1e-300);
-  const V power = hn::Mul(hn::Set(d, shininess), hn::Log(d, hn::Max(cosine, smallest)));
+  const V power = hn::Min(hn::Mul(hn::Set(d, shininess), hn::Log(d, hn::Max(cosine, smallest))),
+                          hn::Set(d, 0x1p-10));
   return hn::IfThenElseZero(hn::Gt(cosine, hn::Zero(d)), hn::Exp(d, power));
 }
 

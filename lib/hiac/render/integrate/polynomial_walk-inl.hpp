@@ -16,6 +16,7 @@
 #  include <hwy/highway.h>
 
 #  include "hiac/element/lane_polynomial-inl.hpp"
+#  include "hiac/render/integrate/light_between_ends-inl.hpp"
 #  include "hiac/render/integrate/piece_optics-inl.hpp"
 #  include "hiac/render/integrate/rule_choice-inl.hpp"
 #  include "hiac/render/integrate/shading-inl.hpp"
@@ -353,8 +354,31 @@ class PolynomialWalk {
       constant = hn::Sub(hn::Set(d, 1.0), zeta);
       linear = hn::Add(hn::NegMulAdd(back, zeta, front), means.of_factor);
     }
-    add_piece_behind(channels, constant, linear, zeta, active, sum);
+    if (HWY_UNLIKELY(optics_.steep)) {
+      const auto channel = [&](std::size_t c) {
+        return hn::MulAdd(channels.slope[c], linear, hn::Mul(channels.value[c], constant));
+      };
+      Radiance<V> light{channel(0), channel(1), channel(2), zeta};
+      const double color_base = optics_.same_field ? extinction_.base : color_.base;
+      light =
+          sound_light<kEmission>(d, optics_, light,
+                                 PieceEnds<D>{color, extinction, end_of(d, field, -1.0, color_base),
+                                              end_of(d, field, 1.0, color_base),
+                                              end_of(d, tau_field, -1.0, extinction_.base),
+                                              end_of(d, tau_field, 1.0, extinction_.base), length});
+      add_behind(light, active, sum);
+    } else {
+      add_piece_behind(channels, constant, linear, zeta, active, sum);
+    }
     return true;
+  }
+
+  // A field at an end of a piece, z = -1 or 1.
+  template <class D, class V = hn::Vec<D>>
+  static HWY_INLINE V end_of(D d, const LanePolynomial<V>& f, double z, double base) {
+    V value = f.c[f.degree];
+    for (std::size_t k = f.degree; k-- > 0;) value = hn::MulAdd(value, hn::Set(d, z), f.c[k]);
+    return hn::Add(value, hn::Set(d, base));
   }
 
   // How many nodes give the mean of p exp(-A) with an error of at most 1 / weight, p being kappa'
