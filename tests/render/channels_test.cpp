@@ -287,6 +287,39 @@ TEST(Channels, AWrongOrderIsWitnessedWhereItIs) {
   EXPECT_EQ(sum, static_cast<double>(result.statistics.violations));
 }
 
+// A segment shorter than the tolerance may be rounding, and lie anywhere: the channel forgives it
+// as the statistics do. A flat cell in front of a large one, drawn behind it.
+TEST(Channels, TheWitnessForgivesWhatTheStatisticsForgive) {
+  for (const CellOrder cell_order : {CellOrder::linear, CellOrder::quadratic, CellOrder::cubic})
+    for (const double thickness : {1e-12, 1e-3}) {
+      const ZooMesh linear = test::make_mesh(
+          {{-2, -2, 0},
+           {2, -2, 0},
+           {0, 2, 0},
+           {0, 0, 1},
+           {-2, -2, 2},
+           {2, -2, 2},
+           {0, 2, 2},
+           {0, 0, 2 + thickness}},
+          {{CellKind::tetrahedron4, {0, 1, 2, 3}}, {CellKind::tetrahedron4, {4, 5, 6, 7}}});
+      ZooMesh mesh = cell_order == CellOrder::linear ? linear : test::of_order(linear, cell_order);
+      test::add_random_field(mesh, "f", FieldLocation::node, 15);
+      Scene scene = cube_scene(Projection::orthographic, 12, 12);
+      scene.camera.eye = {0, 0, 4};
+      scene.camera.look_at = {0, 0, 0};
+      scene.camera.up = {0, 1, 0};
+      scene.camera.height = 3;
+      const std::array channel{Channel::witness};
+      const RenderResult result =
+          render(mesh, {std::vector<CellId>{0, 1}, {}, "wrong"}, scene, false, nullptr, channel);
+      double sum = 0;
+      for (std::uint32_t y = 0; y < 12; ++y)
+        for (std::uint32_t x = 0; x < 12; ++x) sum += result.image.at(x, y, 4);
+      EXPECT_EQ(sum, static_cast<double>(result.statistics.violations));
+      EXPECT_EQ(sum > 0, thickness > 1e-9);
+    }
+}
+
 // As one group, in any order, the channels are the same.
 TEST(Channels, GroupsSayTheSame) {
   const ZooMesh mesh = with_fields(test::random_delaunay(60, 8), 8);

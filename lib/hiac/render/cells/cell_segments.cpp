@@ -8,6 +8,8 @@
 // must come after foreach_target.h
 #include <hwy/highway.h>
 
+#include "hiac/render/pixels/compositor-inl.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -74,11 +76,9 @@ HWY_INLINE std::uint64_t composite_from(D1 d, const Frame& frame, const CellSegm
   const auto load = [&](const std::vector<double>& plane)
                         HWY_ATTR { return hn::LoadU(d, plane.data() + k); };
   const auto front = load(s.front), back = load(s.back);
-  const auto tolerance = hn::Set(d, frame.witness_tolerance);
   const auto last = hn::LoadU(d, buffer.last.data() + at);
-  // a segment shorter than the tolerance may be rounding, and lie anywhere
-  const auto early =
-      hn::And(hn::Lt(front, hn::Sub(last, tolerance)), hn::Gt(hn::Sub(back, front), tolerance));
+  const std::uint64_t violations = count_out_of_order(
+      d, front, back, last, hn::FirstN(d, hn::Lanes(d)), frame.witness_tolerance);
   hn::StoreU(hn::Max(last, back), d, buffer.last.data() + at);
   const auto seen = hn::LoadU(d, buffer.transparency.data() + at);
   // not fused, as it is not where segments are composited one by one
@@ -90,7 +90,7 @@ HWY_INLINE std::uint64_t composite_from(D1 d, const Frame& frame, const CellSegm
   add(s.green, buffer.green);
   add(s.blue, buffer.blue);
   hn::StoreU(hn::Mul(seen, load(s.transparency)), d, buffer.transparency.data() + at);
-  return hn::CountTrue(d, early);
+  return violations;
 }
 
 std::uint64_t composite_here(const Frame& frame, const CellSegments& s, std::size_t count,

@@ -15,6 +15,7 @@
 
 #  include "hiac/frame/frame.hpp"
 #  include "hiac/render/integrate/shading-inl.hpp"
+#  include "hiac/render/pixels/compositor-inl.hpp"
 #  include "hiac/render/pixels/tile.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -56,12 +57,8 @@ class SegmentSink {
   HWY_INLINE void composite(D d, const FinishedSegments<D>& s) {
     double* ends = buffer_.last.data() + s.at;
     const V last = hn::LoadU(d, ends);
-    const V latest = hn::Sub(last, hn::Set(d, witness_tolerance_));
-    const auto early = hn::And(s.active, hn::Lt(s.front, latest));
-    // a segment shorter than the tolerance may be rounding, and lie anywhere
-    if (HWY_UNLIKELY(!hn::AllFalse(d, early)))
-      counts_.violations += hn::CountTrue(
-          d, hn::And(early, hn::Gt(hn::Sub(s.back, s.front), hn::Set(d, witness_tolerance_))));
+    counts_.violations +=
+        count_out_of_order(d, s.front, s.back, last, s.active, witness_tolerance_);
     hn::StoreU(hn::IfThenElse(s.active, hn::Max(last, s.back), last), d, ends);
     // lanes that are not active have segments of no length: their light is finite
     Radiance<V> sum{hn::LoadU(d, buffer_.red.data() + s.at),

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "hiac/render/pixels/compositor.hpp"
+
 namespace hiac {
 
 void TileBuffer::reset(const TileRect& tile, const Projector& projector, bool with_details) {
@@ -60,29 +62,18 @@ void composite_sorted(const SegmentList& segments, double witness_tolerance, Til
   const auto nearer = [&](std::uint32_t a, std::uint32_t b) { return segments.nearer(a, b); };
   for (std::size_t p = 0; p + 1 < start.size(); ++p) {
     std::sort(sorted.begin() + start[p], sorted.begin() + start[p + 1], nearer);
-    double red = buffer.red[p], green = buffer.green[p], blue = buffer.blue[p];
-    double transparency = buffer.transparency[p], last = buffer.last[p];
     for (std::uint32_t i = start[p]; i < start[p + 1]; ++i) {
       const std::uint32_t s = sorted[i];
-      // a segment shorter than the tolerance may be rounding, and lie anywhere
-      if (segments.front[s] < last - witness_tolerance &&
-          segments.back[s] - segments.front[s] > witness_tolerance) {
-        ++counts.violations;
-        if (!segments.details.empty()) ++buffer.details[p].violations;
+      const double front = segments.front[s], back = segments.back[s];
+      if (!segments.details.empty()) {
+        SegmentDetails details = segments.details[s];
+        details.out_of_order = out_of_order(front, back, buffer.last[p], witness_tolerance);
+        buffer.describe(p, details);
       }
-      if (!segments.details.empty())
-        buffer.details[p].add(segments.details[s], transparency, std::max({red, green, blue}));
-      last = std::max(last, segments.back[s]);
-      red += transparency * segments.red[s];
-      green += transparency * segments.green[s];
-      blue += transparency * segments.blue[s];
-      transparency *= segments.transparency[s];
+      composite(p, front, back,
+                {{segments.red[s], segments.green[s], segments.blue[s]}, segments.transparency[s]},
+                witness_tolerance, buffer, counts);
     }
-    buffer.red[p] = red;
-    buffer.green[p] = green;
-    buffer.blue[p] = blue;
-    buffer.transparency[p] = transparency;
-    buffer.last[p] = last;
   }
 }
 

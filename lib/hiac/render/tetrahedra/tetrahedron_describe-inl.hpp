@@ -14,6 +14,7 @@
 #  include <hwy/highway.h>
 
 #  include "hiac/render/integrate/shading-inl.hpp"
+#  include "hiac/render/pixels/compositor.hpp"
 #  include "hiac/render/pixels/tile.hpp"
 #  include "hiac/render/tetrahedra/scan_conversion-inl.hpp"
 #  include "hiac/render/tetrahedra/tetrahedron_details.hpp"
@@ -117,7 +118,8 @@ class SegmentDescriber {
                                .out_of_order = false,
                                .cuts = {}};
     if (group_ == nullptr)
-      segment.out_of_order = front < buffer_.last[pixels.at + k] - frame_.witness_tolerance;
+      segment.out_of_order =
+          out_of_order(front, back, buffer_.last[pixels.at + k], frame_.witness_tolerance);
     if (!pixels.cut) return segment;
     offsets_.clear();
     double nearest = 2;
