@@ -22,7 +22,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*["<]((?:hiac|formats|tools|tests)/[^">]
 def room_of(path):
     """The room of a file or of an included name: "mesh" of hiac/mesh/zoo_mesh.hpp."""
     parts = pathlib.PurePath(path).parts
-    if parts[0] == "lib":
+    if parts[0] in ("include", "lib"):
         parts = parts[1:]
     return parts[1] if parts[0] == "hiac" and len(parts) > 2 else parts[0]
 
@@ -38,7 +38,7 @@ def allowed(path, included):
 def main():
     source = pathlib.Path(sys.argv[1])
     faults, includes = [], 0
-    for folder in ("lib/hiac", "formats", "tools"):
+    for folder in ("include/hiac", "lib/hiac", "formats", "tools"):
         for file in sorted((source / folder).rglob("*.[ch]pp")):
             path = file.relative_to(source).as_posix()
             if room_of(path) not in FLOORS:
