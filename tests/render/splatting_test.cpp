@@ -240,7 +240,7 @@ TEST(Splatting, CurvedCellsHaveTheirVolumeAndCentre) {
   const Scene scene = test::cube_scene(Projection::orthographic, 40, 40);
   const Projector projector(scene.camera, scene.image);
   const double pixels = std::pow(projector.pixels_per_unit(), 2);
-  const Splat splat = splat_of(make_frame(mesh, scene, projector), 0);
+  const Splat splat = splat_of(Frame(mesh, scene, projector), 0);
   const double volume = 1 + 2 * a / 3;
   EXPECT_NEAR(splat.length / pixels, volume, 1e-12);
   EXPECT_NEAR(splat.point[0], 0.5, 1e-12);
@@ -251,7 +251,7 @@ TEST(Splatting, CurvedCellsHaveTheirVolumeAndCentre) {
     for (const CellOrder order : {CellOrder::quadratic, CellOrder::cubic}) {
       ZooMesh cube = test::moved(test::of_order(straight, order), test::bent);
       test::add_node_field(cube, "f", [](const Position&) { return 0.5; });
-      const Frame frame = make_frame(cube, scene, projector);
+      const Frame frame(cube, scene, projector);
       double sum = 0;
       for (CellId cell = 0; cell < cube.cell_count(); ++cell)
         sum += splat_of(frame, cell).length / pixels;

@@ -70,52 +70,45 @@ FrameField zero_field(const ZooMesh& mesh) {
 
 }  // namespace
 
-Frame make_frame(const ZooMesh& mesh, const Scene& scene, const Projector& projector) {
-  const double depth = depth_of_mesh(mesh, projector);
+Frame::Frame(const ZooMesh& of_mesh, const Scene& scene, const Projector& of_scene, Details details)
+    : mesh(of_mesh),
+      projector(of_scene),
+      nodes(project_nodes(mesh, projector)),
+      kernel_cells(hiac::kernel_cells(mesh, nodes, scene.render.planarity)),
+      isosurfaces(make_isosurfaces(mesh, scene, projector)),
+      with_details(details != Details::none),
+      with_error(details == Details::bounded),
+      depth(depth_of_mesh(mesh, projector)),
+      tolerance(scene.render.tolerance),
+      straightness(scene.render.planarity) {
+  witness_tolerance = kWitnessTolerance * depth;
   const double longest =
       depth * std::max(projector.ray_scale(0, 0), projector.ray_scale(scene.image.width, 0));
   // of a mesh without depth nothing is seen but surfaces
   const double most_extinction = kThickestMesh / std::max(longest, 1 / kThickestMesh);
-  Frame frame{.mesh = mesh,
-              .projector = projector,
-              .nodes = project_nodes(mesh, projector),
-              .kernel_cells = {},
-              .optics = make_optics_tables(scene.volume, scene.render.integration, most_extinction),
-              .color = {},
-              .extinction = {},
-              .isosurfaces = make_isosurfaces(mesh, scene, projector),
-              .splatted_cells = {}};
-  frame.kernel_cells = kernel_cells(mesh, frame.nodes, scene.render.planarity);
+  optics = make_optics_tables(scene.volume, scene.render.integration, most_extinction);
   const bool polynomial = scene.render.interpolation == Interpolation::polynomial;
-  const auto& color = scene.volume.color;
-  const auto& extinction = scene.volume.extinction;
-  if (extinction)
-    frame.extinction = frame_field(mesh, extinction->field, frame.optics.extinction, polynomial);
-  else if (color)
-    frame.extinction = frame_field(mesh, color->field, frame.optics.extinction, polynomial);
+  const auto& of_color = scene.volume.color;
+  const auto& of_extinction = scene.volume.extinction;
+  if (of_extinction)
+    extinction = frame_field(mesh, of_extinction->field, optics.extinction, polynomial);
+  else if (of_color)
+    extinction = frame_field(mesh, of_color->field, optics.extinction, polynomial);
   else
-    frame.extinction = zero_field(mesh);
-  if (!frame.optics.same_field)
-    frame.color = frame_field(mesh, color->field, frame.optics.color, polynomial);
-  frame.tolerance = scene.render.tolerance;
-  frame.straightness = scene.render.planarity;
-  frame.depth = depth;
-  frame.optics.steep = is_steep(frame.optics, largest_magnitude(frame.color_field()),
-                                largest_magnitude(frame.extinction), longest);
-  frame.witness_tolerance = kWitnessTolerance * frame.depth;
+    extinction = zero_field(mesh);
+  if (!optics.same_field) color = frame_field(mesh, of_color->field, optics.color, polynomial);
+  optics.steep =
+      is_steep(optics, largest_magnitude(color_field()), largest_magnitude(extinction), longest);
   // What lies behind a transparency T adds at most T times the largest light to a pixel and T to
   // its alpha, and hides T times the background. With emission rays are not ended: light grows with
   // a ray's length.
-  frame.largest_light = std::max(frame.optics.largest_color, frame.isosurfaces.largest_light);
-  if (frame.optics.emission)
-    frame.largest_light = frame.optics.largest_color * longest + frame.isosurfaces.largest_light;
+  largest_light = std::max(optics.largest_color, isosurfaces.largest_light);
+  if (optics.emission) largest_light = optics.largest_color * longest + isosurfaces.largest_light;
   const double behind =
       std::max(std::ranges::max(scene.background.color), std::ranges::max(scene.background.color2));
-  frame.least_transparency =
-      frame.optics.emission
-          ? 0
-          : kEndShare * scene.render.tolerance / std::max({1.0, frame.largest_light, behind});
-  return frame;
+  least_transparency =
+      optics.emission ? 0
+                      : kEndShare * scene.render.tolerance / std::max({1.0, largest_light, behind});
 }
 
 }  // namespace hiac

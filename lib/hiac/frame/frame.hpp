@@ -14,8 +14,23 @@
 
 namespace hiac {
 
+/// What a picture says of its pixels besides their colour.
+enum class Details : std::uint8_t {
+  none,
+  described,  ///< PixelDetails
+  bounded     ///< these, with bounds of errors
+};
+
 /// Everything that does not change while one image is made. Shared by all tiles, read only.
 struct Frame {
+  /// The frame of a scene. `projector`: of the scene; it and the mesh must outlive the frame.
+  /// Requires what check_renderable (renderable.hpp) lets pass.
+  Frame(const ZooMesh& mesh, const Scene& scene, const Projector& projector,
+        Details details = Details::none);
+  Frame(const Frame&) = delete;
+  Frame& operator=(const Frame&) = delete;
+  ~Frame() = default;
+
   const ZooMesh& mesh;
   const Projector& projector;
   std::vector<ProjectedNode> nodes;
@@ -23,13 +38,12 @@ struct Frame {
   OpticsTables optics;
   FrameField color, extinction;  ///< one and the same where optics.same_field
   Isosurfaces isosurfaces;
-  std::vector<std::uint8_t> splatted_cells;  ///< what splatted_cells() says; empty: none
   /// Pixels with less transparency than this are finished.
   double least_transparency = 0;
   /// Segments may overlap the one before by this much of the ray parameter: rounding.
   double witness_tolerance = 0;
-  bool with_details = false;  ///< pixels' details are asked for
-  bool with_error = false;    ///< among them bounds of errors
+  bool with_details;  ///< pixels' details are asked for
+  bool with_error;    ///< among them bounds of errors
   /// Of what a ray meets, seen through nothing: any channel.
   double largest_light = 0;
   double depth = 0;         ///< extent of the mesh in the ray parameter
@@ -43,13 +57,6 @@ struct Frame {
   [[nodiscard]] bool is_curved(CellId cell) const {
     return kernel_cells[cell] == CellKernel::none_curved;
   }
-  [[nodiscard]] bool is_splatted(CellId cell) const {
-    return !splatted_cells.empty() && splatted_cells[cell] != 0;
-  }
 };
-
-/// The frame of a scene, without details and splats. `projector`: of the scene; it and the mesh
-/// must outlive the frame. Requires what check_renderable (renderable.hpp) lets pass.
-Frame make_frame(const ZooMesh& mesh, const Scene& scene, const Projector& projector);
 
 }  // namespace hiac

@@ -41,13 +41,14 @@ bool all_opaque(const TileBuffer& buffer, const TileRect& tile, double least) {
 // Renders one tile from its cells.
 class TileRenderer {
  public:
-  TileRenderer(const Frame& frame, const VisibilityOrder& order, const TileRect& tile,
-               std::span<const std::uint32_t> ranks)
+  TileRenderer(const Frame& frame, const SplattedCells& splatted, const VisibilityOrder& order,
+               const TileRect& tile, std::span<const std::uint32_t> ranks)
       : frame_(frame),
+        splatted_(splatted),
         order_(order),
         tile_(tile),
         ranks_(ranks),
-        splats_(frame, order.cells, ranks, tile) {
+        splats_(frame, splatted, order.cells, ranks, tile) {
     buffer_.reset(tile, frame.projector, frame.with_details);
   }
 
@@ -94,7 +95,7 @@ class TileRenderer {
       for (; begin < ranks.size() && draw_for_rank(ranks[begin]) == draw; ++begin) {
         if (begin + kFetchAhead < ranks.size())
           __builtin_prefetch(&frame_.kernel_cells[order_.cells[ranks[begin + kFetchAhead]]]);
-        if (const CellId cell = order_.cells[ranks[begin]]; !frame_.is_splatted(cell))
+        if (const CellId cell = order_.cells[ranks[begin]]; !splatted_.holds(cell))
           cells_.push_back(cell);
       }
       draw(frame_, cells_, tile_, buffer_, group, counts_);
@@ -102,6 +103,7 @@ class TileRenderer {
   }
 
   const Frame& frame_;
+  const SplattedCells& splatted_;
   const VisibilityOrder& order_;
   TileRect tile_;
   std::span<const std::uint32_t> ranks_;
@@ -183,6 +185,12 @@ TileSummary write_tile(const TileBuffer& buffer, const TileRect& tile, const Fra
   return summary;
 }
 
+Details details_for(std::span<const Channel> channels) {
+  if (channels.empty()) return Details::none;
+  return std::ranges::find(channels, Channel::error) == channels.end() ? Details::described
+                                                                       : Details::bounded;
+}
+
 }  // namespace
 
 RenderStatistics& RenderStatistics::operator+=(const RenderStatistics& other) {
@@ -208,7 +216,7 @@ struct PartRenderer::Prepared {
   double start;
   Projector projector;
   Frame frame;
-  std::uint64_t splatted;
+  SplattedCells splatted;
   double seconds = 0;
 
   Prepared(const ZooMesh& mesh, const VisibilityOrder& visibility, const Scene& what,
@@ -218,10 +226,8 @@ struct PartRenderer::Prepared {
         channels(wanted.begin(), wanted.end()),
         start(seconds_now()),
         projector(scene.camera, scene.image),
-        frame(make_frame_with_splats(mesh, scene, projector)),
-        splatted(static_cast<std::uint64_t>(std::ranges::count(frame.splatted_cells, 1))) {
-    frame.with_details = !channels.empty();
-    frame.with_error = std::ranges::find(channels, Channel::error) != channels.end();
+        frame(mesh, scene, projector, details_for(channels)),
+        splatted(frame, scene.image, scene.render.splat_below) {
     require_bound();
     seconds = seconds_now() - start;
   }
@@ -256,7 +262,7 @@ RenderResult PartRenderer::render(const PixelRect& part, bool with_background,
   const Scene& scene = prepared_->scene;
   require_inside(part, scene.image);
   const double start = seconds_now();
-  const TileBins bins = bin_cells(frame, order, scene.image, part);
+  const TileBins bins = bin_cells(frame, prepared_->splatted, order, scene.image, part);
   std::vector<std::string> names = rgba_channels();
   for (const Channel channel : prepared_->channels) names.emplace_back(channel_name(channel));
   RenderResult result{Image(part.width, part.height, std::move(names)), {}};
@@ -266,7 +272,7 @@ RenderResult PartRenderer::render(const PixelRect& part, bool with_background,
   std::vector<TileSummary> summaries(bins.tiles.size());
   parallel_for(bins.tiles.size(), 1, [&](IndexRange range) {
     const std::size_t tile = range.begin;
-    TileRenderer renderer(frame, order, bins.tiles[tile], bins.cells_of(tile));
+    TileRenderer renderer(frame, prepared_->splatted, order, bins.tiles[tile], bins.cells_of(tile));
     renderer.render();
     PixelRefinement refinement(frame, order, bins.tiles[tile], bins.cells_of(tile));
     summaries[tile] = write_tile(renderer.buffer(), bins.tiles[tile], frame, scene, with_background,
@@ -286,7 +292,7 @@ RenderResult PartRenderer::render(const PixelRect& part, bool with_background,
   }
   if (statistics.covered_pixels > 0)
     statistics.mean_optical_depth /= static_cast<double>(statistics.covered_pixels);
-  statistics.splatted_cells = prepared_->splatted;
+  statistics.splatted_cells = prepared_->splatted.count();
   statistics.prepare_seconds = prepared - start;
   statistics.tile_seconds = seconds_now() - prepared;
   return result;

@@ -248,16 +248,16 @@ PixelExplanation explain_pixel(const ZooMesh& mesh, const VisibilityOrder& order
                                bool with_background) {
   require_explainable(scene, x, y);
   const Projector projector(scene.camera, scene.image);
-  Frame frame = make_frame_with_splats(mesh, scene, projector);
-  frame.with_details = true;
-  frame.with_error = frame.optics.rule == PieceRule::exact &&
-                     scene.render.interpolation == Interpolation::isoparametric;
+  const bool is_bounded = scene.render.integration == Integration::exact &&
+                          scene.render.interpolation == Interpolation::isoparametric;
+  const Frame frame(mesh, scene, projector, is_bounded ? Details::bounded : Details::described);
 
   PixelExplanation result;
   result.x = x;
   result.y = y;
   if (with_background) result.background = background_at(scene.background, scene.image, x, y);
-  const TileBins bins = bin_cells(frame, order, scene.image, {x, y, 1, 1});
+  const TileBins bins =
+      bin_cells(frame, SplattedCells(frame, scene.image, 0), order, scene.image, {x, y, 1, 1});
   RayFollower ray(frame, bins.tiles.front(), static_cast<int>(x), static_cast<int>(y),
                   std::ranges::max(result.background));
   const auto ranks = bins.cells_of(0);

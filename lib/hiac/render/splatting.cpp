@@ -219,22 +219,18 @@ int first_reached(double coordinate) { return static_cast<int>(std::floor(coordi
 
 }  // namespace
 
-std::vector<std::uint8_t> splatted_cells(const Frame& frame, ImageSize size,
-                                         std::uint32_t splat_below) {
-  std::vector<std::uint8_t> flags(frame.mesh.cell_count());
-  parallel_for(flags.size(), std::size_t{1} << 14, [&](IndexRange range) {
+SplattedCells::SplattedCells(const Frame& frame, ImageSize size, std::uint32_t splat_below) {
+  if (splat_below == 0) return;
+  is_splatted_.assign(frame.mesh.cell_count(), 0);
+  parallel_for(is_splatted_.size(), std::size_t{1} << 14, [&](IndexRange range) {
     SplatChoice choice(frame, size, splat_below);
     for (std::size_t cell = range.begin; cell < range.end; ++cell)
-      flags[cell] = choice(static_cast<CellId>(cell)) ? 1 : 0;
+      is_splatted_[cell] = choice(static_cast<CellId>(cell)) ? 1 : 0;
   });
-  return flags;
 }
 
-Frame make_frame_with_splats(const ZooMesh& mesh, const Scene& scene, const Projector& projector) {
-  Frame frame = make_frame(mesh, scene, projector);
-  if (scene.render.splat_below > 0)
-    frame.splatted_cells = splatted_cells(frame, scene.image, scene.render.splat_below);
-  return frame;
+std::uint64_t SplattedCells::count() const {
+  return static_cast<std::uint64_t>(std::ranges::count(is_splatted_, 1));
 }
 
 Splat splat_of(const Frame& frame, CellId cell) {
@@ -252,12 +248,13 @@ Splat splat_of(const Frame& frame, CellId cell) {
           gravity.center};
 }
 
-TileSplats::TileSplats(const Frame& frame, std::span<const CellId> order,
-                       std::span<const std::uint32_t> ranks, const TileRect& tile)
+TileSplats::TileSplats(const Frame& frame, const SplattedCells& splatted,
+                       std::span<const CellId> order, std::span<const std::uint32_t> ranks,
+                       const TileRect& tile)
     : frame_(frame), tile_(tile) {
-  if (frame.splatted_cells.empty()) return;
+  if (splatted.none()) return;
   for (const std::uint32_t rank : ranks)
-    if (frame.is_splatted(order[rank])) add(order[rank]);
+    if (splatted.holds(order[rank])) add(order[rank]);
   if (splats_.empty()) return;
   std::ranges::sort(splats_, [](const Glowing& a, const Glowing& b) {
     return a.t != b.t ? a.t < b.t : a.cell < b.cell;

@@ -43,13 +43,19 @@ namespace hiac {
 /// whole pixel and the others be added to them). Not splatted, but met by rays as any other, are
 /// cells that isosurfaces cross, that reach out of the clipping slab, or beside the eye.
 
-/// make_frame (frame.hpp) with the splatted cells that the scene asks for.
-Frame make_frame_with_splats(const ZooMesh& mesh, const Scene& scene, const Projector& projector);
+/// Which cells of a frame are splatted and may be seen in the picture.
+class SplattedCells {
+ public:
+  /// `splat_below`: scene.render.splat_below; 0: none.
+  SplattedCells(const Frame& frame, ImageSize size, std::uint32_t splat_below);
 
-/// For every cell of the frame, 1 where it is splatted and may be seen in the picture. Needs the
-/// frame's nodes and isosurfaces.
-std::vector<std::uint8_t> splatted_cells(const Frame& frame, ImageSize size,
-                                         std::uint32_t splat_below);
+  [[nodiscard]] bool none() const { return is_splatted_.empty(); }
+  [[nodiscard]] bool holds(CellId cell) const { return !none() && is_splatted_[cell] != 0; }
+  [[nodiscard]] std::uint64_t count() const;
+
+ private:
+  std::vector<std::uint8_t> is_splatted_;  // a flag a cell; empty where none is
+};
 
 /// A cell's centre of gravity, and all that a splat is but optics.
 struct Splat {
@@ -65,7 +71,7 @@ Splat splat_of(const Frame& frame, CellId cell);
 class TileSplats {
  public:
   /// Of the cells at these places of an order, those that are splatted.
-  TileSplats(const Frame& frame, std::span<const CellId> order,
+  TileSplats(const Frame& frame, const SplattedCells& splatted, std::span<const CellId> order,
              std::span<const std::uint32_t> ranks, const TileRect& tile);
 
   [[nodiscard]] bool empty() const { return splats_.empty(); }

@@ -451,7 +451,7 @@ class PixelErrorTest : public testing::Test {
     test::make_uniform(scene);
     scene.volume.color->points = {{0, {0.5, 2, 1}}};
     projector_.emplace(scene.camera, scene.image);
-    frame_.emplace(make_frame(mesh_, scene, *projector_));
+    frame_.emplace(mesh_, scene, *projector_);
   }
 
   [[nodiscard]] double error(double transparency, bool ended, double background) const {

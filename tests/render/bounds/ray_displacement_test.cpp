@@ -119,7 +119,7 @@ class RayDisplacementTest : public testing::Test {
     ZooMesh with_field = mesh;
     test::add_node_field(with_field, "f", [](const test::Position& p) { return p[0]; });
     const Projector projector(scene.camera, scene.image);
-    const Frame frame = make_frame(with_field, scene, projector);
+    const Frame frame(with_field, scene, projector);
     return ray_displacement(frame, 0);
   }
 

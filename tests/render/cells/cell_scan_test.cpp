@@ -215,7 +215,7 @@ void add(const std::vector<CellCrossing>& crossings, PixelCrossings& pixels) {
 // Returns how many of the crossings are in runs.
 std::size_t expect_same_crossings(const NamedMesh& m, const Scene& scene) {
   const Projector projector(scene.camera, scene.image);
-  const Frame frame = make_frame(m.mesh, scene, projector);
+  const Frame frame(m.mesh, scene, projector);
   const TileRect tile{1, 2, static_cast<int>(scene.image.width) - 3,
                       static_cast<int>(scene.image.height) - 1};
   std::size_t in_runs = 0;

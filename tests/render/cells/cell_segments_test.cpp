@@ -21,7 +21,7 @@ class CellSegmentsTest : public testing::Test {
         scene_(make_scene()),
         projector_(scene_.camera, scene_.image) {
     test::add_node_field(mesh_, "f", [](const test::Position& p) { return p[0]; });
-    frame_ = std::make_unique<Frame>(make_frame(mesh_, scene_, projector_));
+    frame_ = std::make_unique<Frame>(mesh_, scene_, projector_);
     frame_->least_transparency = 0.1;
     frame_->witness_tolerance = 0.01;
     fill(buffer_->red), fill(buffer_->green), fill(buffer_->blue), fill(buffer_->ray_scale);

@@ -203,7 +203,7 @@ TEST(CurvedFaces, RandomCellsOfEveryKindAgreeWithBruteForce) {
     {
       const Scene scene = cube_scene(projection, 4, 4);
       const Projector projector(scene.camera, scene.image);
-      const Frame frame = make_frame(mesh, scene, projector);
+      const Frame frame(mesh, scene, projector);
       ASSERT_TRUE(has_curved_faces(mesh, 0, frame.straightness));
       std::vector<CellCrossing> crossings;
       scan_cell(frame, 0, {0, 0, 4, 4}, crossings);
@@ -240,7 +240,7 @@ TEST(CurvedFaces, ShortCrossingsAreFound) {
     const Scene scene =
         cube_scene(k % 2 == 0 ? Projection::perspective : Projection::orthographic, kSide, kSide);
     const Projector projector(scene.camera, scene.image);
-    const Frame frame = make_frame(mesh, scene, projector);
+    const Frame frame(mesh, scene, projector);
     std::vector<RealPoint> nodes;
     for (const NodeId node : mesh.cell_nodes(0)) {
       const auto p = mesh.position(node);
@@ -291,8 +291,8 @@ TEST(CurvedFaces, DoubtsHoldWhatDisplacementsDo) {
     });
     const Scene scene = cube_scene(Projection::perspective, kSide, kSide);
     const Projector projector(scene.camera, scene.image);
-    const Frame frame = make_frame(mesh, scene, projector);
-    const Frame other = make_frame(displaced, scene, projector);
+    const Frame frame(mesh, scene, projector);
+    const Frame other(displaced, scene, projector);
     const CellSurface surface = cell_surface(kind, mesh.cell_nodes(0));
     const TileRect tile{0, 0, kSide, kSide};
     CurvedFaces faces(frame, 0, surface), moved(other, 0, surface);
@@ -354,7 +354,7 @@ class DoubtByHandTest : public testing::Test {
     scene.camera.up = {0, 1, 0};
     scene.camera.height = 8;
     projector_.emplace(scene.camera, scene.image);
-    frame_.emplace(make_frame(mesh_, scene, *projector_));
+    frame_.emplace(mesh_, scene, *projector_);
     surface_ = cell_surface(kind, mesh_.cell_nodes(0));
     faces_.emplace(*frame_, 0, surface_);
     std::array<bool, CellSurface::kMostCorners> above{};
@@ -453,7 +453,7 @@ TEST(CurvedFaces, ReferenceCoordinatesAreThoseOfThePlace) {
     const ZooMesh mesh = random_cell(kind, 0.15, static_cast<unsigned>(50 + k));
     const Scene scene = cube_scene(Projection::perspective, 24, 24);
     const Projector projector(scene.camera, scene.image);
-    const Frame frame = make_frame(mesh, scene, projector);
+    const Frame frame(mesh, scene, projector);
     std::vector<CellCrossing> crossings;
     scan_cell(frame, 0, {0, 0, 24, 24}, crossings);
     EXPECT_GT(crossings.size(), 20U);
@@ -490,7 +490,7 @@ TEST(CurvedFaces, NeighboursFindTheSameCrossings) {
       Scene scene = cube_scene(Projection::perspective, 40, 30);
       if (inside) scene.camera.eye = {0.52, 0.47, 0.55};
       const Projector projector(scene.camera, scene.image);
-      const Frame frame = make_frame(mesh, scene, projector);
+      const Frame frame(mesh, scene, projector);
       // by the face's lower cell, what either says
       std::map<std::tuple<CellId, std::size_t, int, int, double>, int> said;
       for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {

@@ -105,7 +105,7 @@ TEST(RaysInFaces, FacesThatAreCurvedInTheirPlanesAreShared) {
     scene.camera.up = {0, 1, 0};
     scene.camera.height = 1;
     const Projector projector(scene.camera, scene.image);
-    const Frame frame = make_frame(mesh, scene, projector);
+    const Frame frame(mesh, scene, projector);
     for (int k = 1; k < 15; ++k)
       for (const auto& [x, y] : {std::pair{k, k}, {k, 15 - k + 1}, {k, 8}, {8, k}, {k, 4}}) {
         if (std::max(x, y) > 14) continue;
@@ -183,7 +183,7 @@ TEST(RaysInFaces, BentFacesAreShared) {
         }
         scene.camera.height = 1;
         const Projector projector(scene.camera, scene.image);
-        const Frame frame = make_frame(mesh, scene, projector);
+        const Frame frame(mesh, scene, projector);
         const Shared shared =
             share(mesh, frame, static_cast<int>(side / 2), static_cast<int>(side / 2));
         const std::string where = std::string(kind_name(mesh.kinds[0])) + ' ' + std::to_string(by) +

@@ -59,7 +59,7 @@ class Comparison {
   Comparison(const ZooMesh& mesh, const Scene& scene)
       : mesh_(mesh),
         projector_(scene.camera, scene.image),
-        frame_(make_frame(mesh, scene, projector_)),
+        frame_(mesh, scene, projector_),
         tile_{0, 0, static_cast<int>(scene.image.width), static_cast<int>(scene.image.height)} {}
 
   std::size_t segments = 0, undone = 0;

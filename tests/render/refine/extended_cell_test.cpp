@@ -31,7 +31,7 @@ class Look {
         scene_(test::cube_scene(projection, 8, 8)),
         projector_(scene_.camera, scene_.image) {
     test::add_node_field(mesh_, "f", [](const Position& p) { return p[0]; });
-    frame_.emplace(make_frame(mesh_, scene_, projector_));
+    frame_.emplace(mesh_, scene_, projector_);
   }
 
   [[nodiscard]] const Frame& frame() const { return *frame_; }

@@ -67,7 +67,7 @@ double error_of(const ZooMesh& mesh, const Scene& scene) {
 // How many cells a kernel has in a scene.
 std::size_t drawn_by(CellKernel kernel, const ZooMesh& mesh, const Scene& scene) {
   const Projector projector(scene.camera, scene.image);
-  const Frame frame = make_frame(mesh, scene, projector);
+  const Frame frame(mesh, scene, projector);
   return static_cast<std::size_t>(std::ranges::count(frame.kernel_cells, kernel));
 }
 

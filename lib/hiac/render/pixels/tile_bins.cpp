@@ -46,8 +46,9 @@ struct Box {
 
 class Binner {
  public:
-  Binner(const Frame& frame, ImageSize size, const PixelRect& part)
+  Binner(const Frame& frame, const SplattedCells& splatted, ImageSize size, const PixelRect& part)
       : frame_(frame),
+        splatted_(splatted),
         width_(static_cast<int>(size.width)),
         height_(static_cast<int>(size.height)),
         all_(tiles_between(static_cast<int>(part.x), static_cast<int>(part.y),
@@ -58,7 +59,7 @@ class Binner {
   [[nodiscard]] const TileRange& all() const { return all_; }
 
   [[nodiscard]] TileRange range(CellId cell) const {
-    if (frame_.is_splatted(cell)) return tiles_of_splat(splat_of(frame_, cell));
+    if (splatted_.holds(cell)) return tiles_of_splat(splat_of(frame_, cell));
     if (order_of(frame_.mesh.kinds[cell]) != CellOrder::linear && frame_.is_curved(cell))
       return range_of_curved(cell);
     const auto nodes = frame_.mesh.cell_nodes(cell).first(corner_count(frame_.mesh.kinds[cell]));
@@ -124,6 +125,7 @@ class Binner {
   }
 
   const Frame& frame_;
+  const SplattedCells& splatted_;
   int width_, height_;
   TileRange all_;
 };
@@ -165,9 +167,9 @@ std::vector<std::uint64_t> places_of_counts(std::span<std::uint32_t> counts,
 
 }  // namespace
 
-TileBins bin_cells(const Frame& frame, const VisibilityOrder& order, ImageSize size,
-                   const PixelRect& part) {
-  const Binner binner(frame, size, part);
+TileBins bin_cells(const Frame& frame, const SplattedCells& splatted, const VisibilityOrder& order,
+                   ImageSize size, const PixelRect& part) {
+  const Binner binner(frame, splatted, size, part);
   TileBins bins;
   bins.tiles = make_tiles(binner.all(), size);
   const std::size_t tile_count = bins.tiles.size(), cells = order.cells.size();

@@ -8,6 +8,7 @@
 #include "hiac/frame/frame.hpp"
 #include "hiac/order/visibility_order.hpp"
 #include "hiac/render/pixels/tile.hpp"
+#include "hiac/render/splatting.hpp"
 #include "hiac/scene/scene.hpp"
 
 namespace hiac {
@@ -27,7 +28,7 @@ struct TileBins {
 /// cover; cells whose bounding box holds no pixel centre, or that lie outside the clipping slab, go
 /// to none. Splats go to all tiles that their kernels meet. The tiles are those that the whole
 /// picture has. Linear, in parallel; the result does not depend on the number of threads.
-TileBins bin_cells(const Frame& frame, const VisibilityOrder& order, ImageSize size,
-                   const PixelRect& part);
+TileBins bin_cells(const Frame& frame, const SplattedCells& splatted, const VisibilityOrder& order,
+                   ImageSize size, const PixelRect& part);
 
 }  // namespace hiac
