@@ -7,10 +7,10 @@
 #include "hiac/base/rounding.hpp"
 #include "hiac/element/gradient_bound.hpp"
 #include "hiac/element/gradient_direction.hpp"
-#include "hiac/element/sign_changes.hpp"
 #include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 #include "hiac/render/bounds/rounding_counts.hpp"
+#include "hiac/render/cells/sign_changes.hpp"
 
 namespace hiac {
 namespace {

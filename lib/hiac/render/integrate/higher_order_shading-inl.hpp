@@ -12,9 +12,9 @@
 
 #  include <hwy/highway.h>
 
-#  include "hiac/element/polar_form-inl.hpp"
 #  include "hiac/render/integrate/light_between_ends-inl.hpp"
 #  include "hiac/render/integrate/piece_optics-inl.hpp"
+#  include "hiac/render/integrate/polar_form-inl.hpp"
 #  include "hiac/render/integrate/rule_choice-inl.hpp"
 #  include "hiac/render/integrate/segment_cuts-inl.hpp"
 #  include "hiac/render/integrate/shading-inl.hpp"

@@ -14,8 +14,8 @@
 
 #  include <hwy/highway.h>
 
-#  include "hiac/element/polar_form-inl.hpp"
 #  include "hiac/frame/interval_range.hpp"
+#  include "hiac/render/integrate/polar_form-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {

@@ -9,10 +9,10 @@
 #include "hiac/element/face_interpolant.hpp"
 #include "hiac/element/gradient_bound.hpp"
 #include "hiac/element/ray_rounding.hpp"
-#include "hiac/element/sign_changes.hpp"
 #include "hiac/optics/polynomial_piece.hpp"
 #include "hiac/render/bounds/rounding_counts.hpp"
 #include "hiac/render/cells/cuts_along_ray.hpp"
+#include "hiac/render/cells/sign_changes.hpp"
 
 namespace hiac {
 namespace {
