@@ -105,7 +105,7 @@ TEST_F(CheckTool, RepairDropsOrders) {
     ASSERT_EQ(read_order_chunks(file("sorted.zoo")).size(), 1U);
     ASSERT_EQ(check("sorted.zoo --repair -o r.zoo"), 0) << complaint();
     EXPECT_EQ(read_zoo_file(file("r.zoo")).extras.size(), mended ? 0U : 1U);
-    EXPECT_EQ(complaint().find("do not fit the repaired one") != std::string::npos, mended);
+    EXPECT_EQ(complaint().find("do not fit the repaired mesh") != std::string::npos, mended);
     EXPECT_EQ(run("$RENDER r.zoo --view view.toml -o p.npy"), 0) << complaint();
   }
 }

@@ -158,7 +158,7 @@ TEST_F(Compare, ReadsEveryFormatThatIsWritten) {
     EXPECT_EQ(answer.exit_code, 0) << file.name << answer.errors;
     const bool has_alpha = std::string(file.name) != "b.pfm" && std::string(file.name) != "b.hdr";
     EXPECT_EQ(answer.errors, has_alpha ? ""
-                                       : "hiac-compare: warning: channel A is in a.npy alone and "
+                                       : "hiac-compare: warning: channel A is only in a.npy and is "
                                          "not compared\n");
   }
   write_image(path("l.tiff"), image, {.linear = true, .depth = 16});

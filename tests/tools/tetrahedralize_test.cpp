@@ -135,7 +135,7 @@ TEST_F(Tetrahedralize, NamesWhatASurfaceLacks) {
 TEST_F(Tetrahedralize, JoinsPoints) {
   write("points.csv", "x,y,z,t\n0,0,0,1\n1,0,0,2\n0,1,0,3\n0,0,1,4\n1,1,1,5\n0,0,0,6\n");
   ASSERT_EQ(run("$T points.csv --delaunay -o points.zoo"), 0);
-  EXPECT_THAT(errors(), HasSubstr("1 points lie where others do"));
+  EXPECT_THAT(errors(), HasSubstr("1 points lie at the place of another point"));
   const ZooMesh joined = mesh("points.zoo");
   EXPECT_NEAR(volume_of(joined), 0.5, 1e-15);
   ASSERT_EQ(joined.fields.size(), 1U);
