@@ -87,8 +87,9 @@ BasicRootEnclosure<Real> enclosed_simple_root(const Part<Real>& part,
   Real reach = residual / flattest;
   if (reach > kWide<Real> && slope.degree > 0) {
     // what the slope is at the root, less what it may change up to the enclosure's ends
+    const BasicBernstein<Real> bending = derivative(slope);
     Real bend = 0;
-    for (const Real b : derivative(slope).coefficients()) bend = std::max(bend, std::abs(b));
+    for (const Real b : bending.coefficients()) bend = std::max(bend, std::abs(b));
     const Real nearby = std::abs(evaluate(slope, x)) - 2 * slope_margin - bend * reach;
     if (nearby > flattest) reach = residual / nearby;
   }

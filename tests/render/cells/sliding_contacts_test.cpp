@@ -9,7 +9,6 @@
 
 #include "tests/render/truth/general_meshes.hpp"
 #include "tests/render/truth/scene_truth.hpp"
-#include "tests/support/instrumented.hpp"
 
 namespace hiac {
 namespace {
@@ -64,7 +63,8 @@ void expect_truth(const ZooMesh& mesh, const Scene& scene) {
 }
 
 TEST(SlidingContacts, PicturesAgreeWithBruteForce) {
-  constexpr std::uint32_t kSide = test::kInstrumented ? 1 : 2;
+  // an even number: the ray through the middle meets a node, of which the truth knows no side
+  constexpr std::uint32_t kSide = 2;
   for (const auto& [cut, offset] :
        {std::pair{Cut::tetrahedra, 1e-8}, {Cut::tetrahedra, 1e-2}, {Cut::bricks, 1e-8}})
     for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
