@@ -7,6 +7,7 @@
 #include <cgnslib.h>
 
 #include "tests/formats/cell_volumes.hpp"
+#include "tests/formats/damage.hpp"
 #include "tests/formats/files.hpp"
 
 namespace hiac::formats {
@@ -239,6 +240,22 @@ TEST(CgnsZones, SolutionsOfStepsAreThoseThatThePointersName) {
     ASSERT_EQ(mesh.fields.size(), 1U);
     EXPECT_THAT(mesh.fields[0].values.view(),
                 ElementsAre(first, first + 1, first + 2, first + 3, first + 4));
+  }
+}
+
+TEST(CgnsZones, DamagedFilesAreRefusedOrValid) {
+  const ScratchFolder folder;
+  for (const int sort : {CG_FILE_HDF5, CG_FILE_ADF}) {
+    const std::string path = folder.file(sort == CG_FILE_ADF ? "adf.cgns" : "hdf.cgns");
+    {
+      CgnsFileInMaking file(path, sort);
+      file.zone_of("zone", {5, 2, 0}, CGNS_ENUMV(Unstructured));
+      file.points(kTwo);
+      file.section("cells", CGNS_ENUMV(TETRA_4), 1, 2, {1, 2, 3, 4, 2, 3, 4, 5});
+      file.field(file.solution("s", CGNS_ENUMV(CellCenter)), "p", {7, 8});
+    }
+    EXPECT_GE(expect_cuts_survived(path, 12), 6U);
+    expect_changes_survived(path, 24);
   }
 }
 

@@ -10,6 +10,7 @@
 #include <netcdf.h>
 
 #include "tests/formats/cell_volumes.hpp"
+#include "tests/formats/damage.hpp"
 #include "tests/formats/files.hpp"
 #include "tests/formats/one_cell.hpp"
 
@@ -311,6 +312,16 @@ TEST(ExodusResults, CurvedElementsLoseTheNodesInTheirFaces) {
     ReadOptions corners;
     corners.corners_of_unsupported = true;
     EXPECT_EQ(read_any(path, corners).mesh.kinds[0], prism ? CellKind::prism6 : CellKind::brick8);
+  }
+}
+
+TEST(ExodusResults, DamagedFilesAreRefusedOrValid) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("a.e");
+  for (const bool old : {false, true}) {
+    write_blocks(path, old, true);
+    EXPECT_EQ(expect_cuts_survived(path, 24), 24U);
+    expect_changes_survived(path, 16);
   }
 }
 
