@@ -35,7 +35,7 @@ struct Zone {
   StructuredBlock block;
   std::size_t points = 0;
   std::size_t cells = 0;
-  /// Of an unstructured zone, where each of its cells is in the standard's numbering, from 0.
+  /// Of an unstructured zone, the place of each of its cells among a solution's values.
   std::vector<std::size_t> numbers;
   std::size_t numbered = 0;  ///< cells of the zone that solutions have values for
 };
@@ -140,8 +140,10 @@ class Reader {
       add_sections(zone, static_cast<std::int64_t>(first_point) - 1);
     zone.cells = mesh_.cell_count() - first_cell;
     mesh_.blocks.push_back({zone.name, {{first_cell, mesh_.cell_count()}}});
-    if (!zone.structured && sizes.size() > 1)
+    if (!zone.structured && sizes.size() > 1) {
       zone.numbered = static_cast<std::size_t>(std::max<std::int64_t>(sizes[1], 0));
+      number_volumes(zone, first_cell);
+    }
     zones_.push_back(std::move(zone));
   }
 
@@ -200,6 +202,21 @@ class Reader {
       if (sections.size() > 1)
         mesh_.blocks.push_back({section.name, {{first_cell, mesh_.cell_count()}}});
     }
+  }
+
+  /// The size of a zone counts its cells, and solutions have a value for each of these. Where
+  /// sections of surfaces stand among or before them, the element numbers are no places in them.
+  void number_volumes(Zone& zone, std::size_t first_cell) const {
+    const auto has_volume = [&](std::size_t i) {
+      const std::uint16_t type = mesh_.cell_types[first_cell + i];
+      return mesh_.types[type].conversion.fate != CellFate::no_volume;
+    };
+    std::size_t volumes = 0;
+    for (std::size_t i = 0; i < zone.numbers.size(); ++i) volumes += has_volume(i) ? 1 : 0;
+    if (volumes != zone.numbered) return;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < zone.numbers.size(); ++i)
+      zone.numbers[i] = has_volume(i) ? next++ : volumes;
   }
 
   void add_section(const Node& section, std::int64_t offset) {

@@ -1,10 +1,14 @@
 // The node order of every element that is read from MED files, and fields on nodes, cells and
 // cells' nodes, by files of one cell written through MED-fichier. The elements as in its
 // documentation, "Elements de reference": the normal of the first face points out of the cell.
-#include <cstring>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 #include <med.h>
 
+#include "tests/formats/cell_volumes.hpp"
+#include "tests/formats/damage.hpp"
 #include "tests/formats/files.hpp"
 #include "tests/formats/one_cell.hpp"
 
@@ -124,6 +128,140 @@ TEST(MedOrders, FieldsOnCellsAndStepsAreRead) {
   EXPECT_EQ(reading.mesh.fields[0].values[0],
             polynomial(CellKind::tetrahedron4, placed(kTetra[0])));
   EXPECT_EQ(format_to_read(path).inspect(path).times, std::vector<double>{0.5});
+}
+
+const Field& field_named(const ZooMesh& mesh, const std::string& name) {
+  const auto found = std::find_if(mesh.fields.begin(), mesh.fields.end(),
+                                  [&](const Field& field) { return field.name == name; });
+  if (found == mesh.fields.end()) throw std::runtime_error("no field " + name);
+  return *found;
+}
+
+/// Values of a field at a step, on a type's cells or, of type MED_NONE, on nodes; of a profile's
+/// items alone where one is named.
+void put_values(med_idt file, const char* field, med_int step, med_geometry_type type,
+                const std::vector<double>& values, med_int count, const char* profile = "") {
+  check(MEDfieldValueWithProfileWr(file, field, step, MED_NO_IT, 0.5 * static_cast<double>(step),
+                                   type == MED_NONE ? MED_NODE : MED_CELL, type, MED_GLOBAL_STMODE,
+                                   profile, "", MED_FULL_INTERLACE, MED_ALL_CONSTITUENT, count,
+                                   reinterpret_cast<const unsigned char*>(values.data())));
+}
+
+constexpr const char* kThree = "x               y               z               ";
+constexpr const char* kThreeUnits = "m/s             m/s             m/s             ";
+
+/// Two tetrahedra over one face and a pyramid apart, families of cells, and fields of two steps.
+void write_three_cells(const std::string& path) {
+  const med_idt file = MEDfileOpen(path.c_str(), MED_ACC_CREAT);
+  ASSERT_GE(file, 0);
+  check(MEDmeshCr(file, "mesh", 3, 3, MED_UNSTRUCTURED_MESH, "three", "s", MED_SORT_DTIT,
+                  MED_CARTESIAN, kAxes, kUnits));
+  const std::array<double, 30> points{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1,
+                                      5, 0, 0, 5, 1, 0, 6, 1, 0, 6, 0, 0, 5, 0, 2};
+  check(MEDmeshNodeCoordinateWr(file, "mesh", MED_NO_DT, MED_NO_IT, 0, MED_FULL_INTERLACE, 10,
+                                points.data()));
+  const std::array<med_int, 8> tetrahedra{1, 3, 2, 4, 2, 4, 3, 5};
+  const std::array<med_int, 5> pyramid{6, 7, 8, 9, 10};
+  const std::array<med_int, 3> triangle{1, 2, 3};
+  const auto put = [&](med_geometry_type type, med_int count, const med_int* nodes,
+                       const std::vector<med_int>& families) {
+    check(MEDmeshElementConnectivityWr(file, "mesh", MED_NO_DT, MED_NO_IT, 0, MED_CELL, type,
+                                       MED_NODAL, MED_FULL_INTERLACE, count, nodes));
+    check(MEDmeshEntityFamilyNumberWr(file, "mesh", MED_NO_DT, MED_NO_IT, MED_CELL, type, count,
+                                      families.data()));
+  };
+  put(MED_TETRA4, 2, tetrahedra.data(), {-1, -2});
+  put(MED_PYRA5, 1, pyramid.data(), {-2});
+  put(MED_TRIA3, 1, triangle.data(), {-1});
+  std::string groups = "steel";
+  groups.resize(MED_LNAME_SIZE);
+  check(MEDfamilyCr(file, "mesh", "one", -1, 1, groups.c_str()));
+  std::string both = "upper";
+  both.resize(MED_LNAME_SIZE);
+  groups.resize(MED_LNAME_SIZE);
+  check(MEDfamilyCr(file, "mesh", "two", -2, 2, (groups + both).c_str()));
+  check(MEDfieldCr(file, "v", MED_FLOAT64, 3, kThree, kThreeUnits, "s               ", "mesh"));
+  check(
+      MEDfieldCr(file, "c", MED_FLOAT64, 1, kOne, "Pa              ", "s               ", "mesh"));
+  check(MEDprofileWr(file, "some", 2, std::array<med_int, 2>{2, 5}.data()));
+  for (const med_int step : {1, 2}) {
+    std::vector<double> v;
+    for (int i = 0; i < 30; ++i) v.push_back(100 * static_cast<double>(step) + i);
+    put_values(file, "v", step, MED_NONE, v, 10);
+    put_values(file, "c", step, MED_TETRA4, {10. * double(step), 10. * double(step) + 1}, 2);
+    if (step == 2) put_values(file, "c", step, MED_PYRA5, {77}, 1);
+  }
+  check(
+      MEDfieldCr(file, "p", MED_FLOAT64, 1, kOne, "Pa              ", "s               ", "mesh"));
+  put_values(file, "p", 2, MED_NONE, {0, 20, 0, 0, 50, 0, 0, 0, 0, 0}, 10, "some");
+  check(MEDfileClose(file));
+}
+
+TEST(MedFields, StepsKindsAndProfiles) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("three.med");
+  write_three_cells(path);
+  EXPECT_THAT(format_to_read(path).inspect(path).times, testing::ElementsAre(0.5, 1));
+  for (const std::size_t step : {0, 1}) {
+    ReadOptions options;
+    options.step = step;
+    const ZooMesh mesh = read_any(path, options).mesh;
+    ASSERT_EQ(mesh.cell_count(), 3U);
+    ASSERT_EQ(mesh.node_count(), 10U);
+    const Field& v = field_named(mesh, "v");
+    ASSERT_EQ(v.components, 3U);
+    EXPECT_EQ(v.unit, "m/s");
+    for (std::size_t i = 0; i < 30; ++i)
+      EXPECT_EQ(v.values[i], 100. * double(step + 1) + double(i));
+    const Field& c = field_named(mesh, "c");
+    for (CellId cell = 0; cell < 3; ++cell) {
+      const double volume = std::abs(volume_of(mesh, cell));
+      if (mesh.kinds[cell] == CellKind::pyramid5) {
+        EXPECT_NEAR(volume, 2.0 / 3, 1e-15);
+        EXPECT_EQ(std::isnan(c.values[cell]), step == 0);
+        if (step == 1) {
+          EXPECT_EQ(c.values[cell], 77);
+        }
+      } else {
+        EXPECT_EQ(c.values[cell], 10. * double(step + 1) + (volume > 0.2 ? 1 : 0));
+      }
+    }
+    if (step == 0) continue;
+    const Field& p = field_named(mesh, "p");
+    for (NodeId node = 0; node < 10; ++node) {
+      const bool listed = node == 1 || node == 4;
+      EXPECT_EQ(std::isnan(p.values[node]), !listed) << node;
+      if (listed) {
+        EXPECT_EQ(p.values[node], 10. * double(node + 1));
+      }
+    }
+  }
+}
+
+TEST(MedFields, GroupsAreUnionsOfFamilies) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("three.med");
+  write_three_cells(path);
+  for (const auto& [block, cells] :
+       std::vector<std::pair<std::string, std::size_t>>{{"steel", 3}, {"upper", 2}}) {
+    ReadOptions options;
+    options.block = block;
+    const ZooMesh mesh = read_any(path, options).mesh;
+    ASSERT_EQ(mesh.cell_count(), cells) << block;
+    const Field& c = field_named(mesh, "c");
+    std::vector<double> values(c.values.begin(), c.values.end());
+    std::sort(values.begin(), values.end());
+    EXPECT_EQ(values,
+              cells == 3 ? std::vector<double>({20, 21, 77}) : std::vector<double>({21, 77}));
+  }
+}
+
+TEST(MedFields, DamagedFilesAreRefusedOrValid) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("three.med");
+  write_three_cells(path);
+  EXPECT_GE(expect_cuts_survived(path, 12), 6U);
+  expect_changes_survived(path, 24);
 }
 
 TEST(MedOrders, PolyhedraAreToldByTheirFaces) {

@@ -103,6 +103,32 @@ TEST(BentFace, OnesThatPierceOneAnotherWithinTheSlackAreMetOneWay) {
   }
 }
 
+// By 0.9 and 1.1 times the slack.
+TEST(BentFace, TheSlackIsWhatTheyMayPierceBy) {
+  for (const View& view : {kUpwards, kFromBelow}) {
+    EXPECT_FALSE(may_be_met_first(square(0, 0.1), square(9e-4, -0.1), view, 1e-3));
+    EXPECT_TRUE(may_be_met_first(square(0, 0.1), square(1.1e-3, -0.1), view, 1e-3));
+  }
+}
+
+// Two folded squares, the ridge of the lower one along x and right below that of the upper one,
+// along y: of all planes along edges of theirs only the one along both ridges has them on its two
+// sides.
+TEST(BentFace, OnesThatMeetInCrossingEdgesAreInOneOrder) {
+  for (const double apart : {0.0, 1e-3}) {
+    const Hull low{{-1, 0, 0}, {1, 0, 0}, {0.1, 1, -1}, {0, -1, -1}};
+    const Hull high{{0, -1, apart}, {0, 1, apart}, {1, 0.1, 1 + apart}, {-1, 0, 1 + apart}};
+    for (const View& view : {kUpwards, kFromBelow}) {
+      EXPECT_TRUE(may_be_met_first(low, high, view, 0)) << apart;
+      EXPECT_FALSE(may_be_met_first(high, low, view, 0)) << apart;
+    }
+    for (const View& view : {kDownwards, kFromAbove}) {
+      EXPECT_FALSE(may_be_met_first(low, high, view, 0)) << apart;
+      EXPECT_TRUE(may_be_met_first(high, low, view, 0)) << apart;
+    }
+  }
+}
+
 // A brick with sides of 1 on the square [0, 1]^2, from z to z + 1, its bottom and top warped.
 test::Cell add_brick(std::vector<Position>& positions, double z, double warp) {
   test::Cell brick{CellKind::brick8, {}};

@@ -1,11 +1,13 @@
 #include "hiac/order/gaps/ray_precedence.hpp"
 
+#include <cmath>
 #include <random>
 #include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "hiac/mesh/shape_functions.hpp"
 #include "tests/geometry/rational_orientation.hpp"
 #include "tests/order/order_meshes.hpp"
 
@@ -161,6 +163,35 @@ TEST(RayPrecedence, ACellThatIsNotConvexIsNone) {
       corners.push_back({x, y, z});
   const ZooMesh mesh = make_mesh(corners, {{CellKind::brick8, {0, 1, 2, 3, 4, 5, 6, 7}}});
   EXPECT_FALSE(hull_cell(mesh, 0, view_named("outside"), 0));
+}
+
+// The unit cube, some of its quadratic top's edges lowered in their middles.
+ZooMesh dented_cube(double by) {
+  std::vector<Position> nodes;
+  Cell cell{CellKind::brick20, {}};
+  for (const auto& p : reference_nodes(CellKind::brick20)) {
+    cell.nodes.push_back(static_cast<NodeId>(nodes.size()));
+    const bool inner = p[0] == 0.5 || p[1] == 0.5;
+    nodes.push_back({p[0], p[1], p[2] - (p[2] == 1 && inner ? by : 0)});
+  }
+  return make_mesh(nodes, {cell});
+}
+
+// Faces move inwards by the inset, times the cube's diagonal, and twice what control points are off
+// their plane: those of the edges twice as far as their nodes, and that of the face four times.
+TEST(RayPrecedence, HullsAreDrawnInsideTheirFaces) {
+  const View view{false, {}, {0, 0, 1}};
+  const double inset = 0.01, diagonal = std::sqrt(3);
+  for (const double by : {0.0, 0.01}) {
+    const auto hull = hull_cell(dented_cube(by), 0, view, inset);
+    ASSERT_TRUE(hull);
+    EXPECT_NEAR(hull->deviation, 4 * by / diagonal, 1e-14);
+    const double inwards = inset * diagonal + 2 * 4 * by;
+    for (const auto& p : hull->seen)
+      for (const double x : p) EXPECT_NEAR(std::abs(x - 0.5), 0.5 - inwards, 1e-14) << by;
+  }
+  // nothing is left where they would pass the middle
+  EXPECT_FALSE(hull_cell(dented_cube(0.07), 0, view, inset));
 }
 
 }  // namespace

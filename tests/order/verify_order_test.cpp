@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <numeric>
 #include <optional>
@@ -144,6 +145,28 @@ TEST(VerifyOrder, AnOrderBackwardsIsWrongEverywhere) {
     const OrderCheck found = check(mesh, view, backwards);
     EXPECT_EQ(found.wrong.size(), kMostWrongPairs);
     EXPECT_EQ(found.wrong[0].first, cells[0]);
+  }
+}
+
+// Every cell is drawn inwards by twice the planarity times its diagonal: two unit cubes that
+// overlap by less than twice that are in order, or not, and those that overlap by more are in none.
+TEST(VerifyOrder, CellsMayOverlapByTwiceThePlanarityEach) {
+  constexpr double planarity = 1e-3;
+  const View view{false, {}, {0, 0, 1}};
+  const double largest = 2 * 2 * planarity * std::sqrt(3);
+  for (const double part : {0.6, 0.99, 1.01}) {
+    std::vector<Position> corners;
+    for (const double z : {0.0, 1.0, 1 - part * largest, 2.0})
+      for (const auto& [x, y] :
+           std::initializer_list<std::pair<double, double>>{{0, 0}, {1, 0}, {1, 1}, {0, 1}})
+        corners.push_back({x, y, z});
+    const ZooMesh mesh = make_mesh(corners, {{CellKind::brick8, {0, 1, 2, 3, 4, 5, 6, 7}},
+                                             {CellKind::brick8, {8, 9, 10, 11, 12, 13, 14, 15}}});
+    const auto wrong = [&](std::vector<CellId> cells) {
+      return verify_pairs(mesh, view, with_cells({}, std::move(cells), {}), planarity).wrong_count;
+    };
+    EXPECT_EQ(wrong({0, 1}), part < 1 ? 0U : 1U) << part;
+    EXPECT_EQ(wrong({1, 0}), 1U) << part;
   }
 }
 

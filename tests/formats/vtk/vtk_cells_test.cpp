@@ -162,5 +162,64 @@ TEST(VtkCells, CornersOfUnsupportedOrdersAreKnown) {
   EXPECT_EQ(vtk::conversion_of(200, 4).fate, CellFate::unsupported);
 }
 
+/// A legacy file of several cells: their points one after the other.
+std::string cells_file(const std::vector<std::pair<int, std::vector<Vector>>>& cells) {
+  std::string points;
+  std::string lists;
+  std::string types;
+  std::size_t next = 0;
+  std::size_t size = 0;
+  for (const auto& [type, own] : cells) {
+    lists += fmt::format("{}", own.size());
+    for (const Vector& p : own) {
+      points += fmt::format("{} {} {}\n", p[0], p[1], p[2]);
+      lists += fmt::format(" {}", next++);
+    }
+    lists += "\n";
+    types += fmt::format("{}\n", type);
+    size += own.size() + 1;
+  }
+  return fmt::format(
+      "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS {} "
+      "double\n{}CELLS {} {}\n{}CELL_TYPES {}\n{}",
+      next, points, cells.size(), size, lists, cells.size(), types);
+}
+
+TEST(VtkCells, UnsupportedCellsAreRefusedSkippedOrReducedOnDemand) {
+  const ScratchFolder folder;
+  const std::vector<Vector> tetrahedron{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  std::vector<Vector> hexagonal;
+  for (int i = 0; i < 12; ++i)
+    hexagonal.push_back({5 + std::cos(i % 6 * std::acos(0.5)), std::sin(i % 6 * std::acos(0.5)),
+                         static_cast<double>(i / 6)});
+  Type rich{VTK_TRIQUADRATIC_HEXAHEDRON, 27, CellKind::brick20};
+  std::vector<Vector> brick = vtk_coordinates(rich);
+  for (Vector& p : brick) p = {9 + p[0] + 0.125 * p[1] * p[1], p[1], p[2] + 0.25 * p[0] * p[1]};
+  const std::string with_prism =
+      folder.write("p.vtk", cells_file({{VTK_TETRA, tetrahedron},
+                                        {VTK_HEXAGONAL_PRISM, hexagonal},
+                                        {VTK_TRIQUADRATIC_HEXAHEDRON, brick}}));
+  EXPECT_THAT(refusal(with_prism), testing::HasSubstr("1 HexagonalPrism"));
+  EXPECT_THAT(refusal(with_prism), testing::HasSubstr(with_prism));
+  ReadOptions options;
+  options.skip_unsupported = true;
+  const Reading skipped = read_any(with_prism, options);
+  ASSERT_EQ(skipped.mesh.cell_count(), 2U);
+  EXPECT_EQ(skipped.mesh.kinds[1], CellKind::brick20);
+  EXPECT_EQ(skipped.mesh.node_count(), 24U);
+  const auto nodes = skipped.mesh.cell_nodes(1);
+  for (std::size_t n = 0; n < 20; ++n) {
+    const auto& p = reference_nodes(CellKind::brick20)[n];
+    const auto x = skipped.mesh.position(nodes[n]);
+    EXPECT_NEAR(x[0], 9 + p[0] + 0.125 * p[1] * p[1], 1e-14) << n;
+    EXPECT_NEAR(x[2], p[2] + 0.25 * p[0] * p[1], 1e-14) << n;
+  }
+  options.corners_of_unsupported = true;
+  EXPECT_EQ(read_any(with_prism, options).mesh.kinds[1], CellKind::brick8);
+  const std::vector<Vector> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  EXPECT_THAT(refusal(folder.write("q.vtk", cells_file({{VTK_QUAD, square}, {VTK_QUAD, square}}))),
+              testing::HasSubstr("2 Quad"));
+}
+
 }  // namespace
 }  // namespace hiac::formats

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include <gtest/gtest.h>
 
+#include "hiac/geometry/vector.hpp"
 #include "hiac/render/engine.hpp"
 #include "tests/render/truth/error_comparison.hpp"
 #include "tests/render/truth/general_meshes.hpp"
 #include "tests/support/instrumented.hpp"
+#include "tests/support/phong.hpp"
 
 namespace hiac {
 namespace {
@@ -127,6 +130,94 @@ TEST(ErrorBound, HoldsForCoordinatesRoundedFarAway) {
 TEST(ErrorBound, DoesNotCountWhatOpaqueSurfacesHide) {
   const ErrorComparison all = compared(SceneCells::other_kinds, 115, 115, 20);
   EXPECT_LT(std::ranges::max(all.claims), 1e-10);
+}
+
+// The gradient of a linear tetrahedron's field, of any length; to 1e-19 over how thin it is.
+std::array<long double, 3> exact_gradient(const ZooMesh& mesh) {
+  std::array<std::array<long double, 3>, 3> edges;
+  std::array<long double, 3> differences, gradient{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t c = 0; c < 3; ++c)
+      edges[k][c] = static_cast<long double>(mesh.position(static_cast<NodeId>(k + 1))[c]) -
+                    mesh.position(0)[c];
+    differences[k] =
+        static_cast<long double>(mesh.fields[0].values[k + 1]) - mesh.fields[0].values[0];
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto &a = edges[(k + 1) % 3], &b = edges[(k + 2) % 3];
+    for (std::size_t c = 0; c < 3; ++c)
+      gradient[c] +=
+          differences[k] * (a[(c + 1) % 3] * b[(c + 2) % 3] - a[(c + 2) % 3] * b[(c + 1) % 3]);
+  }
+  return gradient;
+}
+
+double condition_of(const ZooMesh& mesh) {
+  std::array<Vector, 3> edges;
+  Vector differences;
+  for (std::size_t k = 0; k < 3; ++k) {
+    edges[k] = minus(mesh.position(static_cast<NodeId>(k + 1)), mesh.position(0));
+    differences[k] = mesh.fields[0].values[k + 1] - mesh.fields[0].values[0];
+  }
+  return gradient_condition(edges, differences);
+}
+
+// A tetrahedron as thin as 1e-8 whose field is nearly that of a plane along it: rounding turns the
+// isosurface's normal by up to 1e-8, and its light by nearly as much, all of which is claimed.
+TEST(ErrorBound, CountsWhatRoundingTurnsNormals) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> number(0.1, 0.9);
+  double largest = 0;
+  std::size_t seen = 0;
+  for (std::size_t trial = 0; trial < test::tried(60); ++trial) {
+    const double x = 0.3 + 0.2 * number(random), y = 0.3 + 0.2 * number(random);
+    const double thin = 1e-8 * number(random);
+    const double a = number(random), b = number(random);
+    ZooMesh mesh = test::make_mesh({{0, 0, 0}, {1, 0, 0.1}, {0, 1, 0.2}, {x, y, 0.1 * x + 0.2 * y}},
+                                   {{CellKind::tetrahedron4, {0, 1, 2, 3}}});
+    std::vector<double> xyz(mesh.xyz.begin(), mesh.xyz.end());
+    xyz[11] += thin;
+    mesh.xyz = std::move(xyz);
+    mesh.fields = {
+        {"f", "", FieldLocation::node, 1,
+         std::vector<double>{1, 1 + a, 1 + b, 1 + a * x + b * y + 1e-8 * number(random)}}};
+    Scene scene = test::cube_scene(Projection::orthographic, 6, 6);
+    scene.camera.eye = {0.4, 0.4, 4};
+    scene.camera.look_at = {0.4, 0.4, 0};
+    scene.camera.up = {0, 1, 0};
+    scene.camera.height = 3e-8;
+    scene.volume.extinction->points = {{0, {0}}};
+    scene.isosurfaces.resize(1);
+    scene.isosurfaces[0] = {.field = "f",
+                            .value = 1 + 0.4 * (a + b),
+                            .opacity = 1,
+                            .ambient = 0,
+                            .diffuse = 1,
+                            .specular = 0};
+    scene.lights = {{.direction = {{0.6, -0.3, 0.74}}}};
+    scene.render.tolerance = 1;  // or what is doubtful would be looked into
+    const std::array channels{Channel::error};
+    const Image image =
+        render(mesh, test::sorted(mesh, scene), scene, false, nullptr, channels).image;
+    const double condition = condition_of(mesh);
+    const test::ReferenceShade truth =
+        test::reference_shade(scene.isosurfaces[0], scene.lights, exact_gradient(mesh), {0, 0, -1});
+    for (std::uint32_t py = 0; py < 6; ++py)
+      for (std::uint32_t px = 0; px < 6; ++px) {
+        if (image.at(px, py, 3) == 0) continue;
+        ++seen;
+        for (std::size_t c = 0; c < 3; ++c) {
+          const double error = std::abs(image.at(px, py, c) - static_cast<double>(truth.rgb[c]));
+          ASSERT_LE(error, image.at(px, py, 4)) << trial << ' ' << px << ' ' << py;
+          largest = std::max(largest, error);
+          // what 16 roundings of the condition turn it by, twice for either unit vector
+          ASSERT_GE(image.at(px, py, 4), 0.999 * 32 * 0x1p-53 * condition);
+          ASSERT_LE(image.at(px, py, 4), 1.1 * 32 * 0x1p-53 * condition);
+        }
+      }
+  }
+  EXPECT_GT(seen, test::tried(60));
+  EXPECT_GT(largest, 1e-10);
 }
 
 // At the default tolerance, 1e-9: bounds that rounding makes larger are looked into, pixel by

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -186,6 +187,56 @@ TEST_F(RayDisplacementTest, CountsWhatPlanarFacesAreOff) {
   const double bent =
       displacement(test::one_cell(CellKind::brick8, corners), Projection::orthographic).at_ends;
   EXPECT_NEAR(bent - flat, 2e-12, 2e-14);
+}
+
+// A brick that counts as an affine image of the unit cube, one corner off by e = 2^-47 along x: its
+// map is off by twice that, and of the four corners of its side every one by a quarter of e.
+TEST_F(RayDisplacementTest, CountsWhatAffineMapsAreOff) {
+  constexpr double e = 0x1p-47;
+  std::vector<test::Position> corners;
+  for (const auto& p : reference_nodes(CellKind::brick8)) corners.push_back({p[0], p[1], p[2]});
+  const double exact =
+      displacement(test::one_cell(CellKind::brick8, corners), Projection::orthographic).aside;
+  corners[6][0] += e;
+  const double off =
+      displacement(test::one_cell(CellKind::brick8, corners), Projection::orthographic).aside;
+  EXPECT_NEAR(off - exact, 2 * e + 2 * e / 4, 1e-3 * e);
+}
+
+/// The unit tetrahedron of order 2, some of its mid-edge nodes moved along z.
+ZooMesh quadratic_tetrahedron(const std::map<std::size_t, double>& lifted) {
+  std::vector<test::Position> nodes;
+  for (const auto& p : reference_nodes(CellKind::tetrahedron10))
+    nodes.push_back({p[0], p[1], p[2]});
+  for (const auto& [node, by] : lifted) nodes[node][2] += by;
+  return test::one_cell(CellKind::tetrahedron10, nodes);
+}
+
+// Edges that count as straight are off by up to seven times what their nodes are.
+TEST_F(RayDisplacementTest, CountsWhatStraightEdgesAreOff) {
+  constexpr double e = 0x1p-38;
+  const auto d = [&](const std::map<std::size_t, double>& lifted) {
+    return displacement(quadratic_tetrahedron(lifted), Projection::orthographic);
+  };
+  const RayDisplacement straight = d({}), off = d({{4, e}});
+  EXPECT_NEAR(off.aside - straight.aside, 7 * e, 1e-3 * e);
+  EXPECT_NEAR(off.at_ends - straight.at_ends, 7 * e, 1e-3 * e);
+}
+
+// Of a cell with curved faces the others end where they count as straight: off by up to four times
+// what a node is. The planarity is 1e-10, and nodes count that are off by twice that.
+TEST_F(RayDisplacementTest, CountsWhatStraightFacesOfCurvedCellsAreOff) {
+  const auto d = [&](const std::map<std::size_t, double>& lifted) {
+    return displacement(quadratic_tetrahedron(lifted), Projection::orthographic);
+  };
+  // node 4 is on the edge 0-1, node 9 on 2-3
+  const RayDisplacement exact = d({{4, 0.125}});
+  for (const double e : {0x1p-38, 0x1p-33, 1.9e-10}) {
+    const RayDisplacement off = d({{4, 0.125}, {9, e}});
+    EXPECT_NEAR(off.at_ends - exact.at_ends, 4 * e, 1e-3 * e) << e;
+    EXPECT_NEAR(off.aside, exact.aside, 1e-3 * e) << e;
+  }
+  EXPECT_NEAR(d({{4, 0.125}, {9, 4e-10}}).at_ends, exact.at_ends, 1e-12);
 }
 
 // Twisted faces of linear cells: 64 u of the distance.

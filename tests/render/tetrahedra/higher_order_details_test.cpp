@@ -1,0 +1,94 @@
+#include "hiac/render/tetrahedra/higher_order_details.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "hiac/frame/frame.hpp"
+#include "hiac/mesh/shape_functions.hpp"
+#include "tests/render/truth/general_meshes.hpp"
+
+namespace hiac {
+namespace {
+
+// The corner 0 <= x, y, z, x + y + z <= 1 of order 2, seen from above, with a field z^2: extinction
+// 30 z^2, and white light of the strength z^2.
+class HigherOrderDetailsTest : public testing::Test {
+ protected:
+  explicit HigherOrderDetailsTest(double tolerance = 1e-2) {
+    std::vector<test::Position> nodes;
+    for (const auto& p : reference_nodes(CellKind::tetrahedron10))
+      nodes.push_back({p[0], p[1], p[2]});
+    mesh_ = test::one_cell(CellKind::tetrahedron10, nodes);
+    test::add_node_field(mesh_, "f", [](const test::Position& p) { return p[2] * p[2]; });
+    scene_ = test::cube_scene(Projection::orthographic, 8, 8);
+    scene_.camera.eye = {0, 0, 4};
+    scene_.camera.look_at = {0, 0, 0};
+    scene_.camera.up = {0, 1, 0};
+    scene_.camera.height = 2;
+    scene_.volume.color->points = {{0, {0, 0, 0}}, {1, {1, 1, 1}}};
+    scene_.volume.extinction->points = {{0, {0}}, {1, {30}}};
+    scene_.render.tolerance = tolerance;
+  }
+
+  // The segment in pixel (4, 3): x = y = 1/8, heights from 3/4 to 0; light `rgb` all alike.
+  SegmentDetails details(double rgb, double transparency) {
+    const Projector projector(scene_.camera, scene_.image);
+    const Frame frame(mesh_, scene_, projector, Details::bounded);
+    HigherOrderDetails described(frame, {0, 0, 8, 8});
+    described.enter(0);
+    // ray parameters of the distances from the eye
+    const double start = projector.distance(0), scale = projector.distance(1) - start;
+    return described.describe({4, 3, (4 - kHeight - start) / scale, (4 - start) / scale, scale, 1,
+                               PlainRadiance{{rgb, rgb, rgb}, transparency}});
+  }
+
+  static constexpr double kHeight = 0.75;
+  ZooMesh mesh_;
+  Scene scene_;
+};
+
+// Simpson's rule on a thousand panels: to 1e-14.
+long double true_light(long double height) {
+  constexpr int kPanels = 1000;
+  const auto at = [&](long double z) {
+    return 30 * z * z * z * z * std::exp(-10 * (height * height * height - z * z * z));
+  };
+  long double sum = 0;
+  for (int i = 0; i < kPanels; ++i) {
+    const long double a = height * i / kPanels, b = height * (i + 1) / kPanels;
+    sum += (b - a) / 6 * (at(a) + 4 * at((a + b) / 2) + at(b));
+  }
+  return sum;
+}
+
+// What is drawn may be anything: how far it is from the integral made for the bound is claimed, and
+// the bound of that integral besides. Of light that is drawn too bright and too dark by as much the
+// two claims tell both.
+TEST_F(HigherOrderDetailsTest, ClaimsHowFarDrawnAndBoundedLightAreApartAndTheBound) {
+  constexpr double kOff = 0.2;
+  const double transparency = std::exp(-10 * kHeight * kHeight * kHeight);
+  const auto truth = static_cast<double>(true_light(kHeight));
+  const double above = details(truth + kOff, transparency).radiance_error;
+  const double below = details(truth - kOff, transparency).radiance_error;
+  const double bound = (above + below) / 2 - kOff, integral_off = (below - above) / 2;
+  EXPECT_LE(std::abs(integral_off), bound);
+  EXPECT_GT(bound, 1e-7) << "a tolerance of 0.01 leaves a quadrature's error";
+  EXPECT_LE(bound, 1e-2);
+}
+
+TEST_F(HigherOrderDetailsTest, ClaimsHowFarTransparenciesAreApart) {
+  constexpr double kOff = 0.2;
+  const double transparency = std::exp(-10 * kHeight * kHeight * kHeight);
+  const double above = details(0, transparency + kOff).transparency_error;
+  const double below = details(0, transparency - kOff).transparency_error;
+  EXPECT_LE(std::abs(below - above) / 2, 1e-2);
+  EXPECT_GE((above + below) / 2, kOff);
+  EXPECT_LE((above + below) / 2, kOff + 1e-2);
+}
+
+}  // namespace
+}  // namespace hiac
