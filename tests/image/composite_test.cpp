@@ -1,5 +1,6 @@
 #include "hiac/image/composite.hpp"
 
+#include <limits>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -56,6 +57,24 @@ TEST(Composite, NeedsAlphaInFrontColourBehindAndOneSize) {
   EXPECT_THROW(composite_over(opaque, front), std::invalid_argument);
   Image grey = pixel({"Y", "A"}, {0, 0});
   EXPECT_THROW(composite_over(grey, front), std::invalid_argument);
+}
+
+// Of the channels that are put behind: colours and alpha, whatever further ones there are.
+TEST(Composite, NumbersThatAreNotFiniteAreFound) {
+  Image back(4, 3, {"depth", "R", "G", "B", "A"});
+  EXPECT_EQ(not_finite_in(back), std::nullopt);
+  back.at(0, 0, 0) = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(not_finite_in(back), std::nullopt);
+  back.at(3, 2, 4) = -std::numeric_limits<double>::infinity();
+  EXPECT_EQ(not_finite_in(back),
+            "pixel 3,2: channel A is not finite (a finite number expected, -inf found)");
+  back.at(2, 1, 3) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(not_finite_in(back),
+            "pixel 2,1: channel B is not finite (a finite number expected, nan found)");
+  Image grey(2, 2, {"Y"});
+  EXPECT_EQ(not_finite_in(grey), std::nullopt);
+  grey.at(1, 0, 0) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(not_finite_in(grey)->starts_with("pixel 1,0: channel Y"));
 }
 
 }  // namespace

@@ -327,6 +327,67 @@ TEST(Isosurfaces, NodesWithinRoundingOfTheValueAgreeWithTheTruth) {
         }
 }
 
+// A field of whole numbers from -3 to 3 without 0, and of numbers far from it at every third node,
+// in units of `unit`; `far` of them.
+ZooMesh in_units(const ZooMesh& cells, double unit, double far, std::uint64_t seed) {
+  ZooMesh mesh = cells;
+  std::mt19937_64 random(seed);
+  std::vector<double> values(mesh.node_count());
+  for (double& v : values) {
+    const auto steps = static_cast<double>(random() % 3 + 1) * (random() % 2 == 0 ? -1 : 1);
+    v = random() % 3 == 0 ? steps * far : steps * unit;
+  }
+  mesh.fields = {Field{"f", "", FieldLocation::node, 1, std::move(values)}};
+  return mesh;
+}
+
+// An isosurface does not depend on the field's unit, be it so small that values are denormal.
+TEST(Isosurfaces, OfDenormalValuesAreThoseOfOthers) {
+  for (const auto cut : {Cut::tetrahedra, Cut::prisms, Cut::bricks})
+    for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
+      Scene scene = cube_scene(projection, 30, 26);
+      scene.volume = {};
+      scene.isosurfaces = {surface_of("f", 0, {1, 1, 1}, 0.5)};
+      const ZooMesh cells = test::moved(test::structured(2, cut), test::sheared);
+      const auto expect_truth = [&](double unit, double far, const ZooMesh& same) {
+        const ZooMesh mesh = in_units(cells, unit, far, 5);
+        const test::SceneTruth truth(same, scene);
+        EXPECT_LE(largest_error(scene, draw(mesh, scene).image,
+                                [&](std::uint32_t x, std::uint32_t y) {
+                                  const auto p = truth.pixel(x, y);
+                                  return std::array{
+                                      static_cast<double>(p[0]), static_cast<double>(p[1]),
+                                      static_cast<double>(p[2]), static_cast<double>(1 - p[3])};
+                                }),
+                  1e-9)
+            << static_cast<int>(cut) << ' ' << unit << ' ' << far;
+      };
+      const ZooMesh ordinary = in_units(cells, 1, 1024, 5);
+      for (const double unit : {1.0, 0x1p-600, 0x1p-1000, 0x1p-1074})
+        expect_truth(unit, 1024 * unit, ordinary);
+    }
+}
+
+// Where some nodes have values of order 1 and the others denormal ones, these are as good as the
+// smallest that are not.
+TEST(Isosurfaces, OfDenormalValuesBesideOthersMissNothing) {
+  for (const auto cut : {Cut::tetrahedra, Cut::prisms, Cut::bricks})
+    for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
+      Scene scene = cube_scene(projection, 30, 26);
+      scene.volume = {};
+      scene.isosurfaces = {surface_of("f", 0, {1, 1, 1}, 0.5)};
+      const ZooMesh cells = test::moved(test::structured(2, cut), test::sheared);
+      const Image expected = draw(in_units(cells, 0x1p-150, 0.03, 6), scene).image;
+      for (const double unit : {0x1p-600, 0x1p-1000, 0x1p-1074}) {
+        const Image found = draw(in_units(cells, unit, 0.03, 6), scene).image;
+        double largest = 0;
+        for (std::size_t i = 0; i < found.values().size(); ++i)
+          largest = std::max(largest, std::abs(found.values()[i] - expected.values()[i]));
+        EXPECT_LE(largest, 1e-9) << static_cast<int>(cut) << ' ' << unit;
+      }
+    }
+}
+
 // Fields with jumps: a surface in every cell whose corners' values lie around it, none between.
 TEST(Isosurfaces, NothingIsDrawnAtJumps) {
   ZooMesh mesh = test::structured(4, Cut::bricks);

@@ -96,6 +96,7 @@ TEST(CancelledSession, ARequestMadeBeforeStopsEverything) {
   EXPECT_THROW(session.picture(scene), Cancelled);
   EXPECT_THROW(session.explain(scene, 1, 1), Cancelled);
   EXPECT_THROW(session.skip_invalid_cells(scene), Cancelled);
+  EXPECT_THROW(session.require_drawable(scene), Cancelled);
 }
 
 }  // namespace

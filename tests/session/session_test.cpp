@@ -1,6 +1,7 @@
 #include "hiac/session/session.hpp"
 
 #include <cstring>
+#include <limits>
 #include <set>
 #include <string>
 #include <vector>
@@ -115,10 +116,13 @@ TEST(Session, RequestsThatDoNotFitAreRefusedInNeutralWords) {
   const Scene scene = small_view(mesh);
   Session session(mesh);
   const Image other(63, 48, rgba_channels()), grey_depths(64, 48, {"depth"});
+  Image broken(64, 48, rgba_channels());
+  broken.at(5, 7, 1) = std::numeric_limits<double>::quiet_NaN();
   for (const PictureRequest& wrong :
        {request(PixelRect{60, 0, 5, 5}), request({}, Supersampling{0, SampleFilter::box}),
         request({}, {}, {"depht"}), request({}, {}, {"depth", "depth"}),
-        request({}, {}, {}, true, &other), request({}, {}, {}, true, &grey_depths)}) {
+        request({}, {}, {}, true, &other), request({}, {}, {}, true, &grey_depths),
+        request({}, {}, {}, true, &broken)}) {
     EXPECT_THAT([&] { require_possible(wrong, scene.image); },
                 ThrowsMessage<UsageError>(Not(HasSubstr("--"))));
     EXPECT_THROW(session.picture(scene, wrong), UsageError);

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -100,6 +101,16 @@ TEST_F(Pipeline, HalvesAccumulateToTheWhole) {
   EXPECT_EQ(run("$RENDER -q m.zoo --view '" + kSampleView + "' --under whole.npy -o no.png"), 3);
   EXPECT_NE(bytes_of(file("err.txt")).find("whole.npy: a picture of another size"),
             std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(file("no.png")));
+
+  Image broken = behind;
+  broken.at(7, 5, 1) = std::numeric_limits<double>::quiet_NaN();
+  write_image(file("broken.npy"), broken);
+  EXPECT_EQ(run(render + "--under broken.npy -o no.png"), 3);
+  EXPECT_NE(
+      bytes_of(file("err.txt")).find("hiac-render: broken.npy: pixel 7,5: channel G is not finite"),
+      std::string::npos)
+      << bytes_of(file("err.txt"));
   EXPECT_FALSE(std::filesystem::exists(file("no.png")));
 }
 

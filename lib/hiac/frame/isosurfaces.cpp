@@ -6,6 +6,8 @@
 #include <map>
 #include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "hiac/base/parallel.hpp"
 #include "hiac/element/cell_field.hpp"
@@ -160,6 +162,57 @@ FrameLight frame_light(const Light& light, const Projector& projector) {
   return result;
 }
 
+// Differences from a surface's value below this vanish in products.
+constexpr double kVanishing = 0x1p-500;
+// What the largest of a field may become: products of two stay finite.
+constexpr int kMostExponent = 400;
+
+// A power of two by which a field and a surface's value are multiplied: 1, but where some of the
+// field's differences from the value are that small. Only a value close to 0 has such.
+double scale_for(std::span<const double> values, double value) {
+  if (!(std::abs(value) < kVanishing)) return 1;
+  double least = std::numeric_limits<double>::infinity(), most = std::abs(value);
+  for (const double v : values) {
+    const double off = std::abs(v - value);
+    if (off > 0) least = std::min(least, off);
+    if (std::isfinite(v)) most = std::max(most, std::abs(v));
+  }
+  if (!(least < kVanishing)) return 1;
+  // 2^1023 is the largest power of two: what remains below is of fields that are all denormal
+  return std::ldexp(1.0, std::clamp(kMostExponent - std::ilogb(most), 0, 1023));
+}
+
+// The fields of the surfaces, each once in every unit that a surface needs.
+class SurfaceFields {
+ public:
+  SurfaceFields(const ZooMesh& mesh, bool polynomial) : mesh_(mesh), polynomial_(polynomial) {}
+
+  // The place of a surface's field in `all`, and what multiplies its value: the surface is the same
+  // in every unit.
+  std::pair<std::size_t, double> place_of(const Isosurface& surface, std::vector<FrameField>& all) {
+    if (!given_.contains(surface.field))
+      given_.emplace(surface.field, scalar_field(mesh_, surface.field));
+    const Field& given = given_.at(surface.field);
+    const double scale = scale_for(given.values.view(), surface.value);
+    const auto [at, is_new] = places_.try_emplace({surface.field, scale}, all.size());
+    if (is_new) all.push_back({{scaled(given.values, scale), given.location, polynomial_}, {}});
+    return {at->second, scale};
+  }
+
+ private:
+  static SharedArray<double> scaled(const SharedArray<double>& values, double scale) {
+    if (scale == 1) return values;
+    std::vector<double> result(values.begin(), values.end());
+    for (double& v : result) v *= scale;
+    return result;
+  }
+
+  const ZooMesh& mesh_;
+  bool polynomial_;
+  std::map<std::string, Field> given_;
+  std::map<std::pair<std::string, double>, std::size_t> places_;
+};
+
 }  // namespace
 
 double largest_light(const Isosurface& surface, std::span<const Light> lights) {
@@ -176,16 +229,10 @@ double largest_light(const Isosurface& surface, std::span<const Light> lights) {
 Isosurfaces make_isosurfaces(const ZooMesh& mesh, const Scene& scene, const Projector& projector) {
   Isosurfaces all;
   if (scene.isosurfaces.empty()) return all;
-  std::map<std::string, std::size_t> numbers;
+  SurfaceFields fields(mesh, scene.render.interpolation == Interpolation::polynomial);
   for (const Isosurface& s : scene.isosurfaces) {
-    const auto [at, is_new] = numbers.try_emplace(s.field, all.fields.size());
-    if (is_new) {
-      const Field field = scalar_field(mesh, s.field);
-      all.fields.push_back(
-          {{field.values, field.location, scene.render.interpolation == Interpolation::polynomial},
-           {}});
-    }
-    all.surfaces.push_back({at->second, s.value, s.color, std::log1p(-s.opacity), s.ambient,
+    const auto [field, scale] = fields.place_of(s, all.fields);
+    all.surfaces.push_back({field, scale * s.value, s.color, std::log1p(-s.opacity), s.ambient,
                             s.diffuse, s.specular, s.shininess});
     all.largest_light = std::max(all.largest_light, largest_light(s, scene.lights));
   }

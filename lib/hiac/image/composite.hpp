@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "hiac/image/image.hpp"
 
 namespace hiac {
@@ -12,5 +15,10 @@ namespace hiac {
 /// Throws std::invalid_argument when the sizes differ, `front` has not R G B A, or `back` has no
 /// colour.
 void composite_over(Image& front, const Image& back);
+
+/// What keeps `back` from being put behind: its first pixel whose colour or alpha is no finite
+/// number, in words ("pixel 3,1: ..."), without its name. None where all are, or there is no
+/// colour.
+std::optional<std::string> not_finite_in(const Image& back);
 
 }  // namespace hiac

@@ -145,6 +145,8 @@ PixelRect require_possible(const PictureRequest& request, ImageSize size) {
                     "{} x {} found)",
                     part.width, part.height, under.width(), under.height()));
   if (!color_channels(under)) throw UsageError("the picture behind has no colour");
+  if (const auto bad = not_finite_in(under))
+    throw UsageError(fmt::format("the picture behind: {}", *bad));
   return part;
 }
 
