@@ -2,7 +2,6 @@
 
 #include <csignal>
 #include <exception>
-#include <fstream>
 #include <iostream>
 #include <new>
 #include <utility>
@@ -11,9 +10,10 @@
 #include <unistd.h>
 
 #include "hiac/base/error.hpp"
-#include "hiac/base/output_file.hpp"
 #include "hiac/base/parallel.hpp"
 #include "hiac/base/seconds.hpp"
+#include "tools/common/mesh_io.hpp"
+#include "tools/common/text_output.hpp"
 #include "tools/common/version.hpp"
 
 namespace hiac::tools {
@@ -102,6 +102,16 @@ int Tool::run(int argc, char** argv, const std::function<void()>& work) {
   return static_cast<int>(exit_code);
 }
 
+void Tool::claim(RunFiles files) {
+  files.outputs.insert(files.outputs.begin(), facts_output());
+  try {
+    require_safe(files);
+  } catch (const UsageError&) {
+    facts_refused_ = true;
+    throw;
+  }
+}
+
 void Tool::note(const std::string& line) const {
   if (!common_.quiet) print(name_ + ": " + line + '\n');
 }
@@ -139,22 +149,14 @@ Monitor Tool::monitor() {
 }
 
 void Tool::write_facts(int exit_code, double seconds) {
-  if (common_.json.empty()) return;
+  if (common_.json.empty() || facts_refused_) return;
   facts_["warnings"] = warnings_;
   facts_["exit_code"] = exit_code;
   facts_["seconds"]["total"] = seconds;
   facts_["peak_memory_bytes"] = peak_memory_bytes();
   const std::string text = facts_.dump(2) + "\n";
-  if (common_.json == "-") {
-    std::cout << text << std::flush;
-    if (!std::cout) throw InputError("stdout", "cannot be written");
-    return;
-  }
-  OutputFile file(common_.json);
-  std::ofstream out(file.temporary_path());
-  out << text << std::flush;
-  if (!out) throw InputError(common_.json, "cannot be written");
-  file.commit();
+  if (!is_stdout(common_.json)) require_same_kind(facts_output());
+  write_text(common_.json, text);
 }
 
 Tool::StageClock::StageClock(Tool& tool, std::string name)

@@ -12,6 +12,7 @@
 #include "hiac/base/progress.hpp"
 #include "hiac/session/session.hpp"
 #include "tools/common/progress_bar.hpp"
+#include "tools/common/run_files.hpp"
 
 namespace hiac::tools {
 
@@ -46,6 +47,10 @@ class Tool {
 
   /// Parses, works, reports. Returns the process's exit code; never throws.
   int run(int argc, char** argv, const std::function<void()>& work);
+
+  /// Tells which files the run reads and writes, before it does so: throws where an output would
+  /// destroy something or cannot be written (require_safe). The file of --json is added.
+  void claim(RunFiles files);
 
   /// A line on stderr unless --quiet.
   void note(const std::string& line) const;
@@ -89,12 +94,14 @@ class Tool {
   };
 
   void write_facts(int exit_code, double seconds);
+  [[nodiscard]] RunOutput facts_output() const { return {"--json", common_.json, FileKind::facts}; }
 
   std::string name_;
   CLI::App app_;
   CommonOptions common_;
   nlohmann::ordered_json facts_;
   std::vector<std::string> warnings_;
+  bool facts_refused_ = false;  // their file would destroy another
   Progress progress_, frames_;
   std::unique_ptr<ProgressBar> bar_;  // while work is done
 };

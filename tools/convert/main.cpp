@@ -1,7 +1,10 @@
 // hiac-convert: a foreign finite-element file to a zoo mesh, and a zoo mesh to VTU.
 #include <array>
+#include <filesystem>
 #include <iostream>
 #include <optional>
+#include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -165,6 +168,25 @@ void check_output(const Tool& tool, const Options& options) {
     throw UsageError("--json -: stdout carries the mesh (a file for --json expected)");
 }
 
+/// A mesh may be written over the file that it was read from where that is of the same format.
+bool keeps_format(const Options& options) {
+  std::error_code error;
+  if (options.from_stdin() || !std::filesystem::equivalent(options.input, options.output, error))
+    return true;
+  const formats::Format& format = options.format.empty() ? formats::format_to_read(options.input)
+                                                         : formats::format_named(options.format);
+  return format.name == formats::format_to_write(options.output).name;
+}
+
+void claim_files(Tool& tool, const Options& options) {
+  RunFiles files{{options.input}, {}};
+  if (!options.list && !options.to_stdout()) {
+    formats::format_to_write(options.output);
+    files.outputs.push_back({"-o", options.output, FileKind::mesh, keeps_format(options)});
+  }
+  tool.claim(std::move(files));
+}
+
 void note_all(Tool& tool, const std::vector<std::string>& notes) {
   for (const std::string& note : notes) {
     tool.note(note);
@@ -203,6 +225,7 @@ void convert(Tool& tool, const Options& options) {
     std::cout << formats_table();
     return;
   }
+  claim_files(tool, options);
   require_input(options);
   if (options.list) return list_input(tool, options);
   check_output(tool, options);

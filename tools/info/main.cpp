@@ -51,6 +51,8 @@ void write_starter_view(Tool& tool, const Options& options) {
 }
 
 void inform(Tool& tool, const Options& options) {
+  const FileKind kind = options.starter_view ? FileKind::specification : FileKind::facts;
+  tool.claim({image_parts(options.input), {{"-o", options.output, kind}}});
   const bool json_on_stdout = tool.common().json == "-";
   if (options.starter_view) {
     if (json_on_stdout && is_stdout(options.output))

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "hiac/base/error.hpp"
 #include "hiac/base/progress.hpp"
@@ -41,7 +42,7 @@ using namespace hiac;
 using namespace hiac::tools;
 
 struct Options {
-  std::string input, view, order, output, size, under, color_bar, pixel;
+  std::string input, view, order, output, format, size, under, color_bar, pixel;
   double color_bar_length = 0;  // 0: a round number near a tenth of the diagonal
   std::vector<std::string> overrides;
   PictureOptions picture;
@@ -186,13 +187,14 @@ class Renderer {
     Json facts = note_work(tool_, options_.all_frames, *picture.statistics);
     facts["order"] = order_facts(*picture.order);
     tool_.timed("write", [&] {
-      write_image(path, picture.image,
+      write_image(path == "-" ? "/dev/stdout" : path, picture.image,
                   {.linear = options_.linear,
                    .background_included = !options_.no_background,
                    .attributes = {{"Software", "hiac-render " + version_text()},
                                   {"hiac:mesh", picture.mesh_hash},
                                   {"hiac:specification", to_toml(scene)}},
-                   .depth = options_.depth});
+                   .depth = options_.depth,
+                   .format = options_.format});
     });
     return facts;
   }
@@ -276,6 +278,43 @@ void write_color_bar(Tool& tool, const Options& options, const ZooMesh& mesh,
   tool.facts()["color_bar_length"] = length;
 }
 
+// Which files are read and which are written; for `scene`, once it is known, all its frames'.
+void claim_files(Tool& tool, const Options& options, const Scene* scene) {
+  RunFiles files{{options.input, options.view, options.order}, {}};
+  for (std::string& part : image_parts(options.under)) files.inputs.push_back(std::move(part));
+  add_image(files.outputs, "--colorbar", options.color_bar);
+  const std::vector<std::string> channels = further_channels(options.picture);
+  if (scene == nullptr || !options.all_frames)
+    add_image(files.outputs, "-o", options.output, channels);
+  else
+    for (const std::uint32_t frame : chosen_frames(*scene, options.frame))
+      add_image(files.outputs, "-o", frame_path(options.output, frame), channels);
+  tool.claim(std::move(files));
+}
+
+// A picture on stdout needs a format, and stdout for itself.
+void require_room_on_stdout(const Tool& tool, const Options& options) {
+  if (options.format.empty())
+    throw UsageError("-o -: the picture's format is not known (--format EXTENSION expected)");
+  if (options.format == ".f32") throw UsageError("--format .f32: is several files (-o - is one)");
+  if (options.all_frames)
+    throw UsageError("--frames: a picture a frame does not fit stdout (-o FILE expected)");
+  if (tool.common().json == "-")
+    throw UsageError("--json -: stdout carries the picture (a file for --json expected)");
+  if (isatty(STDOUT_FILENO) != 0)
+    throw UsageError("a picture is not printed on a terminal (-o FILE expected, or a pipe)");
+}
+
+void check_output(const Tool& tool, Options& options) {
+  if (options.output.empty()) throw UsageError("--output is required");
+  if (!options.format.empty() && !options.format.starts_with('.'))
+    options.format.insert(options.format.begin(), '.');
+  if (options.output == "-") require_room_on_stdout(tool, options);
+  require_known_image_extension(options.format.empty() ? options.output : options.format,
+                                options.depth);
+  if (!options.color_bar.empty()) require_known_image_extension(options.color_bar);
+}
+
 void require_room_for_channels(const std::string& path) {
   const std::array<std::string_view, 3> roomy{".exr", ".npy", ".f32"};
   if (std::ranges::none_of(roomy, [&](std::string_view e) { return path.ends_with(e); }))
@@ -291,6 +330,7 @@ ParsedScene specification_of(Tool& tool, Options& options) {
 }
 
 void explain(Tool& tool, Options options) {
+  tool.claim({{options.input, options.view, options.order}, {}});
   parse_pixel(options.pixel);
   const ParsedScene parsed = specification_of(tool, options);
   check_frame_options(options, parsed.scene);
@@ -302,10 +342,10 @@ void explain(Tool& tool, Options options) {
 }
 
 void render(Tool& tool, Options options) {
-  if (options.output.empty()) throw UsageError("--output is required");
-  require_known_image_extension(options.output, options.depth);
-  if (!options.color_bar.empty()) require_known_image_extension(options.color_bar);
-  if (!options.picture.channels.empty()) require_room_for_channels(options.output);
+  claim_files(tool, options, nullptr);
+  check_output(tool, options);
+  if (!options.picture.channels.empty())
+    require_room_for_channels(options.format.empty() ? options.output : options.format);
   const ParsedScene parsed = specification_of(tool, options);
   const Scene& scene = parsed.scene;
   PictureRequest request = picture_request(options.picture, scene.image);
@@ -314,6 +354,7 @@ void render(Tool& tool, Options options) {
   const std::optional<Image> under = read_under(options, {part.width, part.height});
   if (under) request.under = &*under;
   check_frame_options(options, scene);
+  if (options.all_frames) claim_files(tool, options, &scene);
   const ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
   Renderer renderer(tool, options, file);
   renderer.check(scene);
@@ -354,7 +395,12 @@ int main(int argc, char** argv) {
                      "Order file of hiac-sort; without it hiac-render sorts the mesh first")
           ->type_name("FILE");
   app.add_flag("--overlap", options.overlap, kOverlapHelp)->excludes(order);
-  app.add_option("-o,--output", options.output, "Image: " + image_extensions())->type_name("IMAGE");
+  app.add_option("-o,--output", options.output,
+                 "Image: " + image_extensions() + "; - with --format: stdout")
+      ->type_name("IMAGE");
+  app.add_option("--format", options.format,
+                 "Write the picture in the format of this extension, whatever the name says")
+      ->type_name("EXTENSION");
   app.add_option("--size", options.size, "Size in pixels instead of the specification's")
       ->type_name("WxH");
   app.add_option("--set", options.overrides, "Override KEY=VALUE of the specification; repeatable")
@@ -396,8 +442,8 @@ int main(int argc, char** argv) {
                      "of all cells on its ray, or with --json the same for programs")
           ->type_name("X,Y");
   for (const char* of_pictures :
-       {"--output", "--channels", "--crop", "--samples", "--filter", "--under", "--frames",
-        "--colorbar", "--colorbar-length", "--depth", "--linear"})
+       {"--output", "--format", "--channels", "--crop", "--samples", "--filter", "--under",
+        "--frames", "--colorbar", "--colorbar-length", "--depth", "--linear"})
     pixel->excludes(app.get_option(of_pictures));
   return tool.run(argc, argv,
                   [&] { pixel->count() == 0 ? render(tool, options) : explain(tool, options); });

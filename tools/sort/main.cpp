@@ -242,6 +242,8 @@ void write_orders(Tool& tool, const Options& options, Target target, ZooFile& fi
 }
 
 void sort(Tool& tool, const Options& options) {
+  tool.claim(
+      {{options.input, options.view, options.given}, {{"-o", options.output, FileKind::order}}});
   if (!options.given.empty() && !options.verify)
     throw UsageError("--order: a given order can only be verified (expected --verify)");
   const Target target = target_of(tool, options);

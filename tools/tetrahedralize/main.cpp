@@ -197,6 +197,7 @@ ZooFile mesh_of_cells(Tool& tool, const Options& options) {
 }
 
 void tetrahedralize(Tool& tool, const Options& options) {
+  tool.claim({{options.input}, {{"-o", options.output, FileKind::mesh}}});
   require_binary_output(options.output);
   const Source source = source_of(options);
   require_fitting_options(options, source);
