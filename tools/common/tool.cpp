@@ -1,17 +1,20 @@
 #include "tools/common/tool.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <utility>
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
 #include "hiac/base/seconds.hpp"
+#include "hiac/base/temporary_file.hpp"
 #include "tools/common/mesh_io.hpp"
 #include "tools/common/text_output.hpp"
 #include "tools/common/version.hpp"
@@ -29,9 +32,13 @@ std::string one_line(std::string text) {
 }  // namespace
 
 std::uint64_t peak_memory_bytes() {
-  struct rusage usage {};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+  std::uint64_t most = 0;
+  for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    struct rusage usage {};
+    getrusage(who, &usage);
+    most = std::max(most, static_cast<std::uint64_t>(usage.ru_maxrss) * 1024);
+  }
+  return most;
 }
 
 Tool::Tool(std::string name, const std::string& description, const std::string& examples)
@@ -45,6 +52,11 @@ Tool::Tool(std::string name, const std::string& description, const std::string& 
   app_.add_option("--threads", common_.threads, "Number of threads (0: all cores)")
       ->check(CLI::Range(0U, 4096U))
       ->capture_default_str();
+  app_.add_option("--max-memory", common_.max_memory,
+                  "End with exit code 3 when the work takes more memory than this, as 500MB or 8GB "
+                  "(default: three quarters of the machine's)")
+      ->transform(CLI::AsSizeValue(false))
+      ->type_name("SIZE");
   app_.add_option("--json", common_.json,
                   "Write the run's facts (counts, seconds, memory) to FILE; - is stdout")
       ->type_name("FILE");
@@ -71,6 +83,7 @@ int Tool::run(int argc, char** argv, const std::function<void()>& work) {
     const ThreadLimit limit(common_.threads);
     facts_["tool"] = name_;
     facts_["version"] = version_text();
+    watch_memory();
     if (!common_.quiet) bar_ = std::make_unique<ProgressBar>(name_, frames_, progress_);
     work();
   } catch (const Cancelled&) {
@@ -89,6 +102,8 @@ int Tool::run(int argc, char** argv, const std::function<void()>& work) {
     message = error.what();
   }
   bar_.reset();
+  if (memory_) facts_["peak_memory_bytes"] = std::max(memory_->peak(), peak_memory_bytes());
+  memory_.reset();
   if (exit_code != ExitCode::done) {
     std::cerr << name_ << ": " << one_line(message) << '\n';
     facts_["error"] = message;
@@ -102,7 +117,21 @@ int Tool::run(int argc, char** argv, const std::function<void()>& work) {
   return static_cast<int>(exit_code);
 }
 
+void Tool::watch_memory() {
+  const std::uint64_t most = common_.max_memory > 0 ? common_.max_memory : machine_memory() / 4 * 3;
+  // in the thread that watches, while the others work on: nothing but the files is put in order
+  memory_ = std::make_unique<MemoryWatch>(most, [this, most] {
+    remove_temporary_files();
+    const std::string line = fmt::format(
+        "{}: {}: takes more than {:.3g} GB of memory (--max-memory SIZE sets the limit)\n", name_,
+        one_line(subject_), static_cast<double>(most) * 1e-9);
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, line.data(), line.size());
+    _exit(static_cast<int>(ExitCode::input));
+  });
+}
+
 void Tool::claim(RunFiles files) {
+  if (!files.inputs.empty()) subject_ = input_name(files.inputs.front());
   files.outputs.insert(files.outputs.begin(), facts_output());
   try {
     require_safe(files);
@@ -153,7 +182,6 @@ void Tool::write_facts(int exit_code, double seconds) {
   facts_["warnings"] = warnings_;
   facts_["exit_code"] = exit_code;
   facts_["seconds"]["total"] = seconds;
-  facts_["peak_memory_bytes"] = peak_memory_bytes();
   const std::string text = facts_.dump(2) + "\n";
   if (!is_stdout(common_.json)) require_same_kind(facts_output());
   write_text(common_.json, text);

@@ -28,13 +28,17 @@ std::array<std::atomic<const char*>, kSlots> open_files{};
 std::atomic<int> making{0};
 std::atomic<bool> dying{false};
 
-extern "C" void remove_temporaries_and_die(int signal_number) {
+void remove_all() {
   dying.store(true);
   while (making.load() > 0) continue;
   for (auto& slot : open_files) {
     const char* name = slot.load();
     if (name != nullptr) unlink(name);
   }
+}
+
+extern "C" void remove_temporaries_and_die(int signal_number) {
+  remove_all();
   std::signal(signal_number, SIG_DFL);
   std::raise(signal_number);
 }
@@ -86,11 +90,12 @@ class Making {
 
 }  // namespace
 
-TemporaryFile::TemporaryFile(const std::string& beginning, const std::string& subject)
-    : path_(beginning + ".XXXXXX"), slot_(kSlots) {
+TemporaryFile::TemporaryFile(const std::string& beginning, const std::string& subject,
+                             const std::string& ending)
+    : path_(beginning + ".XXXXXX" + ending), slot_(kSlots) {
   install_handlers();
   const Making guard;
-  const int descriptor = mkostemp(path_.data(), O_CLOEXEC);
+  const int descriptor = mkostemps(path_.data(), static_cast<int>(ending.size()), O_CLOEXEC);
   if (descriptor < 0)
     throw InputError(subject, std::string("cannot be written (") + std::strerror(errno) + ")");
   close(descriptor);
@@ -111,6 +116,8 @@ void TemporaryFile::keep() {
 void TemporaryFile::forget() {
   if (slot_ < kSlots) open_files[slot_].store(nullptr);
 }
+
+void remove_temporary_files() { remove_all(); }
 
 std::string temporary_name() {
   const char* folder = std::getenv("TMPDIR");

@@ -9,9 +9,10 @@ namespace hiac {
 /// destroyed, or when SIGINT, SIGTERM or SIGHUP ends the process.
 class TemporaryFile {
  public:
-  /// Its name is `beginning`, a dot and six characters; only its owner may read it. Throws
-  /// InputError naming `subject` when it cannot be made.
-  TemporaryFile(const std::string& beginning, const std::string& subject);
+  /// Its name is `beginning`, a dot, six characters and `ending`; only its owner may read it.
+  /// Throws InputError naming `subject` when it cannot be made.
+  TemporaryFile(const std::string& beginning, const std::string& subject,
+                const std::string& ending = "");
   ~TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -26,6 +27,9 @@ class TemporaryFile {
   std::string path_;
   std::size_t slot_;
 };
+
+/// Removes every TemporaryFile and lets no further one begin: for a process that is about to end.
+void remove_temporary_files();
 
 /// The beginning of a TemporaryFile's name in the folder for temporary files ($TMPDIR, /tmp).
 std::string temporary_name();
