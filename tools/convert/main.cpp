@@ -10,12 +10,16 @@
 #include <unistd.h>
 
 #include "formats/common/cells/keep_corners.hpp"
+#include "formats/common/io/named_file.hpp"
 #include "formats/common/mesh/select_fields.hpp"
 #include "formats/registry.hpp"
 #include "formats/zoo/zoo_format.hpp"
 #include "hiac/base/error.hpp"
+#include "hiac/base/output_file.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
+#include "hiac/mesh/file_descriptor.hpp"
 #include "hiac/mesh/zoo_container.hpp"
+#include "tools/common/mesh_io.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/common/version.hpp"
 #include "tools/convert/listing.hpp"
@@ -45,6 +49,7 @@ struct Options {
   bool corners_only = false;
   bool skip_unsupported = false;
   bool approximate = false;
+  bool allow_external = false;
   bool adjacency = true;
 
   [[nodiscard]] bool from_stdin() const { return input.empty() || input == "-"; }
@@ -52,9 +57,10 @@ struct Options {
 };
 
 void add_options(CLI::App& app, Options& options) {
-  app.add_option("INPUT", options.input,
-                 "The file to convert; - or none: stdin, which carries a zoo stream or, with "
-                 "--format, any format that is one file");
+  app.add_option(
+      "INPUT", options.input,
+      "The file or pipe to convert; - or none: stdin, which carries a zoo stream or, with "
+      "--format, any format that is one file");
   app.add_option(
          "-o,--output", options.output,
          "Output file; its extension chooses the format (.zoo, .vtu, .vtkhdf, .msh); - or none: a "
@@ -90,6 +96,9 @@ void add_options(CLI::App& app, Options& options) {
                "Re-interpolate cells of order 4 and more (and cells whose centre nodes matter) to "
                "the nearest kind, divide polyhedra into tetrahedra and pyramids, and state the "
                "largest error that this makes");
+  app.add_flag("--allow-external", options.allow_external,
+               "Read files that INPUT names (by links of HDF5, in XDMF, PVD, VTM, include lines) "
+               "wherever they lie, not only in its folder");
   app.add_flag("--adjacency,!--no-adjacency", options.adjacency,
                "Store which cells share faces, so that later stages start faster (default: yes)");
 }
@@ -105,24 +114,41 @@ formats::ReadOptions read_options(const Options& options) {
   return result;
 }
 
-/// Does `work(format, path)` on the input file, or on a stream that is in the format that --format
-/// names, under a name that can be opened; errors name the stream as "stdin".
+const formats::Format& format_of(const Options& options, const std::string& path) {
+  return options.format.empty() ? formats::format_to_read(path)
+                                : formats::format_named(options.format);
+}
+
+/// stdin, or a pipe that INPUT names.
+FileDescriptor open_stream(const Options& options) {
+  if (options.from_stdin()) return FileDescriptor(dup(STDIN_FILENO));
+  std::error_code error;
+  if (std::filesystem::is_character_file(options.input, error))
+    throw InputError(options.input, "is a device (a file or a pipe expected)");
+  return open_to_read(options.input);
+}
+
+/// Does `work(format, path, told)` on the input file; a pipe is kept in a file first, and `told`
+/// puts the pipe's name in place of the file's in a text. Errors do so, too.
 template <typename Work>
 auto with_input(const Options& options, const Work& work) {
-  if (!options.from_stdin()) {
-    const formats::Format& format = options.format.empty() ? formats::format_to_read(options.input)
-                                                           : formats::format_named(options.format);
-    return work(format, options.input);
-  }
-  const formats::Format& format = formats::format_named(options.format);
-  const SpooledInput spooled(STDIN_FILENO, "stdin");
+  const bool is_pipe = options.from_stdin() || is_stream(options.input);
+  const auto folder = std::filesystem::path(options.input).parent_path();
+  formats::set_named_files({folder.empty() ? "." : folder.string(), options.allow_external});
+  if (!is_pipe)
+    return work(format_of(options, options.input), options.input,
+                [](std::string text) { return text; });
+  const std::string subject = input_name(options.input);
+  const SpooledInput spooled(open_stream(options).number(), subject);
+  // a pipe has no folder: nothing lies in the file's own name
+  formats::set_named_files({spooled.path(), options.allow_external});
   try {
-    return work(format, spooled.path());
+    return work(format_of(options, spooled.path()), spooled.path(),
+                [&](std::string text) { return spooled.told(std::move(text)); });
   } catch (const InputError& error) {
-    std::string message = error.what();
-    if (const std::size_t at = message.find(spooled.path()); at != std::string::npos)
-      message.replace(at, spooled.path().size(), "stdin");
-    throw InputError(message);
+    throw InputError(spooled.told(error.what()));
+  } catch (const UsageError& error) {
+    throw UsageError(spooled.told(error.what()));
   }
 }
 
@@ -140,8 +166,11 @@ formats::Reading read_input(const Options& options) {
   const formats::ReadOptions wanted = read_options(options);
   if (is_zoo_stream(options))
     return formats::reading_of(read_zoo_stream(STDIN_FILENO, "stdin"), wanted, "stdin");
-  return with_input(options, [&](const formats::Format& format, const std::string& path) {
-    return format.read(path, wanted);
+  return with_input(options, [&](const auto& format, const std::string& path, const auto& told) {
+    formats::Reading reading = format.read(path, wanted);
+    for (std::string& note : reading.notes) note = told(std::move(note));
+    for (auto& [key, text] : reading.mesh.metadata) text = told(std::move(text));
+    return reading;
   });
 }
 
@@ -149,8 +178,10 @@ void list_input(Tool& tool, const Options& options) {
   const formats::Inventory inventory =
       is_zoo_stream(options)
           ? formats::inventory_of(read_zoo_stream(STDIN_FILENO, "stdin").mesh)
-          : with_input(options, [](const formats::Format& format, const std::string& path) {
-              return format.inspect(path);
+          : with_input(options, [](const auto& format, const std::string& path, const auto& told) {
+              formats::Inventory found = format.inspect(path);
+              for (std::string& note : found.notes) note = told(std::move(note));
+              return found;
             });
   if (tool.common().json != "-") std::cout << inventory_text(inventory);
   tool.facts()["inventory"] = inventory_facts(inventory);

@@ -2,14 +2,17 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <span>
+#include <string>
 
 #include "hiac/mesh/file_descriptor.hpp"
 
 namespace hiac::tools {
 
 SpooledInput::SpooledInput(int descriptor, const std::string& subject)
-    : file_(temporary_name(), subject) {
+    : subject_(subject),
+      file_(temporary_name(), subject, std::filesystem::path(subject).extension().string()) {
   FileDescriptor copy = open_to_write(file_.path());
   std::array<std::uint8_t, 1 << 16> buffer{};
   for (;;) {
@@ -18,6 +21,14 @@ SpooledInput::SpooledInput(int descriptor, const std::string& subject)
     if (count < buffer.size()) break;
   }
   copy.close(file_.path());
+}
+
+std::string SpooledInput::told(std::string text) const {
+  for (const std::string& name : {path(), std::filesystem::path(path()).filename().string()})
+    for (std::size_t at = text.find(name); at != std::string::npos;
+         at = text.find(name, at + subject_.size()))
+      text.replace(at, name.size(), subject_);
+  return text;
 }
 
 }  // namespace hiac::tools
