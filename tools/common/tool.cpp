@@ -16,17 +16,27 @@
 #include "hiac/base/seconds.hpp"
 #include "hiac/base/temporary_file.hpp"
 #include "tools/common/mesh_io.hpp"
+#include "tools/common/plain_text.hpp"
+#include "tools/common/suggestion.hpp"
 #include "tools/common/text_output.hpp"
 #include "tools/common/version.hpp"
 
 namespace hiac::tools {
 namespace {
 
-// A message is one line whatever a library put into it.
-std::string one_line(std::string text) {
-  for (char& c : text)
-    if (c == '\n' || c == '\r') c = ' ';
-  return text;
+// What a word of the command line that is no option may mean: " (did you mean --size?)".
+std::string hint_for(const CLI::App& app, int argc, char** argv) {
+  std::vector<std::string> known;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
+    if (!word.starts_with("--") || word.size() < 4 || std::ranges::find(known, word) != known.end())
+      continue;
+    if (const std::string meant = likely_meant(word, known); !meant.empty())
+      return fmt::format(" (did you mean {}?)", meant);
+  }
+  return "";
 }
 
 }  // namespace
@@ -63,7 +73,9 @@ Tool::Tool(std::string name, const std::string& description, const std::string& 
 }
 
 int Tool::run(int argc, char** argv, const std::function<void()>& work) {
-  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error of write(), with its message
+  // a closed pipe and a file that is too large are errors of write(), with their messages
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     app_.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -73,7 +85,8 @@ int Tool::run(int argc, char** argv, const std::function<void()>& work) {
     std::cout << version.what() << '\n';
     return 0;
   } catch (const CLI::ParseError& error) {
-    std::cerr << name_ << ": " << one_line(error.what()) << " (see " << name_ << " --help)\n";
+    std::cerr << name_ << ": " << plain_line(error.what()) << hint_for(app_, argc, argv) << " (see "
+              << name_ << " --help)\n";
     return static_cast<int>(ExitCode::usage);
   }
   const double start = seconds_now();
@@ -105,13 +118,13 @@ int Tool::run(int argc, char** argv, const std::function<void()>& work) {
   if (memory_) facts_["peak_memory_bytes"] = std::max(memory_->peak(), peak_memory_bytes());
   memory_.reset();
   if (exit_code != ExitCode::done) {
-    std::cerr << name_ << ": " << one_line(message) << '\n';
+    std::cerr << name_ << ": " << plain_line(message) << '\n';
     facts_["error"] = message;
   }
   try {
     write_facts(static_cast<int>(exit_code), seconds_now() - start);
   } catch (const Error& error) {
-    std::cerr << name_ << ": " << one_line(error.what()) << '\n';
+    std::cerr << name_ << ": " << plain_line(error.what()) << '\n';
     if (exit_code == ExitCode::done) exit_code = error.exit_code();
   }
   return static_cast<int>(exit_code);
@@ -124,7 +137,7 @@ void Tool::watch_memory() {
     remove_temporary_files();
     const std::string line = fmt::format(
         "{}: {}: takes more than {:.3g} GB of memory (--max-memory SIZE sets the limit)\n", name_,
-        one_line(subject_), static_cast<double>(most) * 1e-9);
+        plain_line(subject_), static_cast<double>(most) * 1e-9);
     [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, line.data(), line.size());
     _exit(static_cast<int>(ExitCode::input));
   });
@@ -142,7 +155,7 @@ void Tool::claim(RunFiles files) {
 }
 
 void Tool::note(const std::string& line) const {
-  if (!common_.quiet) print(name_ + ": " + line + '\n');
+  if (!common_.quiet) print(name_ + ": " + plain_line(line) + '\n');
 }
 
 void Tool::detail(const std::string& line) const {
@@ -150,10 +163,11 @@ void Tool::detail(const std::string& line) const {
 }
 
 void Tool::print(const std::string& text) const {
+  const std::string shown = plain_text(text);
   if (bar_)
-    bar_->print(text);
+    bar_->print(shown);
   else
-    std::cerr << text;
+    std::cerr << shown;
 }
 
 void Tool::warn(const std::string& line) {

@@ -1,5 +1,7 @@
 // hiac-convert: a foreign finite-element file to a zoo mesh, and a zoo mesh to VTU.
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -20,6 +22,7 @@
 #include "hiac/mesh/file_descriptor.hpp"
 #include "hiac/mesh/zoo_container.hpp"
 #include "tools/common/mesh_io.hpp"
+#include "tools/common/plain_text.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/common/version.hpp"
 #include "tools/convert/listing.hpp"
@@ -43,7 +46,7 @@ struct Options {
   bool list = false;
   std::vector<std::string> fields;
   std::vector<std::string> derivations;
-  std::optional<double> time;
+  std::string time;
   std::optional<std::size_t> step;
   std::optional<std::string> block;
   bool corners_only = false;
@@ -84,7 +87,9 @@ void add_options(CLI::App& app, Options& options) {
       ->expected(1)
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  CLI::Option* time = app.add_option("--time", options.time, "Convert the step at this time");
+  CLI::Option* time = app.add_option("--time", options.time,
+                                     "Convert the step at this time; nearest:T: the nearest to T")
+                          ->type_name("T");
   app.add_option("--step", options.step, "Convert the step with this number, counted from 0")
       ->excludes(time);
   app.add_option("--block", options.block, "Convert only this block")->type_name("NAME");
@@ -103,9 +108,22 @@ void add_options(CLI::App& app, Options& options) {
                "Store which cells share faces, so that later stages start faster (default: yes)");
 }
 
+/// T or nearest:T.
+void read_time(const std::string& text, formats::ReadOptions& options) {
+  constexpr std::string_view kNearest = "nearest:";
+  std::string_view number = text;
+  options.nearest_time = number.starts_with(kNearest);
+  if (options.nearest_time) number.remove_prefix(kNearest.size());
+  double time = 0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), time);
+  if (error != std::errc() || end != number.data() + number.size() || !std::isfinite(time))
+    throw UsageError(fmt::format("--time {}: a number, or nearest:NUMBER expected", text));
+  options.time = time;
+}
+
 formats::ReadOptions read_options(const Options& options) {
   formats::ReadOptions result;
-  result.time = options.time;
+  if (!options.time.empty()) read_time(options.time, result);
   result.step = options.step;
   result.block = options.block;
   result.skip_unsupported = options.skip_unsupported;
@@ -183,7 +201,7 @@ void list_input(Tool& tool, const Options& options) {
               for (std::string& note : found.notes) note = told(std::move(note));
               return found;
             });
-  if (tool.common().json != "-") std::cout << inventory_text(inventory);
+  if (tool.common().json != "-") std::cout << plain_text(inventory_text(inventory));
   tool.facts()["inventory"] = inventory_facts(inventory);
 }
 

@@ -26,6 +26,7 @@
 #include "hiac/session/session.hpp"
 #include "tools/common/frames.hpp"
 #include "tools/common/mesh_io.hpp"
+#include "tools/common/naming.hpp"
 #include "tools/common/order_facts.hpp"
 #include "tools/common/specification.hpp"
 #include "tools/common/text_output.hpp"
@@ -48,7 +49,7 @@ struct Options {
   PictureOptions picture;
   int depth = 0;
   bool no_background = false, linear = false, all_frames = false, skip_invalid = false;
-  bool overlap = false;
+  bool overlap = false, strict = false;
   std::optional<std::uint32_t> frame;
 };
 
@@ -132,6 +133,22 @@ Json note_work(Tool& tool, bool one_of_many, const RenderStatistics& s) {
           {"seconds", s.prepare_seconds + s.tile_seconds}};
 }
 
+// With --strict, what is otherwise told leaves no picture behind.
+void require_truth(const std::string& path, const RenderStatistics& s) {
+  if (s.violations > 0)
+    throw JudgementError(
+        fmt::format("{}: not written: {} ray segments were met out of order "
+                    "(--strict)",
+                    path, s.violations));
+  if (s.covered_pixels == 0)
+    throw JudgementError(fmt::format("{}: not written: no cell is seen (--strict)", path));
+}
+
+template <typename Work>
+auto with_names(const Options& options, const Work& work) {
+  return naming(input_name(options.input), options.view, {options.order}, work);
+}
+
 // Makes pictures of one mesh.
 class Renderer {
  public:
@@ -152,7 +169,8 @@ class Renderer {
       try {
         session_.require_drawable(scene);
       } catch (const InvalidCellError& error) {
-        throw InputError(fmt::format("{}; --skip-invalid leaves such cells out", error.what()));
+        throw InputError(input_name(options_.input),
+                         fmt::format("{}; --skip-invalid leaves such cells out", error.what()));
       }
       return;
     }
@@ -181,10 +199,11 @@ class Renderer {
 
   // One picture of a scene of one frame, and the facts of its making.
   Json render(const Scene& scene, const PictureRequest& request, const std::string& path) {
-    const Picture picture = session_.picture(scene, request);
+    const Picture picture = with_names(options_, [&] { return session_.picture(scene, request); });
     require_numbers(picture.image);
     note_order(*picture.order);
     Json facts = note_work(tool_, options_.all_frames, *picture.statistics);
+    if (options_.strict) require_truth(path, *picture.statistics);
     facts["order"] = order_facts(*picture.order);
     tool_.timed("write", [&] {
       write_image(path == "-" ? "/dev/stdout" : path, picture.image,
@@ -336,9 +355,11 @@ void explain(Tool& tool, Options options) {
   check_frame_options(options, parsed.scene);
   const ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
   Renderer renderer(tool, options, file);
-  renderer.check(parsed.scene);
-  note_model(tool, file.mesh, parsed.scene);
-  renderer.explain(options.frame ? scene_of_frame(parsed.scene, *options.frame) : parsed.scene);
+  with_names(options, [&] {
+    renderer.check(parsed.scene);
+    note_model(tool, file.mesh, parsed.scene);
+    renderer.explain(options.frame ? scene_of_frame(parsed.scene, *options.frame) : parsed.scene);
+  });
 }
 
 void render(Tool& tool, Options options) {
@@ -357,7 +378,7 @@ void render(Tool& tool, Options options) {
   if (options.all_frames) claim_files(tool, options, &scene);
   const ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
   Renderer renderer(tool, options, file);
-  renderer.check(scene);
+  with_names(options, [&] { renderer.check(scene); });
   note_model(tool, file.mesh, scene);
   if (!options.color_bar.empty()) write_color_bar(tool, options, file.mesh, scene.volume);
   if (scene.path) {
@@ -434,6 +455,9 @@ int main(int argc, char** argv) {
       ->type_name("BITS");
   app.add_flag("--skip-invalid", options.skip_invalid,
                "Leave out cells that are partly turned inside out instead of refusing the mesh");
+  app.add_flag("--strict", options.strict,
+               "End with exit code 1 and without a picture where the picture may mislead: ray "
+               "segments met out of order, or no cell in sight");
   app.add_flag("--linear", options.linear,
                "Write linear values instead of sRGB into integer images");
   auto* pixel =
@@ -443,7 +467,7 @@ int main(int argc, char** argv) {
           ->type_name("X,Y");
   for (const char* of_pictures :
        {"--output", "--format", "--channels", "--crop", "--samples", "--filter", "--under",
-        "--frames", "--colorbar", "--colorbar-length", "--depth", "--linear"})
+        "--frames", "--colorbar", "--colorbar-length", "--depth", "--linear", "--strict"})
     pixel->excludes(app.get_option(of_pictures));
   return tool.run(argc, argv,
                   [&] { pixel->count() == 0 ? render(tool, options) : explain(tool, options); });

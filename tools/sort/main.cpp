@@ -25,6 +25,7 @@
 #include "hiac/session/ordering.hpp"
 #include "tools/common/frames.hpp"
 #include "tools/common/mesh_io.hpp"
+#include "tools/common/naming.hpp"
 #include "tools/common/order_facts.hpp"
 #include "tools/common/specification.hpp"
 #include "tools/common/tool.hpp"
@@ -253,12 +254,14 @@ void sort(Tool& tool, const Options& options) {
   ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
   tool.facts()["cells"] = file.mesh.cell_count();
   const ZooMesh mesh = file.mesh;
-  Sorting sorting(tool, options, scene, mesh);
-  if (options.given.empty())
-    write_orders(tool, options, target, file, sorting);
-  else
-    sorting.verify({options.given, read_order_chunks(options.given)});
-  sorting.report();
+  naming(input_name(options.input), options.view, {options.given, options.output, "stdout"}, [&] {
+    Sorting sorting(tool, options, scene, mesh);
+    if (options.given.empty())
+      write_orders(tool, options, target, file, sorting);
+    else
+      sorting.verify({options.given, read_order_chunks(options.given)});
+    sorting.report();
+  });
 }
 
 }  // namespace

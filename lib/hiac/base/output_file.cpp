@@ -20,8 +20,11 @@
 namespace hiac {
 namespace {
 
-[[noreturn]] void fail(const std::string& path, int error) {
-  throw InputError(path, std::string("cannot be written (") + std::strerror(error) + ")");
+[[noreturn]] void refuse(const std::string& path, const std::string& why) {
+  throw InputError(path, "cannot be written (" + why + ")");
+}
+[[noreturn]] void refuse(const std::string& path, int error) {
+  refuse(path, std::string(std::strerror(error)));
 }
 
 std::optional<struct stat> status_of(const std::string& path) {
@@ -95,16 +98,26 @@ void take_mode(const std::string& path, const std::optional<struct stat>& replac
 OutputFile::OutputFile(std::string path)
     : path_(std::move(path)), stream_(is_stream(path_)), destination_(path_) {
   const auto found = status_of(path_);
-  if (found && S_ISDIR(found->st_mode)) fail(path_, EISDIR);
-  if (found && faccessat(AT_FDCWD, path_.c_str(), W_OK, AT_EACCESS) != 0) fail(path_, errno);
+  if (found && S_ISDIR(found->st_mode)) refuse(path_, EISDIR);
+  if (found && faccessat(AT_FDCWD, path_.c_str(), W_OK, AT_EACCESS) != 0) refuse(path_, errno);
   if (!stream_) destination_ = destination_of(path_).path;
   temporary_.emplace(stream_ ? temporary_name() : destination_, path_);
   if (!stream_) take_mode(temporary_path(), found);
 }
 
+void OutputFile::fail(const std::string& otherwise) const {
+  constexpr std::size_t kEnough = 1 << 20;  // what a library has not written yet may fit
+  const int file = open(temporary_path().c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  const bool written = file >= 0 && write_all(file, std::string(kEnough, '\0').data(), kEnough);
+  const int error = errno;
+  if (file >= 0) close(file);
+  if (file >= 0 && !written) refuse(path_, error);
+  refuse(path_, otherwise);
+}
+
 void OutputFile::commit() {
   if (stream_) return copy_to_stream();
-  if (std::rename(temporary_path().c_str(), destination_.c_str()) != 0) fail(path_, errno);
+  if (std::rename(temporary_path().c_str(), destination_.c_str()) != 0) refuse(path_, errno);
   temporary_->keep();
 }
 
@@ -116,7 +129,7 @@ void OutputFile::copy_to_stream() const {
   int error = from < 0 || to < 0 || !copy_all(from, to) ? errno : 0;
   if (from >= 0) close(from);
   if (to >= 0 && close(to) != 0 && error == 0) error = errno;
-  if (error != 0) fail(path_, error);
+  if (error != 0) refuse(path_, error);
 }
 
 bool is_stream(const std::string& path) {

@@ -24,6 +24,9 @@ class OutputFile {
 
   /// The name to write to until commit.
   [[nodiscard]] const std::string& temporary_path() const { return temporary_->path(); }
+  /// Throws InputError, which says why nothing more can be written to the temporary file (no space,
+  /// a limit), or `otherwise` when more can: for libraries that only tell that they failed.
+  [[noreturn]] void fail(const std::string& otherwise) const;
   /// Renames the file to its destination, or copies it to a device, a pipe or a socket. Throws
   /// InputError when that cannot be done.
   void commit();

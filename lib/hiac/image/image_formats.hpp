@@ -75,6 +75,8 @@ class FileWriter {
   [[nodiscard]] std::FILE* handle() { return file_.get(); }
   /// Flushes and closes the file; afterwards nothing can fail for lack of space.
   void close();
+  /// Throws InputError: what a library tells, or what the system does (OutputFile::fail).
+  [[noreturn]] void fail(const std::string& otherwise) const { output_.fail(otherwise); }
   /// Gives the closed file its name.
   void commit() { output_.commit(); }
 
