@@ -55,6 +55,16 @@ std::string joined_names(const Keep& keep) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+/// Says what a gzip file holds that is not read as it is. `head`: its first bytes, unpacked.
+[[noreturn]] void refuse_packed(const std::string& path, const std::string& head) {
+  for (const Format& format : all_formats())
+    if (format.read && format.recognizes(head))
+      throw InputError(path, fmt::format("is a {} file packed by gzip, which is not read in this "
+                                         "format (gunzip it first)",
+                                         format.name));
+  throw InputError(path, "is packed by gzip, and what it holds is of no known format");
+}
+
 }  // namespace
 
 std::span<const Format> all_formats() {
@@ -120,6 +130,7 @@ const Format& format_to_read(const std::string& path) {
     if (readable(format) && format.plausible && has_extension(format, extension) &&
         format.plausible(head))
       return format;
+  if (packed) refuse_packed(path, head);
   for (const Format& format : all_formats())
     if (format.read && has_extension(format, extension))
       throw InputError(path, fmt::format("is not a {} file, although its name says so (neither "

@@ -233,10 +233,13 @@ class DeckReader {
       const auto found =
           std::find_if(model_.instances.begin(), model_.instances.end(),
                        [&](const Instance& i) { return upper(i.name) == upper(*instance); });
+      // the mesh does not need the sets of what is not in it
       if (found == model_.instances.end())
-        cursor.fail_at(keyword.offset,
-                       fmt::format("*ELSET: there is no instance {}", shown(*instance)));
-      sets = &found->sets;
+        model_.notes.push_back(
+            fmt::format("left out a set of elements of instance {}, which there "
+                        "is not",
+                        shown(*instance)));
+      sets = found == model_.instances.end() ? &sets_of_nothing_ : &found->sets;
     }
     const bool generate = keyword.has_flag("GENERATE");
     Members elements;
@@ -322,6 +325,7 @@ class DeckReader {
   std::optional<Placement> system_;  ///< *SYSTEM: where coordinates of nodes are told in
   Made made_;
   int depth_ = 0;
+  NumberSets sets_of_nothing_;  ///< of instances that there are not
 };
 
 }  // namespace

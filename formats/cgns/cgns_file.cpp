@@ -8,6 +8,8 @@
 #include <cgns_io.h>
 #include <fmt/format.h>
 
+#include "formats/common/io/named_file.hpp"
+#include "formats/hdf5/external_files.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::cgns {
@@ -55,6 +57,7 @@ CgnsFile::CgnsFile(const std::string& path) : path_(path) {
   if (cgio_check_file(path.c_str(), &sort) != 0)
     throw InputError(path, "is no whole CGNS file (the library cannot open it)");
   packed_ = sort == CGIO_FILE_HDF5;
+  if (packed_) hdf5::require_local_links(path);
   if (cgio_open_file(path.c_str(), CGIO_MODE_READ, sort, &file_) != 0)
     throw InputError(path, "is no whole CGNS file (the library cannot open it)");
 }
@@ -65,7 +68,20 @@ void CgnsFile::fail(const Node& node, const std::string& problem) const {
   throw InputError(path_, fmt::format("{} '{}': {}", node.label, node.name, problem));
 }
 
+void CgnsFile::require_local_link(double id) const {
+  int length = 0;
+  if (cgio_is_link(file_, id, &length) != 0 || length <= 0) return;
+  int file_length = 0, name_length = 0;
+  if (cgio_link_size(file_, id, &file_length, &name_length) != 0 || file_length <= 0) return;
+  std::string file(static_cast<std::size_t>(file_length) + 1, '\0');
+  std::string name(static_cast<std::size_t>(std::max(name_length, 0)) + 1, '\0');
+  if (cgio_get_link(file_, id, file.data(), name.data()) != 0) return;
+  file.resize(std::min(file.find('\0'), file.size()));
+  if (!file.empty()) file_beside(path_, file);
+}
+
 Node CgnsFile::node_at(double id) const {
+  require_local_link(id);
   std::array<char, CGIO_MAX_NAME_LENGTH + 1> name{};
   std::array<char, CGIO_MAX_LABEL_LENGTH + 1> label{};
   std::array<char, CGIO_MAX_DATATYPE_LENGTH + 1> type{};

@@ -45,6 +45,8 @@ class CgnsFile {
  private:
   [[nodiscard]] std::vector<char> bytes(const Node& node) const;
   [[nodiscard]] Node node_at(double id) const;
+  /// Throws InputError for a link to a file outside the input's folder.
+  void require_local_link(double id) const;
 
   std::string path_;
   std::size_t file_size_ = 0;

@@ -13,6 +13,7 @@
 #include "formats/exodus/classic_layout.hpp"
 #include "formats/exodus/element_types.hpp"
 #include "formats/exodus/netcdf_file.hpp"
+#include "formats/hdf5/external_files.hpp"
 #include "formats/hdf5/hdf5_model.hpp"
 #include "hiac/base/error.hpp"
 
@@ -248,7 +249,10 @@ class Reader {
   std::vector<std::uint8_t> uses_;  ///< of every face
 };
 
-ForeignMesh open_exodus(const std::string& path) { return Reader(path).read(); }
+ForeignMesh open_exodus(const std::string& path) {
+  hdf5::require_local_links(path);
+  return Reader(path).read();
+}
 
 ForeignMesh foreign_mesh(const std::string& path) {
   return read_isolated(path, "the netCDF library", open_exodus);

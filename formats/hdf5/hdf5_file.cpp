@@ -7,6 +7,7 @@
 #include <hdf5.h>
 
 #include "formats/common/io/product.hpp"
+#include "formats/hdf5/external_files.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::hdf5 {
@@ -84,6 +85,7 @@ File::File(const std::string& path) : path_(path) {
   std::error_code failed;
   file_size_ = std::filesystem::file_size(path, failed);
   if (failed) throw InputError(path, fmt::format("cannot be read ({})", failed.message()));
+  require_local_links(path);
   file_ = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   if (file_ < 0) throw InputError(path, "is no whole HDF5 file (the library cannot open it)");
 }

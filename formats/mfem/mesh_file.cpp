@@ -1,6 +1,7 @@
 #include "formats/mfem/mesh_file.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -36,10 +37,12 @@ std::size_t next_count(TextCursor& text, std::string_view what) {
   return text.count(what, text.left());
 }
 
-/// Elements of a mesh without hanging nodes, or the leaves of one with them.
-void read_elements(TextCursor& text, bool refined, MeshFile& mesh) {
+/// Elements of a mesh without hanging nodes, or the leaves of one with them. `rank`: the process
+/// whose part of the mesh this is; it knows elements of its neighbours, too.
+void read_elements(TextCursor& text, bool refined, std::optional<std::int64_t> rank,
+                   MeshFile& mesh) {
   for (std::size_t left = next_count(text, "the number of elements"); left > 0; --left) {
-    if (refined) text.integer("a rank");
+    const std::int64_t owner = refined ? text.integer("a rank") : 0;
     Element element;
     element.attribute = text.integer("an attribute");
     const std::int64_t geometry = text.integer("a geometry");
@@ -53,7 +56,7 @@ void read_elements(TextCursor& text, bool refined, MeshFile& mesh) {
     }
     for (std::size_t v = 0; v < vertex_count(element.geometry); ++v)
       element.vertices[v] = text.integer("a vertex");
-    mesh.elements.push_back(element);
+    if (!rank || owner == *rank) mesh.elements.push_back(element);
   }
 }
 
@@ -276,11 +279,14 @@ MeshFile read_mesh_file(TextCursor& text) {
   MeshFile mesh;
   mesh.refined = refined;
   std::vector<Middle> middles;
+  std::optional<std::int64_t> rank;
   for (std::string_view word = next_word(text); !word.empty(); word = next_word(text)) {
     if (word == "dimension") {
       text.integer("the dimension");
     } else if (word == "elements") {
-      read_elements(text, refined, mesh);
+      read_elements(text, refined, rank, mesh);
+    } else if (word == "rank" && refined) {
+      rank = text.integer("a rank");
     } else if (word == "boundary" || word == "coarse_elements") {
       skip_elements(text);
     } else if (word == "attribute_sets" || word == "bdr_attribute_sets") {

@@ -83,8 +83,23 @@ class BulkReader {
     cursor.move_to(0);
   }
 
+  /// Whether entries of that name make the mesh.
+  static bool is_read(const std::string& name) {
+    return name == "GRID" || name == "GRDSET" || name == "INCLUDE" || name == "CIHEX2" ||
+           name == "CIHEX3" || kFlat.contains(name) ||
+           (name.starts_with("CORD") && name.size() == 6) ||
+           std::ranges::any_of(kSolids, [&](const Solid& solid) { return name == solid.name; });
+  }
+
   void read_card(const Card& card, const TextCursor& cursor, const std::string& path) {
     const std::string name = upper(card.name);
+    if (name.starts_with('=')) {
+      // it repeats the entry before it, which may be one of loads or of properties
+      if (repeats_what_is_read_)
+        cursor.fail_at(card.offset, "replicated entries ('=') are not supported");
+      return;
+    }
+    repeats_what_is_read_ = is_read(name);
     if (name == "GRID") return read_grid(card, cursor);
     for (std::size_t s = 0; s < kSolids.size(); ++s)
       if (name == kSolids[s].name) return read_solid(card, s, cursor);
@@ -93,8 +108,6 @@ class BulkReader {
       default_system_ = integer_or(card, 1, 0, cursor);
     } else if (name == "INCLUDE") {
       include(card, cursor, path);
-    } else if (name.starts_with('=')) {
-      cursor.fail_at(card.offset, "replicated entries ('=') are not supported");
     } else if (name == "CIHEX2" || name == "CIHEX3") {
       begin_cell(type_place(name, 0, {}), integer_or(card, 0, 0, cursor));
     } else if (kFlat.contains(name)) {
@@ -255,6 +268,7 @@ class BulkReader {
   std::vector<std::pair<std::size_t, std::int64_t>> systems_of_grids_;
   std::vector<std::size_t> unset_systems_;
   std::int64_t default_system_ = 0;
+  bool repeats_what_is_read_ = false;  ///< an entry that is replicated next
   int depth_ = 0;
 };
 

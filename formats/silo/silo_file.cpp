@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "formats/common/io/named_file.hpp"
+#include "formats/hdf5/external_files.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::silo {
@@ -30,6 +31,7 @@ SiloFiles::~SiloFiles() {
 DBfile* SiloFiles::open(const std::string& path) {
   const auto known = files_.find(path);
   if (known != files_.end()) return known->second;
+  hdf5::require_local_links(path);
   DBfile* file = DBOpen(path.c_str(), DB_UNKNOWN, DB_READ);
   if (file == nullptr) throw InputError(path, "cannot be opened by Silo (a Silo file expected)");
   files_[path] = file;

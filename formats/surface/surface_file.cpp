@@ -4,11 +4,15 @@
 #include <cctype>
 #include <cerrno>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <map>
+#include <new>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 #include <CGAL/IO/OBJ.h>
@@ -19,6 +23,7 @@
 #include <fmt/format.h>
 
 #include "formats/surface/poly.hpp"
+#include "hiac/base/child_process.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats {
@@ -49,18 +54,95 @@ std::string extension_of(const std::string& path) {
   return extension;
 }
 
-Soup read_soup(const std::string& path, const SoupReader& read) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(path, fmt::format("cannot be opened ({})", std::strerror(errno)));
-  Soup soup;
-  bool whole = false;
-  try {
-    whole = read(file, soup);
-  } catch (const std::exception& e) {  // sizes that the file only announces
-    throw InputError(path, fmt::format("is malformed ({})", e.what()));
+// Bytes that a soup is sent in: "+", the points' coordinates, and of each polygon the number of its
+// corners and its corners; or "-" and what is wrong.
+template <typename T>
+void append(std::string& bytes, T value) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+std::string packed(const Soup& soup) {
+  std::string bytes = "+";
+  append(bytes, std::uint64_t{soup.points.size()});
+  for (const Point& p : soup.points)
+    for (const double x : {p.x(), p.y(), p.z()}) append(bytes, x);
+  append(bytes, std::uint64_t{soup.polygons.size()});
+  for (const Polygon& polygon : soup.polygons) {
+    append(bytes, std::uint64_t{polygon.size()});
+    for (const std::size_t corner : polygon) append(bytes, std::uint64_t{corner});
   }
-  if (!whole) throw InputError(path, "is malformed (a surface of polygons expected)");
-  return soup;
+  return bytes;
+}
+
+class Unpacker {
+ public:
+  Unpacker(std::string_view bytes, const std::string& path) : rest_(bytes), path_(path) {}
+
+  Soup soup() {
+    Soup soup;
+    for (std::uint64_t count = next<std::uint64_t>(); count > 0; --count) {
+      const double x = next<double>(), y = next<double>(), z = next<double>();
+      soup.points.emplace_back(x, y, z);
+    }
+    for (std::uint64_t count = next<std::uint64_t>(); count > 0; --count) {
+      Polygon polygon;
+      for (std::uint64_t left = next<std::uint64_t>(); left > 0; --left)
+        polygon.push_back(next<std::uint64_t>());
+      soup.polygons.push_back(std::move(polygon));
+    }
+    return soup;
+  }
+
+ private:
+  template <typename T>
+  T next() {
+    if (rest_.size() < sizeof(T)) throw InputError(path_, "is malformed (CGAL was led astray)");
+    T value;
+    std::memcpy(&value, rest_.data(), sizeof value);
+    rest_.remove_prefix(sizeof value);
+    return value;
+  }
+
+  std::string_view rest_;
+  const std::string& path_;
+};
+
+std::string answer_of(const std::string& path, const SoupReader& read) {
+  try {
+    std::ifstream file(path, std::ios::binary);
+    Soup soup;
+    if (!file) return fmt::format("-cannot be opened ({})", std::strerror(errno));
+    if (!read(file, soup)) return "-is malformed (a surface of polygons expected)";
+    return packed(soup);
+  } catch (const std::bad_alloc&) {
+    return "-is malformed (it announces more than it holds)";
+  } catch (const std::exception& error) {
+    return fmt::format("-is malformed ({})", error.what());
+  }
+}
+
+std::uint64_t size_of_regular_file(const std::string& path) {
+  std::error_code error;
+  const std::uint64_t size = std::filesystem::file_size(path, error);
+  if (error) throw InputError(path, fmt::format("cannot be opened ({})", error.message()));
+  return size;
+}
+
+// CGAL's readers trust the numbers that a file announces, and follow null pointers in damaged PLY
+// files: they work in a process of their own, with memory in proportion to the file.
+Soup read_soup(const std::string& path, const SoupReader& read) {
+  constexpr std::uint64_t kLeastBytes = 256 << 20;
+  constexpr std::uint64_t kBytesForByte = 100;  // a polygon "3 0 1 2" takes a vector
+  constexpr std::uint64_t kLeastSeconds = 60;
+  constexpr std::uint64_t kBytesPerSecond = 1'000'000;
+  const std::uint64_t size = size_of_regular_file(path);
+  const auto answer = in_child_process([&] { return answer_of(path, read); },
+                                       {.memory_bytes = kLeastBytes + kBytesForByte * size,
+                                        .seconds = kLeastSeconds + size / kBytesPerSecond});
+  if (!answer || answer->empty())
+    throw InputError(path, "is malformed (CGAL breaks down on it, or does not come to an end)");
+  if (answer->front() == '-') throw InputError(path, answer->substr(1));
+  return Unpacker(std::string_view(*answer).substr(1), path).soup();
 }
 
 // Corners through which a polygon is cut in triangles: the least is in all of them.

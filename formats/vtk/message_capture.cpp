@@ -97,6 +97,8 @@ void MessageCapture::throw_on_error(const std::string& subject) const {
   if (!message.empty()) throw InputError(subject, "cannot be read: " + message);
 }
 
+bool MessageCapture::any_error() const { return !state_->window->first_error().empty(); }
+
 std::vector<std::string> MessageCapture::warnings() const { return state_->window->warnings(); }
 
 }  // namespace hiac::formats::vtk

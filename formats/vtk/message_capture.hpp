@@ -18,6 +18,8 @@ class MessageCapture {
   /// Throws InputError(subject, ...) with VTK's first error when there was one. Generic warnings
   /// count as errors: of numbers that they could not read, VTK's readers say no more than that.
   void throw_on_error(const std::string& subject) const;
+  /// Whether VTK has told an error, or a generic warning.
+  [[nodiscard]] bool any_error() const;
   /// The different warnings so far, a few of them.
   [[nodiscard]] std::vector<std::string> warnings() const;
 

@@ -1,11 +1,14 @@
 #include "formats/vtk/to_vtk.hpp"
 
+#include <cerrno>
 #include <charconv>
+#include <cstring>
 
 #include <fmt/format.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
+#include <vtkErrorCode.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationStringKey.h>
@@ -103,6 +106,13 @@ void add_metadata(const ZooMesh& mesh, vtkUnstructuredGrid& grid) {
   }
 }
 
+/// A number of the system, or one of VTK's own.
+std::string reason_of(unsigned long code) {
+  if (code > vtkErrorCode::NoError && code < vtkErrorCode::FirstVTKErrorCode)
+    return std::strerror(static_cast<int>(code));
+  return code == vtkErrorCode::OutOfDiskSpaceError ? std::strerror(ENOSPC) : "VTK refuses";
+}
+
 }  // namespace
 
 std::vector<std::string> write_vtu(const std::string& path, const ZooMesh& mesh) {
@@ -125,10 +135,9 @@ std::vector<std::string> write_vtu(const std::string& path, const ZooMesh& mesh)
   writer->EncodeAppendedDataOff();
   writer->SetHeaderTypeToUInt64();
   if (writer->Write() == 0 || writer->GetErrorCode() != 0) {
-    messages.throw_on_error(path);
-    throw InputError(path, "cannot be written");
+    file.fail(reason_of(writer->GetErrorCode()));
   }
-  messages.throw_on_error(path);
+  if (messages.any_error()) file.fail("VTK refuses");
   file.commit();
   return notes;
 }

@@ -50,7 +50,7 @@ class Reader {
  public:
   Reader(const std::string& path, const ReadOptions& options)
       : file_(std::make_shared<File>(path)), options_(options) {
-    type_ = file_->text_attribute(kRoot, "Type").value_or("");
+    type_ = file_->text_attribute(kRoot, "Type").value_or(type_by_contents());
     if (file_->is_group(kSteps)) times_ = file_->reals(kSteps + "/Values");
     if (const auto step = requested_step(options_, times_, path))
       step_ = *step;
@@ -81,6 +81,12 @@ class Reader {
   }
 
  private:
+  /// The type of a file that does not say it, as the first ones of version 1.0 do not.
+  [[nodiscard]] std::string type_by_contents() const {
+    const bool grid = file_->has(kRoot + "/Connectivity") && file_->has(kRoot + "/Types");
+    return grid ? "UnstructuredGrid" : "";
+  }
+
   /// The step's entry of one of the lists of offsets; 0 where there is no such list.
   [[nodiscard]] std::uint64_t at_step(const std::string& list) const {
     const std::string dataset = kSteps + "/" + list;

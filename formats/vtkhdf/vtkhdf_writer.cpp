@@ -5,6 +5,7 @@
 #include <charconv>
 #include <optional>
 #include <set>
+#include <stdexcept>
 
 #include <fmt/format.h>
 #include <hdf5.h>
@@ -18,12 +19,17 @@ namespace {
 
 constexpr const char* kRoot = "/VTKHDF";
 
+/// The library cannot do what it is asked to.
+struct Refused : std::runtime_error {
+  Refused() : std::runtime_error("HDF5 refuses") {}
+};
+
 /// An object of the library, closed at the end.
 class Handle {
  public:
   using Close = herr_t (*)(hid_t);
-  Handle(hid_t id, Close close, const std::string& path) : id_(id), close_(close) {
-    if (id_ < 0) throw InputError(path, "cannot be written (HDF5 refuses)");
+  Handle(hid_t id, Close close) : id_(id), close_(close) {
+    if (id_ < 0) throw Refused();
   }
   ~Handle() { close_(id_); }
   Handle(const Handle&) = delete;
@@ -37,26 +43,27 @@ class Handle {
 
 class Writer {
  public:
-  Writer(const std::string& destination, const std::string& path)
-      : path_(path),
-        file_(H5Fcreate(destination.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
-              path) {}
+  explicit Writer(const std::string& destination)
+      : file_(H5Fcreate(destination.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose) {}
 
   void group(const std::string& name) const {
     const Handle group(H5Gcreate2(file_.get(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                       H5Gclose, path_);
+                       H5Gclose);
   }
 
   /// `memory`: the numbers' type; they are stored as they are.
   void dataset(const std::string& name, const std::vector<hsize_t>& shape, hid_t memory,
                const void* data) const {
     const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
-                       H5Sclose, path_);
+                       H5Sclose);
     const Handle set(H5Dcreate2(file_.get(), name.c_str(), memory, space.get(), H5P_DEFAULT,
                                 H5P_DEFAULT, H5P_DEFAULT),
-                     H5Dclose, path_);
+                     H5Dclose);
     const bool empty = std::find(shape.begin(), shape.end(), 0U) != shape.end();
-    if (!empty) check(H5Dwrite(set.get(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, data));
+    if (empty) return;
+    check(H5Dwrite(set.get(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, data));
+    // closing it tells of nothing that is lost
+    check(H5Dflush(set.get()));
   }
   void count(const std::string& name, std::int64_t value) const {
     dataset(name, {1}, H5T_NATIVE_INT64, &value);
@@ -66,14 +73,14 @@ class Writer {
                  const std::string& object) const {
     const hsize_t size = values.size();
     const Handle space(size == 1 ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &size, nullptr),
-                       H5Sclose, path_);
+                       H5Sclose);
     write_attribute(object, name, H5T_NATIVE_INT64, space, values.data());
   }
   void type_attribute(const std::string& text) const {
-    const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, path_);
+    const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
     check(H5Tset_size(type.get(), text.size()));
     check(H5Tset_strpad(type.get(), H5T_STR_NULLPAD));
-    const Handle space(H5Screate(H5S_SCALAR), H5Sclose, path_);
+    const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
     write_attribute(kRoot, "Type", type.get(), space, text.data());
   }
 
@@ -82,17 +89,15 @@ class Writer {
  private:
   void write_attribute(const std::string& object, const char* name, hid_t type, const Handle& space,
                        const void* data) const {
-    const Handle owner(H5Gopen2(file_.get(), object.c_str(), H5P_DEFAULT), H5Gclose, path_);
+    const Handle owner(H5Gopen2(file_.get(), object.c_str(), H5P_DEFAULT), H5Gclose);
     const Handle attribute(
-        H5Acreate2(owner.get(), name, type, space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
-        path_);
+        H5Acreate2(owner.get(), name, type, space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
     check(H5Awrite(attribute.get(), type, data));
   }
   void check(herr_t status) const {
-    if (status < 0) throw InputError(path_, "cannot be written (HDF5 refuses)");
+    if (status < 0) throw Refused();
   }
 
-  const std::string& path_;
   Handle file_;
 };
 
@@ -196,10 +201,12 @@ std::vector<std::string> write_vtkhdf(const std::string& path, const ZooMesh& me
   std::vector<std::string> notes;
   const vtk::WrittenCells table = vtk::written_cells(mesh, "VTKHDF", path, notes);
   const std::optional<double> time = time_of(mesh, notes);
+  // what the library cannot write, it tries to write again at exit, and breaks down over it
+  H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   OutputFile file(path);
-  {
-    const Writer writer(file.temporary_path(), path);
+  try {
+    const Writer writer(file.temporary_path());
     const std::string root = kRoot;
     for (const std::string& group : {root, root + "/PointData", root + "/CellData"})
       writer.group(group);
@@ -212,6 +219,8 @@ std::vector<std::string> write_vtkhdf(const std::string& path, const ZooMesh& me
     const StoredFields fields = write_fields(writer, mesh, path, notes);
     if (time) write_step(writer, *time, fields);
     writer.finish();
+  } catch (const Refused& refused) {
+    file.fail(refused.what());
   }
   file.commit();
   return notes;

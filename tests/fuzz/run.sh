@@ -13,7 +13,7 @@ seconds=${1:?SECONDS [READER ...]}
 shift
 cd "$(dirname "$0")/../.."
 readers=${*:-abaqus ansys classic-netcdf d3plot ensight frd gambit gmsh medit mfem nastran netgen \
-  openfoam plot3d points poly pvd pvtu su2 tecplot tetgen ucd ugrid unv vti vtk vtm vtr vts vtu \
+  obj off openfoam plot3d ply points poly pvd pvtu stl su2 tecplot tetgen ucd ugrid unv vti vtk vtm vtr vts vtu \
   xdmf zoo}
 
 [ -f build/fuzz/build.ninja ] || cmake --preset fuzz > /dev/null

@@ -1,5 +1,6 @@
 #include "tests/fuzz/seeds.hpp"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -345,6 +346,43 @@ Texts poly() {
       "1\n3 2 3 4\n1\n3 1 3 4\n0\n1\n1 0.1 0.1 0.1 5 0.1\n"};
 }
 
+/// The corners and the outward triangles of a tetrahedron.
+std::string four(const char* before) {
+  std::string text;
+  for (const char* point : {"0 0 0", "2 0 0", "0 3 0", "0 0 4.5"})
+    text += fmt::format("{}{}\n", before, point);
+  return text;
+}
+
+Texts ply() {
+  const std::string header =
+      "ply\nformat {} 1.0\ncomment c\nelement vertex 4\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n";
+  Bytes binary;
+  binary.raw(fmt::format(fmt::runtime(header), "binary_little_endian"));
+  for (const int x : {0, 0, 0, 2, 0, 0, 0, 3, 0, 0, 0, 4}) binary.mark(static_cast<float>(x));
+  for (const auto& [a, b, c] : {std::array{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}})
+    binary.raw("\3").wholes({a, b, c});
+  return {fmt::format(fmt::runtime(header), "ascii") + four("") +
+              "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n",
+          binary.str()};
+}
+
+Texts off() { return {"OFF\n4 4 0\n" + four("") + "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n"}; }
+
+Texts obj() { return {four("v ") + "f 1 3 2\nf 1 2 4\nf 2/1/1 3//2 4\nf 3 1 4\n"}; }
+
+Texts stl() {
+  Bytes binary;
+  binary.raw(std::string(80, ' ')).whole(1);
+  for (const int x : {0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0}) binary.mark(static_cast<float>(x));
+  binary.raw(std::string(2, '\0'));
+  return {
+      "solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
+      "endloop\nendfacet\nendsolid t\n",
+      binary.str()};
+}
+
 Texts points() { return {"x,y,z,T\n0,0,0,1\n1,0,0,2\n0,1,0,nan\n", "0 0 0\n1 0 0\n"}; }
 
 Texts d3plot() {
@@ -363,14 +401,15 @@ Texts tecplot() {
 
 std::vector<std::string> seeds(const std::string& name) {
   static const std::map<std::string, std::function<Texts()>> known{
-      {"abaqus", abaqus}, {"ansys", ansys},       {"classic-netcdf", classic_netcdf},
-      {"d3plot", d3plot}, {"ensight", ensight},   {"gmsh", gmsh},
-      {"mfem", mfem},     {"openfoam", openfoam}, {"plot3d", plot3d},
-      {"points", points}, {"poly", poly},         {"pvd", pvd},
-      {"pvtu", pvtu},     {"tecplot", tecplot},   {"tetgen", tetgen},
-      {"vti", vti},       {"vtk", vtk},           {"vtm", vtm},
-      {"vtr", vtr},       {"vts", vts},           {"vtu", vtu},
-      {"xdmf", xdmf}};
+      {"abaqus", abaqus}, {"ansys", ansys},     {"classic-netcdf", classic_netcdf},
+      {"d3plot", d3plot}, {"ensight", ensight}, {"gmsh", gmsh},
+      {"obj", obj},       {"off", off},         {"ply", ply},
+      {"stl", stl},       {"mfem", mfem},       {"openfoam", openfoam},
+      {"plot3d", plot3d}, {"points", points},   {"poly", poly},
+      {"pvd", pvd},       {"pvtu", pvtu},       {"tecplot", tecplot},
+      {"tetgen", tetgen}, {"vti", vti},         {"vtk", vtk},
+      {"vtm", vtm},       {"vtr", vtr},         {"vts", vts},
+      {"vtu", vtu},       {"xdmf", xdmf}};
   Texts texts;
   if (known.contains(name)) texts = known.at(name)();
   for (const formats::OneCellFile& file : formats::one_cell_files())

@@ -35,8 +35,8 @@ void read_format(const formats::Format& format, const std::string& path) {
 Target target_named(const std::string& name) {
   if (name == "points")
     return {name, ".csv", [](const std::string& path) { formats::read_points(path); }};
-  if (name == "poly")
-    return {name, ".poly", [](const std::string& path) { formats::read_surface(path); }};
+  if (formats::is_surface_file("input." + name))
+    return {name, "." + name, [](const std::string& path) { formats::read_surface(path); }};
 #ifdef HIAC_WITH_NETCDF
   if (name == "classic-netcdf")
     return {name, ".e", [](const std::string& path) {

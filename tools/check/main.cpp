@@ -169,7 +169,14 @@ void check_options(const Options& options) {
   if (!options.picture.empty()) require_known_image_extension(options.picture);
 }
 
+void claim_files(Tool& tool, const Options& options) {
+  RunFiles files{{options.input, options.view}, {{"-o", options.output, FileKind::mesh, true}}};
+  add_image(files.outputs, "--picture", options.picture);
+  tool.claim(std::move(files));
+}
+
 void check(Tool& tool, const Options& options) {
+  claim_files(tool, options);
   check_options(options);
   const bool pass_on = passes_on(tool, options);
   const std::vector<NamedView> views = wanted_views(options);

@@ -1,10 +1,39 @@
 #include "tools/common/mesh_io.hpp"
 
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include "hiac/base/error.hpp"
+#include "tools/common/file_kind.hpp"
 
 namespace hiac::tools {
+namespace {
+
+constexpr std::string_view kZoo = "\x89ZOO\r\n\x1a\n";
+
+// What a regular file is that is no zoo container, and what helps; empty for a zoo container, and
+// for what the reader complains about itself.
+std::string foreign_file(const std::string& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return {};
+  std::string head(kZoo.size(), '\0');
+  std::ifstream file(path, std::ios::binary);
+  if (!file.read(head.data(), static_cast<std::streamsize>(head.size())) || head == kZoo) return {};
+  const auto kind = kind_of_file(path);
+  if (kind && *kind != FileKind::mesh)
+    return fmt::format("is {} (a zoo mesh expected)", kind_phrase(*kind));
+  const std::string packed = head.starts_with("\x1f\x8b") ? ", packed by gzip" : "";
+  const auto zoo = std::filesystem::path(path).replace_extension(".zoo").filename().string();
+  return fmt::format("is not a zoo mesh{} (hiac-convert {} -o {} makes one of a foreign file)",
+                     packed, path, zoo);
+}
+
+}  // namespace
 
 std::string input_name(const std::string& path) {
   return path.empty() || path == "-" ? "stdin" : path;
@@ -14,6 +43,7 @@ ZooFile read_mesh(const std::string& path, MeshNumbers numbers) {
   if (path.empty() && isatty(STDIN_FILENO) != 0)
     throw UsageError("no mesh: name a file, or pipe a mesh in");
   if (path.empty() || path == "-") return read_zoo_stream(STDIN_FILENO, "stdin", numbers);
+  if (const std::string other = foreign_file(path); !other.empty()) throw InputError(path, other);
   return read_zoo_file(path, numbers);
 }
 

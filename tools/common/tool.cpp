@@ -1,37 +1,54 @@
 #include "tools/common/tool.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <exception>
-#include <fstream>
 #include <iostream>
 #include <new>
 #include <utility>
 
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include "hiac/base/error.hpp"
-#include "hiac/base/output_file.hpp"
 #include "hiac/base/parallel.hpp"
 #include "hiac/base/seconds.hpp"
+#include "hiac/base/temporary_file.hpp"
+#include "tools/common/mesh_io.hpp"
+#include "tools/common/plain_text.hpp"
+#include "tools/common/suggestion.hpp"
+#include "tools/common/text_output.hpp"
 #include "tools/common/version.hpp"
 
 namespace hiac::tools {
 namespace {
 
-// A message is one line whatever a library put into it.
-std::string one_line(std::string text) {
-  for (char& c : text)
-    if (c == '\n' || c == '\r') c = ' ';
-  return text;
+// What a word of the command line that is no option may mean: " (did you mean --size?)".
+std::string hint_for(const CLI::App& app, int argc, char** argv) {
+  std::vector<std::string> known;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = std::string(argv[i]).substr(0, std::string(argv[i]).find('='));
+    if (!word.starts_with("--") || word.size() < 4 || std::ranges::find(known, word) != known.end())
+      continue;
+    if (const std::string meant = likely_meant(word, known); !meant.empty())
+      return fmt::format(" (did you mean {}?)", meant);
+  }
+  return "";
 }
 
 }  // namespace
 
 std::uint64_t peak_memory_bytes() {
-  struct rusage usage {};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+  std::uint64_t most = 0;
+  for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    struct rusage usage {};
+    getrusage(who, &usage);
+    most = std::max(most, static_cast<std::uint64_t>(usage.ru_maxrss) * 1024);
+  }
+  return most;
 }
 
 Tool::Tool(std::string name, const std::string& description, const std::string& examples)
@@ -45,13 +62,20 @@ Tool::Tool(std::string name, const std::string& description, const std::string& 
   app_.add_option("--threads", common_.threads, "Number of threads (0: all cores)")
       ->check(CLI::Range(0U, 4096U))
       ->capture_default_str();
+  app_.add_option("--max-memory", common_.max_memory,
+                  "End with exit code 3 when the work takes more memory than this, as 500MB or 8GB "
+                  "(default: three quarters of the machine's)")
+      ->transform(CLI::AsSizeValue(false))
+      ->type_name("SIZE");
   app_.add_option("--json", common_.json,
                   "Write the run's facts (counts, seconds, memory) to FILE; - is stdout")
       ->type_name("FILE");
 }
 
 int Tool::run(int argc, char** argv, const std::function<void()>& work) {
-  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe is an error of write(), with its message
+  // a closed pipe and a file that is too large are errors of write(), with their messages
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     app_.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -61,7 +85,8 @@ int Tool::run(int argc, char** argv, const std::function<void()>& work) {
     std::cout << version.what() << '\n';
     return 0;
   } catch (const CLI::ParseError& error) {
-    std::cerr << name_ << ": " << one_line(error.what()) << " (see " << name_ << " --help)\n";
+    std::cerr << name_ << ": " << plain_line(error.what()) << hint_for(app_, argc, argv) << " (see "
+              << name_ << " --help)\n";
     return static_cast<int>(ExitCode::usage);
   }
   const double start = seconds_now();
@@ -71,6 +96,7 @@ int Tool::run(int argc, char** argv, const std::function<void()>& work) {
     const ThreadLimit limit(common_.threads);
     facts_["tool"] = name_;
     facts_["version"] = version_text();
+    watch_memory();
     if (!common_.quiet) bar_ = std::make_unique<ProgressBar>(name_, frames_, progress_);
     work();
   } catch (const Cancelled&) {
@@ -89,21 +115,47 @@ int Tool::run(int argc, char** argv, const std::function<void()>& work) {
     message = error.what();
   }
   bar_.reset();
+  if (memory_) facts_["peak_memory_bytes"] = std::max(memory_->peak(), peak_memory_bytes());
+  memory_.reset();
   if (exit_code != ExitCode::done) {
-    std::cerr << name_ << ": " << one_line(message) << '\n';
+    std::cerr << name_ << ": " << plain_line(message) << '\n';
     facts_["error"] = message;
   }
   try {
     write_facts(static_cast<int>(exit_code), seconds_now() - start);
   } catch (const Error& error) {
-    std::cerr << name_ << ": " << one_line(error.what()) << '\n';
+    std::cerr << name_ << ": " << plain_line(error.what()) << '\n';
     if (exit_code == ExitCode::done) exit_code = error.exit_code();
   }
   return static_cast<int>(exit_code);
 }
 
+void Tool::watch_memory() {
+  const std::uint64_t most = common_.max_memory > 0 ? common_.max_memory : machine_memory() / 4 * 3;
+  // in the thread that watches, while the others work on: nothing but the files is put in order
+  memory_ = std::make_unique<MemoryWatch>(most, [this, most] {
+    remove_temporary_files();
+    const std::string line = fmt::format(
+        "{}: {}: takes more than {:.3g} GB of memory (--max-memory SIZE sets the limit)\n", name_,
+        plain_line(subject_), static_cast<double>(most) * 1e-9);
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, line.data(), line.size());
+    _exit(static_cast<int>(ExitCode::input));
+  });
+}
+
+void Tool::claim(RunFiles files) {
+  if (!files.inputs.empty()) subject_ = input_name(files.inputs.front());
+  files.outputs.insert(files.outputs.begin(), facts_output());
+  try {
+    require_safe(files);
+  } catch (const UsageError&) {
+    facts_refused_ = true;
+    throw;
+  }
+}
+
 void Tool::note(const std::string& line) const {
-  if (!common_.quiet) print(name_ + ": " + line + '\n');
+  if (!common_.quiet) print(name_ + ": " + plain_line(line) + '\n');
 }
 
 void Tool::detail(const std::string& line) const {
@@ -111,10 +163,11 @@ void Tool::detail(const std::string& line) const {
 }
 
 void Tool::print(const std::string& text) const {
+  const std::string shown = plain_text(text);
   if (bar_)
-    bar_->print(text);
+    bar_->print(shown);
   else
-    std::cerr << text;
+    std::cerr << shown;
 }
 
 void Tool::warn(const std::string& line) {
@@ -139,22 +192,13 @@ Monitor Tool::monitor() {
 }
 
 void Tool::write_facts(int exit_code, double seconds) {
-  if (common_.json.empty()) return;
+  if (common_.json.empty() || facts_refused_) return;
   facts_["warnings"] = warnings_;
   facts_["exit_code"] = exit_code;
   facts_["seconds"]["total"] = seconds;
-  facts_["peak_memory_bytes"] = peak_memory_bytes();
   const std::string text = facts_.dump(2) + "\n";
-  if (common_.json == "-") {
-    std::cout << text << std::flush;
-    if (!std::cout) throw InputError("stdout", "cannot be written");
-    return;
-  }
-  OutputFile file(common_.json);
-  std::ofstream out(file.temporary_path());
-  out << text << std::flush;
-  if (!out) throw InputError(common_.json, "cannot be written");
-  file.commit();
+  if (!is_stdout(common_.json)) require_same_kind(facts_output());
+  write_text(common_.json, text);
 }
 
 Tool::StageClock::StageClock(Tool& tool, std::string name)

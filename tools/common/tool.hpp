@@ -9,9 +9,11 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "hiac/base/memory_watch.hpp"
 #include "hiac/base/progress.hpp"
 #include "hiac/session/session.hpp"
 #include "tools/common/progress_bar.hpp"
+#include "tools/common/run_files.hpp"
 
 namespace hiac::tools {
 
@@ -19,11 +21,13 @@ namespace hiac::tools {
 struct CommonOptions {
   bool quiet = false;
   bool verbose = false;
-  unsigned threads = 0;  ///< 0: all cores
-  std::string json;      ///< file for the run's facts, "-" for stdout, empty for none
+  unsigned threads = 0;          ///< 0: all cores
+  std::uint64_t max_memory = 0;  ///< bytes; 0: a share of the machine's
+  std::string json;              ///< file for the run's facts, "-" for stdout, empty for none
 };
 
-/// The most memory that the process has held so far.
+/// The most memory that the process, or a process that worked for it and has ended, has held so
+/// far.
 std::uint64_t peak_memory_bytes();
 
 /// One run of one tool: options, log lines, progress, stage timings, facts for --json, and the
@@ -46,6 +50,10 @@ class Tool {
 
   /// Parses, works, reports. Returns the process's exit code; never throws.
   int run(int argc, char** argv, const std::function<void()>& work);
+
+  /// Tells which files the run reads and writes, before it does so: throws where an output would
+  /// destroy something or cannot be written (require_safe). The file of --json is added.
+  void claim(RunFiles files);
 
   /// A line on stderr unless --quiet.
   void note(const std::string& line) const;
@@ -88,15 +96,20 @@ class Tool {
     double start_;
   };
 
+  void watch_memory();
   void write_facts(int exit_code, double seconds);
+  [[nodiscard]] RunOutput facts_output() const { return {"--json", common_.json, FileKind::facts}; }
 
   std::string name_;
   CLI::App app_;
   CommonOptions common_;
   nlohmann::ordered_json facts_;
   std::vector<std::string> warnings_;
+  bool facts_refused_ = false;  // their file would destroy another
   Progress progress_, frames_;
   std::unique_ptr<ProgressBar> bar_;  // while work is done
+  std::string subject_ = "memory";    // the input, once it is claimed
+  std::unique_ptr<MemoryWatch> memory_;
 };
 
 }  // namespace hiac::tools

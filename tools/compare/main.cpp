@@ -170,7 +170,15 @@ void judge(const Options& options, const Comparison& comparison) {
         options.image, options.reference, options.max_rmse, by_rmse.rmse, by_rmse.channel));
 }
 
+void claim_files(Tool& tool, const Options& options) {
+  RunFiles files{image_parts(options.image), {}};
+  for (std::string& part : image_parts(options.reference)) files.inputs.push_back(std::move(part));
+  add_image(files.outputs, "--heatmap", options.heat_map);
+  tool.claim(std::move(files));
+}
+
 void compare(Tool& tool, const Options& options) {
+  claim_files(tool, options);
   if (!options.heat_map.empty()) require_known_image_extension(options.heat_map);
   const Image image =
       tool.timed("read", [&] { return read_image(options.image, options.reading).image; });

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "formats/common/mesh/steps.hpp"
 #include "formats/registry.hpp"
 
 namespace hiac::tools {
@@ -46,7 +47,8 @@ std::string inventory_text(const formats::Inventory& inventory) {
         field.not_finite == 0 ? "" : fmt::format(", {} values are not finite", field.not_finite));
   }
   if (!inventory.times.empty())
-    text += fmt::format("times   {}\n", fmt::join(inventory.times, " "));
+    for (std::size_t step = 0; step < inventory.times.size(); ++step)
+      text += fmt::format("step    {}, time {}\n", step, formats::time_text(inventory.times[step]));
   if (!inventory.blocks.empty())
     text += fmt::format("blocks  {}\n", fmt::join(inventory.blocks, ", "));
   for (const std::string& note : inventory.notes) text += fmt::format("note    {}\n", note);

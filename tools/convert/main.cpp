@@ -1,18 +1,28 @@
 // hiac-convert: a foreign finite-element file to a zoo mesh, and a zoo mesh to VTU.
 #include <array>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <optional>
+#include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include "formats/common/cells/keep_corners.hpp"
+#include "formats/common/io/named_file.hpp"
 #include "formats/common/mesh/select_fields.hpp"
 #include "formats/registry.hpp"
 #include "formats/zoo/zoo_format.hpp"
 #include "hiac/base/error.hpp"
+#include "hiac/base/output_file.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
+#include "hiac/mesh/file_descriptor.hpp"
 #include "hiac/mesh/zoo_container.hpp"
+#include "tools/common/mesh_io.hpp"
+#include "tools/common/plain_text.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/common/version.hpp"
 #include "tools/convert/listing.hpp"
@@ -36,12 +46,13 @@ struct Options {
   bool list = false;
   std::vector<std::string> fields;
   std::vector<std::string> derivations;
-  std::optional<double> time;
+  std::string time;
   std::optional<std::size_t> step;
   std::optional<std::string> block;
   bool corners_only = false;
   bool skip_unsupported = false;
   bool approximate = false;
+  bool allow_external = false;
   bool adjacency = true;
 
   [[nodiscard]] bool from_stdin() const { return input.empty() || input == "-"; }
@@ -49,9 +60,10 @@ struct Options {
 };
 
 void add_options(CLI::App& app, Options& options) {
-  app.add_option("INPUT", options.input,
-                 "The file to convert; - or none: stdin, which carries a zoo stream or, with "
-                 "--format, any format that is one file");
+  app.add_option(
+      "INPUT", options.input,
+      "The file or pipe to convert; - or none: stdin, which carries a zoo stream or, with "
+      "--format, any format that is one file");
   app.add_option(
          "-o,--output", options.output,
          "Output file; its extension chooses the format (.zoo, .vtu, .vtkhdf, .msh); - or none: a "
@@ -75,7 +87,9 @@ void add_options(CLI::App& app, Options& options) {
       ->expected(1)
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  CLI::Option* time = app.add_option("--time", options.time, "Convert the step at this time");
+  CLI::Option* time = app.add_option("--time", options.time,
+                                     "Convert the step at this time; nearest:T: the nearest to T")
+                          ->type_name("T");
   app.add_option("--step", options.step, "Convert the step with this number, counted from 0")
       ->excludes(time);
   app.add_option("--block", options.block, "Convert only this block")->type_name("NAME");
@@ -87,13 +101,29 @@ void add_options(CLI::App& app, Options& options) {
                "Re-interpolate cells of order 4 and more (and cells whose centre nodes matter) to "
                "the nearest kind, divide polyhedra into tetrahedra and pyramids, and state the "
                "largest error that this makes");
+  app.add_flag("--allow-external", options.allow_external,
+               "Read files that INPUT names (by links of HDF5, in XDMF, PVD, VTM, include lines) "
+               "wherever they lie, not only in its folder");
   app.add_flag("--adjacency,!--no-adjacency", options.adjacency,
                "Store which cells share faces, so that later stages start faster (default: yes)");
 }
 
+/// T or nearest:T.
+void read_time(const std::string& text, formats::ReadOptions& options) {
+  constexpr std::string_view kNearest = "nearest:";
+  std::string_view number = text;
+  options.nearest_time = number.starts_with(kNearest);
+  if (options.nearest_time) number.remove_prefix(kNearest.size());
+  double time = 0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), time);
+  if (error != std::errc() || end != number.data() + number.size() || !std::isfinite(time))
+    throw UsageError(fmt::format("--time {}: a number, or nearest:NUMBER expected", text));
+  options.time = time;
+}
+
 formats::ReadOptions read_options(const Options& options) {
   formats::ReadOptions result;
-  result.time = options.time;
+  if (!options.time.empty()) read_time(options.time, result);
   result.step = options.step;
   result.block = options.block;
   result.skip_unsupported = options.skip_unsupported;
@@ -102,24 +132,41 @@ formats::ReadOptions read_options(const Options& options) {
   return result;
 }
 
-/// Does `work(format, path)` on the input file, or on a stream that is in the format that --format
-/// names, under a name that can be opened; errors name the stream as "stdin".
+const formats::Format& format_of(const Options& options, const std::string& path) {
+  return options.format.empty() ? formats::format_to_read(path)
+                                : formats::format_named(options.format);
+}
+
+/// stdin, or a pipe that INPUT names.
+FileDescriptor open_stream(const Options& options) {
+  if (options.from_stdin()) return FileDescriptor(dup(STDIN_FILENO));
+  std::error_code error;
+  if (std::filesystem::is_character_file(options.input, error))
+    throw InputError(options.input, "is a device (a file or a pipe expected)");
+  return open_to_read(options.input);
+}
+
+/// Does `work(format, path, told)` on the input file; a pipe is kept in a file first, and `told`
+/// puts the pipe's name in place of the file's in a text. Errors do so, too.
 template <typename Work>
 auto with_input(const Options& options, const Work& work) {
-  if (!options.from_stdin()) {
-    const formats::Format& format = options.format.empty() ? formats::format_to_read(options.input)
-                                                           : formats::format_named(options.format);
-    return work(format, options.input);
-  }
-  const formats::Format& format = formats::format_named(options.format);
-  const SpooledInput spooled(STDIN_FILENO, "stdin");
+  const bool is_pipe = options.from_stdin() || is_stream(options.input);
+  const auto folder = std::filesystem::path(options.input).parent_path();
+  formats::set_named_files({folder.empty() ? "." : folder.string(), options.allow_external});
+  if (!is_pipe)
+    return work(format_of(options, options.input), options.input,
+                [](std::string text) { return text; });
+  const std::string subject = input_name(options.input);
+  const SpooledInput spooled(open_stream(options).number(), subject);
+  // a pipe has no folder: nothing lies in the file's own name
+  formats::set_named_files({spooled.path(), options.allow_external});
   try {
-    return work(format, spooled.path());
+    return work(format_of(options, spooled.path()), spooled.path(),
+                [&](std::string text) { return spooled.told(std::move(text)); });
   } catch (const InputError& error) {
-    std::string message = error.what();
-    if (const std::size_t at = message.find(spooled.path()); at != std::string::npos)
-      message.replace(at, spooled.path().size(), "stdin");
-    throw InputError(message);
+    throw InputError(spooled.told(error.what()));
+  } catch (const UsageError& error) {
+    throw UsageError(spooled.told(error.what()));
   }
 }
 
@@ -137,8 +184,11 @@ formats::Reading read_input(const Options& options) {
   const formats::ReadOptions wanted = read_options(options);
   if (is_zoo_stream(options))
     return formats::reading_of(read_zoo_stream(STDIN_FILENO, "stdin"), wanted, "stdin");
-  return with_input(options, [&](const formats::Format& format, const std::string& path) {
-    return format.read(path, wanted);
+  return with_input(options, [&](const auto& format, const std::string& path, const auto& told) {
+    formats::Reading reading = format.read(path, wanted);
+    for (std::string& note : reading.notes) note = told(std::move(note));
+    for (auto& [key, text] : reading.mesh.metadata) text = told(std::move(text));
+    return reading;
   });
 }
 
@@ -146,10 +196,12 @@ void list_input(Tool& tool, const Options& options) {
   const formats::Inventory inventory =
       is_zoo_stream(options)
           ? formats::inventory_of(read_zoo_stream(STDIN_FILENO, "stdin").mesh)
-          : with_input(options, [](const formats::Format& format, const std::string& path) {
-              return format.inspect(path);
+          : with_input(options, [](const auto& format, const std::string& path, const auto& told) {
+              formats::Inventory found = format.inspect(path);
+              for (std::string& note : found.notes) note = told(std::move(note));
+              return found;
             });
-  if (tool.common().json != "-") std::cout << inventory_text(inventory);
+  if (tool.common().json != "-") std::cout << plain_text(inventory_text(inventory));
   tool.facts()["inventory"] = inventory_facts(inventory);
 }
 
@@ -163,6 +215,25 @@ void check_output(const Tool& tool, const Options& options) {
     throw UsageError("a mesh is not printed on a terminal (write it with -o FILE, or pipe it on)");
   if (tool.common().json == "-")
     throw UsageError("--json -: stdout carries the mesh (a file for --json expected)");
+}
+
+/// A mesh may be written over the file that it was read from where that is of the same format.
+bool keeps_format(const Options& options) {
+  std::error_code error;
+  if (options.from_stdin() || !std::filesystem::equivalent(options.input, options.output, error))
+    return true;
+  const formats::Format& format = options.format.empty() ? formats::format_to_read(options.input)
+                                                         : formats::format_named(options.format);
+  return format.name == formats::format_to_write(options.output).name;
+}
+
+void claim_files(Tool& tool, const Options& options) {
+  RunFiles files{{options.input}, {}};
+  if (!options.list && !options.to_stdout()) {
+    formats::format_to_write(options.output);
+    files.outputs.push_back({"-o", options.output, FileKind::mesh, keeps_format(options)});
+  }
+  tool.claim(std::move(files));
 }
 
 void note_all(Tool& tool, const std::vector<std::string>& notes) {
@@ -203,6 +274,7 @@ void convert(Tool& tool, const Options& options) {
     std::cout << formats_table();
     return;
   }
+  claim_files(tool, options);
   require_input(options);
   if (options.list) return list_input(tool, options);
   check_output(tool, options);

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "hiac/mesh/mesh_hash.hpp"
+
 namespace hiac::tools {
 namespace {
 
@@ -140,7 +142,7 @@ Json describe_order(const OrderRecord& record, std::string& text) {
                                  : fmt::format("{} groups of {} cells together, {} in the "
                                                "largest",
                                                record.order.groups.size(), in_groups, largest)));
-  text += line("for mesh", record.mesh_hash);
+  text += line("for geometry", record.mesh_hash);
   text += line("for view", record.view_hash);
   return {{"algorithm", record.order.algorithm},
           {"cells", record.order.cells.size()},
@@ -175,9 +177,12 @@ Description describe_mesh(const ZooFile& file, const std::string& subject) {
   describe_fields(mesh, description);
   const std::string hash = content_hash(mesh);
   description.facts["mesh_hash"] = hash;
+  const std::string geometry = geometry_hash(mesh);
+  description.facts["geometry_hash"] = geometry;
   description.facts["face_adjacency"] = mesh.adjacency.has_value();
   description.facts["metadata"] = Json::object();
   description.text += line("hash", hash);
+  description.text += line("geometry", geometry);
   description.text += line("adjacency", mesh.adjacency ? "stored" : "not stored");
   for (const auto& [key, value] : mesh.metadata) {
     description.facts["metadata"][key] = value;

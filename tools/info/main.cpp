@@ -10,6 +10,7 @@
 #include "hiac/scene/scene_writer.hpp"
 #include "hiac/session/session.hpp"
 #include "tools/common/mesh_io.hpp"
+#include "tools/common/plain_text.hpp"
 #include "tools/common/text_output.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/info/describe.hpp"
@@ -51,6 +52,8 @@ void write_starter_view(Tool& tool, const Options& options) {
 }
 
 void inform(Tool& tool, const Options& options) {
+  const FileKind kind = options.starter_view ? FileKind::specification : FileKind::facts;
+  tool.claim({image_parts(options.input), {{"-o", options.output, kind}}});
   const bool json_on_stdout = tool.common().json == "-";
   if (options.starter_view) {
     if (json_on_stdout && is_stdout(options.output))
@@ -61,7 +64,8 @@ void inform(Tool& tool, const Options& options) {
   const Description description = tool.timed("read", [&] { return describe(options); });
   tool.facts()["file"] = input_name(options.input);
   tool.facts().update(description.facts);
-  if (!json_on_stdout || !is_stdout(options.output)) write_text(options.output, description.text);
+  if (!json_on_stdout || !is_stdout(options.output))
+    write_text(options.output, plain_text(description.text));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "hiac/base/error.hpp"
 #include "hiac/base/progress.hpp"
@@ -26,6 +27,7 @@
 #include "hiac/session/session.hpp"
 #include "tools/common/frames.hpp"
 #include "tools/common/mesh_io.hpp"
+#include "tools/common/naming.hpp"
 #include "tools/common/order_facts.hpp"
 #include "tools/common/specification.hpp"
 #include "tools/common/text_output.hpp"
@@ -42,13 +44,13 @@ using namespace hiac;
 using namespace hiac::tools;
 
 struct Options {
-  std::string input, view, order, output, size, under, color_bar, pixel;
+  std::string input, view, order, output, format, size, under, color_bar, pixel;
   double color_bar_length = 0;  // 0: a round number near a tenth of the diagonal
   std::vector<std::string> overrides;
   PictureOptions picture;
   int depth = 0;
   bool no_background = false, linear = false, all_frames = false, skip_invalid = false;
-  bool overlap = false;
+  bool overlap = false, strict = false;
   std::optional<std::uint32_t> frame;
 };
 
@@ -132,6 +134,22 @@ Json note_work(Tool& tool, bool one_of_many, const RenderStatistics& s) {
           {"seconds", s.prepare_seconds + s.tile_seconds}};
 }
 
+// With --strict, what is otherwise told leaves no picture behind.
+void require_truth(const std::string& path, const RenderStatistics& s) {
+  if (s.violations > 0)
+    throw JudgementError(
+        fmt::format("{}: not written: {} ray segments were met out of order "
+                    "(--strict)",
+                    path, s.violations));
+  if (s.covered_pixels == 0)
+    throw JudgementError(fmt::format("{}: not written: no cell is seen (--strict)", path));
+}
+
+template <typename Work>
+auto with_names(const Options& options, const Work& work) {
+  return naming(input_name(options.input), options.view, {options.order}, work);
+}
+
 // Makes pictures of one mesh.
 class Renderer {
  public:
@@ -152,7 +170,8 @@ class Renderer {
       try {
         session_.require_drawable(scene);
       } catch (const InvalidCellError& error) {
-        throw InputError(fmt::format("{}; --skip-invalid leaves such cells out", error.what()));
+        throw InputError(input_name(options_.input),
+                         fmt::format("{}; --skip-invalid leaves such cells out", error.what()));
       }
       return;
     }
@@ -181,19 +200,21 @@ class Renderer {
 
   // One picture of a scene of one frame, and the facts of its making.
   Json render(const Scene& scene, const PictureRequest& request, const std::string& path) {
-    const Picture picture = session_.picture(scene, request);
+    const Picture picture = with_names(options_, [&] { return session_.picture(scene, request); });
     require_numbers(picture.image);
     note_order(*picture.order);
     Json facts = note_work(tool_, options_.all_frames, *picture.statistics);
+    if (options_.strict) require_truth(path, *picture.statistics);
     facts["order"] = order_facts(*picture.order);
     tool_.timed("write", [&] {
-      write_image(path, picture.image,
+      write_image(path == "-" ? "/dev/stdout" : path, picture.image,
                   {.linear = options_.linear,
                    .background_included = !options_.no_background,
                    .attributes = {{"Software", "hiac-render " + version_text()},
                                   {"hiac:mesh", picture.mesh_hash},
                                   {"hiac:specification", to_toml(scene)}},
-                   .depth = options_.depth});
+                   .depth = options_.depth,
+                   .format = options_.format});
     });
     return facts;
   }
@@ -278,6 +299,43 @@ void write_color_bar(Tool& tool, const Options& options, const ZooMesh& mesh,
   tool.facts()["color_bar_length"] = length;
 }
 
+// Which files are read and which are written; for `scene`, once it is known, all its frames'.
+void claim_files(Tool& tool, const Options& options, const Scene* scene) {
+  RunFiles files{{options.input, options.view, options.order}, {}};
+  for (std::string& part : image_parts(options.under)) files.inputs.push_back(std::move(part));
+  add_image(files.outputs, "--colorbar", options.color_bar);
+  const std::vector<std::string> channels = further_channels(options.picture);
+  if (scene == nullptr || !options.all_frames)
+    add_image(files.outputs, "-o", options.output, channels);
+  else
+    for (const std::uint32_t frame : chosen_frames(*scene, options.frame))
+      add_image(files.outputs, "-o", frame_path(options.output, frame), channels);
+  tool.claim(std::move(files));
+}
+
+// A picture on stdout needs a format, and stdout for itself.
+void require_room_on_stdout(const Tool& tool, const Options& options) {
+  if (options.format.empty())
+    throw UsageError("-o -: the picture's format is not known (--format EXTENSION expected)");
+  if (options.format == ".f32") throw UsageError("--format .f32: is several files (-o - is one)");
+  if (options.all_frames)
+    throw UsageError("--frames: a picture a frame does not fit stdout (-o FILE expected)");
+  if (tool.common().json == "-")
+    throw UsageError("--json -: stdout carries the picture (a file for --json expected)");
+  if (isatty(STDOUT_FILENO) != 0)
+    throw UsageError("a picture is not printed on a terminal (-o FILE expected, or a pipe)");
+}
+
+void check_output(const Tool& tool, Options& options) {
+  if (options.output.empty()) throw UsageError("--output is required");
+  if (!options.format.empty() && !options.format.starts_with('.'))
+    options.format.insert(options.format.begin(), '.');
+  if (options.output == "-") require_room_on_stdout(tool, options);
+  require_known_image_extension(options.format.empty() ? options.output : options.format,
+                                options.depth);
+  if (!options.color_bar.empty()) require_known_image_extension(options.color_bar);
+}
+
 void require_room_for_channels(const std::string& path) {
   const std::array<std::string_view, 3> roomy{".exr", ".npy", ".f32"};
   if (std::ranges::none_of(roomy, [&](std::string_view e) { return path.ends_with(e); }))
@@ -293,21 +351,24 @@ ParsedScene specification_of(Tool& tool, Options& options) {
 }
 
 void explain(Tool& tool, Options options) {
+  tool.claim({{options.input, options.view, options.order}, {}});
   parse_pixel(options.pixel);
   const ParsedScene parsed = specification_of(tool, options);
   check_frame_options(options, parsed.scene);
   const ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
   Renderer renderer(tool, options, file);
-  renderer.check(parsed.scene);
-  note_model(tool, file.mesh, parsed.scene);
-  renderer.explain(options.frame ? scene_of_frame(parsed.scene, *options.frame) : parsed.scene);
+  with_names(options, [&] {
+    renderer.check(parsed.scene);
+    note_model(tool, file.mesh, parsed.scene);
+    renderer.explain(options.frame ? scene_of_frame(parsed.scene, *options.frame) : parsed.scene);
+  });
 }
 
 void render(Tool& tool, Options options) {
-  if (options.output.empty()) throw UsageError("--output is required");
-  require_known_image_extension(options.output, options.depth);
-  if (!options.color_bar.empty()) require_known_image_extension(options.color_bar);
-  if (!options.picture.channels.empty()) require_room_for_channels(options.output);
+  claim_files(tool, options, nullptr);
+  check_output(tool, options);
+  if (!options.picture.channels.empty())
+    require_room_for_channels(options.format.empty() ? options.output : options.format);
   const ParsedScene parsed = specification_of(tool, options);
   const Scene& scene = parsed.scene;
   PictureRequest request = picture_request(options.picture, scene.image);
@@ -316,9 +377,10 @@ void render(Tool& tool, Options options) {
   const std::optional<Image> under = read_under(options, {part.width, part.height});
   if (under) request.under = &*under;
   check_frame_options(options, scene);
+  if (options.all_frames) claim_files(tool, options, &scene);
   const ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
   Renderer renderer(tool, options, file);
-  renderer.check(scene);
+  with_names(options, [&] { renderer.check(scene); });
   note_model(tool, file.mesh, scene);
   if (!options.color_bar.empty()) write_color_bar(tool, options, file.mesh, scene.volume);
   if (scene.path) {
@@ -356,7 +418,12 @@ int main(int argc, char** argv) {
                      "Order file of hiac-sort; without it hiac-render sorts the mesh first")
           ->type_name("FILE");
   app.add_flag("--overlap", options.overlap, kOverlapHelp)->excludes(order);
-  app.add_option("-o,--output", options.output, "Image: " + image_extensions())->type_name("IMAGE");
+  app.add_option("-o,--output", options.output,
+                 "Image: " + image_extensions() + "; - with --format: stdout")
+      ->type_name("IMAGE");
+  app.add_option("--format", options.format,
+                 "Write the picture in the format of this extension, whatever the name says")
+      ->type_name("EXTENSION");
   app.add_option("--size", options.size, "Size in pixels instead of the specification's")
       ->type_name("WxH");
   app.add_option("--set", options.overrides, "Override KEY=VALUE of the specification; repeatable")
@@ -390,6 +457,9 @@ int main(int argc, char** argv) {
       ->type_name("BITS");
   app.add_flag("--skip-invalid", options.skip_invalid,
                "Leave out cells that are partly turned inside out instead of refusing the mesh");
+  app.add_flag("--strict", options.strict,
+               "End with exit code 1 and without a picture where the picture may mislead: ray "
+               "segments met out of order, or no cell in sight");
   app.add_flag("--linear", options.linear,
                "Write linear values instead of sRGB into integer images");
   auto* pixel =
@@ -398,8 +468,8 @@ int main(int argc, char** argv) {
                      "of all cells on its ray, or with --json the same for programs")
           ->type_name("X,Y");
   for (const char* of_pictures :
-       {"--output", "--channels", "--crop", "--samples", "--filter", "--under", "--frames",
-        "--colorbar", "--colorbar-length", "--depth", "--linear"})
+       {"--output", "--format", "--channels", "--crop", "--samples", "--filter", "--under",
+        "--frames", "--colorbar", "--colorbar-length", "--depth", "--linear", "--strict"})
     pixel->excludes(app.get_option(of_pictures));
   return tool.run(argc, argv,
                   [&] { pixel->count() == 0 ? render(tool, options) : explain(tool, options); });

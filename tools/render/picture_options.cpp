@@ -57,12 +57,18 @@ void add_picture_options(CLI::App& app, PictureOptions& options) {
       ->type_name("FILTER");
 }
 
-PictureRequest picture_request(const PictureOptions& options, ImageSize size) {
-  PictureRequest request;
+std::vector<std::string> further_channels(const PictureOptions& options) {
+  std::vector<std::string> names;
   as_option("--channels: ", [&] {
     for (const Channel channel : parse_channels(options.channels))
-      request.channels.emplace_back(channel_name(channel));
+      names.emplace_back(channel_name(channel));
   });
+  return names;
+}
+
+PictureRequest picture_request(const PictureOptions& options, ImageSize size) {
+  PictureRequest request;
+  request.channels = further_channels(options);
   if (!options.crop.empty()) request.part = parse_crop(options.crop);
   if (options.samples)
     request.sampling = {*options.samples,

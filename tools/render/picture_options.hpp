@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -22,6 +23,9 @@ void add_picture_options(CLI::App& app, PictureOptions& options);
 
 /// X,Y, as --pixel has it: column and row of a pixel. Throws UsageError when it is something else.
 std::array<std::uint32_t, 2> parse_pixel(const std::string& text);
+
+/// The names of the channels that --channels asks for. Throws UsageError.
+std::vector<std::string> further_channels(const PictureOptions& options);
 
 /// What they say of a picture. Throws UsageError when they do not fit it.
 PictureRequest picture_request(const PictureOptions& options, ImageSize size);

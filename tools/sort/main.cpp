@@ -25,6 +25,7 @@
 #include "hiac/session/ordering.hpp"
 #include "tools/common/frames.hpp"
 #include "tools/common/mesh_io.hpp"
+#include "tools/common/naming.hpp"
 #include "tools/common/order_facts.hpp"
 #include "tools/common/specification.hpp"
 #include "tools/common/tool.hpp"
@@ -242,6 +243,8 @@ void write_orders(Tool& tool, const Options& options, Target target, ZooFile& fi
 }
 
 void sort(Tool& tool, const Options& options) {
+  tool.claim(
+      {{options.input, options.view, options.given}, {{"-o", options.output, FileKind::order}}});
   if (!options.given.empty() && !options.verify)
     throw UsageError("--order: a given order can only be verified (expected --verify)");
   const Target target = target_of(tool, options);
@@ -251,12 +254,14 @@ void sort(Tool& tool, const Options& options) {
   ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
   tool.facts()["cells"] = file.mesh.cell_count();
   const ZooMesh mesh = file.mesh;
-  Sorting sorting(tool, options, scene, mesh);
-  if (options.given.empty())
-    write_orders(tool, options, target, file, sorting);
-  else
-    sorting.verify({options.given, read_order_chunks(options.given)});
-  sorting.report();
+  naming(input_name(options.input), options.view, {options.given, options.output, "stdout"}, [&] {
+    Sorting sorting(tool, options, scene, mesh);
+    if (options.given.empty())
+      write_orders(tool, options, target, file, sorting);
+    else
+      sorting.verify({options.given, read_order_chunks(options.given)});
+    sorting.report();
+  });
 }
 
 }  // namespace

@@ -15,11 +15,13 @@
 #include "hiac/base/error.hpp"
 #include "hiac/geometry/predicates.hpp"
 #include "hiac/tetrahedralize/meshing/delaunay.hpp"
+#include "hiac/tetrahedralize/meshing/library_versions.hpp"
 #include "hiac/tetrahedralize/meshing/surface_defects.hpp"
 #include "hiac/tetrahedralize/meshing/surface_meshing.hpp"
 #include "hiac/tetrahedralize/subdivide_cells.hpp"
 #include "tools/common/mesh_io.hpp"
 #include "tools/common/tool.hpp"
+#include "tools/common/version.hpp"
 
 namespace {
 
@@ -197,6 +199,7 @@ ZooFile mesh_of_cells(Tool& tool, const Options& options) {
 }
 
 void tetrahedralize(Tool& tool, const Options& options) {
+  tool.claim({{options.input}, {{"-o", options.output, FileKind::mesh}}});
   require_binary_output(options.output);
   const Source source = source_of(options);
   require_fitting_options(options, source);
@@ -221,6 +224,8 @@ int main(int argc, char** argv) {
       "  hiac-convert part.vtu | hiac-tetrahedralize --cells | hiac-render --view v.toml -o "
       "part.exr\n"
       "  hiac-tetrahedralize quadratic.zoo --cells --linearize --levels 2 -o linear.zoo");
+  tool.app().set_version_flag("--version", fmt::format("hiac-tetrahedralize {}, {}", version_text(),
+                                                       meshing_library_versions()));
   Options options;
   auto& app = tool.app();
   app.add_option("INPUT", options.input,

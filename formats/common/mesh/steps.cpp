@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "hiac/base/error.hpp"
 
@@ -13,20 +12,33 @@ namespace {
 
 /// Listings print six digits.
 constexpr double kSameTime = 1e-6;
-/// Error messages name at most so many times.
-constexpr std::size_t kNamedTimes = 20;
 
-std::size_t step_of_time(double time, std::span<const double> times, const std::string& subject) {
-  if (times.empty()) throw UsageError(fmt::format("--time {}: {} tells no time", time, subject));
+/// The times before and after one that is not there.
+std::string neighbours(double time, std::span<const double> times) {
+  std::optional<double> before, after;
+  for (const double t : times) {
+    if (t < time && (!before || t > *before)) before = t;
+    if (t > time && (!after || t < *after)) after = t;
+  }
+  if (before && after) return fmt::format("{} and {}", time_text(*before), time_text(*after));
+  return before ? fmt::format("{}, the last", time_text(*before))
+                : fmt::format("{}, the first", time_text(*after));
+}
+
+std::size_t step_of_time(const ReadOptions& options, std::span<const double> times,
+                         const std::string& subject) {
+  const double time = *options.time;
+  if (times.empty())
+    throw UsageError(fmt::format("--time {}: {} tells no time", time_text(time), subject));
   const auto nearest = std::min_element(times.begin(), times.end(), [time](double a, double b) {
     return std::abs(a - time) < std::abs(b - time);
   });
   const double slack = kSameTime * std::max(std::abs(time), std::abs(*nearest));
-  if (!(std::abs(*nearest - time) <= slack))
+  if (!options.nearest_time && !(std::abs(*nearest - time) <= slack))
     throw UsageError(
-        fmt::format("--time {}: {} has no such time (one of {}{} expected)", time, subject,
-                    fmt::join(times.first(std::min(times.size(), kNamedTimes)), " "),
-                    times.size() > kNamedTimes ? fmt::format(" ... {}", times.back()) : ""));
+        fmt::format("--time {0}: {1} has no such time (its neighbours are {2}; --time "
+                    "nearest:{0} takes the nearest, --list shows all)",
+                    time_text(time), subject, neighbours(time, times)));
   return static_cast<std::size_t>(nearest - times.begin());
 }
 
@@ -34,7 +46,7 @@ std::size_t step_of_time(double time, std::span<const double> times, const std::
 
 std::optional<std::size_t> requested_step(const ReadOptions& options, std::span<const double> times,
                                           const std::string& subject) {
-  if (options.time) return step_of_time(*options.time, times, subject);
+  if (options.time) return step_of_time(options, times, subject);
   if (!options.step) return std::nullopt;
   // a file without times holds one step
   const std::size_t steps = std::max<std::size_t>(times.size(), 1);
@@ -46,7 +58,13 @@ std::optional<std::size_t> requested_step(const ReadOptions& options, std::span<
 
 std::string last_step_note(std::size_t steps, double time) {
   return fmt::format("took the last of {} steps, time {} (--step and --time take another)", steps,
-                     time);
+                     time_text(time));
+}
+
+std::string time_text(double time) {
+  // what a solver adds up, and what it stores in fewer digits, differ from the number that is meant
+  // in the sixteenth
+  return fmt::format("{:.15g}", time);
 }
 
 }  // namespace hiac::formats

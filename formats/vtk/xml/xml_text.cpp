@@ -22,6 +22,22 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
 }
 
+/// VTK's reader and ours follow nested elements by recursion.
+constexpr int kMostDepth = 100;
+
+/// The number of elements that are nested in one another.
+int depth_of(pugi::xml_document& document) {
+  struct : pugi::xml_tree_walker {
+    bool for_each(pugi::xml_node&) override {
+      deepest = std::max(deepest, depth());
+      return true;
+    }
+    int deepest = 0;
+  } walker;
+  document.traverse(walker);
+  return walker.deepest;
+}
+
 }  // namespace
 
 XmlText::XmlText(std::string_view text, const std::string& type, std::string subject)
@@ -48,6 +64,8 @@ XmlText::XmlText(std::string_view text, const std::string& type, std::string sub
   if (!parsed)
     fail(fmt::format("is not well-formed: {} at byte {} of {}", parsed.description(), parsed.offset,
                      text.size()));
+  if (depth_of(document_) > kMostDepth)
+    fail(fmt::format("has elements that are nested too deeply (at most {} expected)", kMostDepth));
   const pugi::xml_node root = document_.document_element();
   if (std::string_view(root.name()) != "VTKFile") fail("has no VTKFile element");
   if (root.attribute("type").value() != type)

@@ -25,6 +25,8 @@ struct WriteOptions {
   std::vector<std::pair<std::string, std::string>> attributes{};
   /// Bits a sample, where the format leaves a choice; 0: the first that it has.
   int depth = 0;
+  /// The format's extension, with the dot, for a name that does not tell it; empty: the name's.
+  std::string format{};
 };
 
 struct ReadOptions {
@@ -51,14 +53,20 @@ struct ReadOptions {
 /// sRGB-encoded unless options.linear; values outside [0, 1] and colours without alpha, which they
 /// cannot hold, are clamped; NaN becomes 0. Formats without alpha get R G B unchanged.
 ///
-/// The file is complete or unchanged: it is written under a temporary name, then renamed.
-/// Throws UsageError for an extension that is not known, a depth that the format does not have, or
-/// channels that it cannot hold, InputError when the file cannot be written.
+/// The file is complete or unchanged: it is written under a temporary name, then renamed; a device
+/// or a pipe is written to (see OutputFile). Throws UsageError for an extension that is not known,
+/// a depth that the format does not have, or channels that it cannot hold, InputError when the file
+/// cannot be written.
 void write_image(const std::string& path, const Image& image, const WriteOptions& options = {});
 
 /// Throws UsageError when write_image would refuse the name or the depth; call it before a long
 /// computation.
 void require_known_image_extension(const std::string& path, int depth = 0);
+
+/// The files that write_image makes of a name: the name itself, or for a `.f32` image the files of
+/// R G B A and of the further channels.
+std::vector<std::string> files_of_image(const std::string& path,
+                                        const std::vector<std::string>& further_channels = {});
 
 /// Whether the name's extension is one that write_image knows.
 bool has_image_extension(const std::string& path);

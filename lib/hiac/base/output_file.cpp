@@ -1,19 +1,18 @@
 #include "hiac/base/output_file.hpp"
 
 #include <array>
-#include <atomic>
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <mutex>
+#include <optional>
 #include <system_error>
 #include <utility>
 
 #include <fcntl.h>
+#include <linux/magic.h>
 #include <sys/stat.h>
+#include <sys/statfs.h>
 #include <unistd.h>
 
 #include "hiac/base/error.hpp"
@@ -21,104 +20,124 @@
 namespace hiac {
 namespace {
 
-// Names of the temporary files that exist now. A signal handler may only read what is lock-free
-// and may only call what is async-signal-safe: a fixed table of atomic pointers, and unlink.
-constexpr std::size_t kSlots = 64;
-std::array<std::atomic<const char*>, kSlots> open_files{};
-
-// A file that is being made and not yet in the table would survive a signal. So the handler waits
-// for those under way, in other threads, and lets no further one begin.
-std::atomic<int> making{0};
-std::atomic<bool> dying{false};
-
-extern "C" void remove_temporaries_and_die(int signal_number) {
-  dying.store(true);
-  while (making.load() > 0) continue;
-  for (auto& slot : open_files) {
-    const char* name = slot.load();
-    if (name != nullptr) unlink(name);
-  }
-  std::signal(signal_number, SIG_DFL);
-  std::raise(signal_number);
+[[noreturn]] void refuse(const std::string& path, const std::string& why) {
+  throw InputError(path, "cannot be written (" + why + ")");
+}
+[[noreturn]] void refuse(const std::string& path, int error) {
+  refuse(path, std::string(std::strerror(error)));
 }
 
-void install_handlers() {
-  static std::once_flag once;
-  std::call_once(once, [] {
-    for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) {
-      struct sigaction old {};
-      if (sigaction(signal_number, nullptr, &old) == 0 && old.sa_handler == SIG_IGN) continue;
-      struct sigaction action {};
-      action.sa_handler = remove_temporaries_and_die;
-      sigaction(signal_number, &action, nullptr);
-    }
-  });
+std::optional<struct stat> status_of(const std::string& path) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0) return std::nullopt;
+  return status;
 }
 
-std::size_t claim_slot(const char* name) {
-  for (std::size_t i = 0; i < kSlots; ++i) {
-    const char* expected = nullptr;
-    if (open_files[i].compare_exchange_strong(expected, name)) return i;
-  }
-  return kSlots;  // more files at once than the handler can clean up: still correct without signals
-}
-
-// Lives while a file is made. Its own thread hears no signals meanwhile: the handler would wait for
-// it forever.
-class Making {
- public:
-  Making() {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_BLOCK, &all, &before_);
-    ++making;
-    if (!dying.load()) return;
-    --making;
-    for (;;) pause();
-  }
-  ~Making() {
-    --making;
-    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-  }
-  Making(const Making&) = delete;
-  Making& operator=(const Making&) = delete;
-
- private:
-  sigset_t before_{};
+// Where a path leads through its symbolic links; `proc`: through one in /proc, which stands for an
+// open file.
+struct Destination {
+  std::string path;
+  bool proc = false;
 };
+
+Destination destination_of(const std::string& path) {
+  namespace fs = std::filesystem;
+  constexpr int kMostLinks = 40;  // as the system has it
+  fs::path at = path;
+  std::error_code error;
+  for (int links = 0; links < kMostLinks; ++links) {
+    if (!fs::is_symlink(fs::symlink_status(at, error))) return {at.string()};
+    const fs::path folder = at.has_parent_path() ? at.parent_path() : fs::path(".");
+    struct statfs system {};
+    if (statfs(folder.c_str(), &system) == 0 && system.f_type == PROC_SUPER_MAGIC)
+      return {path, true};
+    const fs::path next = fs::read_symlink(at, error);
+    if (error) break;
+    at = next.is_absolute() ? next : folder / next;
+  }
+  return {path};
+}
+
+// Errors leave their number in errno.
+bool write_all(int file, const char* bytes, std::size_t count) {
+  while (count > 0) {
+    const ssize_t written = write(file, bytes, count);
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    bytes += written;
+    count -= static_cast<std::size_t>(written);
+  }
+  return true;
+}
+
+bool copy_all(int from, int to) {
+  std::array<char, 1 << 16> buffer{};
+  for (;;) {
+    const ssize_t count = read(from, buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return count == 0;
+    if (!write_all(to, buffer.data(), static_cast<std::size_t>(count))) return false;
+  }
+}
+
+// A file that replaces another belongs to the same user where that is possible, and has its mode.
+void take_mode(const std::string& path, const std::optional<struct stat>& replaced) {
+  if (!replaced) {
+    const mode_t mask = umask(0);
+    umask(mask);
+    chmod(path.c_str(), 0666 & ~mask);
+    return;
+  }
+  // only a user with the right to do so can give a file away
+  if (chown(path.c_str(), replaced->st_uid, replaced->st_gid) != 0) errno = 0;
+  chmod(path.c_str(), replaced->st_mode & 07777);
+}
 
 }  // namespace
 
-OutputFile::OutputFile(std::string path) : path_(std::move(path)), slot_(kSlots) {
-  install_handlers();
-  // a symbolic link stays one: what it points to is replaced
-  std::error_code not_there;
-  const auto target = std::filesystem::canonical(path_, not_there);
-  if (!not_there) path_ = target.string();
-  std::string name = path_ + ".XXXXXX";
-  const Making guard;
-  const int descriptor = mkstemp(name.data());
-  if (descriptor < 0)
-    throw InputError(path_, std::string("cannot be written (") + std::strerror(errno) + ")");
-  const mode_t mask = umask(0);
-  umask(mask);
-  fchmod(descriptor, 0666 & ~mask);
-  close(descriptor);
-  temporary_ = std::move(name);
-  slot_ = claim_slot(temporary_.c_str());
+OutputFile::OutputFile(std::string path)
+    : path_(std::move(path)), stream_(is_stream(path_)), destination_(path_) {
+  const auto found = status_of(path_);
+  if (found && S_ISDIR(found->st_mode)) refuse(path_, EISDIR);
+  if (found && faccessat(AT_FDCWD, path_.c_str(), W_OK, AT_EACCESS) != 0) refuse(path_, errno);
+  if (!stream_) destination_ = destination_of(path_).path;
+  temporary_.emplace(stream_ ? temporary_name() : destination_, path_);
+  if (!stream_) take_mode(temporary_path(), found);
 }
 
-OutputFile::~OutputFile() {
-  if (temporary_.empty()) return;
-  unlink(temporary_.c_str());
-  if (slot_ < kSlots) open_files[slot_].store(nullptr);
+void OutputFile::fail(const std::string& otherwise) const {
+  constexpr std::size_t kEnough = 1 << 20;  // what a library has not written yet may fit
+  const int file = open(temporary_path().c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  const bool written = file >= 0 && write_all(file, std::string(kEnough, '\0').data(), kEnough);
+  const int error = errno;
+  if (file >= 0) close(file);
+  if (file >= 0 && !written) refuse(path_, error);
+  refuse(path_, otherwise);
 }
 
 void OutputFile::commit() {
-  if (std::rename(temporary_.c_str(), path_.c_str()) != 0)
-    throw InputError(path_, std::string("cannot be written (") + std::strerror(errno) + ")");
-  if (slot_ < kSlots) open_files[slot_].store(nullptr);
-  temporary_.clear();
+  if (stream_) return copy_to_stream();
+  if (std::rename(temporary_path().c_str(), destination_.c_str()) != 0) refuse(path_, errno);
+  temporary_->keep();
 }
+
+void OutputFile::copy_to_stream() const {
+  const int from = open(temporary_path().c_str(), O_RDONLY | O_CLOEXEC);
+  const int to = path_ == "/dev/stdout"
+                     ? dup(STDOUT_FILENO)
+                     : open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOCTTY);
+  int error = from < 0 || to < 0 || !copy_all(from, to) ? errno : 0;
+  if (from >= 0) close(from);
+  if (to >= 0 && close(to) != 0 && error == 0) error = errno;
+  if (error != 0) refuse(path_, error);
+}
+
+bool is_stream(const std::string& path) {
+  const auto found = status_of(path);
+  if (!found || S_ISDIR(found->st_mode)) return false;
+  return !S_ISREG(found->st_mode) || destination_of(path).proc;
+}
+
+void require_writable(const std::string& path) { const OutputFile trial(path); }
 
 }  // namespace hiac

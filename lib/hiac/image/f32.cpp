@@ -12,14 +12,6 @@
 namespace hiac::image_files {
 namespace {
 
-/// BASE.f32 and channel R: BASE.r.f32
-std::string channel_path(const std::string& path, std::string channel) {
-  std::transform(channel.begin(), channel.end(), channel.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  const std::filesystem::path base = std::filesystem::path(path).replace_extension();
-  return fmt::format("{}.{}.f32", base.string(), channel);
-}
-
 std::vector<float> read_plane(const std::string& path) {
   const FileHandle file = open_image_file(path);
   const std::uint64_t bytes = remaining_bytes(file.get(), path);
@@ -33,12 +25,19 @@ std::vector<float> read_plane(const std::string& path) {
 
 }  // namespace
 
+std::string f32_channel_path(const std::string& path, std::string channel) {
+  std::transform(channel.begin(), channel.end(), channel.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::filesystem::path base = std::filesystem::path(path).replace_extension();
+  return fmt::format("{}.{}.f32", base.string(), channel);
+}
+
 void write_f32(const std::string& path, const Image& image) {
   std::vector<std::unique_ptr<FileWriter>> files;
   std::vector<float> row(image.width());
   for (std::size_t c = 0; c < image.channel_count(); ++c) {
-    FileWriter& file =
-        *files.emplace_back(std::make_unique<FileWriter>(channel_path(path, image.channels()[c])));
+    FileWriter& file = *files.emplace_back(
+        std::make_unique<FileWriter>(f32_channel_path(path, image.channels()[c])));
     for (std::size_t y = 0; y < image.height(); ++y) {
       for (std::size_t x = 0; x < image.width(); ++x)
         row[x] = static_cast<float>(image.at(x, y, c));
@@ -55,7 +54,7 @@ Image read_f32(const std::string& path, std::size_t width) {
   std::vector<std::string> names;
   std::vector<std::vector<float>> planes;
   for (const std::string& name : rgba_channels()) {
-    const std::string plane_path = channel_path(path, name);
+    const std::string plane_path = f32_channel_path(path, name);
     if (!std::filesystem::exists(plane_path)) continue;
     names.push_back(name);
     planes.push_back(read_plane(plane_path));
@@ -66,7 +65,7 @@ Image read_f32(const std::string& path, std::size_t width) {
   }
   if (planes.empty())
     throw InputError(
-        path, fmt::format("cannot be opened (expected {} and so on)", channel_path(path, "r")));
+        path, fmt::format("cannot be opened (expected {} and so on)", f32_channel_path(path, "r")));
   const std::size_t height = planes.front().size() / width;
   require_sane_size(width, height, planes.size(), path);
   Image image(width, height, names);

@@ -2,6 +2,8 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -11,6 +13,11 @@
 namespace hiac::image_files {
 
 FileHandle open_image_file(const std::string& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  // a pipe would be waited for
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw InputError(path, "not a regular file (an image is read from a file, not from a pipe)");
   FileHandle file(std::fopen(path.c_str(), "rb"));
   if (!file) throw InputError(path, fmt::format("cannot be opened ({})", std::strerror(errno)));
   return file;

@@ -24,6 +24,8 @@ static_assert(std::endian::native == std::endian::little, "files are written as 
 void write_npy(const std::string& path, const Image& image);
 Image read_npy(const std::string& path);
 
+/// BASE.f32 and channel R: BASE.r.f32
+std::string f32_channel_path(const std::string& path, std::string channel);
 void write_f32(const std::string& path, const Image& image);
 Image read_f32(const std::string& path, std::size_t width);
 
@@ -73,6 +75,8 @@ class FileWriter {
   [[nodiscard]] std::FILE* handle() { return file_.get(); }
   /// Flushes and closes the file; afterwards nothing can fail for lack of space.
   void close();
+  /// Throws InputError: what a library tells, or what the system does (OutputFile::fail).
+  [[noreturn]] void fail(const std::string& otherwise) const { output_.fail(otherwise); }
   /// Gives the closed file its name.
   void commit() { output_.commit(); }
 

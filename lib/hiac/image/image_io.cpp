@@ -60,9 +60,10 @@ constexpr Format kFormats[] = {
     {".hdr", {8}, write_plain<write_hdr>, read_plain<read_hdr>},
 };
 
-/// The format that the name's extension tells, or null.
+/// The format that the name's extension tells, or null; an extension alone is a name too.
 const Format* find_format(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
+  std::string extension =
+      path.find('.') == 0 ? path : std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const auto* const format =
@@ -94,7 +95,7 @@ int depth_of(const Format& format, const std::string& path, int depth) {
 }  // namespace
 
 void write_image(const std::string& path, const Image& image, const WriteOptions& options) {
-  const Format& format = format_of(path);
+  const Format& format = format_of(options.format.empty() ? path : options.format);
   if (image.values().empty()) throw UsageError(path + ": an image without pixels");
   WriteOptions with_depth = options;
   with_depth.depth = depth_of(format, path, options.depth);
@@ -103,6 +104,16 @@ void write_image(const std::string& path, const Image& image, const WriteOptions
 
 void require_known_image_extension(const std::string& path, int depth) {
   depth_of(format_of(path), path, depth);
+}
+
+std::vector<std::string> files_of_image(const std::string& path,
+                                        const std::vector<std::string>& further_channels) {
+  if (format_of(path).write != write_plain<write_f32>) return {path};
+  std::vector<std::string> channels = rgba_channels();
+  channels.insert(channels.end(), further_channels.begin(), further_channels.end());
+  std::vector<std::string> files;
+  for (const std::string& channel : channels) files.push_back(f32_channel_path(path, channel));
+  return files;
 }
 
 bool has_image_extension(const std::string& path) { return find_format(path) != nullptr; }

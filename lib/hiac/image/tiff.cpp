@@ -137,8 +137,7 @@ void write_rows(const std::string& path, const Layout& layout, const Fill& fill)
       fill(y, std::span(row));
       fine = TIFFWriteScanline(tiff.get(), row.data(), static_cast<std::uint32_t>(y), 0) == 1;
     }
-    if (!fine || TIFFFlush(tiff.get()) != 1)
-      throw InputError(path, fmt::format("cannot be written ({})", tiff.complaint()));
+    if (!fine || TIFFFlush(tiff.get()) != 1) writer.fail(tiff.complaint());
   }
   writer.close();
   writer.commit();

@@ -1,8 +1,5 @@
 #include "hiac/mesh/atomic_file.hpp"
 
-#include <filesystem>
-#include <system_error>
-
 #include "hiac/base/output_file.hpp"
 #include "hiac/mesh/file_descriptor.hpp"
 
@@ -19,11 +16,8 @@ void write_and_close(const std::string& opened, const std::string& path,
 }  // namespace
 
 void write_atomically(const std::string& path, const std::function<void(int descriptor)>& write) {
-  std::error_code ignored;
-  const auto status = std::filesystem::status(path, ignored);
-  // over a pipe or a device nothing can be renamed
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    return write_and_close(path, path, write);
+  // what is written front to back needs no copy of its own
+  if (is_stream(path)) return write_and_close(path, path, write);
   OutputFile file(path);
   write_and_close(file.temporary_path(), path, write);
   file.commit();

@@ -16,8 +16,10 @@
 
 namespace hiac {
 
-ParsedScene parse_scene(std::string_view text, const std::string& subject,
-                        const std::string& folder, std::span<const Override> overrides) {
+namespace {
+
+ParsedScene parse(std::string_view text, const std::string& subject, const std::string& folder,
+                  std::span<const Override> overrides) {
   toml::table document = parse_toml(text, subject);
   SpecContext context{subject, folder, {}, {}};
   for (const Override& option : overrides)
@@ -29,6 +31,29 @@ ParsedScene parse_scene(std::string_view text, const std::string& subject,
   check_camera_path(root, parsed.scene);
   parsed.notes = std::move(context.notes);
   return parsed;
+}
+
+/// Whether a specification is right without the overrides.
+bool is_right(std::string_view text, const std::string& subject, const std::string& folder) {
+  try {
+    parse(text, subject, folder, {});
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+ParsedScene parse_scene(std::string_view text, const std::string& subject,
+                        const std::string& folder, std::span<const Override> overrides) {
+  try {
+    return parse(text, subject, folder, overrides);
+  } catch (const InputError& error) {
+    // an override can make another line of the file wrong
+    if (overrides.empty() || !is_right(text, subject, folder)) throw;
+    throw UsageError(fmt::format("{}: {}", fmt::join(overrides, " "), error.what()));
+  }
 }
 
 ParsedScene read_scene(const std::string& path, std::span<const Override> overrides) {

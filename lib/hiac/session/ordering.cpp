@@ -1,5 +1,7 @@
 #include "hiac/session/ordering.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -7,6 +9,7 @@
 #include "hiac/base/error.hpp"
 #include "hiac/check/overlap.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
+#include "hiac/mesh/mesh_hash.hpp"
 #include "hiac/scene/view_of.hpp"
 #include "hiac/session/stages.hpp"
 
@@ -15,9 +18,7 @@ namespace hiac {
 // Nothing is kept of a stage that was cancelled: each result is stored when it is complete.
 const OrderBasis& Ordering::basis() {
   if (basis_) return *basis_;
-  FaceAdjacency adjacency = run_stage(monitor_, "adjacency", [&] {
-    return mesh_.adjacency ? *mesh_.adjacency : build_face_adjacency(mesh_);
-  });
+  FaceAdjacency adjacency = run_stage(monitor_, "adjacency", [&] { return adjacency_of_mesh(); });
   OrderBasis made =
       run_stage(monitor_, "basis", [&] { return order_basis(mesh_, std::move(adjacency)); });
   if (overlap_planarity_) {
@@ -29,9 +30,25 @@ const OrderBasis& Ordering::basis() {
   return basis_.emplace(std::move(made));
 }
 
+// A stored adjacency that leaves faces out costs hours, not correctness: each unmatched face is
+// compared with others. A boundary has some n^(2/3) faces; where there are many more, the little
+// that it takes to compute the adjacency is well spent.
+FaceAdjacency Ordering::adjacency_of_mesh() const {
+  if (!mesh_.adjacency) return build_face_adjacency(mesh_);
+  const auto stored = mesh_.adjacency->neighbors.view();
+  const auto unmatched = static_cast<double>(std::ranges::count(stored, kNoCell));
+  constexpr double kManyTimes = 16;
+  if (unmatched <= kManyTimes * std::pow(static_cast<double>(mesh_.cell_count()), 2.0 / 3.0))
+    return *mesh_.adjacency;
+  FaceAdjacency computed = build_face_adjacency(mesh_);
+  if (monitor_.note && !std::ranges::equal(stored, computed.neighbors.view()))
+    monitor_.note("the stored face adjacency is not that of the mesh: it was computed anew");
+  return computed;
+}
+
 const std::string& Ordering::mesh_hash() {
   if (mesh_hash_.empty())
-    mesh_hash_ = run_stage(monitor_, "hash", [&] { return content_hash(mesh_); });
+    mesh_hash_ = run_stage(monitor_, "hash", [&] { return geometry_hash(mesh_); });
   return mesh_hash_;
 }
 

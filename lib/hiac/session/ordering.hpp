@@ -36,9 +36,12 @@ class Ordering {
 
   /// What all views have in common. Uses the adjacency that the mesh brings, or computes it.
   const OrderBasis& basis();
+  /// What the mesh's orders are known by: the hash of its geometry (geometry_hash).
   const std::string& mesh_hash();
 
  private:
+  [[nodiscard]] FaceAdjacency adjacency_of_mesh() const;
+
   const ZooMesh& mesh_;
   Monitor monitor_;
   std::optional<double> overlap_planarity_;

@@ -44,9 +44,15 @@ struct Session::State {
   Ordering ordering;
   std::optional<GivenOrders> given;
   std::vector<CellId> skipped;
+  std::string content;  // its hash, once it is known
 
   State(ZooMesh drawn, Monitor watching)
       : mesh(std::move(drawn)), monitor(std::move(watching)), ordering(mesh, monitor) {}
+
+  const std::string& content_hash_of_mesh() {
+    if (content.empty()) content = content_hash(mesh);
+    return content;
+  }
 
   MeshOrder order_of_all(const Scene& scene) {
     if (!given) return ordering.exact(scene);
@@ -116,7 +122,7 @@ Picture Session::picture(const Scene& scene, const PictureRequest& request) {
           met.covered_pixels,
           met.mean_optical_depth,
           met.largest_optical_depth,
-          made->record.mesh_hash,
+          s.content_hash_of_mesh(),
           made,
           std::make_shared<const RenderStatistics>(met)};
 }

@@ -15,7 +15,7 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/geometry/predicates.hpp"
-#include "hiac/tetrahedralize/meshing/child_process.hpp"
+#include "hiac/base/child_process.hpp"
 
 namespace hiac {
 namespace {

@@ -1,12 +1,16 @@
-#include "hiac/tetrahedralize/meshing/child_process.hpp"
+#include "hiac/base/child_process.hpp"
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -31,6 +35,37 @@ bool write_all(int pipe, const std::string& bytes) {
     written += static_cast<std::size_t>(n);
   }
   return true;
+}
+
+// Bytes of private memory that the process may write to now, whether or not it has.
+rlim_t allocated_bytes() {
+  std::ifstream pages("/proc/self/statm");
+  rlim_t total = 0, resident = 0, shared = 0, text = 0, library = 0, data = 0;
+  pages >> total >> resident >> shared >> text >> library >> data;
+  return data * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+}
+
+void set_limits(const ChildLimits& limits) {
+  const rlimit no_core{0, 0};
+  setrlimit(RLIMIT_CORE, &no_core);
+  if (limits.memory_bytes > 0) {
+    const rlim_t most = allocated_bytes() + limits.memory_bytes;
+    const rlimit memory{most, most};
+    setrlimit(RLIMIT_DATA, &memory);
+  }
+  if (limits.seconds > 0) {
+    const rlimit time{limits.seconds, limits.seconds};
+    setrlimit(RLIMIT_CPU, &time);
+  }
+}
+
+// The parent's end, whatever it is, is the child's. An interrupt is the parent's to hear.
+void follow(pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);
+  std::signal(SIGINT, SIG_IGN);
+  for (const int fatal : {SIGTERM, SIGHUP, SIGSEGV, SIGBUS, SIGFPE, SIGABRT, SIGILL})
+    std::signal(fatal, SIG_DFL);
 }
 
 // Never returns; no destructor of the parent's runs.
@@ -59,13 +94,19 @@ std::string read_all(int pipe) {
 
 }  // namespace
 
-std::optional<std::string> in_child_process(const std::function<std::string()>& work) {
+std::optional<std::string> in_child_process(const std::function<std::string()>& work,
+                                            const ChildLimits& limits) {
   std::array<int, 2> ends;
   if (pipe2(ends.data(), O_CLOEXEC) != 0)
     throw Error(ExitCode::internal, fmt::format("no pipe ({})", std::strerror(errno)));
   std::fflush(nullptr);  // what is buffered is the parent's to write
+  const pid_t parent = getpid();
   const pid_t child = fork();
-  if (child == 0) be_the_child(ends[1], work);
+  if (child == 0) {
+    follow(parent);
+    set_limits(limits);
+    be_the_child(ends[1], work);
+  }
   close(ends[1]);
   if (child < 0) {
     close(ends[0]);

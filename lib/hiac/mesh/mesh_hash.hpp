@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "hiac/mesh/zoo_mesh.hpp"
+
+namespace hiac {
+
+/// A hash of 128 bits of a mesh's kinds, nodes and coordinates, without its fields: that of all
+/// time steps whose geometry is the same. Written as 32 hexadecimal digits.
+std::string geometry_hash(const ZooMesh& mesh);
+
+}  // namespace hiac

@@ -1,0 +1,62 @@
+// What a deck holds besides its mesh does not keep the mesh from being read.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "tests/formats/files.hpp"
+#include "tests/formats/unit_tetrahedron.hpp"
+
+namespace hiac::formats {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+const std::string kGrids =
+    "GRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\nGRID,3,,0.,1.,0.\nGRID,4,,0.,0.,1.\n";
+
+TEST(LenientDecks, NastranReplicationOfWhatIsNotReadIsPassedOver) {
+  const ScratchFolder folder;
+  expect_unit_tetrahedron(
+      read_any(folder.write("a.bdf", "BEGIN BULK\nSPC1,1,123,1\n=,*1,=,=\n=(2)\n" + kGrids +
+                                         "FORCE,1,1,0,1.,0.,0.,1.\n=,=,*1,==\n"
+                                         "CTETRA,1,1,1,2,3,4\nENDDATA\n"))
+          .mesh);
+  for (const char* read : {"GRID,9,,5.,5.,5.\n", "CTETRA,1,1,1,2,3,4\n",
+                           "CORD2R,1,,0.,0.,0.,0.,0."
+                           "\n,1.,1.,0.,0.\n"})
+    EXPECT_THAT(
+        refusal(folder.write("b.bdf", "BEGIN BULK\n" + kGrids + read + "=,*1,=,=\nENDDATA\n")),
+        HasSubstr("replicated entries"))
+        << read;
+}
+
+TEST(LenientDecks, AbaqusSetsOfUnknownInstancesAreLeftOut) {
+  const ScratchFolder folder;
+  const Reading reading = read_any(folder.write(
+      "a.inp",
+      "*PART,NAME=P\n*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n4,0,0,1\n*ELEMENT,TYPE=C3D4,ELSET=E\n"
+      "1,1,2,3,4\n*END PART\n*ASSEMBLY,NAME=A\n*INSTANCE,NAME=I,PART=P\n*END INSTANCE\n"
+      "*ELSET,ELSET=S,INSTANCE=GONE\n1,2,3\n*ELSET,ELSET=T,INSTANCE=I\n1\n"
+      "*NSET,NSET=N,INSTANCE=GONE\n1,2\n*SURFACE,NAME=F\nS,S1\n*END ASSEMBLY\n"));
+  expect_unit_tetrahedron(reading.mesh);
+  EXPECT_THAT(reading.notes, Contains(HasSubstr("instance 'GONE'")));
+}
+
+TEST(LenientDecks, MfemPartsOfOneProcessAreItsElements) {
+  const ScratchFolder folder;
+  const std::string mesh =
+      "elements\n2\n0 1 4 0 0 1 2 3\n1 1 4 0 4 1 2 3\n\nboundary\n0\n\ncoordinates\n5\n3\n"
+      "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n\nmfem_mesh_end\n";
+  const std::string title = "MFEM NC mesh v1.0\n\ndimension\n3\n\n";
+  EXPECT_EQ(read_any(folder.write("a.mesh", title + mesh)).mesh.cell_count(), 2U);
+  expect_unit_tetrahedron(read_any(folder.write("b.mesh", title + "rank\n0\n\n" + mesh)).mesh);
+  const ZooMesh other = read_any(folder.write("c.mesh", title + "rank\n1\n\n" + mesh)).mesh;
+  ASSERT_EQ(other.cell_count(), 1U);
+  EXPECT_EQ(other.position(other.nodes[0])[0] + other.position(other.nodes[1])[0] +
+                other.position(other.nodes[2])[0] + other.position(other.nodes[3])[0],
+            2);
+  EXPECT_THAT(refusal(folder.write("d.mesh", title + "rank\nx\n" + mesh)), HasSubstr("a rank"));
+}
+
+}  // namespace
+}  // namespace hiac::formats

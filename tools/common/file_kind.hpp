@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace hiac::tools {
+
+/// The kinds of files that the tools read and write.
+enum class FileKind {
+  mesh,           ///< a zoo mesh, or a mesh or surface in a foreign format
+  order,          ///< visibility orders
+  specification,  ///< an image specification, or a colour map that one names
+  image,          ///< a picture of any format
+  facts           ///< what --json writes, and other text for people and programs
+};
+
+/// "a mesh", "a visibility order", ...
+std::string kind_phrase(FileKind kind);
+
+/// The kind of a regular file by its first bytes, or, where these prove nothing, by the extensions
+/// .toml and .f32; none for files that are empty, cannot be opened, or are not of these kinds.
+std::optional<FileKind> kind_of_file(const std::string& path);
+
+}  // namespace hiac::tools
