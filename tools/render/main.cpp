@@ -12,14 +12,11 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "hiac/base/error.hpp"
 #include "hiac/base/progress.hpp"
 #include "hiac/frame/renderable.hpp"
-#include "hiac/image/composite.hpp"
 #include "hiac/image/image_io.hpp"
-#include "hiac/order/order_file.hpp"
 #include "hiac/render/engine.hpp"
 #include "hiac/render/explain_pixel.hpp"
 #include "hiac/scene/camera_path.hpp"
@@ -27,12 +24,12 @@
 #include "hiac/session/session.hpp"
 #include "tools/common/frames.hpp"
 #include "tools/common/mesh_io.hpp"
-#include "tools/common/naming.hpp"
 #include "tools/common/order_facts.hpp"
-#include "tools/common/specification.hpp"
+#include "tools/common/picture_command.hpp"
 #include "tools/common/text_output.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/common/version.hpp"
+#include "tools/render/become_preview.hpp"
 #include "tools/render/color_bar.hpp"
 #include "tools/render/picture_options.hpp"
 #include "tools/render/pixel_report.hpp"
@@ -43,38 +40,14 @@ namespace {
 using namespace hiac;
 using namespace hiac::tools;
 
-struct Options {
-  std::string input, view, order, output, format, size, under, color_bar, pixel;
+struct Options : PictureCommand {
+  std::string under, color_bar, pixel, engine, method;
   double color_bar_length = 0;  // 0: a round number near a tenth of the diagonal
-  std::vector<std::string> overrides;
   PictureOptions picture;
-  int depth = 0;
-  bool no_background = false, linear = false, all_frames = false, skip_invalid = false;
-  bool overlap = false, strict = false;
-  std::optional<std::uint32_t> frame;
+  bool strict = false;
 };
 
 using Json = nlohmann::ordered_json;
-
-// WxH as overrides of the specification.
-void add_size(const std::string& size, std::vector<std::string>& overrides) {
-  if (size.empty()) return;
-  const std::size_t cross = size.find('x');
-  if (cross == std::string::npos || cross == 0 || cross + 1 == size.size())
-    throw UsageError("--size: expected WIDTHxHEIGHT, as 1024x768 (found " + size + ")");
-  overrides.push_back("image.width=" + size.substr(0, cross));
-  overrides.push_back("image.height=" + size.substr(cross + 1));
-}
-
-// The orders from a file or behind the mesh in the stream; none where they are made here.
-std::optional<GivenOrders> given_orders(const Options& options, const ZooFile& file) {
-  if (!options.order.empty()) return GivenOrders{options.order, read_order_chunks(options.order)};
-  GivenOrders orders{input_name(options.input), {}};
-  for (const ExtraChunk& chunk : file.extras)
-    if (chunk.type == kOrderChunk) orders.chunks.push_back(chunk);
-  if (orders.chunks.empty()) return std::nullopt;
-  return orders;
-}
 
 double diagonal(const ZooMesh& mesh) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -145,11 +118,6 @@ void require_truth(const std::string& path, const RenderStatistics& s) {
     throw JudgementError(fmt::format("{}: not written: no cell is seen (--strict)", path));
 }
 
-template <typename Work>
-auto with_names(const Options& options, const Work& work) {
-  return naming(input_name(options.input), options.view, {options.order}, work);
-}
-
 // Makes pictures of one mesh.
 class Renderer {
  public:
@@ -207,7 +175,7 @@ class Renderer {
     if (options_.strict) require_truth(path, *picture.statistics);
     facts["order"] = order_facts(*picture.order);
     tool_.timed("write", [&] {
-      write_image(path == "-" ? "/dev/stdout" : path, picture.image,
+      write_image(picture_path(path), picture.image,
                   {.linear = options_.linear,
                    .background_included = !options_.no_background,
                    .attributes = {{"Software", "hiac-render " + version_text()},
@@ -250,22 +218,6 @@ void render_frames(Tool& tool, const Options& options, const Scene& scene,
   }
 }
 
-// Pictures are numbered when all frames are wanted, and there is one without a camera path.
-void check_frame_options(const Options& options, const Scene& scene) {
-  if (scene.path && !options.all_frames && !options.frame)
-    throw UsageError(
-        fmt::format("{}: holds a camera path of {} frames: --frames renders all "
-                    "frames, --frame N one",
-                    options.view, frame_count(scene)));
-  if (!scene.path && options.all_frames)
-    throw UsageError(
-        fmt::format("--frames: {} has no camera path (keyframes [[camera]], or a "
-                    "[turntable])",
-                    options.view));
-  if (options.frame) chosen_frames(scene, options.frame);
-  if (options.all_frames) frame_path(options.output, 0);
-}
-
 // The picture behind the new one; none: the specification's background, or nothing.
 std::optional<Image> read_under(const Options& options, const ImageSize& size) {
   if (options.under.empty()) return std::nullopt;
@@ -278,7 +230,6 @@ std::optional<Image> read_under(const Options& options, const ImageSize& size) {
   if (!color_channels(under))
     throw InputError(options.under, fmt::format("a picture without colour (channels {})",
                                                 fmt::join(under.channels(), " ")));
-  if (const auto bad = not_finite_in(under)) throw InputError(options.under, *bad);
   return under;
 }
 
@@ -301,39 +252,11 @@ void write_color_bar(Tool& tool, const Options& options, const ZooMesh& mesh,
 
 // Which files are read and which are written; for `scene`, once it is known, all its frames'.
 void claim_files(Tool& tool, const Options& options, const Scene* scene) {
-  RunFiles files{{options.input, options.view, options.order}, {}};
+  RunFiles files;
+  add_picture_files(files, options, scene, further_channels(options.picture));
   for (std::string& part : image_parts(options.under)) files.inputs.push_back(std::move(part));
   add_image(files.outputs, "--colorbar", options.color_bar);
-  const std::vector<std::string> channels = further_channels(options.picture);
-  if (scene == nullptr || !options.all_frames)
-    add_image(files.outputs, "-o", options.output, channels);
-  else
-    for (const std::uint32_t frame : chosen_frames(*scene, options.frame))
-      add_image(files.outputs, "-o", frame_path(options.output, frame), channels);
   tool.claim(std::move(files));
-}
-
-// A picture on stdout needs a format, and stdout for itself.
-void require_room_on_stdout(const Tool& tool, const Options& options) {
-  if (options.format.empty())
-    throw UsageError("-o -: the picture's format is not known (--format EXTENSION expected)");
-  if (options.format == ".f32") throw UsageError("--format .f32: is several files (-o - is one)");
-  if (options.all_frames)
-    throw UsageError("--frames: a picture a frame does not fit stdout (-o FILE expected)");
-  if (tool.common().json == "-")
-    throw UsageError("--json -: stdout carries the picture (a file for --json expected)");
-  if (isatty(STDOUT_FILENO) != 0)
-    throw UsageError("a picture is not printed on a terminal (-o FILE expected, or a pipe)");
-}
-
-void check_output(const Tool& tool, Options& options) {
-  if (options.output.empty()) throw UsageError("--output is required");
-  if (!options.format.empty() && !options.format.starts_with('.'))
-    options.format.insert(options.format.begin(), '.');
-  if (options.output == "-") require_room_on_stdout(tool, options);
-  require_known_image_extension(options.format.empty() ? options.output : options.format,
-                                options.depth);
-  if (!options.color_bar.empty()) require_known_image_extension(options.color_bar);
 }
 
 void require_room_for_channels(const std::string& path) {
@@ -343,11 +266,10 @@ void require_room_for_channels(const std::string& path) {
                      path + " found)");
 }
 
-ParsedScene specification_of(Tool& tool, Options& options) {
-  add_size(options.size, options.overrides);
-  ParsedScene parsed = read_specification(options.view, options.overrides);
-  for (const std::string& line : parsed.notes) tool.note(line);
-  return parsed;
+// The preview's options reach this program only when it is not asked for.
+void refuse_preview_options(const Options& options) {
+  if (!options.method.empty())
+    throw UsageError("--method: only for --engine preview (found " + options.method + ")");
 }
 
 void explain(Tool& tool, Options options) {
@@ -366,9 +288,9 @@ void explain(Tool& tool, Options options) {
 
 void render(Tool& tool, Options options) {
   claim_files(tool, options, nullptr);
-  check_output(tool, options);
-  if (!options.picture.channels.empty())
-    require_room_for_channels(options.format.empty() ? options.output : options.format);
+  check_picture_output(tool, options);
+  if (!options.color_bar.empty()) require_known_image_extension(options.color_bar);
+  if (!options.picture.channels.empty()) require_room_for_channels(picture_format(options));
   const ParsedScene parsed = specification_of(tool, options);
   const Scene& scene = parsed.scene;
   PictureRequest request = picture_request(options.picture, scene.image);
@@ -395,6 +317,7 @@ void render(Tool& tool, Options options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (const std::optional<int> failed = become_preview(argc, argv)) return *failed;
   Tool tool(
       "hiac-render", "Makes a volume-rendered picture of a mesh.",
       "  hiac-render part.zoo --view view.toml -o part.png\n"
@@ -406,43 +329,16 @@ int main(int argc, char** argv) {
       "  hiac-render part.zoo --view view.toml --samples 8 --filter bspline -o truth.exr\n"
       "  hiac-render part.zoo --view view.toml --set render.splat_below=2 -o splatted.exr\n"
       "  hiac-render near.zoo --view view.toml --under far.exr -o both.exr\n"
-      "  hiac-render part.zoo --view turntable.toml --frames -o part-%04d.png");
+      "  hiac-render part.zoo --view turntable.toml --frames -o part-%04d.png\n"
+      "  hiac-render part.zoo --view view.toml --engine preview -o quick.png");
   Options options;
   auto& app = tool.app();
-  app.add_option("MESH", options.input, "Zoo mesh; - or none: stdin");
-  app.add_option("--view", options.view, "Image specification (TOML)")
-      ->required()
-      ->type_name("SPEC");
-  auto* order =
-      app.add_option("--order", options.order,
-                     "Order file of hiac-sort; without it hiac-render sorts the mesh first")
-          ->type_name("FILE");
-  app.add_flag("--overlap", options.overlap, kOverlapHelp)->excludes(order);
-  app.add_option("-o,--output", options.output,
-                 "Image: " + image_extensions() + "; - with --format: stdout")
-      ->type_name("IMAGE");
-  app.add_option("--format", options.format,
-                 "Write the picture in the format of this extension, whatever the name says")
-      ->type_name("EXTENSION");
-  app.add_option("--size", options.size, "Size in pixels instead of the specification's")
-      ->type_name("WxH");
-  app.add_option("--set", options.overrides, "Override KEY=VALUE of the specification; repeatable")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+  add_picture_command(app, options, "hiac-render");
   add_picture_options(app, options.picture);
   app.add_option("--under", options.under,
                  "Put this picture behind the new one instead of the background: linear values, "
                  "premultiplied by alpha")
       ->type_name("IMAGE");
-  auto* one =
-      app.add_option("--frame", options.frame, "Render this frame of a camera path, counted from 0")
-          ->type_name("N");
-  app.add_flag("--frames", options.all_frames,
-               "Render all frames of a camera path into numbered files: part.png gives "
-               "part-0000.png and so on, part-%03d.png gives part-000.png")
-      ->excludes(one);
-  app.add_flag("--no-background", options.no_background,
-               "Leave the background out, so that images can be composited later");
   app.add_option(
          "--colorbar", options.color_bar,
          "Draw the colour map, and the opacity of a length of the medium, as a second picture")
@@ -452,16 +348,17 @@ int main(int argc, char** argv) {
                  "the diagonal")
       ->check(CLI::PositiveNumber)
       ->type_name("L");
-  app.add_option("--depth", options.depth,
-                 "Bits per sample: 8, 16, or for .tiff also 32 (floating point); default: 8")
-      ->type_name("BITS");
-  app.add_flag("--skip-invalid", options.skip_invalid,
-               "Leave out cells that are partly turned inside out instead of refusing the mesh");
   app.add_flag("--strict", options.strict,
                "End with exit code 1 and without a picture where the picture may mislead: ray "
                "segments met out of order, or no cell in sight");
-  app.add_flag("--linear", options.linear,
-               "Write linear values instead of sRGB into integer images");
+  app.add_option(
+         "--engine", options.engine,
+         "accurate (the default), or preview: OpenGL, by hiac-preview, whose options it has "
+         "then (hiac-preview --help)")
+      ->check(CLI::IsMember({"accurate", "preview"}))
+      ->type_name("ENGINE");
+  app.add_option("--method", options.method, "For --engine preview: exact, or M0 to M3")
+      ->type_name("METHOD");
   auto* pixel =
       app.add_option("--pixel", options.pixel,
                      "Explain the pixel in column X and row Y instead of making a picture: a table "
@@ -471,6 +368,8 @@ int main(int argc, char** argv) {
        {"--output", "--format", "--channels", "--crop", "--samples", "--filter", "--under",
         "--frames", "--colorbar", "--colorbar-length", "--depth", "--linear", "--strict"})
     pixel->excludes(app.get_option(of_pictures));
-  return tool.run(argc, argv,
-                  [&] { pixel->count() == 0 ? render(tool, options) : explain(tool, options); });
+  return tool.run(argc, argv, [&] {
+    refuse_preview_options(options);
+    pixel->count() == 0 ? render(tool, options) : explain(tool, options);
+  });
 }

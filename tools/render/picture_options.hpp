@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -20,9 +19,6 @@ struct PictureOptions {
 
 /// Adds --channels, --crop, --samples and --filter.
 void add_picture_options(CLI::App& app, PictureOptions& options);
-
-/// X,Y, as --pixel has it: column and row of a pixel. Throws UsageError when it is something else.
-std::array<std::uint32_t, 2> parse_pixel(const std::string& text);
 
 /// The names of the channels that --channels asks for. Throws UsageError.
 std::vector<std::string> further_channels(const PictureOptions& options);
