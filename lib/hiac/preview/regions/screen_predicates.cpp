@@ -87,9 +87,9 @@ int side_of_crossing(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoi
   return exact_side_of_crossing(a, b, c, d, e, f);
 }
 
-double twice_area(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c) {
+double doubtful_twice_area(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c) {
   const Rounded area = cross(a, b, a, c);
-  if (std::abs(area.value) > 0x1p30 * area.error || area.error == 0) return area.value;
+  if (area.error == 0) return area.value;
   return exact_twice_area(a, b, c);
 }
 

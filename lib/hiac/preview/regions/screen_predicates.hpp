@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 namespace hiac::preview {
 
 /// A point of the screen, pixels.
@@ -24,7 +26,16 @@ int turn(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c, const
 int side_of_crossing(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c,
                      const ScreenPoint& d, const ScreenPoint& e, const ScreenPoint& f);
 
+/// (b - a) x (c - a), rounded once.
+double doubtful_twice_area(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c);
+
 /// (b - a) x (c - a), to a relative error of 1e-9; its sign is that of `side`.
-double twice_area(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c);
+inline double twice_area(const ScreenPoint& a, const ScreenPoint& b, const ScreenPoint& c) {
+  const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x);
+  const double value = left - right;
+  // 2^30 times what rounding may do, and far from underflow
+  if (std::abs(value) > 0x1p-20 * (std::abs(left) + std::abs(right)) + 0x1p-500) return value;
+  return doubtful_twice_area(a, b, c);
+}
 
 }  // namespace hiac::preview
