@@ -17,7 +17,6 @@
 #include "hiac/base/progress.hpp"
 #include "hiac/frame/renderable.hpp"
 #include "hiac/image/image_io.hpp"
-#include "hiac/order/order_file.hpp"
 #include "hiac/render/engine.hpp"
 #include "hiac/render/explain_pixel.hpp"
 #include "hiac/scene/camera_path.hpp"
@@ -26,10 +25,11 @@
 #include "tools/common/frames.hpp"
 #include "tools/common/mesh_io.hpp"
 #include "tools/common/order_facts.hpp"
-#include "tools/common/specification.hpp"
+#include "tools/common/picture_command.hpp"
 #include "tools/common/text_output.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/common/version.hpp"
+#include "tools/render/become_preview.hpp"
 #include "tools/render/color_bar.hpp"
 #include "tools/render/picture_options.hpp"
 #include "tools/render/pixel_report.hpp"
@@ -40,38 +40,13 @@ namespace {
 using namespace hiac;
 using namespace hiac::tools;
 
-struct Options {
-  std::string input, view, order, output, size, under, color_bar, pixel;
+struct Options : PictureCommand {
+  std::string under, color_bar, pixel, engine, method;
   double color_bar_length = 0;  // 0: a round number near a tenth of the diagonal
-  std::vector<std::string> overrides;
   PictureOptions picture;
-  int depth = 0;
-  bool no_background = false, linear = false, all_frames = false, skip_invalid = false;
-  bool overlap = false;
-  std::optional<std::uint32_t> frame;
 };
 
 using Json = nlohmann::ordered_json;
-
-// WxH as overrides of the specification.
-void add_size(const std::string& size, std::vector<std::string>& overrides) {
-  if (size.empty()) return;
-  const std::size_t cross = size.find('x');
-  if (cross == std::string::npos || cross == 0 || cross + 1 == size.size())
-    throw UsageError("--size: expected WIDTHxHEIGHT, as 1024x768 (found " + size + ")");
-  overrides.push_back("image.width=" + size.substr(0, cross));
-  overrides.push_back("image.height=" + size.substr(cross + 1));
-}
-
-// The orders from a file or behind the mesh in the stream; none where they are made here.
-std::optional<GivenOrders> given_orders(const Options& options, const ZooFile& file) {
-  if (!options.order.empty()) return GivenOrders{options.order, read_order_chunks(options.order)};
-  GivenOrders orders{input_name(options.input), {}};
-  for (const ExtraChunk& chunk : file.extras)
-    if (chunk.type == kOrderChunk) orders.chunks.push_back(chunk);
-  if (orders.chunks.empty()) return std::nullopt;
-  return orders;
-}
 
 double diagonal(const ZooMesh& mesh) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -228,22 +203,6 @@ void render_frames(Tool& tool, const Options& options, const Scene& scene,
   }
 }
 
-// Pictures are numbered when all frames are wanted, and there is one without a camera path.
-void check_frame_options(const Options& options, const Scene& scene) {
-  if (scene.path && !options.all_frames && !options.frame)
-    throw UsageError(
-        fmt::format("{}: holds a camera path of {} frames: --frames renders all "
-                    "frames, --frame N one",
-                    options.view, frame_count(scene)));
-  if (!scene.path && options.all_frames)
-    throw UsageError(
-        fmt::format("--frames: {} has no camera path (keyframes [[camera]], or a "
-                    "[turntable])",
-                    options.view));
-  if (options.frame) chosen_frames(scene, options.frame);
-  if (options.all_frames) frame_path(options.output, 0);
-}
-
 // The picture behind the new one; none: the specification's background, or nothing.
 std::optional<Image> read_under(const Options& options, const ImageSize& size) {
   if (options.under.empty()) return std::nullopt;
@@ -283,11 +242,10 @@ void require_room_for_channels(const std::string& path) {
                      path + " found)");
 }
 
-ParsedScene specification_of(Tool& tool, Options& options) {
-  add_size(options.size, options.overrides);
-  ParsedScene parsed = read_specification(options.view, options.overrides);
-  for (const std::string& line : parsed.notes) tool.note(line);
-  return parsed;
+// The preview's options reach this program only when it is not asked for.
+void refuse_preview_options(const Options& options) {
+  if (!options.method.empty())
+    throw UsageError("--method: only for --engine preview (found " + options.method + ")");
 }
 
 void explain(Tool& tool, Options options) {
@@ -331,6 +289,7 @@ void render(Tool& tool, Options options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (const std::optional<int> failed = become_preview(argc, argv)) return *failed;
   Tool tool(
       "hiac-render", "Makes a volume-rendered picture of a mesh.",
       "  hiac-render part.zoo --view view.toml -o part.png\n"
@@ -342,38 +301,16 @@ int main(int argc, char** argv) {
       "  hiac-render part.zoo --view view.toml --samples 8 --filter bspline -o truth.exr\n"
       "  hiac-render part.zoo --view view.toml --set render.splat_below=2 -o splatted.exr\n"
       "  hiac-render near.zoo --view view.toml --under far.exr -o both.exr\n"
-      "  hiac-render part.zoo --view turntable.toml --frames -o part-%04d.png");
+      "  hiac-render part.zoo --view turntable.toml --frames -o part-%04d.png\n"
+      "  hiac-render part.zoo --view view.toml --engine preview -o quick.png");
   Options options;
   auto& app = tool.app();
-  app.add_option("MESH", options.input, "Zoo mesh; - or none: stdin");
-  app.add_option("--view", options.view, "Image specification (TOML)")
-      ->required()
-      ->type_name("SPEC");
-  auto* order =
-      app.add_option("--order", options.order,
-                     "Order file of hiac-sort; without it hiac-render sorts the mesh first")
-          ->type_name("FILE");
-  app.add_flag("--overlap", options.overlap, kOverlapHelp)->excludes(order);
-  app.add_option("-o,--output", options.output, "Image: " + image_extensions())->type_name("IMAGE");
-  app.add_option("--size", options.size, "Size in pixels instead of the specification's")
-      ->type_name("WxH");
-  app.add_option("--set", options.overrides, "Override KEY=VALUE of the specification; repeatable")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+  add_picture_command(app, options, "hiac-render");
   add_picture_options(app, options.picture);
   app.add_option("--under", options.under,
                  "Put this picture behind the new one instead of the background: linear values, "
                  "premultiplied by alpha")
       ->type_name("IMAGE");
-  auto* one =
-      app.add_option("--frame", options.frame, "Render this frame of a camera path, counted from 0")
-          ->type_name("N");
-  app.add_flag("--frames", options.all_frames,
-               "Render all frames of a camera path into numbered files: part.png gives "
-               "part-0000.png and so on, part-%03d.png gives part-000.png")
-      ->excludes(one);
-  app.add_flag("--no-background", options.no_background,
-               "Leave the background out, so that images can be composited later");
   app.add_option(
          "--colorbar", options.color_bar,
          "Draw the colour map, and the opacity of a length of the medium, as a second picture")
@@ -383,13 +320,14 @@ int main(int argc, char** argv) {
                  "the diagonal")
       ->check(CLI::PositiveNumber)
       ->type_name("L");
-  app.add_option("--depth", options.depth,
-                 "Bits per sample: 8, 16, or for .tiff also 32 (floating point); default: 8")
-      ->type_name("BITS");
-  app.add_flag("--skip-invalid", options.skip_invalid,
-               "Leave out cells that are partly turned inside out instead of refusing the mesh");
-  app.add_flag("--linear", options.linear,
-               "Write linear values instead of sRGB into integer images");
+  app.add_option(
+         "--engine", options.engine,
+         "accurate (the default), or preview: OpenGL, by hiac-preview, whose options it has "
+         "then (hiac-preview --help)")
+      ->check(CLI::IsMember({"accurate", "preview"}))
+      ->type_name("ENGINE");
+  app.add_option("--method", options.method, "For --engine preview: exact, or M0 to M3")
+      ->type_name("METHOD");
   auto* pixel =
       app.add_option("--pixel", options.pixel,
                      "Explain the pixel in column X and row Y instead of making a picture: a table "
@@ -399,6 +337,8 @@ int main(int argc, char** argv) {
        {"--output", "--channels", "--crop", "--samples", "--filter", "--under", "--frames",
         "--colorbar", "--colorbar-length", "--depth", "--linear"})
     pixel->excludes(app.get_option(of_pictures));
-  return tool.run(argc, argv,
-                  [&] { pixel->count() == 0 ? render(tool, options) : explain(tool, options); });
+  return tool.run(argc, argv, [&] {
+    refuse_preview_options(options);
+    pixel->count() == 0 ? render(tool, options) : explain(tool, options);
+  });
 }

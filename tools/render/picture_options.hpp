@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -19,9 +18,6 @@ struct PictureOptions {
 
 /// Adds --channels, --crop, --samples and --filter.
 void add_picture_options(CLI::App& app, PictureOptions& options);
-
-/// X,Y, as --pixel has it: column and row of a pixel. Throws UsageError when it is something else.
-std::array<std::uint32_t, 2> parse_pixel(const std::string& text);
 
 /// What they say of a picture. Throws UsageError when they do not fit it.
 PictureRequest picture_request(const PictureOptions& options, ImageSize size);

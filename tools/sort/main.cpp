@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <optional>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -14,17 +13,13 @@
 #include "hiac/base/error.hpp"
 #include "hiac/base/seconds.hpp"
 #include "hiac/order/algorithm.hpp"
-#include "hiac/order/published/centroid.hpp"
-#include "hiac/order/published/mpvo.hpp"
-#include "hiac/order/published/multitiled.hpp"
-#include "hiac/order/published/stein.hpp"
-#include "hiac/order/published/visibility_cycle.hpp"
 #include "hiac/order/verify_order.hpp"
 #include "hiac/scene/camera_path.hpp"
 #include "hiac/scene/view_of.hpp"
 #include "hiac/session/ordering.hpp"
 #include "tools/common/frames.hpp"
 #include "tools/common/mesh_io.hpp"
+#include "tools/common/order_by.hpp"
 #include "tools/common/order_facts.hpp"
 #include "tools/common/specification.hpp"
 #include "tools/common/tool.hpp"
@@ -149,34 +144,11 @@ class Sorting {
 
   // The order of an algorithm of which nothing but its groups is known.
   MeshOrder by_another(const Scene& scene, std::uint32_t frame) {
-    const bool across_faces = method_.algorithm == OrderAlgorithm::mpvo;
-    const OrderBasis* basis = across_faces ? &ordering_.basis() : nullptr;
+    const OrderBasis* basis = needs_basis(method_.algorithm) ? &ordering_.basis() : nullptr;
     VisibilityOrder order = tool_.timed("order", [&] {
-      try {
-        return order_by(scene, basis);
-      } catch (const VisibilityCycle& cycle) {
-        throw JudgementError(name_of(frame) + cycle.what());
-      }
+      return order_by(method_.algorithm, method_.tiling, mesh_, basis, scene, name_of(frame));
     });
     return {{ordering_.mesh_hash(), view_hash(scene), std::move(order)}, {}};
-  }
-
-  [[nodiscard]] VisibilityOrder order_by(const Scene& scene, const OrderBasis* basis) const {
-    const View view = view_of(scene.camera);
-    const double planarity = scene.render.planarity;
-    switch (method_.algorithm) {
-      case OrderAlgorithm::stein:
-        return stein_order(mesh_, view, planarity);
-      case OrderAlgorithm::multitiled:
-        return multitiled_order(mesh_, view, planarity, method_.tiling);
-      case OrderAlgorithm::mpvo:
-        return mpvo_order(*basis, view, planarity);
-      case OrderAlgorithm::centroid:
-        return centroid_order(mesh_, view);
-      case OrderAlgorithm::exact:
-        break;
-    }
-    throw std::logic_error("the exact order is made from a basis");
   }
 
   void verify(const Scene& scene, const VisibilityOrder& order, std::uint32_t frame, Json& facts) {

@@ -1,0 +1,199 @@
+#include "hiac/preview/exact_shaders.hpp"
+
+namespace hiac::preview {
+namespace {
+
+// Where the ray enters and leaves the cell, and the fields there.
+constexpr const char* kMeet = R"(
+uniform ivec4 part;
+uniform vec4 rays;  // center_x, center_y, 1 / pixels per unit
+flat in vec4 data[RECORD - 2];
+out vec4 light;
+
+const float kFarAlong = 1e30;
+
+struct Segment {
+  real length;  // world units
+  real front[FIELDS], back[FIELDS];
+};
+
+// d of the four faces at the pixel: entered ones, less those that are left.
+void meet_faces(vec2 at, out real v[4]) {
+  precise vec4 coarse = data[2] + data[3] * at.x + data[4] * at.y;
+#if DOUBLE
+  dvec4 all = dvec4(coarse) + (dvec4(data[5]) + dvec4(data[6]) * double(at.x) +
+                               dvec4(data[7]) * double(at.y));
+#else
+  precise vec4 rest = data[5] + data[6] * at.x + data[7] * at.y;
+  precise vec4 all = coarse + rest;
+#endif
+  for (int k = 0; k < 4; ++k) v[k] = all[k];
+}
+
+// Limits the segment by a face that may be of any kind: 0 entered, 1 left, 2 beside the ray.
+void limit(int kind, real v, inout real entry, inout real exit) {
+  if (kind == 0) entry = max(entry, v);
+  if (kind == 1) exit = min(exit, -v);
+  if (kind == 2 && v <= real(0)) entry = real(kFarAlong);
+}
+
+bool meet(out Segment segment) {
+  vec2 at = gl_FragCoord.xy - 0.5 + (vec2(part.xy) - data[0].xy);
+  real v[4];
+  meet_faces(at, v);
+  int kinds = int(data[0].w);
+  real exit = -v[3];
+#if NEAR
+  real entry = -real(kFarAlong);
+  limit(kinds / 9, v[0], entry, exit);
+  kinds %= 9;
+#else
+  real entry = v[0];
+#endif
+  limit(kinds % 3, v[1], entry, exit);
+  limit(kinds / 3, v[2], entry, exit);
+#if CLIPPED
+  entry = max(entry, real(data[1].x));
+  exit = min(exit, real(data[1].y));
+#endif
+  if (!(entry < exit)) return false;
+  segment.length = exit - entry;
+#if PERSPECTIVE
+  real front = real(1) / (real(1) - entry), back = real(1) / (real(1) - exit);
+  vec2 slopes = (gl_FragCoord.xy + vec2(part.xy) - rays.xy) * rays.z;
+  segment.length *= real(data[0].z * sqrt(1.0 + dot(slopes, slopes))) * front * back;
+#endif
+  for (int f = 0; f < FIELDS; ++f) {
+    vec4 q = data[FIELD_AT(f) - 2];
+#if DOUBLE
+    dvec4 p = dvec4(q) + dvec4(data[FIELD_AT(f) - 1]);
+    double base = p.x + p.y * double(at.x) + p.z * double(at.y);
+    segment.front[f] = base + p.w * entry;
+    segment.back[f] = base + p.w * exit;
+#else
+    float base = q.x + q.y * at.x + q.z * at.y;
+    segment.front[f] = base + q.w * entry;
+    segment.back[f] = base + q.w * exit;
+#endif
+#if PERSPECTIVE
+    segment.front[f] *= front;
+    segment.back[f] *= back;
+#endif
+    vec2 range = f == 0 ? data[1].zw : data[FIELD_AT(f) - 2 + (DOUBLE == 1 ? 2 : 1)].xy;
+    segment.front[f] = clamp(segment.front[f], real(range.x), real(range.y));
+    segment.back[f] = clamp(segment.back[f], real(range.x), real(range.y));
+  }
+  return true;
+}
+)";
+
+// One function of one field along a segment: the interval at hand and how far it goes.
+constexpr const char* kWalk = R"(
+struct Walk {
+  real from, to, rate;  // the field at the segment's ends, and segment per field
+  bool up;
+  int interval;
+  real here;  // the field where the walk is
+  real next;  // ... and where the interval ends, or the segment
+  real until; // the share of the segment there
+};
+
+void begin(inout Walk w, real from, real to) {
+  w.from = from;
+  w.to = to;
+  w.up = to >= from;
+  real change = to - from;
+  w.rate = change == real(0) ? real(0) : real(1) / change;
+  w.here = from;
+}
+
+// `low`, `high`: of the interval.
+void look_ahead(inout Walk w, real low, real high) {
+  real end = w.up ? high : low;
+  bool last = w.up ? end >= w.to : end <= w.to;
+  w.next = last ? w.to : end;
+  w.until = last ? real(1) : min((end - w.from) * w.rate, real(1));
+}
+
+// To a share that is at most `until`, where the field is known as `value` unless it is that.
+void advance(inout Walk w, real share) {
+  bool reached = share >= w.until;
+  w.here = reached ? w.next : w.from + (w.to - w.from) * share;
+  w.interval += reached ? (w.up ? 1 : -1) : 0;
+}
+)";
+
+constexpr const char* kMain = R"(
+void main() {
+  Segment segment;
+  if (!meet(segment)) discard;
+  Walk w;
+  begin(w, segment.front[EXTINCTION], segment.back[EXTINCTION]);
+  w.interval = extinction_interval(w.from, w.up);
+#if SEPARATE
+  Walk c;
+  begin(c, segment.front[COLOR], segment.back[COLOR]);
+  c.interval = color_interval(c.from, c.up);
+#endif
+  vec3 sum = vec3(0.0);
+  float alpha = 0.0, behind = 1.0;
+  real share = real(0);
+  float whole = float(segment.length);
+  for (int step = 0; step < 16384; ++step) {
+    Extinction tau = extinction_at(w.interval);
+    look_ahead(w, tau.low, tau.high);
+#if SEPARATE
+    Color kappa = color_at(c.interval);
+    look_ahead(c, kappa.low, kappa.high);
+    real until = min(w.until, c.until);
+    real tau_end = until < w.until ? w.from + (w.to - w.from) * until : w.next;
+    real kappa_here = c.here;
+    real kappa_end = until < c.until ? c.from + (c.to - c.from) * until : c.next;
+#else
+    real until = w.until;
+    real tau_end = w.next, kappa_here = w.here, kappa_end = w.next;
+#define kappa tau
+#endif
+    float length = max(float(until - share), 0.0) * whole;
+    float b = max(tau.value + tau.slope * float(w.here - tau.anchor), 0.0) * length;
+    float a = max(tau.value + tau.slope * float(tau_end - tau.anchor), 0.0) * length;
+    vec3 front = kappa.color + kappa.color_slope * float(kappa_here - kappa.anchor);
+    vec3 back = kappa.color + kappa.color_slope * float(kappa_end - kappa.anchor);
+    float f = 1.0;
+    if (a + b > 2.0 * kThin)
+      f = 2.0 * kThin / (b + sqrt(max(b * b + 2.0 * kThin * (a - b), 0.0)));
+    float end = b + (a - b) * f;
+    Weights weights = weights_of(b * f, end * f);
+    vec3 tip = f < 1.0 ? front + (back - front) * f : back;
+    vec3 shine = front * weights.front + tip * weights.back;
+#if EMISSION
+    shine *= length * f;
+    alpha += behind * (1.0 - weights.root * weights.root);
+#else
+    alpha += behind * (weights.front + weights.back);
+#endif
+    sum += behind * shine;
+    behind *= weights.root * weights.root;
+    share = f < 1.0 ? share + (until - share) * real(f) : until;
+    if (share >= real(1) || behind < 1e-12) break;
+    advance(w, share);
+#if SEPARATE
+    advance(c, share);
+#endif
+  }
+  light = vec4(sum, alpha);
+}
+)";
+
+}  // namespace
+
+std::string exact_fragment_source(const ExactVariant& variant, const DrawnScene& scene) {
+  return "#version 450 core\n" + defines_of(variant) +
+         (variant.fine ? "#define real double\n" : "#define real float\n") +
+         (scene.optics.emission ? "#define EMISSION 1\n" : "#define EMISSION 0\n") +
+         "#define EXTINCTION " + std::to_string(scene.extinction) + "\n#define COLOR " +
+         std::to_string(scene.color) + "\n" + kMeet + exact_integral_source() +
+         transfer_source(variant, scene) + kWalk + kMain;
+}
+
+}  // namespace hiac::preview

@@ -1,0 +1,153 @@
+#include "hiac/preview/exact_painter.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "hiac/base/parallel.hpp"
+
+namespace hiac::preview {
+namespace {
+
+// Cells whose records are made, and drawn, at a time: more only costs memory.
+constexpr std::size_t kMostCells = std::size_t{1} << 16;
+constexpr GLuint kGroup = 64;  // invocations, as the compute shader says
+
+struct DeviceNode {
+  double x, y, depth;
+  double projected;  // 1; 0: the other three are its camera coordinates
+};
+
+VertexArrayName empty_layout(GLuint indices) {
+  GLuint name = 0;
+  glCreateVertexArrays(1, &name);
+  glVertexArrayElementBuffer(name, indices);
+  return VertexArrayName(name);
+}
+
+double finite(double t) { return std::clamp(t, -1e300, 1e300); }
+
+GLint place_of(const ProgramName& program, const char* uniform) {
+  return glGetUniformLocation(program.get(), uniform);
+}
+
+void require_room(const Context& context, std::size_t bytes, const char* what) {
+  if (bytes > context.limits().storage_block_bytes)
+    throw DriverError(
+        fmt::format("{}: {} need {} bytes in one buffer, and the driver has {} at "
+                    "most",
+                    context.device().name, what, bytes, context.limits().storage_block_bytes));
+}
+
+void set_part(const ProgramName& program, const PixelRect& part) {
+  glProgramUniform4i(program.get(), place_of(program, "part"), static_cast<GLint>(part.x),
+                     static_cast<GLint>(part.y), static_cast<GLint>(part.width),
+                     static_cast<GLint>(part.height));
+}
+
+std::vector<DeviceNode> device_nodes(const ZooMesh& mesh, const Projector& projector) {
+  std::vector<DeviceNode> nodes(mesh.node_count());
+  parallel_for(nodes.size(), std::size_t{1} << 12, [&](IndexRange range) {
+    for (std::size_t i = range.begin; i < range.end; ++i) {
+      const auto position = mesh.position(static_cast<NodeId>(i));
+      ProjectedNode node;
+      if (projector.project(position, node)) {
+        nodes[i] = {node.x, node.y, node.depth, 1};
+      } else {
+        const auto [right, up, forward] = projector.camera_coordinates(position);
+        nodes[i] = {right, up, forward, 0};
+      }
+    }
+  });
+  return nodes;
+}
+
+}  // namespace
+
+ExactPainter::ExactPainter(const Context& context, const ZooMesh& mesh, const DrawnScene& scene,
+                           bool fine)
+    : context_(context), mesh_(mesh), scene_(scene), layout_(empty_layout(indices_.get())) {
+  variant_.fine = fine;
+  variant_.fields = scene.fields.size();
+  std::vector<double> values;
+  for (const DrawnField& field : scene.fields) {
+    field_layouts_.push_back(static_cast<std::uint32_t>(values.size()));
+    field_layouts_.push_back(static_cast<std::uint32_t>(field.location));
+    values.insert(values.end(), field.values.begin(), field.values.end());
+  }
+  require_room(context, values.size() * sizeof(double), "the fields");
+  require_room(context, mesh.node_count() * sizeof(DeviceNode), "the nodes");
+  values_.set(std::span<const double>(values));
+  const std::size_t record = variant_.record() * 4 * sizeof(float);
+  chunk_ = std::min(kMostCells, context.limits().storage_block_bytes / record);
+  chunk_ = std::max<std::size_t>(std::min(chunk_, mesh.cell_count()), 1);
+  records_.reserve(chunk_ * record);
+  std::vector<std::uint32_t> indices;
+  for (std::uint32_t cell = 0; cell < chunk_; ++cell)
+    for (const std::uint32_t k : {0U, 1U, 2U, 0U, 2U, 3U}) indices.push_back(4 * cell + k);
+  indices_.set(std::span<const std::uint32_t>(indices));
+  context.check("copying the mesh to the device");
+}
+
+void ExactPainter::compile() {
+  if (compiled_ == variant_) return;
+  setup_ = compute_program(exact_setup_source(variant_));
+  program_ = draw_program(exact_vertex_source(variant_), exact_fragment_source(variant_, scene_));
+  compiled_ = variant_;
+}
+
+void ExactPainter::set_view(const Projector& projector) {
+  const std::vector<DeviceNode> nodes = device_nodes(mesh_, projector);
+  nodes_.set(std::span<const DeviceNode>(nodes));
+  variant_.perspective = projector.perspective();
+  variant_.near =
+      std::ranges::any_of(nodes, [](const DeviceNode& node) { return node.projected == 0; });
+  const double nearest = variant_.perspective ? 0.0 : -HUGE_VAL;
+  variant_.clipped = projector.near() > nearest || projector.far() < HUGE_VAL;
+  compile();
+  const Projector::Axes axes = projector.axes();
+  const double scale = projector.pixels_per_unit();
+  glProgramUniform3d(setup_.get(), place_of(setup_, "center"), axes.center_x, axes.center_y, scale);
+  glProgramUniform2d(setup_.get(), place_of(setup_, "slab"), finite(projector.near()),
+                     finite(projector.far()));
+  glProgramUniform2uiv(setup_.get(), place_of(setup_, "layouts"),
+                       static_cast<GLsizei>(variant_.fields), field_layouts_.data());
+  glProgramUniform4f(program_.get(), place_of(program_, "rays"), static_cast<float>(axes.center_x),
+                     static_cast<float>(axes.center_y), static_cast<float>(1 / scale), 0);
+  context_.check("setting the view");
+}
+
+void ExactPainter::draw(const PixelRect& part, std::span<const CellId> back_to_front) {
+  set_part(setup_, part);
+  set_part(program_, part);
+  glBindVertexArray(layout_.get());
+  glProvokingVertex(GL_FIRST_VERTEX_CONVENTION);
+  for (std::size_t first = 0; first < back_to_front.size(); first += chunk_)
+    draw_chunk(back_to_front.subspan(first, std::min(chunk_, back_to_front.size() - first)));
+  context_.check("drawing cells");
+}
+
+void ExactPainter::draw_chunk(std::span<const CellId> cells) {
+  chunk_corners_.resize(4 * cells.size());
+  parallel_for(cells.size(), std::size_t{1} << 12, [&](IndexRange range) {
+    for (std::size_t i = range.begin; i < range.end; ++i)
+      std::ranges::copy(mesh_.cell_nodes(cells[i]), &chunk_corners_[4 * i]);
+  });
+  corners_.set(std::span<const NodeId>(chunk_corners_));
+  numbers_.set(cells);
+  const std::array<GLuint, 5> buffers{nodes_.get(), corners_.get(), numbers_.get(), values_.get(),
+                                      records_.get()};
+  for (GLuint k = 0; k < buffers.size(); ++k)
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, k, buffers[k]);
+  const auto count = static_cast<GLuint>(cells.size());
+  glProgramUniform1ui(setup_.get(), place_of(setup_, "cell_count"), count);
+  glUseProgram(setup_.get());
+  glDispatchCompute((count + kGroup - 1) / kGroup, 1, 1);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  glUseProgram(program_.get());
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(6 * count), GL_UNSIGNED_INT, nullptr);
+}
+
+}  // namespace hiac::preview

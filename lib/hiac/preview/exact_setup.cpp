@@ -1,0 +1,363 @@
+#include "hiac/preview/exact_shaders.hpp"
+
+namespace hiac::preview {
+
+// One invocation a cell, in double precision: where rays enter and leave it, as planes over the
+// screen, its fields, and the outline to rasterise. Corners are taken by ascending number of their
+// nodes, so that the cells on both sides of a face compute and decide alike what belongs to it.
+//
+// Places on the screen count from the centre of the cell's anchor pixel, (X, Y); places along the
+// ray by d: orthographic d = t - t_ref, perspective d = 1 - t_ref / t, both affine over the screen
+// on every plane. Fields times t_ref / t, that is 1 - d, are affine in (X, Y, d) in perspective.
+std::string exact_setup_source(const ExactVariant& variant) {
+  return "#version 450 core\n" + defines_of(variant) + R"(
+layout(local_size_x = 64) in;
+layout(std430, binding = 0) readonly buffer Nodes { dvec4 nodes[]; };
+layout(std430, binding = 1) readonly buffer Cells { uvec4 cells[]; };
+layout(std430, binding = 2) readonly buffer Numbers { uint numbers[]; };
+layout(std430, binding = 3) readonly buffer Values { double values[]; };
+layout(std430, binding = 4) writeonly buffer Records { vec4 records[]; };
+uniform uint cell_count;
+uniform uvec2 layouts[FIELDS];  // of a field: where its values begin; 0 by node, 1 by cell, 2 by corner
+uniform dvec3 center;           // center_x, center_y, pixels per unit (Projector::Axes)
+uniform dvec2 slab;             // near, far (ray parameter)
+uniform ivec4 part;             // corner and size
+
+const int kEntered = 0, kLeft = 1, kBeside = 2;
+const double kThinnest = 1.0lf / 8192.0lf;       // pixels: faces narrower than this are edge-on
+const double kOnLine = 1.0lf / 268435456.0lf;    // pixels: what counts as lying on a line
+const float kGrow = 0.01;                        // pixels: a rasteriser snaps to 1/256
+const float kFar = 4096.0;                       // pixels from the anchor
+
+// the corners of the face without corner k, ascending, and the sign of lambda_k to its area
+const ivec3 kFace[4] = ivec3[](ivec3(1, 2, 3), ivec3(0, 2, 3), ivec3(0, 1, 3), ivec3(0, 1, 2));
+const double kTurn[4] = double[](-1.0lf, 1.0lf, -1.0lf, 1.0lf);
+
+uint id[4];
+uint entry[4];  // the corner's number in the cell
+dvec3 screen[4];
+bool seen[4];
+bool whole;
+dvec3 camera[4];  // right, up, forward
+dvec2 at[4];      // (X, Y)
+double along[4];  // d
+double area[4];   // twice, of the face without corner k; canonical sign
+double lambda[4];
+double thickness;
+double t_ref;
+ivec2 anchor;
+
+void put_in_order(int i, int j) {
+  if (id[i] <= id[j]) return;
+  uint a = id[i], b = entry[i];
+  id[i] = id[j];
+  entry[i] = entry[j];
+  id[j] = a;
+  entry[j] = b;
+}
+
+double area_of(dvec2 a, dvec2 b, dvec2 c) {
+  precise double twice = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+  return twice;
+}
+
+bool is_thin(ivec3 f, double twice) {
+  dvec2 one = abs(screen[f.y].xy - screen[f.x].xy), two = abs(screen[f.z].xy - screen[f.x].xy);
+  double longest = max(max(one.x, one.y), max(two.x, two.y));
+  return !(abs(twice) > kThinnest * longest);
+}
+
+// A line seen edge-on as (c, gx, gy) in pixels, positive where the corner k is. What lies on it is
+// on the side to the right, or below where it is horizontal: as if pixels were sampled an
+// infinitesimal amount right of their centres, and infinitely less below.
+dvec3 side_of(dvec2 normal, double c, bool inside_is_positive) {
+  if (!inside_is_positive) {
+    normal = -normal;
+    c = -c;
+  }
+  bool on = abs(normal.x) > 1e-6lf ? normal.x > 0.0lf : normal.y > 0.0lf;
+  return dvec3(c + (on ? kOnLine : -kOnLine), normal);
+}
+
+dvec3 line_of(ivec3 f, int k) {
+  dvec2 a = screen[f.x].xy, b = screen[f.y].xy, c = screen[f.z].xy;
+  dvec2 ab = b - a, ac = c - a, bc = c - b;
+  precise double l_ab = dot(ab, ab), l_ac = dot(ac, ac), l_bc = dot(bc, bc);
+  dvec2 run = ab;
+  int base = f.x;
+  double l = l_ab;
+  if (l_ac > l) {
+    run = ac;
+    l = l_ac;
+  }
+  if (l_bc > l) {
+    run = bc;
+    base = f.y;
+    l = l_bc;
+  }
+  dvec2 normal = dvec2(-run.y, run.x) / sqrt(l), on = screen[base].xy;
+  double off = dot(normal, screen[k].xy - on);
+#if NEAR
+  if (!seen[k]) {  // no place on the screen: the side of the plane through the line and the eye
+    dvec3 p = camera[k];
+    off = dot(normal, dvec2(center.z * p.x + (center.x - on.x) * p.z,
+                            (center.y - on.y) * p.z - center.z * p.y));
+  }
+#endif
+  return side_of(normal, -dot(normal, at[base]), off > 0.0lf);
+}
+
+dvec3 plane_of(ivec3 f, double twice) {
+  dvec2 one = screen[f.y].xy - screen[f.x].xy, two = screen[f.z].xy - screen[f.x].xy;
+  double d1 = along[f.y] - along[f.x], d2 = along[f.z] - along[f.x];
+  dvec2 g = dvec2(d1 * two.y - d2 * one.y, d2 * one.x - d1 * two.x) / twice;
+  return dvec3(along[f.x] - dot(g, at[f.x]), g);
+}
+
+#if NEAR
+// The same from camera coordinates, for faces with corners beside or behind the eye. n.P + c >= 0
+// in the cell; on rays P = t (slopes, 1).
+dvec3 camera_face(ivec3 f, int k, out int kind) {
+  dvec3 n = cross(camera[f.y] - camera[f.x], camera[f.z] - camera[f.x]);
+  double c = -dot(n, camera[f.x]);
+  if (dot(n, camera[k]) + c < 0.0lf) {
+    n = -n;
+    c = -c;
+  }
+  dvec2 slopes = dvec2(anchor) + 0.5lf - center.xy;  // at the anchor, times pixels per unit
+  dvec3 rate = dvec3(n.z + (n.x * slopes.x - n.y * slopes.y) / center.z, n.x / center.z,
+                     -n.y / center.z);
+  double size = length(n) * length(camera[f.x]);
+  if (abs(c) <= 1e-13lf * size) {  // the eye is in the face's plane
+    kind = kBeside;
+    double l = length(rate.yz);
+    return l > 0.0lf ? side_of(rate.yz / l, rate.x / l, true) : dvec3(1.0lf, 0.0lf, 0.0lf);
+  }
+  kind = c > 0.0lf ? kLeft : kEntered;
+  dvec3 plane = rate * (t_ref / c);
+  return dvec3(plane.x + 1.0lf, plane.yz);
+}
+
+bool is_entered_near(ivec3 f, int k) {
+  dvec3 n = cross(camera[f.y] - camera[f.x], camera[f.z] - camera[f.x]);
+  double c = -dot(n, camera[f.x]);
+  return dot(n, camera[k]) + c < 0.0lf ? c > 0.0lf : c < 0.0lf;
+}
+#endif
+
+void load(uint i) {
+  uvec4 c = cells[i];
+  for (int k = 0; k < 4; ++k) {
+    id[k] = c[k];
+    entry[k] = uint(k);
+  }
+  put_in_order(0, 1);
+  put_in_order(2, 3);
+  put_in_order(0, 2);
+  put_in_order(1, 3);
+  put_in_order(1, 2);
+  whole = true;
+  for (int k = 0; k < 4; ++k) {
+    dvec4 n = nodes[id[k]];
+    seen[k] = n.w != 0.0lf;
+    screen[k] = n.xyz;
+    whole = whole && seen[k];
+  }
+}
+
+// Reference, anchor and places; false when the cell is behind the eye.
+bool place() {
+  for (int k = 0; k < 4; ++k) {
+    camera[k] = screen[k];
+    if (!seen[k]) continue;
+    dvec2 slopes = dvec2(screen[k].x - center.x, center.y - screen[k].y) / center.z;
+#if PERSPECTIVE
+    camera[k] = dvec3(slopes, 1.0lf) * (-1.0lf / screen[k].z);
+#else
+    camera[k] = dvec3(slopes, screen[k].z);
+#endif
+  }
+  dvec3 middle = (screen[0] + screen[1] + screen[2] + screen[3]) * 0.25lf;
+  anchor = ivec2(floor(whole ? middle.xy : center.xy));
+  t_ref = whole ? middle.z : 0.0lf;
+#if PERSPECTIVE
+  t_ref = whole ? -1.0lf / middle.z
+                : max(max(camera[0].z, camera[1].z), max(camera[2].z, camera[3].z));
+  if (!(t_ref > 0.0lf)) return false;
+#endif
+  dvec2 zero = dvec2(anchor) + 0.5lf;
+  for (int k = 0; k < 4; ++k) {
+    at[k] = screen[k].xy - zero;
+#if PERSPECTIVE
+    along[k] = whole ? (screen[k].z - middle.z) * t_ref : 1.0lf + screen[k].z * t_ref;
+#else
+    along[k] = screen[k].z - t_ref;
+#endif
+  }
+  return true;
+}
+
+void measure() {
+  thickness = 0.0lf;
+  for (int k = 0; k < 4; ++k) {
+    ivec3 f = kFace[k];
+    area[k] = area_of(screen[f.x].xy, screen[f.y].xy, screen[f.z].xy);
+    lambda[k] = kTurn[k] * area[k];
+  }
+  for (int k = 1; k < 4; ++k) thickness += lambda[k] * (along[k] - along[0]);
+}
+
+// Planes and lines; their kinds. False when no ray meets the cell.
+bool bound(out dvec3 plane[4], out int kind[4]) {
+  bool any = false;
+  for (int k = 0; k < 4; ++k) {
+    ivec3 f = kFace[k];
+    bool projected = seen[f.x] && seen[f.y] && seen[f.z];
+#if NEAR
+    if (!projected) {
+      plane[k] = camera_face(f, k, kind[k]);
+    } else
+#endif
+        if (is_thin(f, area[k])) {
+      kind[k] = kBeside;
+      plane[k] = line_of(f, k);
+    } else {
+      bool entered = (lambda[k] > 0.0lf) == (thickness > 0.0lf);
+#if NEAR
+      if (!whole) entered = is_entered_near(f, k);
+#endif
+      kind[k] = entered ? kEntered : kLeft;
+      plane[k] = plane_of(f, area[k]);
+    }
+    any = any || kind[k] == kLeft;
+  }
+  return any && !(whole && thickness == 0.0lf);
+}
+
+double value_of(int field, uint i, int k) {
+  uvec2 l = layouts[field];
+  uint number = numbers[i];
+  uint index = l.y == 0u ? id[k] : (l.y == 1u ? number : 4u * number + entry[k]);
+  return values[l.x + index];
+}
+
+// A field as (q0, qx, qy, qd).
+dvec4 field_of(double v[4]) {
+#if NEAR
+  if (!whole) {
+    dvec3 e1 = camera[1] - camera[0], e2 = camera[2] - camera[0], e3 = camera[3] - camera[0];
+    dvec3 n1 = cross(e2, e3), n2 = cross(e3, e1), n3 = cross(e1, e2);
+    dvec3 a = ((v[1] - v[0]) * n1 + (v[2] - v[0]) * n2 + (v[3] - v[0]) * n3) / dot(e1, n1);
+    double rest = v[0] - dot(a, camera[0]);
+    dvec2 slopes = dvec2(anchor) + 0.5lf - center.xy;
+    dvec3 rate = dvec3(a.z + (a.x * slopes.x - a.y * slopes.y) / center.z, a.x / center.z,
+                       -a.y / center.z) * t_ref;
+    return dvec4(rate.x + rest, rate.yz, -rest);
+  }
+#endif
+  double q[4];
+  for (int k = 0; k < 4; ++k) {
+#if PERSPECTIVE
+    q[k] = v[k] * (1.0lf - along[k]);
+#else
+    q[k] = v[k];
+#endif
+  }
+  double sum = 0.0lf;
+  for (int k = 1; k < 4; ++k) sum += lambda[k] * (q[k] - q[0]);
+  double qd = sum / thickness;
+  ivec3 f = kFace[0];
+  double twice = area[0];
+  for (int k = 1; k < 4; ++k)
+    if (abs(area[k]) > abs(twice)) {
+      f = kFace[k];
+      twice = area[k];
+    }
+  double r0 = q[f.x] - qd * along[f.x];
+  double r1 = q[f.y] - qd * along[f.y] - r0, r2 = q[f.z] - qd * along[f.z] - r0;
+  dvec2 one = at[f.y] - at[f.x], two = at[f.z] - at[f.x];
+  dvec2 g = dvec2(r1 * two.y - r2 * one.y, r2 * one.x - r1 * two.x) / twice;
+  return dvec4(r0 - dot(g, at[f.x]), g, qd);
+}
+
+// A number in two of single precision. The first is a whole multiple of `grain`: sums of such
+// multiples of pixels are exact.
+vec2 split(double v, float grain) {
+  double high = round(v / double(grain)) * double(grain);
+  return vec2(float(high), float(v - high));
+}
+
+float grain_of(dvec3 plane, double reach) {
+  double most = max(abs(plane.x), reach * max(abs(plane.y), abs(plane.z)));
+  int e = clamp(int(ceil(log2(float(most)))) + 1, -80, 120);
+  return uintBitsToFloat(uint(e - 22 + 127) << 23);
+}
+)" + exact_outline_source() +
+         R"(
+void main() {
+  uint i = gl_GlobalInvocationID.x;
+  if (i >= cell_count) return;
+  uint base = i * uint(RECORD);
+  vec2 outline[4] = vec2[](vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0));
+  load(i);
+  dvec3 plane[4];
+  int kind[4];
+  bool drawn = place();
+  if (drawn) {
+    measure();
+    drawn = bound(plane, kind) && outline_of(outline);
+  }
+  records[base] = vec4(outline[0], outline[1]);
+  records[base + 1u] = vec4(outline[2], outline[3]);
+  if (!drawn) {
+    for (int k = 2; k < RECORD; ++k) records[base + uint(k)] = vec4(0.0);
+    return;
+  }
+  double reach = reach_of();
+  vec4 high[3], low[3];
+  int kinds = 0, slot = 0;
+  int power[4] = int[](9, 1, 3, 0);
+  for (int wanted = 0; wanted < 3; ++wanted)
+    for (int k = 0; k < 4; ++k) {
+      int order = wanted == 0 ? kEntered : (wanted == 1 ? kBeside : kLeft);
+      if (kind[k] != order) continue;
+      dvec3 p = order == kLeft ? -plane[k] : plane[k];
+      float grain = grain_of(p, reach);
+      for (int c = 0; c < 3; ++c) {
+        vec2 both = split(p[c], grain);
+        high[c][slot] = both.x;
+        low[c][slot] = both.y;
+      }
+      kinds += power[slot] * order;
+      ++slot;
+    }
+  records[base + 2u] = vec4(vec2(anchor), float(t_ref), float(kinds));
+  for (int c = 0; c < 3; ++c) {
+    records[base + 4u + uint(c)] = high[c];
+    records[base + 7u + uint(c)] = low[c];
+  }
+#if PERSPECTIVE
+  vec2 clip = vec2(slab.x > 0.0lf ? 1.0lf - t_ref / slab.x : -1e9lf, 1.0lf - t_ref / slab.y);
+#else
+  vec2 clip = vec2(slab - t_ref);
+#endif
+  for (int f = 0; f < FIELDS; ++f) {
+    double v[4];
+    for (int k = 0; k < 4; ++k) v[k] = value_of(f, i, k);
+    vec2 range = vec2(min(min(v[0], v[1]), min(v[2], v[3])), max(max(v[0], v[1]), max(v[2], v[3])));
+    dvec4 q = field_of(v);
+    uint to = base + uint(FIELD_AT(f));
+    records[to] = vec4(q);
+    if (f == 0)
+      records[base + 3u] = vec4(clip, range);
+    else
+      records[to + (DOUBLE == 1 ? 2u : 1u)] = vec4(range, 0.0, 0.0);
+#if DOUBLE
+    records[to + 1u] = vec4(q - dvec4(vec4(q)));
+#endif
+  }
+}
+)";
+}
+
+}  // namespace hiac::preview

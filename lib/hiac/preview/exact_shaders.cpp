@@ -1,0 +1,71 @@
+#include "hiac/preview/exact_shaders.hpp"
+
+#include <fmt/format.h>
+
+namespace hiac::preview {
+
+std::string defines_of(const ExactVariant& variant) {
+  return fmt::format(
+      "#define PERSPECTIVE {}\n#define NEAR {}\n#define CLIPPED {}\n#define DOUBLE {}\n"
+      "#define FIELDS {}\n#define RECORD {}\n"
+      "#define FIELD_AT(f) (10 + (f) * (DOUBLE == 1 ? 3 : 2) - ((f) > 0 ? 1 : 0))\n",
+      static_cast<int>(variant.perspective), static_cast<int>(variant.near),
+      static_cast<int>(variant.clipped || variant.near), static_cast<int>(variant.fine),
+      variant.fields, variant.record());
+}
+
+// Four vertices a cell. The first one's data are those of both triangles (0, 1, 2) and (0, 2, 3).
+std::string exact_vertex_source(const ExactVariant& variant) {
+  return "#version 450 core\n" + defines_of(variant) + R"(
+layout(std430, binding = 4) readonly buffer Records { vec4 records[]; };
+uniform ivec4 part;  // corner and size
+flat out vec4 data[RECORD - 2];
+
+void main() {
+  int base = (gl_VertexID >> 2) * RECORD;
+  vec4 two = records[base + ((gl_VertexID >> 1) & 1)];
+  vec2 at = (gl_VertexID & 1) == 0 ? two.xy : two.zw;
+  for (int k = 2; k < RECORD; ++k) data[k - 2] = records[base + k];
+  vec2 corner = vec2(part.xy) - 0.5;
+  gl_Position = vec4((at + (data[0].xy - corner)) / vec2(part.zw) * 2.0 - 1.0, 0.0, 1.0);
+}
+)";
+}
+
+// Pieces of at most half an optical depth: then no term of the series that is left out matters in
+// single precision, and none of the brackets cancels (linear_piece_series.hpp has the derivation).
+std::string exact_integral_source() {
+  return R"(
+const float kThin = 0.5;
+
+struct Weights {
+  float root;  // of the transparency
+  float front, back;
+};
+
+float series_rho(float d, float q) {
+  return 1.0 / 3.0 + q * (1.0 / 30.0 + q * (1.0 / 840.0)) +
+         d * (1.0 / 15.0 + q * (1.0 / 210.0 + q * (1.0 / 7560.0)) +
+              d * (1.0 / 105.0 + q * (1.0 / 1890.0) +
+                   d * (1.0 / 945.0 + q * (1.0 / 20790.0) + d * (1.0 / 10395.0))));
+}
+
+// Of a piece whose densities are b at the front and a at the back, (a + b) / 2 <= kThin.
+Weights weights_of(float b, float a) {
+  float s = 0.25 * (a + b), d = 0.25 * (a - b), q = s * s;
+  float h = 1.0 - s * (1.0 - s * (0.5 - s * (1.0 / 6.0 - s * (1.0 / 24.0 -
+            s * (1.0 / 120.0 - s * (1.0 / 720.0))))));
+  float sinhc = 1.0 + q * (1.0 / 6.0 + q * (1.0 / 120.0 + q * (1.0 / 5040.0)));
+  float rho = series_rho(d, q);
+#if EMISSION
+  return Weights(h, 0.5 * h * (sinhc + 0.5 * a * rho), 0.5 * h * (sinhc - 0.5 * b * rho));
+#else
+  float kappa = 1.0 / 3.0 + q * (1.0 / 30.0 + q * (1.0 / 840.0));
+  float even = s * sinhc, odd = q * kappa - d * rho;
+  return Weights(h, h * (even + odd), h * (even - odd));
+#endif
+}
+)";
+}
+
+}  // namespace hiac::preview

@@ -1,0 +1,314 @@
+// hiac-preview: a picture of a mesh by graphics hardware. hiac-render --engine preview runs it.
+
+#include <algorithm>
+#include <array>
+#include <future>
+#include <iostream>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "hiac/base/error.hpp"
+#include "hiac/base/seconds.hpp"
+#include "hiac/frame/crop.hpp"
+#include "hiac/frame/renderable.hpp"
+#include "hiac/image/image_io.hpp"
+#include "hiac/order/algorithm.hpp"
+#include "hiac/preview/context.hpp"
+#include "hiac/preview/preview.hpp"
+#include "hiac/scene/camera_path.hpp"
+#include "hiac/scene/scene_writer.hpp"
+#include "hiac/session/ordering.hpp"
+#include "hiac/tetrahedralize/subdivide_cells.hpp"
+#include "tools/common/frames.hpp"
+#include "tools/common/mesh_io.hpp"
+#include "tools/common/order_by.hpp"
+#include "tools/common/order_facts.hpp"
+#include "tools/common/picture_command.hpp"
+#include "tools/common/tool.hpp"
+#include "tools/common/version.hpp"
+
+namespace {
+
+using namespace hiac;
+using namespace hiac::tools;
+using preview::Context;
+using preview::Preview;
+using preview::PreviewStatistics;
+
+using Json = nlohmann::ordered_json;
+
+struct Options : PictureCommand {
+  std::string method = "exact", algorithm, device, precision = "single", crop;
+  unsigned levels = 2;
+  bool list_devices = false;
+};
+
+bool is_linear_tetrahedron(CellKind kind) { return kind == CellKind::tetrahedron4; }
+
+// The mesh that is drawn: linear tetrahedra, of the mesh's own cells where these are others.
+ZooMesh drawn_mesh(Tool& tool, const ZooMesh& mesh, unsigned levels) {
+  if (std::ranges::all_of(mesh.kinds, is_linear_tetrahedron)) return mesh;
+  const auto others = static_cast<std::size_t>(
+      std::ranges::count_if(mesh.kinds, [](CellKind k) { return !is_linear_tetrahedron(k); }));
+  const bool curved =
+      std::ranges::any_of(mesh.kinds, [](CellKind k) { return order_of(k) != CellOrder::linear; });
+  const unsigned halvings = curved ? levels : 0;
+  SubdividedMesh made = tool.timed("tetrahedralize", [&] {
+    return subdivide_cells(mesh, {.linearize = true, .levels = halvings});
+  });
+  tool.warn(fmt::format(
+      "{} of {} cells are no linear tetrahedra and are approximated: {} linear "
+      "tetrahedra are drawn, edges halved {} times{}",
+      others, mesh.cell_count(), made.mesh.cell_count(), halvings, curved ? " (--levels)" : ""));
+  tool.facts()["approximated_cells"] = others;
+  tool.facts()["levels"] = halvings;
+  return std::move(made.mesh);
+}
+
+// The orders of the frames of one mesh.
+class Orders {
+ public:
+  Orders(const ZooMesh& mesh, const Options& options, std::optional<GivenOrders> given)
+      : mesh_(mesh), given_(std::move(given)), ordering_(mesh, {}) {
+    if (!options.algorithm.empty()) algorithm_ = parse_algorithm(options.algorithm, "--algorithm");
+    overlap_ = options.overlap;
+    if (given_ && overlap_)
+      throw UsageError("--overlap: " + given_->subject +
+                       " already has an order (hiac-sort --overlap makes a new one)");
+  }
+
+  struct Made {
+    VisibilityOrder order;
+    double seconds = 0;
+  };
+
+  [[nodiscard]] Made of(const Scene& scene) {
+    const double start = seconds_now();
+    VisibilityOrder order = made(scene);
+    if (!skipped.empty()) order = without_cells(order, skipped);
+    return {std::move(order), seconds_now() - start};
+  }
+
+  std::vector<CellId> skipped;  // left out of all orders
+
+ private:
+  VisibilityOrder made(const Scene& scene) {
+    if (given_) return fitting_order(*given_, ordering_.mesh_hash(), mesh_, scene).order;
+    if (overlap_ && !looked_) ordering_.look_for_overlaps(scene.render.planarity);
+    looked_ = true;
+    const OrderBasis* basis = needs_basis(algorithm_) ? &ordering_.basis() : nullptr;
+    return order_by(algorithm_, {}, mesh_, basis, scene);
+  }
+
+  const ZooMesh& mesh_;
+  std::optional<GivenOrders> given_;
+  Ordering ordering_;
+  OrderAlgorithm algorithm_ = OrderAlgorithm::exact;
+  bool overlap_ = false, looked_ = false;
+};
+
+// Draws the frames of one scene.
+class Previewer {
+ public:
+  Previewer(Tool& tool, const Options& options, const Scene& scene, const ZooMesh& mesh,
+            Orders& orders)
+      : tool_(tool),
+        options_(options),
+        scene_(scene),
+        orders_(orders),
+        context_(options.device),
+        preview_(context_, mesh, scene, {.fine = options.precision == "double"}),
+        mesh_hash_(content_hash(mesh)) {
+    tool.facts()["device"] = context_.device().name;
+    tool.detail(
+        fmt::format("drawn by {} ({})", context_.device().name, context_.device().platform));
+    if (!options.crop.empty()) part_ = parse_crop(options.crop);
+  }
+
+  // The frames in order; the next one's order is made while one is drawn.
+  void draw(const std::vector<Scene>& frames, const std::vector<std::string>& paths) {
+    std::future<Orders::Made> next = order_of(frames.front());
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+      const Orders::Made made = next.get();
+      if (k + 1 < frames.size()) next = order_of(frames[k + 1]);
+      tool_.add_seconds("order", made.seconds);
+      Json facts = draw_one(frames[k], made.order, paths[k]);
+      if (!scene_.path) {
+        tool_.facts().update(facts);
+        return;
+      }
+      facts["file"] = paths[k];
+      tool_.facts()["frames"].push_back(std::move(facts));
+      tool_.frames().advance();
+    }
+  }
+
+ private:
+  std::future<Orders::Made> order_of(const Scene& frame) {
+    return std::async(std::launch::async, [this, &frame] { return orders_.of(frame); });
+  }
+
+  Json draw_one(const Scene& frame, const VisibilityOrder& order, const std::string& path) {
+    const preview::PreviewResult result =
+        preview_.draw(frame.camera, order, part_, !options_.no_background);
+    require_numbers(result.image);
+    const PreviewStatistics& s = result.statistics;
+    tool_.add_seconds("upload", s.upload_seconds);
+    tool_.add_seconds("regions", s.regions_seconds);
+    tool_.add_seconds("draw", s.draw_seconds);
+    tool_.add_seconds("read_back", s.read_seconds);
+    if (s.groups > 0)
+      tool_.warn(
+          fmt::format("{} cells are in {} visibility cycles and are drawn in the order of "
+                      "their centroids: the picture may be wrong there",
+                      s.cells_in_groups, s.groups));
+    tool_.timed("write", [&] {
+      write_image(path, result.image,
+                  {.linear = options_.linear,
+                   .background_included = !options_.no_background,
+                   .attributes = {{"Software", "hiac-preview " + version_text()},
+                                  {"hiac:mesh", mesh_hash_},
+                                  {"hiac:specification", to_toml(frame)}},
+                   .depth = options_.depth});
+    });
+    return {{"order", order_facts(order)}, {"parts", s.parts}};
+  }
+
+  Tool& tool_;
+  const Options& options_;
+  const Scene& scene_;
+  Orders& orders_;
+  Context context_;
+  Preview preview_;
+  std::string mesh_hash_;
+  std::optional<PixelRect> part_;
+};
+
+// Leaves out what cannot be drawn, or refuses it.
+std::vector<CellId> invalid_ones(Tool& tool, const Options& options, const ZooMesh& mesh,
+                                 const Scene& scene) {
+  if (!options.skip_invalid) {
+    try {
+      check_renderable(mesh, scene);
+    } catch (const InvalidCellError& error) {
+      throw InputError(fmt::format("{}; --skip-invalid leaves such cells out", error.what()));
+    }
+    return {};
+  }
+  check_renderable(mesh, scene, InvalidCells::skipped);
+  std::vector<CellId> skipped = invalid_cells(mesh, scene.render.planarity);
+  tool.facts()["skipped_cells"] = skipped.size();
+  if (!skipped.empty())
+    tool.warn(
+        fmt::format("{} of {} cells are partly turned inside out and are left out, the first "
+                    "is cell {}: the picture has holes there",
+                    skipped.size(), mesh.cell_count(), skipped.front()));
+  return skipped;
+}
+
+void note_what_is_not_drawn(Tool& tool, const Scene& scene) {
+  if (scene.render.integration != Integration::exact)
+    tool.note("render.integration is the accurate engine's: --method says how previews integrate");
+  if (scene.render.splat_below > 0)
+    tool.note("render.splat_below is the accurate engine's: previews splat no cells");
+}
+
+void draw(Tool& tool, Options options) {
+  if (options.view.empty()) throw UsageError("--view is required");
+  if (options.output.empty()) throw UsageError("--output is required");
+  require_known_image_extension(options.output, options.depth);
+  const ParsedScene parsed = specification_of(tool, options);
+  const Scene& scene = parsed.scene;
+  if (!options.crop.empty()) require_inside(parse_crop(options.crop), scene.image);
+  check_frame_options(options, scene);
+  note_what_is_not_drawn(tool, scene);
+  const ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
+  const ZooMesh mesh = drawn_mesh(tool, file.mesh, options.levels);
+  tool.facts()["cells"] = mesh.cell_count();
+  tool.facts()["method"] = options.method;
+  std::optional<GivenOrders> given = given_orders(options, file);
+  if (given && !std::ranges::all_of(file.mesh.kinds, is_linear_tetrahedron)) {
+    tool.note(given->subject +
+              ": the order is of other cells than the tetrahedra that are drawn, "
+              "whose order is made here");
+    given.reset();
+  }
+  Orders orders(mesh, options, std::move(given));
+  orders.skipped = invalid_ones(tool, options, mesh, scene);
+  std::vector<Scene> frames;
+  std::vector<std::string> paths;
+  for (const std::uint32_t frame : chosen_frames(scene, options.frame)) {
+    const bool numbered = options.all_frames || has_frame_number(options.output);
+    frames.push_back(scene_of_frame(scene, frame));
+    paths.push_back(scene.path && numbered ? frame_path(options.output, frame) : options.output);
+  }
+  if (scene.path) tool.frames().begin("frames", frames.size());
+  Previewer(tool, options, scene, mesh, orders).draw(frames, paths);
+}
+
+void print_devices(Tool& tool) {
+  const std::vector<preview::Device> devices = preview::list_devices();
+  tool.facts()["devices"] = Json::array();
+  for (std::size_t k = 0; k < devices.size(); ++k) {
+    tool.facts()["devices"].push_back(
+        {{"name", devices[k].name}, {"platform", devices[k].platform}});
+    if (tool.common().json != "-")
+      std::cout << fmt::format("{}  {} ({})\n", k, devices[k].name, devices[k].platform);
+  }
+  if (devices.empty()) const Context context;  // says what was tried
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Tool tool(
+      "hiac-preview",
+      "Makes a picture of a mesh by graphics hardware (OpenGL 4.5, no screen needed).",
+      "  hiac-preview part.zoo --view view.toml -o part.png\n"
+      "  hiac-preview part.zoo --view view.toml --algorithm centroid --size 2048x1536 -o part.exr\n"
+      "  hiac-preview part.zoo --view view.toml --precision double -o part.npy\n"
+      "  hiac-preview part.zoo --view turntable.toml --frames -o part-%04d.png\n"
+      "  hiac-preview --list-devices\n"
+      "  hiac-render part.zoo --view view.toml --engine preview -o part.png   # the same as "
+      "the first");
+  Options options;
+  auto& app = tool.app();
+  add_picture_command(app, options, "hiac-preview");
+  app.get_option("--view")->required(false);
+  app.add_option("--method", options.method,
+                 "exact: every ray is cut at the cells' faces and at breakpoints and integrated "
+                 "pixel by pixel")
+      ->check(CLI::IsMember({"exact"}))
+      ->capture_default_str()
+      ->type_name("METHOD");
+  auto* algorithm =
+      app.add_option("--algorithm", options.algorithm,
+                     "How to sort: exact, mpvo, centroid, stein or multitiled, as hiac-sort")
+          ->default_str("exact")
+          ->type_name("NAME");
+  for (const char* other : {"--order", "--overlap"}) algorithm->excludes(app.get_option(other));
+  app.add_option("--precision", options.precision,
+                 "Along rays: single, or double where the driver is slower and a picture has steps "
+                 "or thin shells; colours are added up in single precision")
+      ->check(CLI::IsMember({"single", "double"}))
+      ->capture_default_str()
+      ->type_name("NAME");
+  app.add_option("--levels", options.levels,
+                 "How often the edges of cells of higher order are halved for linear tetrahedra")
+      ->check(CLI::Range(0U, kMostSubdivisionLevels))
+      ->capture_default_str()
+      ->type_name("N");
+  app.add_option("--crop", options.crop, "Render only the W x H pixels from column X and row Y on")
+      ->type_name("X,Y,W,H");
+  app.add_option("--device", options.device,
+                 "The driver to draw with: its number, or a part of its name")
+      ->type_name("N|NAME");
+  app.add_flag("--list-devices", options.list_devices,
+               "Print the drivers that can be used, and draw nothing");
+  return tool.run(argc, argv,
+                  [&] { options.list_devices ? print_devices(tool) : draw(tool, options); });
+}
