@@ -10,7 +10,8 @@ namespace {
 
 using Matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-// The exponents of the Bernstein polynomials of a simplex, the last one for what is left to 1.
+// Exponents of a simplex's barycentric coordinates in a Bernstein polynomial. They add up to the
+// degree; entry 3 belongs to the coordinate that the others leave to 1.
 using Exponents = std::array<std::size_t, 4>;
 
 std::vector<Exponents> exponents_of(const BernsteinDomain::Factor& factor) {
@@ -30,7 +31,7 @@ long double power(long double x, std::size_t n) {
 
 long double factorial(std::size_t n) { return n < 2 ? 1 : n * factorial(n - 1); }
 
-// The value of one Bernstein polynomial at the point of other exponents.
+// The value of a Bernstein polynomial at the grid point `at` / degree.
 long double bernstein(const Exponents& e, const Exponents& at, std::size_t degree) {
   long double value = factorial(degree);
   for (std::size_t c = 0; c < 4; ++c)
@@ -46,7 +47,7 @@ BernsteinDomain::BernsteinDomain(std::span<const Factor> factors) : points_{{}} 
   for (const Factor& factor : factors) {
     const std::vector<Exponents> exponents = exponents_of(factor);
     const std::size_t n = exponents.size();
-    // Bernstein polynomials at their points: well conditioned
+    // the Bernstein polynomials at the grid points make a well conditioned matrix
     const auto size = static_cast<Eigen::Index>(n);
     Matrix matrix(size, size);
     for (std::size_t i = 0; i < n; ++i)
@@ -62,7 +63,7 @@ BernsteinDomain::BernsteinDomain(std::span<const Factor> factors) : points_{{}} 
       most = std::max(most, sum);
     }
     condition_ *= most;
-    // factors that come later run slower
+    // later factors have the larger stride
     std::vector<std::array<double, 3>> points;
     for (const Exponents& e : exponents)
       for (std::array<double, 3> point : points_) {

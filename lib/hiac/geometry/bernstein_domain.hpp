@@ -7,9 +7,9 @@
 
 namespace hiac {
 
-/// Bernstein coefficients of polynomials over a simplex or a product of simplices, from their
-/// values at evenly spaced points. The polynomial lies between the least and the largest
-/// coefficient, and at a corner it equals the corner's coefficient.
+/// Converts the values of polynomials over a simplex, or a product of simplices, at evenly spaced
+/// points into Bernstein coefficients. The polynomial lies between the least and the largest
+/// coefficient; at a corner it equals the corner's coefficient.
 class BernsteinDomain {
  public:
   /// One factor: a simplex of 1, 2 or 3 dimensions (a line, a triangle, a tetrahedron) with the
@@ -18,7 +18,7 @@ class BernsteinDomain {
     std::size_t dimensions, degree;
   };
 
-  /// At most three dimensions in all.
+  /// The factors have at most three dimensions in all.
   explicit BernsteinDomain(std::span<const Factor> factors);
 
   /// The points at which values are needed, in coordinates of the unit simplices, factor by factor.
@@ -28,13 +28,13 @@ class BernsteinDomain {
   /// Replaces the values at points() by the coefficients.
   void to_coefficients(std::span<double> values) const;
 
-  /// Bound of a coefficient's rounding error, relative to the largest rounding error of a value.
+  /// Bounds a coefficient's rounding error, relative to the largest rounding error of a value.
   [[nodiscard]] double condition() const { return condition_; }
 
  private:
   struct Block {
     std::size_t size;             // number of points
-    std::vector<double> inverse;  // rows: coefficients from values
+    std::vector<double> inverse;  // row i gives coefficient i from the values
   };
 
   std::vector<Block> blocks_;

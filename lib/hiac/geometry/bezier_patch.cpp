@@ -3,7 +3,7 @@
 namespace hiac {
 namespace {
 
-// Lagrange's polynomial of node i of `degree` + 1 evenly spaced ones on [0, 1].
+// Lagrange's polynomial of node i among `degree` + 1 evenly spaced nodes on [0, 1].
 double lagrange(std::size_t degree, std::size_t i, double u) {
   double product = 1;
   const auto n = static_cast<double>(degree), at = static_cast<double>(i);
@@ -12,8 +12,8 @@ double lagrange(std::size_t degree, std::size_t i, double u) {
   return product;
 }
 
-// The function of a triangle's node: of corners and edges in barycentric coordinates L, the centre
-// shared out where it is none.
+// The shape function of a triangle's node, in barycentric coordinates L. Without a centre node, the
+// centre's function is distributed over the corners and edge nodes.
 double on_triangle(const PatchShape& shape, std::size_t node, double u, double v) {
   const std::array<double, 3> l{1 - u - v, u, v};
   const double centre = shape.degree == 3 ? 27 * l[0] * l[1] * l[2] : 0;
@@ -32,8 +32,8 @@ double on_triangle(const PatchShape& shape, std::size_t node, double u, double v
   return 4.5 * a * b * (3 * (k == 0 ? a : b) - 1) + share / 4;
 }
 
-// Serendipity functions are those of Coons' patch: edges blended linearly, less what the corners
-// have twice.
+// The serendipity functions are those of Coons' patch: linear blends of opposite edges, minus the
+// bilinear interpolant of the corners, which both blends contain.
 double on_quadrilateral(const PatchShape& shape, std::size_t node, double u, double v) {
   const std::size_t n = shape.degree;
   if (node < 4) {
@@ -54,7 +54,7 @@ double on_quadrilateral(const PatchShape& shape, std::size_t node, double u, dou
   }
 }
 
-// Bernstein coefficients from values at evenly spaced places.
+// Matrices that give Bernstein coefficients from values at evenly spaced points, by degree.
 constexpr std::array<std::array<std::array<double, 4>, 4>, 3> kCoefficients{
     {{{{1, 0}, {0, 1}}},
      {{{1, 0, 0}, {-0.5, 2, -0.5}, {0, 0, 1}}},

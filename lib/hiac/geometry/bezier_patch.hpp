@@ -7,18 +7,20 @@
 
 namespace hiac {
 
-/// A face of a cell as a parametric surface: of degree 1, 2 or 3 along its edges, over the triangle
+/// A face of a cell as a parametric surface of degree 1, 2 or 3 along its edges, over the triangle
 /// 0 <= u, v; u + v <= 1 or over the unit square.
 ///
-/// Its nodes: corner 0 at (0, 0); of a triangle 1 at (1, 0) and 2 at (0, 1); of a quadrilateral 1
-/// at (1, 0), 2 at (1, 1), 3 at (0, 1). Then degree - 1 nodes on every edge, edge k from corner k
-/// to the next one; then the centre where there is one. The surface is the trace of the shape
-/// functions (shape_functions.hpp): P1, P2, P3 on triangles, the centre without a node being a
-/// quarter of the edges' minus a sixth of the corners'; bilinear and serendipity on quadrilaterals.
+/// Nodes: corner 0 is at (0, 0). A triangle's corners 1 and 2 are at (1, 0) and (0, 1); a
+/// quadrilateral's corners 1, 2 and 3 are at (1, 0), (1, 1) and (0, 1). After the corners come
+/// degree - 1 nodes on every edge, where edge k runs from corner k to the next one, then the centre
+/// node if there is one. The surface is the trace of the shape functions (shape_functions.hpp): P1,
+/// P2, P3 on triangles, bilinear or serendipity functions on quadrilaterals. A cubic triangle
+/// without a centre node has its centre at a quarter of the sum of its edge nodes minus a sixth of
+/// the sum of its corners.
 struct PatchShape {
   std::uint8_t degree = 1;
   bool triangle = false;
-  bool centre = false;  ///< whether there is a centre node: only in triangles of degree 3
+  bool centre = false;  ///< true if there is a centre node: only in triangles of degree 3
 
   [[nodiscard]] std::size_t corner_count() const { return triangle ? 3 : 4; }
   [[nodiscard]] std::size_t node_count() const {
@@ -33,16 +35,16 @@ struct PatchShape {
 inline constexpr std::size_t kMostPatchNodes = 12, kMostPatchControls = 16;
 
 /// Weights of a patch's nodes in its control points, weights[control][node]. The control points are
-/// those of the tensor product Bernstein form over the unit square, also for triangles, which are
-/// a half of it; control i + (degree + 1) j belongs to B_i(u) B_j(v).
+/// those of the tensor product Bernstein form over the unit square, for triangles too, which are
+/// one half of it; control i + (degree + 1) j belongs to B_i(u) B_j(v).
 using PatchWeights = std::array<std::array<double, kMostPatchNodes>, kMostPatchControls>;
 const PatchWeights& patch_weights(const PatchShape& shape);
 
-/// A net of control points, or of one of their coordinates: by type.
+/// A net of control points, or of one coordinate of them, as Value says.
 template <typename Value>
 using PatchNet = std::array<Value, kMostPatchControls>;
 
-/// One coordinate of the control points, from the same coordinate of the nodes.
+/// Computes one coordinate of the control points from the same coordinate of the nodes.
 inline void patch_net(const PatchShape& shape, std::span<const double> nodes,
                       PatchNet<double>& net) {
   const PatchWeights& weights = patch_weights(shape);
@@ -52,7 +54,7 @@ inline void patch_net(const PatchShape& shape, std::span<const double> nodes,
   }
 }
 
-/// Bernstein polynomials of degree 1, 2 or 3 and their derivatives at a number.
+/// The Bernstein polynomials of degree 1, 2 or 3 and their derivatives at u.
 struct BernsteinValues {
   std::array<double, 4> value, derivative;
 
@@ -71,7 +73,7 @@ struct BernsteinValues {
   }
 };
 
-/// A coordinate at (u, v), with its derivatives.
+/// The value of one coordinate at (u, v), with its derivatives.
 struct PatchValue {
   double value, by_u, by_v;
 };

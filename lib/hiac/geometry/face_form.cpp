@@ -16,8 +16,8 @@ std::size_t edge_between(CellKind kind, std::uint8_t a, std::uint8_t b) {
   return static_cast<std::size_t>(found - edges.begin());
 }
 
-// A face's corners, numbers of its cell's, in the order that its cells share: from the lowest node
-// on, towards the lower of its neighbours.
+// Returns a face's corners, as numbers within the cell, in an order that both cells share: from the
+// lowest node towards the lower of its two neighbours.
 std::array<std::uint8_t, 4> canonical_corners(const ShapeFace& face,
                                               std::span<const NodeId> nodes) {
   const std::size_t n = face.corner_count;
@@ -32,8 +32,8 @@ std::array<std::uint8_t, 4> canonical_corners(const ShapeFace& face,
   return corners;
 }
 
-// Whether |a| > scale |b|. A vector is up to sqrt(3) times as long as its largest component: that
-// mostly decides.
+// Returns whether |a| > scale |b|. A vector's length is between 1 and sqrt(3) times its largest
+// component, which mostly decides without a square root.
 bool is_longer(const Vector& a, double scale, const Vector& b) {
   const double least_a = largest(a), least_b = scale * largest(b);
   if (2 * least_a <= least_b) return false;
@@ -47,7 +47,7 @@ double quadrilateral_deviation(Point3 a, Point3 b, Point3 c, Point3 d) {
   const Vector n = cross(ac, bd);
   const double area = length(n), size = std::max(length(ac), length(bd));
   if (!(area > 0)) return 0;
-  // the diagonals' distance from one another: their common normal against an edge between them
+  // the diagonals' distance: the component of an edge between them along their common normal
   const double gap = std::abs(dot(n, ab)) / area;
   return gap / size;
 }
@@ -80,14 +80,15 @@ bool is_curved(const ZooMesh& mesh, const EdgeNodes& edge, double straightness) 
 
 namespace {
 
-// Whether a face's corners, n of them, lie in no plane.
+// Returns whether a face's n corners deviate from a plane.
 bool is_bent(const ZooMesh& mesh, std::span<const NodeId> nodes,
              const std::array<std::uint8_t, 4>& corners, std::size_t n, double straightness) {
   const auto at = [&](std::size_t k) { return mesh.position(nodes[corners[k]]); };
   return n == 4 && quadrilateral_deviation(at(0), at(1), at(2), at(3)) > straightness;
 }
 
-// Whether the centre node of a cubic tetrahedron's face is off the mean of the face's corners.
+// Returns whether the centre node of a cubic tetrahedron's face is off the mean of the face's
+// corners.
 bool is_centre_off(const ZooMesh& mesh, std::span<const NodeId> nodes,
                    const std::array<std::uint8_t, 4>& corners, std::size_t face,
                    double straightness) {

@@ -14,19 +14,19 @@ namespace {
 using Point = CellMap::Point;
 using Matrix = std::array<Point, 3>;  // rows
 
-// A corner this much of the cell's size off the affine map changes a field by as little as
-// rounding does.
+// A corner's deviation from the affine map, relative to the cell's size, that changes a field no
+// more than rounding does.
 constexpr double kAffineDeviation = 1e-14;
-// So does what rounding of a few coordinates takes it off, relative to the largest of them: corners
-// of small cells are no more exact than that.
+// The same for the rounding of corner coordinates, relative to the largest coordinate: corners of
+// small cells are no more exact than that.
 constexpr double kCornerRounding = 4 * std::numeric_limits<double>::epsilon();
 // Newton converges quadratically: after a step this short, relative to the distance over which the
-// Jacobian changes, the next would be below rounding.
+// Jacobian changes, the next step would be below rounding.
 constexpr double kLastStep = 1e-9;
 constexpr int kMostIterations = 12;
-// Residuals this much of the cell's size are rounding of the map itself.
+// Residuals up to this fraction of the cell's size are rounding errors of the map itself.
 constexpr double kResidualRounding = 16 * std::numeric_limits<double>::epsilon();
-// Less than this is not to be had.
+// Newton stops at this residual, relative to the cell's size; no smaller one can be reached.
 constexpr double kLeastResidual = std::numeric_limits<double>::epsilon() / 2;
 constexpr double kShortestContinuation = 0x1p-30;
 
@@ -44,7 +44,7 @@ Point times(const Matrix& rows, const Point& v) {
   return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
 }
 
-// Products of coordinates in a kind's shape functions, with their gradients.
+// The products of coordinates that a kind's shape functions contain, with their gradients.
 struct MixedTerms {
   std::size_t count = 0;
   std::array<double, 4> value;
@@ -56,11 +56,11 @@ struct MixedTerms {
   }
 };
 
-// a / b where both may vanish: any number between 0 and 1 will do then.
+// Returns a / b. Where both vanish, any number between 0 and 1 serves.
 double collapsed_quotient(double a, double b) { return b == 0 ? 0.5 : a / b; }
 
-// The linear kinds' functions of shape_functions.cpp in terms of 1, x, y, z (y, z alone for the
-// wedge) and these.
+// The products that, with 1, x, y and z (for the wedge 1, y and z), span the shape functions of the
+// linear kinds (shape_functions.cpp).
 MixedTerms mixed_terms(CellShape shape, const Point& xi) {
   const auto& [x, y, z] = xi;
   MixedTerms terms;
@@ -96,7 +96,7 @@ MixedTerms mixed_terms(CellShape shape, const Point& xi) {
   return terms;
 }
 
-// The corners that lie on the reference cell's x, y and z axis.
+// The corners that lie on the reference cell's x, y and z axes.
 std::array<std::size_t, 3> axis_corners(CellShape shape) {
   switch (shape) {
     case CellShape::tetrahedron:
@@ -111,8 +111,8 @@ std::array<std::size_t, 3> axis_corners(CellShape shape) {
   return {1, 3, 4};
 }
 
-// Over this distance the Jacobian changes: it depends on direction at a pyramid's apex and a
-// wedge's node 6.
+// The distance over which the Jacobian changes. At a pyramid's apex and at a wedge's node 6 it
+// depends on the direction of approach.
 double jacobian_scale(CellShape shape, const Point& xi) {
   if (shape == CellShape::pyramid) return std::abs(1 - xi[2]);
   if (shape == CellShape::wedge) return std::abs(2 - xi[1] - xi[2]);
@@ -140,15 +140,15 @@ bool near_reference_cell(CellShape shape, const Point& xi) {
   return false;
 }
 
-// Where a node that is no corner lies in cells with straight edges: the mean of some corners with
-// these weights, of which the first corner's is left out.
+// The place of a node between corners in a cell with straight edges, as weights of corners. The
+// weights add up to 1; the first corner's is omitted, as positions are relative to it.
 struct CornerShare {
   std::size_t corner;
   double weight;
 };
 using StraightPlace = std::vector<CornerShare>;
 
-// Of a kind's nodes behind the corners.
+// The places of a kind's nodes that are not corners.
 std::vector<StraightPlace> straight_places(CellKind kind) {
   const CellKind linear = kind_of(shape_of(kind), CellOrder::linear);
   const auto reference = reference_nodes(kind);
@@ -206,7 +206,7 @@ CellMap::CellMap(CellKind kind, std::span<const Point> nodes, double deviation, 
   const std::size_t corners = corner_count(kind_);
   for (std::size_t k = 0; k < corners; ++k)
     middle_ = middle_ + (1.0 / static_cast<double>(corners)) * reference[k];
-  // the corners on the axes make the affine map that the others may follow
+  // the corners on the axes define the affine map; the other nodes are compared with it
   const auto axis = axis_corners(shape_of(kind_));
   const auto on_axis = [&](std::size_t a) { return (1 / reference[axis[a]][a]) * nodes_[axis[a]]; };
   Jacobian jacobian{on_axis(0), on_axis(1), on_axis(2)};
@@ -254,7 +254,7 @@ void CellMap::set_terms() {
   }
 }
 
-// Relative to corner 0.
+// Position and Jacobian; the position is relative to corner 0.
 void CellMap::evaluate(const Point& xi, Point& position, Jacobian& jacobian) const {
   if (!straight()) return evaluate_curved(xi, position, jacobian);
   const MixedTerms terms = mixed_terms(shape_of(kind_), xi);
@@ -303,8 +303,8 @@ Point CellMap::reference(const Point& point, const Point& guess) const {
   return xi;
 }
 
-// Newton's iteration for a point relative to corner 0. False, and xi of no use, where it does not
-// converge.
+// Newton's iteration for a point relative to corner 0. Returns false, with a meaningless xi, if it
+// does not converge.
 bool CellMap::newton(const Point& point, Point& xi) const {
   double before = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < kMostIterations; ++iteration) {
@@ -325,8 +325,8 @@ bool CellMap::newton(const Point& point, Point& xi) const {
   return before <= kResidualRounding * size_;
 }
 
-// Continuation from the point of xi to a point relative to corner 0. False where it gets lost; xi
-// is then that of the last point that it came to.
+// Continuation from the point of xi to a point relative to corner 0. Returns false if it fails; xi
+// then belongs to the last point that it reached.
 bool CellMap::follow(const Point& point, Point& xi) const {
   const Point start = position(xi) - origin_;
   double reached = 0, step = 0.5;

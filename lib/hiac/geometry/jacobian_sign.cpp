@@ -14,19 +14,19 @@ namespace {
 using Factor = BernsteinDomain::Factor;
 using Point = std::array<double, 3>;
 
-// Parts of a cell that are looked at before it is given up.
+// The result is undecided after this many parts of a cell.
 constexpr std::size_t kMostParts = 4096;
 
-// The polynomial's domain: simplices and their products as they are; pyramids and wedges as the
-// bricks that they are collapsed from.
+// The polynomial's domain: simplices and their products are used as they are; pyramids and wedges
+// are collapsed from a brick, which is their domain.
 BernsteinDomain make_domain(CellKind kind) {
   const auto n = static_cast<std::size_t>(order_of(kind));
   switch (shape_of(kind)) {
     case CellShape::tetrahedron:
       return BernsteinDomain(std::array{Factor{3, 3 * n - 3}});
     case CellShape::prism:
-      // derivatives in the triangle are of degree n - 1 there, n along the prism; that along the
-      // prism is of degree n and n - 1
+      // the derivatives in the triangle are of degree n - 1 there and n along the prism; the
+      // derivative along the prism is of degree n in the triangle and n - 1 along the prism
       return BernsteinDomain(std::array{Factor{2, 3 * n - 2}, Factor{1, 3 * n - 1}});
     case CellShape::pyramid:
     case CellShape::wedge:
@@ -37,7 +37,8 @@ BernsteinDomain make_domain(CellKind kind) {
       std::array{Factor{1, 3 * n - 1}, Factor{1, 3 * n - 1}, Factor{1, 3 * n - 1}});
 }
 
-// The reference point of a point of the domain, and the determinant of that map.
+// The reference point that belongs to a point of the domain, and the determinant of the map from
+// the domain to the reference cell.
 struct ReferencePoint {
   Point xi;
   double factor;
@@ -56,7 +57,7 @@ ReferencePoint reference_point(CellShape shape, const Point& p) {
   return {p, 1};
 }
 
-// A part of the domain: the image of all of it under an affine map.
+// A part of the domain: the image of the whole domain under an affine map.
 struct Part {
   Point origin;
   std::array<Point, 3> axes;
@@ -67,7 +68,7 @@ struct Part {
       for (std::size_t a = 0; a < 3; ++a) q[c] += p[a] * axes[a][c];
     return q;
   }
-  // The part that a part of the whole domain becomes in this one.
+  // Composes the maps: the image of `child`, a part of the whole domain, in this part.
   [[nodiscard]] Part of(const Part& child) const {
     Part part{at(child.origin), {}};
     for (std::size_t a = 0; a < 3; ++a)
@@ -79,7 +80,7 @@ struct Part {
 
 constexpr Part kWhole{{0, 0, 0}, {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
 
-// The triangles that a triangle's middles of edges cut it in, by origin and axes.
+// The four triangles into which the midpoints of its edges divide a triangle.
 struct PlanePart {
   std::array<double, 2> origin, u, v;
 };
@@ -89,7 +90,8 @@ constexpr std::array<PlanePart, 4> kTriangleParts{{{{0, 0}, {0.5, 0}, {0, 0.5}},
                                                    {{0.5, 0.5}, {-0.5, 0}, {0, -0.5}}}};
 
 std::vector<Part> tetrahedron_parts() {
-  // corners, and the octahedron between them around one of its diagonals (J. Bey, 1995)
+  // one tetrahedron at each corner, and four around a diagonal of the octahedron that remains (J.
+  // Bey, 1995)
   const std::array<Point, 10> p{{{0, 0, 0},
                                  {1, 0, 0},
                                  {0, 1, 0},
@@ -134,12 +136,12 @@ std::vector<Part> make_parts(CellShape shape) {
 
 using Gradients = std::array<Point, kMaxNodesPerCell>;
 
-// What a kind has in common for all its cells.
+// What all cells of a kind share.
 struct KindTables {
   BernsteinDomain domain;
   std::vector<Part> parts;
   std::vector<Gradients> gradients;  // at the points of the whole domain
-  std::vector<double> factors;       // there
+  std::vector<double> factors;       // at the same points
 
   explicit KindTables(CellKind kind)
       : domain(make_domain(kind)), parts(make_parts(shape_of(kind))) {
@@ -193,7 +195,7 @@ class Judge {
   }
 
  private:
-  // Leaves the product of the columns' lengths in box_.
+  // Returns the determinant and leaves the product of the columns' lengths in box_.
   double determinant(const Gradients& gradients) {
     Vector x{}, y{}, z{};
     for (std::size_t k = 1; k < node_count(kind_); ++k)
@@ -216,7 +218,8 @@ class Judge {
     }
   }
 
-  // The values are known.
+  // Decides on a part from the values sampled there, and adds it to `doubtful` if it must be
+  // divided.
   void judge(const Part& part, std::vector<Part>& doubtful) {
     const double zero = tolerance_ * size_;
     const auto [low, high] = std::ranges::minmax(values_);

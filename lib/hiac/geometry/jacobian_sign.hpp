@@ -17,14 +17,15 @@ enum class JacobianSign : std::uint8_t {
   undecided,  ///< none of these could be proven
 };
 
-/// The sign for a cell of any kind. `nodes`: positions of its node_count(kind) nodes. A value
-/// counts as zero when its magnitude is at most `tolerance` times the largest product of the
+/// Returns the sign for a cell of any kind. `nodes`: positions of its node_count(kind) nodes. A
+/// value counts as zero when its magnitude is at most `tolerance` times the largest product of the
 /// lengths of the map's three derivatives.
 ///
-/// The determinant is a polynomial (for pyramids and wedges times a factor that is positive inside)
-/// and lies between its least and its largest Bernstein coefficient; where these are of both signs
-/// the cell is divided (A. Johnen, J.-F. Remacle, C. Geuzaine, "Geometrical validity of curvilinear
-/// finite elements", 2013). Coefficients of one sign, some of them zero, are positive inside.
+/// The determinant, for pyramids and wedges times a factor that is positive inside, is a polynomial
+/// and lies between its least and its largest Bernstein coefficient. Where these have different
+/// signs the cell is divided (A. Johnen, J.-F. Remacle, C. Geuzaine, "Geometrical validity of
+/// curvilinear finite elements", 2013). If some coefficients are positive and the others zero, the
+/// determinant is positive inside; likewise for negative ones.
 JacobianSign jacobian_sign(CellKind kind, std::span<const std::array<double, 3>> nodes,
                            double tolerance);
 

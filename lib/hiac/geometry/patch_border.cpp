@@ -10,32 +10,33 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Intervals of a curved edge between which it is asked how near it comes.
+// The distance of a curved edge from the ray is sampled at the ends of this many intervals.
 constexpr std::size_t kIntervals = 8;
 constexpr int kMostSteps = 12;
 
-// This near to the ray, in parts of what rounding may be, a place is not bettered.
+// A point that is closer to the ray than this fraction of `rounding` is not improved.
 constexpr double kOnRay = 0x1p-6;
 
 struct Parameters {
   double u, v;
 };
 
-// Corner k, with the first one again behind the last.
+// Corner k; the number after the last corner is corner 0 again.
 Parameters corner(const PatchShape& shape, std::size_t k) {
   constexpr std::array<Parameters, 4> kSquare{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
   constexpr std::array<Parameters, 3> kTriangle{{{0, 0}, {1, 0}, {0, 1}}};
   return shape.triangle ? kTriangle[k % 3] : kSquare[k % 4];
 }
 
-// Where on the edge from corner k to the next one; never outside the patch, whatever rounding does.
+// The parameters of a point on the edge from corner k to the next. They never lie outside the
+// domain, whatever rounding does.
 Parameters on_edge(const PatchShape& shape, std::size_t k, double s) {
   const auto [u0, v0] = corner(shape, k);
   const auto [u1, v1] = corner(shape, k + 1);
   return {u0 == u1 ? u0 : (u0 < u1 ? s : 1 - s), v0 == v1 ? v0 : (v0 < v1 ? s : 1 - s)};
 }
 
-// Distances there, and how fast they change along the edge.
+// The distances from the ray at a point of an edge, and their derivatives along the edge.
 struct EdgePoint {
   double a, b, a_along, b_along;
 
@@ -55,7 +56,8 @@ EdgePoint point_on_edge(const PatchAndRay& q, std::size_t k, double s) {
           along_u * b.by_u + along_v * b.by_v};
 }
 
-// From a place on an edge to one nearby where it is nearest to the ray.
+// Returns the parameter of a local minimum of the distance from the ray, by Gauss-Newton iteration
+// from s.
 double nearest_from(const PatchAndRay& q, std::size_t k, double s) {
   EdgePoint here = point_on_edge(q, k, s);
   for (int step = 0; step < kMostSteps; ++step) {
@@ -71,8 +73,8 @@ double nearest_from(const PatchAndRay& q, std::size_t k, double s) {
   return s;
 }
 
-// Of the places that it is told of and that are as near to the ray as the nearest, to within
-// rounding, the one of the least rank.
+// Keeps, of the points added, the one of least rank among those that are as near to the ray as the
+// nearest one to within rounding.
 class Nearest {
  public:
   explicit Nearest(double rounding) : rounding_(rounding) {}
@@ -152,7 +154,7 @@ bool runs_along_edge(const PatchAndRay& q, BorderPlace& place) {
   for (std::size_t k = 0; k < corners; ++k) {
     const std::size_t next = (k + 1) % corners;
     if (!near[k] || !near[next]) continue;
-    // a polynomial that is small in as many places as it has coefficients is small between them
+    // a polynomial that is small at as many points as it has coefficients is small between them
     bool along = true;
     for (std::size_t i = 1; i < n; ++i)
       along = along && point_on_edge(q, k, static_cast<double>(i) / static_cast<double>(n)).off() <=

@@ -18,24 +18,25 @@ struct BorderPlace {
   double off;  ///< distance from the ray: the larger of |a| and |b|
 };
 
-/// Of the places on a patch's border that are as near to the ray as the nearest, to within
-/// rounding, the least deep. All patches around an edge near which a ray passes find it there, to
-/// rounding of coordinates, however flat they are seen.
+/// Returns the least deep of the points of a patch's border that are nearest to the ray to within
+/// rounding. All patches around an edge that a ray passes near find the same point, up to the
+/// rounding of coordinates, however nearly edge-on they are seen.
 ///
-/// Every edge is searched between corners: in closed form where it is straight, else by Gauss and
-/// Newton's iteration from where it comes near between evenly spaced points. Where a coordinate is
-/// not a number, some corner.
+/// Every edge is searched between its corners: a straight edge in closed form, a curved one by
+/// Gauss-Newton iteration from the local minima among evenly spaced points. Where a coordinate is
+/// NaN, some corner is returned.
 BorderPlace least_deep_on_border(const PatchAndRay& question);
 
-/// The same for a place (u, v) on the ray that is outside the domain, or on its border, to within
-/// rounding: searched from there on every edge, and the one nearest to it in place of the least
-/// deep.
+/// Returns the border point nearest to the ray, like least_deep_on_border, for a point (u, v) on
+/// the ray that rounding has put outside the domain or on its border. The search on each edge
+/// starts at (u, v); of equally near points, the one nearest to (u, v) is returned.
 BorderPlace nearest_on_border(const PatchAndRay& question, double u, double v);
 
-/// Whether the ray runs along a whole edge to within rounding: that edge's less deep corner.
+/// Returns whether the ray runs along a whole edge to within rounding; `corner` is then the less
+/// deep corner of that edge.
 bool runs_along_edge(const PatchAndRay& question, BorderPlace& corner);
 
-/// Whether the patch is seen edge-on: its control points lie on a line to within rounding.
+/// Returns whether the patch is seen edge-on: its control points lie on a line to within rounding.
 bool is_edge_on(const PatchAndRay& question);
 
 }  // namespace hiac

@@ -13,7 +13,7 @@ namespace {
 using Factor = BernsteinDomain::Factor;
 
 struct Determinant {
-  double value, size;  // size: of the products that it is made of
+  double value, size;  // size: the sum of the absolute values of its products
 };
 
 Determinant determinant(const std::array<PatchValue, 3>& p) {
@@ -27,8 +27,8 @@ Determinant determinant(const std::array<PatchValue, 3>& p) {
   return {x.value + y.value + z.value, x.size + y.size + z.size};
 }
 
-// Where the determinant's coefficients are made of its values: of degree 3 n - 1 in u and in v, and
-// 3 n - 2 in both together.
+// The domain that gives the determinant's Bernstein coefficients: on a quadrilateral of degree 3 n
+// - 1 in u and in v, on a triangle of total degree 3 n - 2.
 const BernsteinDomain& domain_of(const PatchShape& shape) {
   static const std::array<BernsteinDomain, 5> kDomains{
       BernsteinDomain(std::array{Factor{1, 1}, Factor{1, 1}}),

@@ -14,19 +14,21 @@ namespace {
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Zeros this far outside the domain may be inside but for rounding.
+// The search covers the domain with this margin, as rounding may move zeros out of the domain.
 constexpr double kMargin = 1e-3;
-// Below this size nothing more is told apart.
+// Parts are halved at most this often in each parameter.
 constexpr int kMostHalvings = 26;
-// Pairs of zeros need a few parts of each smaller size; curves of zeros, where a ray runs along the
-// patch, as many as there are along them. So many of these sizes are looked at, and no more.
+// All parts are examined down to kFewHalvings halvings, but only kMostFineParts of the smaller
+// ones. A pair of close zeros needs a few parts of each smaller size; a curve of zeros, which
+// arises where a ray runs along the patch, would need parts all along it.
 constexpr int kFewHalvings = 12;
 constexpr int kMostFineParts = 1024;
 constexpr int kMostSteps = 12;
-// Where rounding hides a zero, as it does where the patch is seen almost edge-on, it may know it no
-// better than this: the ray meets the patch there to within rounding.
+// Where the patch is seen almost edge-on, rounding hides a zero's parameters. Newton's iteration
+// accepts a point where the ray meets the patch to within rounding if rounding moves the parameters
+// by less than this.
 constexpr double kLocated = 0x1p-7;
-// Zeros closer to each other than this are one.
+// Zeros whose parameters differ by less than this are the same.
 constexpr double kSame = 1e-9;
 
 int sign_of(double x) { return x < 0 ? -1 : 1; }
@@ -43,8 +45,9 @@ PatchZero on_border(const PatchZeroQuestion& q, int sign) {
   return {place.u, place.v, sign, 0};
 }
 
-// One that rounding has put outside the domain is on the border where that is nearest to the ray:
-// of a patch seen almost edge-on its parameters alone could be far from there.
+// Moves a zero that rounding has put outside the domain to the point of the border that is nearest
+// to the ray. In a patch seen almost edge-on, the border point with the nearest parameters could be
+// far from the ray.
 PatchZero taken_in(const PatchZeroQuestion& q, const PatchZero& zero) {
   if (outside(q.shape, zero.u, zero.v) <= 0) return zero;
   const BorderPlace place = nearest_on_border(ray_of(q), zero.u, zero.v);
@@ -57,9 +60,10 @@ PatchZeros repeated(const PatchZero& zero, int winding) {
   return zeros;
 }
 
-// How far outside the domain a zero is when the ray is moved right by a quarter of `rounding`, and
-// down by much less: what is on the border to within rounding is decided alike, in all patches
-// around an edge, and as the winding number has it. The parameters move by J^-1 of that.
+// Returns how far outside the domain a zero is after the ray is moved right by a quarter of
+// `rounding` and down by much less. With this shift, all patches around an edge decide alike about
+// a zero on their common border, and in agreement with the winding number. The parameters move by
+// J^-1 times the shift.
 double outside_moved(const PatchZeroQuestion& q, const PatchZero& zero) {
   if (std::abs(zero.outside) > kMargin) return zero.outside;
   const double right = 0.25 * q.rounding, down = 0x1p-20 * right;
@@ -71,7 +75,9 @@ double outside_moved(const PatchZeroQuestion& q, const PatchZero& zero) {
                  zero.v - (right * b.by_u + down * a.by_u) / determinant);
 }
 
-// What of the candidates counts, so that signs add up to `winding`.
+// Selects from the candidate zeros those whose signs add up to `winding`. Where the zeros inside do
+// not, it adds or removes the zero nearest to the border; where none is left to add, a border
+// point.
 PatchZeros settled(const PatchZeroQuestion& q, const PatchZeros& candidates) {
   const int winding = q.winding;
   PatchZeros inside, beyond;
@@ -105,7 +111,7 @@ PatchZeros settled(const PatchZeroQuestion& q, const PatchZeros& candidates) {
       inside.add(beyond[take]);
       beyond.remove(take);
     } else {
-      // nothing was found that rounding does not hide
+      // rounding hides every zero that could be added
       if (inside.size() == PatchZeros::kMost) break;
       inside.add(on_border(q, wanted));
     }
@@ -116,7 +122,7 @@ PatchZeros settled(const PatchZeroQuestion& q, const PatchZeros& candidates) {
   return result;
 }
 
-// Whether the ray goes through a corner to within rounding.
+// Returns whether the ray passes through a corner to within rounding.
 bool is_at_corner(const PatchZeroQuestion& q) {
   const std::size_t n = q.shape.degree, last = n * (n + 1);
   const auto at = [&](std::size_t k) {
@@ -125,7 +131,7 @@ bool is_at_corner(const PatchZeroQuestion& q) {
   return at(0) || at(n) || at(last) || (!q.shape.triangle && at(last + n));
 }
 
-// Where the ray lies in the patch there is no one crossing, and all are at its border.
+// A ray that lies in the patch has no isolated crossing: all crossings are put on the border.
 PatchZeros edge_on(const PatchZeroQuestion& q) {
   if (q.winding == 0) return {};
   return repeated(on_border(q, sign_of(q.winding)), q.winding);
@@ -138,8 +144,8 @@ class Bilinear {
   explicit Bilinear(const PatchZeroQuestion& question)
       : q_(question), a_(question.a), b_(question.b) {}
 
-  // Elimination of v: with z = u / (1 - u), c0 + m z + c2 z^2 = 0. The derivative by u has the sign
-  // of that by z, and is d(a, b) / d(u, v).
+  // Eliminates v: with z = u / (1 - u), c0 + m z + c2 z^2 = 0. At a root, the derivative by u is
+  // d(a, b) / d(u, v) and has the sign of the derivative by z.
   [[nodiscard]] PatchZeros zeros() const {
     const double c0 = cross(0, 2), c2 = cross(1, 3), m = cross(0, 3) + cross(1, 2);
     if (within_rounding(c0, m, c2)) return edge_on(q_);
@@ -166,7 +172,7 @@ class Bilinear {
     return a_[i] * b_[j] - a_[j] * b_[i];
   }
 
-  // The ray lies in the patch, or along a straight line in it, to within rounding.
+  // Returns whether the ray lies in the patch, or along a straight line in it, to within rounding.
   [[nodiscard]] bool within_rounding(double c0, double m, double c2) const {
     double size = 0;
     for (std::size_t k = 0; k < 4; ++k) size += std::abs(a_[k]) + std::abs(b_[k]);
@@ -179,7 +185,7 @@ class Bilinear {
     zeros.add(zero);
   }
 
-  // The zero with u / (1 - u) = s / r.
+  // The zero where u / (1 - u) = s / r.
   [[nodiscard]] PatchZero at(double s, double r, int sign) const {
     const double u = s / (s + r);
     const double a0 = (1 - u) * a_[0] + u * a_[1], a1 = (1 - u) * a_[2] + u * a_[3];
@@ -194,7 +200,7 @@ class Bilinear {
 
 // Higher degrees ------------------------------------------------------------------------------
 
-// All coefficients surely of one sign.
+// Returns whether all coefficients have the same sign whatever their rounding errors are.
 bool has_one_sign(const PatchNet<double>& net, std::size_t count, double rounding) {
   double least = kInfinity, most = -kInfinity;
   for (std::size_t k = 0; k < count; ++k) {
@@ -210,8 +216,8 @@ double largest_of(const PatchNet<double>& net, std::size_t count) {
   return most;
 }
 
-// De Casteljau's algorithm on `degree` + 1 numbers `stride` apart: they become those of the part
-// from 0 to s, and `rest` those from s to 1.
+// De Casteljau's algorithm on `degree` + 1 coefficients that are `stride` apart: `line` becomes the
+// coefficients on [0, s], `rest` those on [s, 1].
 void split_line(std::size_t degree, std::size_t stride, double s, double* line, double* rest) {
   for (std::size_t k = 0; k <= degree; ++k) rest[k * stride] = line[k * stride];
   for (std::size_t level = 1; level <= degree; ++level) {
@@ -253,7 +259,7 @@ class Search {
     return settled(q_, found_);
   }
 
-  // Newton's iteration; the sign is 0 where it does not converge.
+  // Newton's iteration. The result's sign is 0 if it does not converge.
   [[nodiscard]] PatchZero newton(std::array<double, 2> at) const {
     auto [u, v] = at;
     for (int step = 0; step < kMostSteps; ++step) {
@@ -263,7 +269,7 @@ class Search {
       const double du = (a.value * b.by_v - a.by_v * b.value) / determinant;
       const double dv = (a.by_u * b.value - a.value * b.by_u) / determinant;
       const double moved = std::max(std::abs(du), std::abs(dv));
-      // it converges quadratically, but not farther than rounding lets it
+      // rounding limits the quadratic convergence
       if (!(moved < kSame) && std::max(std::abs(a.value), std::abs(b.value)) <= rounding_ &&
           hidden(a, b) < kLocated)
         return {u, v, sign_of(determinant), outside(shape_, u, v)};
@@ -276,7 +282,7 @@ class Search {
   }
 
  private:
-  // Over the square with a margin.
+  // The coefficients over the square extended by kMargin on every side.
   [[nodiscard]] PatchNet<double> widened(PatchNet<double> net) const {
     for (const bool along_v : {false, true}) {
       net = split(net, n_, along_v, -kMargin).high;
@@ -317,8 +323,9 @@ class Search {
     }
   }
 
-  // Of the map with its Jacobian in the middle taken away: `unique` when it is then so near to the
-  // identity that it is one to one on the whole part.
+  // Returns whether a part may contain zeros, after the map is multiplied by the inverse of its
+  // Jacobian in the middle. `unique` is set when the product is so near to the identity that the
+  // map is one to one on the whole part.
   bool may_have_zeros(const PatchNet<double>& a, const PatchNet<double>& b, bool& unique) const {
     const BernsteinValues middle(n_, 0.5);
     const PatchValue da = evaluate_patch(n_, a, middle, middle),
@@ -340,8 +347,7 @@ class Search {
     return true;
   }
 
-  // Whether the derivative by its own coordinate is nearer to 1, and that by the other nearer to 0,
-  // than 1 both together.
+  // Returns whether |dp / d own - 1| + |dp / d other| < 1 on the whole part, with a margin.
   [[nodiscard]] bool nearly_identity(const PatchNet<double>& p, bool own_is_u) const {
     const std::size_t side = n_ + 1;
     const auto n = static_cast<double>(n_);
@@ -356,7 +362,7 @@ class Search {
     return own + other < 0.95;
   }
 
-  // How far the parameters of a zero with these derivatives may be off by rounding.
+  // Returns by how much rounding may move the parameters of a zero with these derivatives.
   [[nodiscard]] double hidden(const PatchValue& a, const PatchValue& b) const {
     return (std::max(std::abs(a.by_u), std::abs(a.by_v)) +
             std::max(std::abs(b.by_u), std::abs(b.by_v))) *
@@ -379,7 +385,7 @@ class Search {
   std::size_t n_, count_;
   const PatchNet<double>&a_, &b_;
   double rounding_;
-  int fine_parts_ = 0;  // divided 2^-kFewHalvings and farther
+  int fine_parts_ = 0;  // parts examined after kFewHalvings halvings or more
   PatchZeros found_;
 };
 

@@ -7,11 +7,11 @@
 
 namespace hiac {
 
-/// A parameter point of a patch where two of its coordinates vanish: where a ray meets it, when
-/// these are how far the patch is from the ray, sideways and upwards.
+/// A parameter point of a patch where two of its coordinates, a and b, vanish. When these are the
+/// patch's distances from a ray, sideways and upwards, the ray meets the patch there.
 struct PatchZero {
   double u, v;
-  int sign;        ///< that of d(a, b) / d(u, v); of a double zero either
+  int sign;        ///< the sign of d(a, b) / d(u, v); arbitrary for a double zero
   double outside;  ///< distance of (u, v) from the patch's domain; negative inside
 };
 
@@ -33,34 +33,35 @@ class PatchZeros {
   std::size_t count_ = 0;
 };
 
-/// The zeros of (a, b) in a patch's domain. Their signs add up to `winding`, the number of times
-/// that the image of the domain's boundary winds around 0, as the caller has decided it.
+/// Returns the zeros of (a, b) in a patch's domain. Their signs add up to `winding`, the number of
+/// times that the image of the domain's boundary winds around 0, as the caller has determined it.
 ///
-/// Degree 1: one coordinate's elimination leaves a quadratic equation. Else: the domain is divided
-/// until Bernstein coefficients tell of every part that there is no zero in it, or that the map is
-/// one to one there (Newton's iteration then finds the zero, if there is one), down to parts of
-/// 2^-26 (2^-12 where there are very many such, along curves of zeros), in which of pairs of zeros
-/// nothing is known. (The exclusion and uniqueness tests of
+/// Degree 1: eliminating one parameter leaves a quadratic equation. Higher degrees: the domain is
+/// divided until the Bernstein coefficients prove of each part that it contains no zero, or that
+/// the map is one to one on it, where Newton's iteration finds the zero if there is one. Division
+/// ends at parts of size 2^-26 (2^-12 where curves of zeros make very many such parts); pairs of
+/// zeros within such a part may be missed. (These are the exclusion and uniqueness tests of
 /// Bernstein-subdivision solvers; B. Mourrain, J. P. Pavone, "Subdivision methods for solving
 /// polynomial equations", 2009.) Where the patch is seen so nearly edge-on that rounding hides a
-/// zero's parameters, a point on the ray to within rounding will do.
+/// zero's parameters, any point that is on the ray to within rounding is accepted.
 ///
-/// What is near the border counts as inside as it is when the ray is moved right by a quarter of
-/// `rounding`, and down by much less; the caller's `winding` should be found likewise. Where what
-/// is found still does not add up to `winding`, rounding has mistaken a zero near the border: that
-/// nearest to it is taken in or left out. One that is taken in lies on the border where that is
-/// nearest to the ray (nearest_on_border): all patches around an edge then lie there.
+/// A zero near the border counts as inside if it is inside after the ray is moved right by a
+/// quarter of `rounding` and down by much less; the caller should find `winding` with the same
+/// shift. If the signs still do not add up to `winding`, rounding has misplaced a zero near the
+/// border: the one nearest to the border is added or removed. An added zero is moved to the point
+/// of the border that is nearest to the ray (nearest_on_border), which is the same point for all
+/// patches around an edge.
 ///
-/// `one_way`: the map is known to turn one way everywhere, so that there are as many zeros as
-/// |winding| and one of them needs no search. `guess`: a place to look at first; where a search
-/// is not needed the last bits depend on it.
+/// `one_way`: the map is known to keep its orientation everywhere, so that there are exactly
+/// |winding| zeros, and a single one needs no search. `guess`: where Newton's iteration starts;
+/// without a search, the last bits of the result depend on it.
 ///
-/// `depth` decides where zeros are not single points: where the ray runs along an edge to within
-/// `rounding`, the edge's less deep corner is taken; where the patch is seen edge-on, and where no
-/// zero is found, the least deep of the places on its border nearest to the ray.
+/// `depth` decides where zeros are not isolated. Where the ray runs along an edge to within
+/// `rounding`, the less deep corner of the edge is returned; where the patch is seen edge-on, or
+/// where no zero is found, the least deep of the border's points nearest to the ray.
 ///
-/// Whatever (a, b) is, numbers that are not finite included, it returns as many as |winding| at
-/// least, all of them in the domain.
+/// At least |winding| zeros are returned, all of them in the domain, whatever (a, b) is, non-finite
+/// numbers included.
 struct PatchZeroQuestion {
   const PatchShape& shape;
   const PatchNet<double>&a, &b, &depth;

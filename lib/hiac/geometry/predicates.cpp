@@ -13,10 +13,10 @@ namespace {
 struct Filtered {
   double determinant;
   double permanent;
-  double size;  // of u
+  double size;  // 1-norm of u
 };
 
-// det[u, v, w] by cofactors, the same sum of absolute values, and the sum of |u|.
+// Returns det[u, v, w] by cofactors, the same sum with absolute values, and the 1-norm of u.
 Filtered determinant(const std::array<double, 3>& u, const std::array<double, 3>& v,
                      const std::array<double, 3>& w) {
   const double vw_x1 = v[1] * w[2], vw_x2 = v[2] * w[1];
@@ -32,20 +32,20 @@ Filtered determinant(const std::array<double, 3>& u, const std::array<double, 3>
 // Shewchuk's bound A for a determinant of rounded differences; eps is half an ulp of 1.
 constexpr double kEpsilon = kUnit;
 constexpr double kErrorBound = (7.0 + 56.0 * kEpsilon) * kEpsilon;
-// What underflow may add, which that bound leaves out: each product of v and w is off by up to half
-// a denormal number, which u multiplies, and so is each of the last products. The smallest normal
-// number is far more than that.
+// That bound neglects underflow. Each product of components of v and w is then off by up to half a
+// denormal number, which a component of u multiplies, and so is each outer product. The smallest
+// normal number is a generous bound.
 constexpr double kUnderflow = std::numeric_limits<double>::min();
 
-// The sign, or 2 when the filter cannot tell. Not-a-number and overflow end there as well.
+// Returns the sign, or 2 when the filter cannot decide, as after overflow or with NaN.
 int filtered_sign(const Filtered& f) {
   if (std::abs(f.determinant) > kErrorBound * f.permanent + kUnderflow * (f.size + 1))
     return f.determinant > 0 ? 1 : -1;
   return 2;
 }
 
-// Certain zeros of everyday meshes, whose sides lie along the axes: a coordinate in which three
-// vectors all vanish. A difference of doubles is 0 only when they are equal.
+// Recognizes a zero that is common in meshes whose sides lie along the axes: three vectors whose
+// components vanish in the same coordinate. A difference of doubles is 0 only when they are equal.
 bool shares_zero_coordinate(const std::array<double, 3>& u, const std::array<double, 3>& v,
                             const std::array<double, 3>& w) {
   for (std::size_t c = 0; c < 3; ++c)
@@ -53,7 +53,7 @@ bool shares_zero_coordinate(const std::array<double, 3>& u, const std::array<dou
   return false;
 }
 
-// Certain zeros of neighbouring cells, which have corners in common.
+// Recognizes a zero that is common between neighbouring cells, which share corners.
 bool coincide(Point3 a, Point3 b) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
 
 std::array<double, 3> difference(Point3 a, Point3 b) {

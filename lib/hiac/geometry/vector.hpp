@@ -8,7 +8,7 @@
 
 namespace hiac {
 
-/// A vector of the world, rounded as the arithmetic is: for what need not be exact.
+/// A vector in world coordinates, with ordinary rounding: for what need not be exact.
 using Vector = std::array<double, 3>;
 
 inline Vector minus(Point3 a, Point3 b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
@@ -19,14 +19,14 @@ inline Vector cross(const Vector& a, const Vector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Its Euclidean length, without overflow or underflow on the way.
+/// The Euclidean length, without intermediate overflow or underflow.
 inline double length(const Vector& v) { return std::hypot(v[0], v[1], v[2]); }
-/// In its direction, of length 1. Not for the zero vector.
+/// The vector of length 1 in the same direction. v must not be zero.
 inline Vector unit(const Vector& v) {
   const double size = length(v);
   return {v[0] / size, v[1] / size, v[2] / size};
 }
-/// The largest magnitude of its components.
+/// The largest magnitude of a component.
 inline double largest(const Vector& v) {
   return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
 }

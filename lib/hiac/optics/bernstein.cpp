@@ -42,8 +42,8 @@ struct InterpolationTables {
       }
   }
 
-  /// cos(pi i / n), about the nearest quarter turn, so that symmetric points are symmetric in
-  /// rounding too.
+  /// cos(pi i / n), computed as a sine from the nearest quarter turn, so that symmetric points
+  /// round symmetrically.
   static Real cosine(std::size_t i, std::size_t n) {
     const auto steps = static_cast<Real>(n) - 2.0 * static_cast<Real>(i % (2 * n));
     return std::sin(std::numbers::pi_v<Real> / 2 * steps / static_cast<Real>(n));
@@ -56,7 +56,7 @@ const InterpolationTables<Real>& tables() {
   return t;
 }
 
-/// As numbers, which all of these are.
+/// Binomial coefficients; all of these are exact in double.
 constexpr auto kBinomials = [] {
   std::array<std::array<double, kMaxFieldDegree + 2>, kMaxFieldDegree + 2> table{};
   for (std::size_t n = 0; n < table.size(); ++n)
@@ -65,7 +65,7 @@ constexpr auto kBinomials = [] {
   return table;
 }();
 
-/// One degree more for the same function.
+/// Raises the degree by one; the function stays the same.
 template <class Real>
 void elevate(BasicCoefficients<Real>& c, std::size_t degree) {
   const auto n = static_cast<Real>(degree + 1);
@@ -76,8 +76,9 @@ void elevate(BasicCoefficients<Real>& c, std::size_t degree) {
   }
 }
 
-/// Between the bases, for every degree n: from_chebyshev[n][k] are the Bernstein coefficients of
-/// T_k, to_chebyshev[n][i] the Chebyshev coefficients of the i-th Bernstein polynomial.
+/// Conversions between the bases, for every degree n: from_chebyshev[n][k] holds the Bernstein
+/// coefficients of T_k, to_chebyshev[n][i] the Chebyshev coefficients of the i-th Bernstein
+/// polynomial.
 template <class Real>
 struct ConversionTables {
   using Matrix = std::array<std::array<Real, kCount>, kCount>;
@@ -101,7 +102,7 @@ struct ConversionTables {
     std::copy_n(c.begin(), n + 1, from_chebyshev[n][k].begin());
   }
 
-  // Sums of cosines in extended precision.
+  // Sums cosines in extended precision.
   void set_to(std::size_t n, std::size_t i) {
     to_chebyshev[n][i][0] = 1;
     if (n == 0) return;
@@ -237,7 +238,7 @@ BernsteinPolynomial bernstein_from_powers(std::span<const double> coefficients) 
   BernsteinPolynomial f;
   f.c[0] = coefficients.back();
   for (std::size_t k = coefficients.size() - 1; k-- > 0;) {
-    // Horner's scheme: times x, which is -1 at t = 0 and 1 at t = 1, and more
+    // Horner's scheme: multiply by x, which is -1 at t = 0 and 1 at t = 1, then add a coefficient
     const std::size_t n = ++f.degree;
     for (std::size_t i = n + 1; i-- > 0;) {
       const double before = i > 0 ? static_cast<double>(i) * f.c[i - 1] : 0;
@@ -269,7 +270,7 @@ BasicChebyshev<Real> restricted(const BasicChebyshev<Real>& f, std::type_identit
   if (t0 == 0 && t1 == 1) return f;
   BasicCoefficients<Real> values{};
   const std::size_t n = f.degree;
-  const Real middle = t0 + t1 - 1;  // in x of f
+  const Real middle = t0 + t1 - 1;  // in the coordinate x of f
   const Real half = t1 - t0;
   const auto& points = tables<Real>().points[n];
   for (std::size_t j = 0; j <= n; ++j) values[j] = evaluate(f, middle + half * points[j]);

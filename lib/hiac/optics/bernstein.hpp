@@ -7,11 +7,12 @@
 
 namespace hiac {
 
-/// Largest degree of a field along a ray that the optics take.
+/// The largest degree of a field along a ray that the optics support.
 inline constexpr std::size_t kMaxFieldDegree = 20;
 
-/// Coefficients of a polynomial of degree `degree`, entries beyond it unused; there is room for the
-/// integral of a field. `Real`, here and below: double or long double, in which all is computed.
+/// Coefficients of a polynomial of degree `degree`; later entries are unused, and there is room for
+/// the integral of a field. `Real`, here and below, is double or long double, the type of all
+/// arithmetic.
 template <class Real>
 using BasicCoefficients = std::array<Real, kMaxFieldDegree + 2>;
 
@@ -23,7 +24,7 @@ struct BasicBernstein {
   std::size_t degree = 0;
 
   BasicBernstein() = default;
-  /// Throws std::invalid_argument when there is no coefficient or more than kMaxFieldDegree + 1.
+  /// Throws std::invalid_argument if there are no coefficients or more than kMaxFieldDegree + 1.
   explicit BasicBernstein(std::span<const Real> coefficients);
 
   [[nodiscard]] std::span<const Real> coefficients() const { return {c.data(), degree + 1}; }
@@ -31,8 +32,8 @@ struct BasicBernstein {
 using BernsteinPolynomial = BasicBernstein<double>;
 using ExtendedBernstein = BasicBernstein<long double>;
 
-/// f(t) in [0, 1], by Horner's scheme with powers of t and 1 - t: no term is larger than in exact
-/// arithmetic by more than 4 degree units of rounding.
+/// Returns f(t) for t in [0, 1], by Horner's scheme in powers of t and 1 - t: no term exceeds its
+/// value in exact arithmetic by more than 4 degree units of rounding.
 template <class Real>
 Real evaluate(const BasicBernstein<Real>& f, std::type_identity_t<Real> t);
 
@@ -66,30 +67,30 @@ Real evaluate(const BasicChebyshev<Real>& f, std::type_identity_t<Real> x);
 template <class Real>
 Real ellipse_bound(const BasicChebyshev<Real>& f, double rho, std::size_t first);
 
-/// The same function, with t = (1 + x) / 2.
+/// Converts f(t) with t = (1 + x) / 2 into a function of x.
 template <class Real>
 BasicChebyshev<Real> chebyshev_from_bernstein(const BasicBernstein<Real>& f);
 
-/// The same function, with t = (1 + x) / 2. A coefficient of degree k enters with factors up to
-/// about 2^k, so rounding errors grow with coefficients that do not fall off.
-/// Throws std::invalid_argument when there is no coefficient or more than kMaxFieldDegree + 1.
+/// Converts sum_k c[k] T_k(x), x = 2 t - 1, into a function of t. The factors of the coefficient of
+/// degree k reach about 2^k, so that rounding errors grow unless the coefficients decay. Throws
+/// std::invalid_argument if there are no coefficients or more than kMaxFieldDegree + 1.
 BernsteinPolynomial bernstein_from_chebyshev(std::span<const double> coefficients);
 ExtendedBernstein bernstein_from_chebyshev(std::span<const long double> coefficients);
 
-/// f(x) = sum_k c[k] x^k on [-1, 1], the same with t = (1 + x) / 2. No coefficient of it is larger
-/// than the sum of all |c[k]|.
-/// Throws std::invalid_argument when there is no coefficient or more than kMaxFieldDegree + 1.
+/// Converts sum_k c[k] x^k, x = 2 t - 1, into a function of t. No coefficient of the result exceeds
+/// the sum of all |c[k]|. Throws std::invalid_argument if there are no coefficients or more than
+/// kMaxFieldDegree + 1.
 BernsteinPolynomial bernstein_from_powers(std::span<const double> coefficients);
 
-/// The polynomial of degree n < `values`' size with these values at the Chebyshev points
-/// x = cos(pi j / n), j = 0..n.
+/// Returns the polynomial of degree n < `values`' size with these values at the Chebyshev points x
+/// = cos(pi j / n), j = 0..n.
 template <class Real>
 BasicChebyshev<Real> chebyshev_interpolant(const BasicCoefficients<Real>& values, std::size_t n);
-/// (1 + cos(pi j / n)) / 2: such a point in t.
+/// Returns the Chebyshev point j as t = (1 + cos(pi j / n)) / 2.
 template <class Real>
 Real chebyshev_point(std::size_t j, std::size_t n);
 
-/// f, given on [0, 1] by t = (1 + x) / 2, on [t0, t1] alone: x = -1 at t0, x = 1 at t1.
+/// Restricts f, given on t in [0, 1], to [t0, t1]: x = -1 at t0, x = 1 at t1.
 template <class Real>
 BasicChebyshev<Real> restricted(const BasicChebyshev<Real>& f, std::type_identity_t<Real> t0,
                                 std::type_identity_t<Real> t1);

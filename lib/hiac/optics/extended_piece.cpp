@@ -10,14 +10,15 @@ namespace {
 
 using Real = long double;
 
-// Light of what lies behind less than this is left out.
+// Light that passes less than this fraction of transparency is neglected.
 constexpr Real kOpaque = 0x1p-90L;
 constexpr Real kThickestPart = 0.25L;
-// Of exp(-b v - (a - b) v^2 / 2), b and a at most 1/4: the rest is below 1e-21.
+// Number of terms of the power series of exp(-b v - (a - b) v^2 / 2) for a, b <= 1/4: the remainder
+// is below 1e-21.
 constexpr std::size_t kTerms = 28;
 
-// Integrals over a part, v from 0 to 1: of exp(-A) and of v exp(-A), or the same with the
-// extinction tau(v) = b + (a - b) v as a factor.
+// Integrals over a part, v from 0 to 1, of exp(-A) and of v exp(-A), or of the same multiplied by
+// the extinction tau(v) = b + (a - b) v.
 struct Moments {
   Real constant = 0, linear = 0;
 };
@@ -43,7 +44,8 @@ Moments moments(Real b, Real a) {
   return m;
 }
 
-// The width of a part from where the extinction is `tau` that has kThickestPart at its thicker end.
+// Returns the width of a part that starts where the extinction is `tau` and whose optical depth is
+// kThickestPart if computed with the extinction of its thicker end.
 Real widest_part(Real tau, Real slope) {
   const Real rising = std::max<Real>(slope, 0);
   // tau w + slope w^2 = kThickestPart

@@ -5,7 +5,7 @@
 
 namespace hiac {
 
-/// Largest number of nodes that gauss_legendre offers.
+/// The largest number of nodes that gauss_legendre provides.
 inline constexpr std::size_t kMaxGaussNodes = 24;
 
 /// Nodes in (-1, 1), increasing, and positive weights that sum to 2, each correct to an ulp.
@@ -16,9 +16,10 @@ struct BasicGaussRule {
 };
 using GaussRule = BasicGaussRule<double>;
 
-/// The Gauss-Legendre rule with 1 <= n <= kMaxGaussNodes nodes; it lives as long as the process.
+/// Returns the Gauss-Legendre rule with 1 <= n <= kMaxGaussNodes nodes; it lives as long as the
+/// process.
 GaussRule gauss_legendre(std::size_t n);
-/// The same in extended precision, correct to some 2^-60.
+/// Returns the same in extended precision, correct to about 2^-60.
 BasicGaussRule<long double> extended_gauss_legendre(std::size_t n);
 
 }  // namespace hiac

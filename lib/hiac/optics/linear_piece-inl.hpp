@@ -64,7 +64,7 @@ HWY_INLINE V sinhc_from(D d, V sigma2) {
   }
 }
 
-/// Values of the series; the names are those of linear_piece_series.hpp.
+/// Values of the series, named as in linear_piece_series.hpp.
 template <class V>
 struct SeriesValues {
   V h;
@@ -88,14 +88,14 @@ HWY_INLINE SeriesValues<V> series_values(D d, V b, V a) {
   const V cosh_sigma = hn::Add(s, sigma2_kappa);
   V h;
   if constexpr (Kind::kSigma <= 0.5) {
-    h = hn::Sub(cosh_sigma, sinh_sigma);  // loses less than half a digit, and needs no division
+    h = hn::Sub(cosh_sigma, sinh_sigma);  // loses less than half a digit and needs no division
   } else {
     h = hn::Div(hn::Set(d, 1.0), hn::Add(cosh_sigma, sinh_sigma));
   }
   return {h, s, sinh_sigma, hn::NegMulAdd(delta, rho, sigma2_kappa), rho};
 }
 
-/// Chromaticity glow: what linear_piece_weights computes.
+/// Chromaticity glow: computes linear_piece_weights.
 struct Chromaticity {
   template <class Kind, class D, class V>
   static HWY_INLINE PieceWeights<V> evaluate(D d, V b, V a) {
@@ -108,7 +108,7 @@ struct Chromaticity {
   }
 };
 
-/// Emission glow: what linear_piece_emission computes.
+/// Emission glow: computes linear_piece_emission.
 struct Emission {
   template <class Kind, class D, class V>
   static HWY_INLINE PieceWeights<V> evaluate(D d, V b, V a) {
@@ -124,7 +124,7 @@ struct Emission {
   }
 };
 
-/// Chromaticity glow of the piece's mean colour: half its opacity for either end.
+/// Chromaticity glow with the piece's mean colour: either end weighs half the opacity.
 struct MeanChromaticity {
   template <class Kind, class D, class V>
   static HWY_INLINE PieceWeights<V> evaluate(D d, V b, V a) {
@@ -155,8 +155,8 @@ HWY_INLINE PieceWeights<V> select(M mask, const PieceWeights<V>& yes, const Piec
           hn::IfThenElse(mask, yes.front, no.front), hn::IfThenElse(mask, yes.back, no.back)};
 }
 
-/// Overwrites the lanes that hold thick pieces, by the scalar evaluation. `out`: transparency,
-/// front and back, one vector after another.
+/// Overwrites the lanes that hold thick pieces with the results of the scalar function. `out`:
+/// transparency, front and back, one vector after another.
 template <class Glow, class D, class V>
 HWY_NOINLINE void evaluate_thick_lanes(D d, V b, V a, double* HWY_RESTRICT out) {
   constexpr std::size_t kLanes = hn::MaxLanes(d);
@@ -173,8 +173,8 @@ HWY_NOINLINE void evaluate_thick_lanes(D d, V b, V a, double* HWY_RESTRICT out) 
   }
 }
 
-/// Lanes that do not all share a method, each by its own. The result goes through memory (`out`, as
-/// above), so that the caller of the common case keeps its vectors in registers.
+/// Evaluates lanes that need different methods. The result goes through memory (`out`, as above),
+/// so that the caller keeps its vectors in registers in the common case.
 template <class Glow, class D, class V>
 HWY_NOINLINE void evaluate_mixed(D d, V b, V a, double* HWY_RESTRICT out) {
   constexpr std::size_t kLanes = hn::MaxLanes(d);
@@ -211,19 +211,19 @@ HWY_INLINE PieceWeights<V> evaluate(D d, V b, V a) {
 
 }  // namespace linear_piece_detail
 
-/// Transparency, 1 - Psi and Psi - zeta of the pieces (b, a), a vector of doubles each.
+/// Returns transparency, 1 - Psi and Psi - zeta of the pieces (b, a), a vector of doubles each.
 template <class D, class V>
 HWY_INLINE PieceWeights<V> linear_piece_weights(D d, V b, V a) {
   return linear_piece_detail::evaluate<linear_piece_detail::Chromaticity>(d, b, a);
 }
 
-/// Transparency, Psi - Psi_1 and Psi_1 of the pieces (b, a), a vector of doubles each.
+/// Returns transparency, Psi - Psi_1 and Psi_1 of the pieces (b, a), a vector of doubles each.
 template <class D, class V>
 HWY_INLINE PieceWeights<V> linear_piece_emission(D d, V b, V a) {
   return linear_piece_detail::evaluate<linear_piece_detail::Emission>(d, b, a);
 }
 
-/// Transparency and twice (1 - zeta) / 2: PieceRule::mean_color with chromaticity glow.
+/// Returns transparency and (1 - zeta) / 2 twice: PieceRule::mean_color with chromaticity glow.
 template <class D, class V>
 HWY_INLINE PieceWeights<V> linear_piece_mean_color(D d, V b, V a) {
   return linear_piece_detail::evaluate<linear_piece_detail::MeanChromaticity>(d, b, a);

@@ -1,9 +1,10 @@
 // Based on: P. L. Williams, N. L. Max, C. M. Stein, "A High Accuracy Volume Renderer for
 // Unstructured Data", IEEE TVCG 4(1), 1998, equation (8) and appendix B.
 //
-// Pieces of optical depth up to 4 use the series of linear_piece_series.hpp. Beyond, zeta < 0.02
-// and the closed forms do not cancel: with q = |a - b|, r = sqrt(2 q), x_b = b / r, x_a = a / r,
-// the integrals over [0, 1] are those over [0, inf) less zeta times those from the back onwards.
+// Pieces of optical depth up to 4 use the series of linear_piece_series.hpp. For thicker ones zeta
+// < 0.02, and the closed forms do not cancel: with q = |a - b|, r = sqrt(2 q), x_b = b / r, x_a = a
+// / r, an integral over [0, 1] is the one over [0, inf) minus zeta times the one that starts at the
+// back.
 #include "hiac/optics/linear_piece.hpp"
 
 #include <algorithm>
@@ -39,10 +40,10 @@ namespace {
 namespace series = linear_piece_series;
 
 constexpr double kSqrtPi = 1 / std::numbers::inv_sqrtpi;
-// Sums of two of these are finite, and nothing is seen through them.
+// The sum of two densities of this size is finite, and nothing is visible through them.
 constexpr double kThickest = 1e150;
 
-/// Values of the series at one (b, a); the names are those of linear_piece_series.hpp.
+/// Values of the series at one (b, a), named as in linear_piece_series.hpp.
 struct SeriesValues {
   double h;
   double s;
@@ -77,7 +78,7 @@ SeriesValues series_values(double sigma, double b, double a) {
   return sum_series<series::MediumSeries>(b, a);
 }
 
-/// exp(-(a + b) / 2), the rounding error of the sum included.
+/// Returns exp(-(a + b) / 2), corrected for the rounding error of the sum.
 double thick_transparency(double b, double a) {
   const double sum = a + b;
   const double part = sum - a;

@@ -3,7 +3,7 @@
 namespace hiac {
 
 /// The effect of one linear piece of a ray: I = c_front front + c_back back is the radiance that
-/// leaves its front, and `transparency` the part of the light behind it that passes.
+/// leaves its front, and `transparency` is the fraction of the light behind it that passes.
 struct LinearPieceWeights {
   double transparency;
   double front;
@@ -16,11 +16,11 @@ struct LinearPieceWeights {
 //     A(u) = b u + (a - b) u^2 / 2,    zeta = exp(-A(1)),
 //     Psi = int_0^1 exp(-A),           Psi_1 = int_0^1 u exp(-A).
 //
-// Both functions hold for finite b, a >= 0, a = b, zero and denormal numbers included. The relative
-// error of every number returned, and of the sum front + back, is at most 1e-14 for b, a <= 1e6
-// (results that are denormal: at most two units of the smallest denormal, absolute). Densities
-// above 1e150, infinite ones too, count as 1e150.
-// Williams, Max, Stein 1998, equation (8) and appendix B, recast so that nothing overflows or
+// Both functions accept finite b, a >= 0, equal, zero and denormal numbers included. The relative
+// error of every result, and of the sum front + back, is at most 1e-14 for b, a <= 1e6 (for
+// denormal results: at most two units of the smallest denormal, absolute). Densities above 1e150,
+// infinite ones included, count as 1e150.
+// Williams, Max, Stein 1998, equation (8) and appendix B, reformulated so that nothing overflows or
 // cancels; the methods are in linear_piece_series.hpp (thin and medium) and linear_piece.cpp.
 
 /// Chromaticity glow dI/dt = kappa tau - tau I: front = 1 - Psi weighs kappa_front, back =

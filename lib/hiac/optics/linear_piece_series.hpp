@@ -3,14 +3,14 @@
 #include <array>
 #include <cstddef>
 
-/// The power series behind linear pieces that are not thick, shared by the scalar and the vector
+/// The power series for linear pieces that are not thick, shared by the scalar and the vector
 /// evaluation.
 ///
-/// With b, a the optical densities at the front and the back (linear_piece.hpp), put
+/// With b, a the optical densities at the front and the back (linear_piece.hpp), let
 ///     sigma = (a + b) / 4,   delta = (a - b) / 4,   h = sqrt(zeta) = exp(-sigma)
-/// and move the origin of u to the middle of the piece, u = 1/2 + s. Then
-/// A(u) = sigma + 2 sigma s - 2 delta (1/4 - s^2), so that everything but the factor h is even in s
-/// or odd in s, and everything needed follows from one function of two variables:
+/// and move the origin of u to the middle of the piece, u = 1/2 + s. Then A(u) = sigma + 2 sigma s
+/// - 2 delta (1/4 - s^2), so that everything but the factor h is even or odd in s, and all results
+/// follow from one function of two variables:
 ///
 ///     rho(delta, sigma^2) = 4 int_{-1/2}^{1/2} s sinh(2 sigma s) exp(2 delta (1/4 - s^2)) ds
 ///                           / (2 sigma)
@@ -44,16 +44,16 @@ constexpr double sinhc_coefficient(std::size_t k) {
   return 1 / denominator;
 }
 
-/// A term that stays below this cannot change the last bit of rho >= 1/5 or S >= 1; the terms
-/// left out together stay below 2^-55.
+/// A term below this cannot change the last bit of rho >= 1/5 or S >= 1; all neglected terms
+/// together stay below 2^-55.
 inline constexpr double kNegligible = 0x1p-59;
 
-/// The series cut for |delta| <= sigma <= kSigma.
+/// The series truncated for |delta| <= sigma <= kSigma.
 template <int kSigmaNumerator, int kSigmaDenominator>
 struct Series {
   static constexpr double kSigma = double{kSigmaNumerator} / kSigmaDenominator;
 
-  /// Number of powers of sigma^2 kept with delta^j.
+  /// Number of powers of sigma^2 that are kept with delta^j.
   static constexpr std::size_t rho_terms(std::size_t j) {
     double power = 1;
     for (std::size_t i = 0; i < j; ++i) power *= kSigma;
@@ -65,14 +65,14 @@ struct Series {
     return k;
   }
 
-  /// Number of powers of delta kept.
+  /// Number of powers of delta that are kept.
   static constexpr std::size_t delta_terms() {
     std::size_t j = 0;
     while (rho_terms(j) > 0) ++j;
     return j;
   }
 
-  /// Number of powers of sigma^2 kept in S.
+  /// Number of powers of sigma^2 that are kept in S.
   static constexpr std::size_t sinhc_terms() {
     double power = 1;
     std::size_t k = 0;
@@ -90,7 +90,7 @@ struct Series {
     return table;
   }();
 
-  /// kRho[j][k] = rho_coefficient(j, k), zero where the term is left out.
+  /// kRho[j][k] = rho_coefficient(j, k), zero if the term is neglected.
   static constexpr auto kRho = [] {
     std::array<std::array<double, rho_terms(0)>, delta_terms()> table{};
     for (std::size_t j = 0; j < delta_terms(); ++j)
@@ -104,9 +104,10 @@ struct Series {
     return table;
   }();
 
-  /// The coefficients, each once for every lane of a vector: an operand that lies in memory as the
-  /// instruction needs it, where a constant would first be spread over a register. Defined where
-  /// no compiler sees it beside its use (linear_piece.cpp), or it would do just that.
+  /// The coefficients, each repeated for every lane of a vector, so that an instruction can use
+  /// them as memory operands; a constant would first be broadcast to a register. They are defined
+  /// in linear_piece.cpp, because a compiler that saw the definition beside its use would make
+  /// constants of them.
   struct Lanes {
     using Coefficient = std::array<double, 8>;
     alignas(64) std::array<std::array<Coefficient, rho_terms(0)>, delta_terms()> rho;

@@ -28,7 +28,7 @@ void batch(std::span<const double> b, std::span<const double> a, const LinearPie
     hn::StoreU(w.front, d, out.front.data() + i);
     hn::StoreU(w.back, d, out.back.data() + i);
   }
-  // the rest one by one, through the same vector code: lanes are independent of one another
+  // the remaining pieces run one by one through the same vector code: lanes are independent
   const hn::CappedTag<double, 1> one;
   for (; i < b.size(); ++i) {
     const auto w = linear_piece_detail::evaluate<Glow>(one, hn::Set(one, b[i]), hn::Set(one, a[i]));

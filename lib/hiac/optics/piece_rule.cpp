@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kPoints = 5;
 
-// The five-point rule on [0, 1]: sum of weight f(u).
+// Calls f(u, weight) for the points and weights of the five-point rule on [0, 1].
 template <typename Function>
 void at_points(const Function& f) {
   const GaussRule rule = gauss_legendre(kPoints);

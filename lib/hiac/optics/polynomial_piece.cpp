@@ -1,7 +1,7 @@
 // Based on: L. N. Trefethen, "Approximation Theory and Approximation Practice", 2013, theorem 19.3:
-// n-node Gauss-Legendre quadrature of a function that is analytic in the Bernstein ellipse of
-// parameter rho and at most M there errs by at most (64/15) M rho^(-2n) / (1 - rho^-2). The bound M
-// comes from Chebyshev coefficients: |T_k| <= (rho^k + rho^-k) / 2 on that ellipse.
+// for a function that is analytic in the Bernstein ellipse of parameter rho and at most M there,
+// the error of n-node Gauss-Legendre quadrature is at most (64/15) M rho^(-2n) / (1 - rho^-2). The
+// bound M follows from Chebyshev coefficients: |T_k| <= (rho^k + rho^-k) / 2 on that ellipse.
 #include "hiac/optics/polynomial_piece.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace hiac {
 namespace {
 
 constexpr int kDeepestBisection = 60;
-constexpr double kMostNegative = 0x1p-6;  // what rounding may make of an optical depth of none
+constexpr double kMostNegative = 0x1p-6;  // rounding may turn a zero optical depth into this
 
 template <class Real>
 BasicGaussRule<Real> gauss_rule(std::size_t n) {
@@ -29,14 +29,14 @@ BasicGaussRule<Real> gauss_rule(std::size_t n) {
     return extended_gauss_legendre(n);
 }
 
-/// At least exp(x) - 1, x >= 0, at no cost where x is small.
+/// Returns an upper bound of exp(x) - 1 for x >= 0 that is cheap for small x.
 template <class Real>
 Real growth(Real x) {
   return x < 0.5 ? x + x * x : std::expm1(x);
 }
 
-/// Optics on a piece [t0, t1] of the segment, x in [-1, 1] running over it. `half_length` is half
-/// its length in the world.
+/// The optics of a piece [t0, t1] of the segment, parametrized by x in [-1, 1]. `half_length` is
+/// half its length in world units.
 template <class Real>
 struct Piece {
   Real t0;
@@ -47,13 +47,14 @@ struct Piece {
   BasicChebyshev<Real> tau;
   BasicChebyshev<Real> depth;  ///< A(x), with A(-1) = 0
   Real total_depth;            ///< A(1)
-  Real largest_color;          ///< bounds of |colour| and
+  Real largest_color;          ///< bounds of |colour| and of
   Real largest_tau;            ///< |tau| on the piece
   Real color_error;            ///< rounding bound of colour values
-  Real tau_error;              ///< of extinction values
-  Real depth_error;            ///< of A
+  Real tau_error;              ///< rounding bound of extinction values
+  Real depth_error;            ///< rounding bound of A
 
-  /// Colour of channel c as coefficients: its constant term; the others are slope times field's.
+  /// The constant Chebyshev coefficient of channel c's colour; the others are slope times the
+  /// field's.
   [[nodiscard]] Real mean_color(std::size_t c) const { return color->channel(c, color_field.c[0]); }
   [[nodiscard]] Real steepest_color() const {
     Real steepest = 0;
@@ -65,7 +66,7 @@ struct Piece {
     for (std::size_t c = 0; c < 3; ++c) largest = std::max(largest, std::abs(mean_color(c)));
     return largest;
   }
-  /// Bound of |colour| on the ellipse of parameter rho.
+  /// Bounds |colour| on the ellipse of parameter rho.
   [[nodiscard]] Real color_bound(double rho) const {
     return largest_mean_color() + steepest_color() * ellipse_bound(color_field, rho, 1);
   }
@@ -87,15 +88,16 @@ BasicChebyshev<Real> optical_depth(const BasicChebyshev<Real>& tau, Real half_le
   return a;
 }
 
-/// The rule for a piece: its number of nodes and the bound of its error; 0 nodes when even the
-/// largest rule does not meet what is allowed.
+/// The rule for a piece: the number of nodes and its error bound. The number is 0 if even the
+/// largest rule exceeds the allowed error.
 template <class Real>
 struct Rule {
   std::size_t nodes;
   Real bound;
 };
 
-/// Bernstein ellipses to choose from, largest first: rho, 2 log(rho), log(64/15 / (1 - rho^-2)).
+/// The Bernstein ellipses to choose from, largest first: rho, 2 log(rho), log(64/15 / (1 -
+/// rho^-2)).
 struct Ellipse {
   double rho;
   double log_rate;
@@ -110,8 +112,8 @@ std::array<Ellipse, 9> build_ellipses() {
   return ellipses;
 }
 
-/// Chooses the ellipse that needs the fewest nodes. `allowed` > 0. The number needed falls and then
-/// rises with rho: the logarithm of the integrand's bound is convex in log(rho).
+/// Chooses the ellipse that needs the fewest nodes. `allowed` > 0. As rho changes, the number falls
+/// and then rises: the logarithm of the integrand's bound is convex in log(rho).
 template <class Real>
 Rule<Real> choose_rule(const Piece<Real>& piece, Glow glow, Real allowed) {
   static const std::array<Ellipse, 9> ellipses = build_ellipses();
@@ -226,17 +228,19 @@ class Walk {
         throw std::invalid_argument("the optical depth or colour along a ray is not finite");
   }
 
-  /// False where functions are so steep that the rounding of the field makes anything of the depth.
+  /// Returns false if functions are so steep that rounding errors of the field make the depth
+  /// meaningless.
   [[nodiscard]] bool is_sound(const Piece<Real>& p) const {
-    // slopes are rounded, and functions not below zero may be so by that
+    // slopes are rounded, which may turn functions that are not negative into slightly negative
+    // ones
     const Real slack = 0x1p-50 * p.half_length * std::abs(extinction_piece_.value[0]);
     return std::isfinite(p.total_depth) && std::isfinite(crude_bound(p)) &&
            std::isfinite(p.depth_error) &&
            p.total_depth >= -std::min<Real>(2 * p.depth_error + slack, kMostNegative);
   }
 
-  /// A function's channel at t, the field kept in the function's interval on the piece; not below
-  /// 0.
+  /// Returns a function's channel at t, at least 0, with the field clamped to the function's
+  /// interval on the piece.
   template <std::size_t N>
   static Real kept_value(const Course<N, Real>& course, const Piece<Real>& p, std::size_t c,
                          Real t) {
@@ -249,7 +253,8 @@ class Walk {
     return std::max<Real>(0, f.value[c] + f.slope[c] * (s - f.anchor));
   }
 
-  /// Adds the piece as if extinction and colour ran linearly from end to end; no bound is known.
+  /// Adds the piece as if extinction and colour were linear from end to end; the error is
+  /// unbounded.
   void add_between_ends(const Piece<Real>& p) {
     const Real length = 2 * p.half_length, front = std::exp(-depth_);
     const auto b = static_cast<double>(length * kept_value(extinction_, p, 0, p.t0));
@@ -265,7 +270,7 @@ class Walk {
     error_ = depth_error_ = std::numeric_limits<Real>::infinity();
   }
 
-  /// Adds the piece when a rule meets its share of the tolerance; `at_last`: with any rule.
+  /// Adds the piece if a rule meets its share of the tolerance, or in any case if `at_last` is set.
   bool integrate_whole(const Piece<Real>& piece, bool at_last) {
     const Real front = std::exp(-depth_);
     const Real opacity = -std::expm1(-piece.total_depth);
@@ -287,35 +292,36 @@ class Walk {
     return true;
   }
 
-  /// Both the integral and a rule with positive weights are at most half of this in magnitude.
+  /// Twice an upper bound of the magnitude of the integral, and of any rule with positive weights.
   [[nodiscard]] Real crude_bound(const Piece<Real>& piece) const {
     const Real largest = piece.largest_color * 4 * piece.half_length;
     return glow_ == Glow::emission ? largest : largest * piece.largest_tau;
   }
 
-  /// Bound of the rounding error of a rule's sum: colour, extinction and depth wrong by their
-  /// errors, the rest relative to the sum.
+  /// Bounds the rounding error of a rule's sum: that of colour, extinction and depth, and that of
+  /// the rest relative to the sum.
   [[nodiscard]] Real rounding_bound(const Piece<Real>& piece, Real opacity) const {
     const Real color = piece.largest_color;
     const Real relative = growth(piece.depth_error) + 2 * (kMaxGaussNodes + 16) * kRuleUnit<Real>;
     const Real length = 2 * piece.half_length;
     const Real tau = piece.largest_tau;
-    const Real nodes =
-        kRuleUnit<Real> * steepness(piece, tau);  // each node is off by a unit at most
+    const Real nodes = kRuleUnit<Real> * steepness(piece, tau);  // nodes are off by up to a unit
     if (glow_ == Glow::emission) return length * (piece.color_error + color * (relative + nodes));
     const Real weight = std::min<Real>(1, opacity + piece.depth_error);
     return weight * (piece.color_error + color * relative) +
            color * length * (piece.tau_error * (1 + relative) + tau * nodes);
   }
 
-  /// Bound of the integrand's derivative in x, relative to its own bound (Markov's inequality).
+  /// Bounds the integrand's derivative in x, relative to the integrand's bound (Markov's
+  /// inequality).
   static Real steepness(const Piece<Real>& piece, Real tau) {
     const auto color_degree = static_cast<Real>(piece.color_field.degree);
     const auto tau_degree = static_cast<Real>(piece.tau.degree);
     return color_degree * color_degree + tau_degree * tau_degree + piece.half_length * tau;
   }
 
-  /// Chromaticity with a constant colour is that colour times the opacity, exactly.
+  /// For chromaticity with a constant colour, the radiance is exactly that colour times the
+  /// opacity.
   void add_mean_color(const Piece<Real>& piece, Real front, Real opacity, Real bound) {
     for (std::size_t c = 0; c < 3; ++c) rgb_[c] += front * opacity * piece.mean_color(c);
     const Real largest = piece.largest_color;
@@ -346,8 +352,8 @@ class Walk {
     add_errors(piece, front, largest, rule.bound + rounding);
   }
 
-  /// `error`: of this piece's own radiance, `largest`: its magnitude, which the error of the
-  /// transparency in front scales.
+  /// `error` is the error of this piece's own radiance. `largest` is the radiance's magnitude, by
+  /// which the error of the transparency in front is multiplied.
   void add_errors(const Piece<Real>& piece, Real front, Real largest, Real error) {
     const Real front_error = front * growth(depth_error_ + 4 * kRuleUnit<Real>);
     error_ += (front + front_error) * error + front_error * largest;
@@ -376,13 +382,13 @@ class Walk {
   Glow glow_;
   Real tolerance_;
 
-  FunctionPiece<3, Real> color_piece_{};  ///< between the cuts at hand
+  FunctionPiece<3, Real> color_piece_{};  ///< on the current stretch between cuts
   FunctionPiece<1, Real> extinction_piece_{};
 
   std::array<Real, 3> rgb_{};
   Real depth_ = 0;
   Real error_ = 0;
-  Real depth_error_ = 0;  ///< bound of the error of depth_
+  Real depth_error_ = 0;  ///< error bound of depth_
   Real largest_color_ = 0;
   Real largest_tau_ = 0;
 };

@@ -1,7 +1,7 @@
 // Based on: J. M. Lane, R. F. Riesenfeld, "Bounds on a Polynomial", BIT 21, 1981 (subdivision in
-// Bernstein form). A part is halved until its coefficients are all of one certain sign (no root),
-// or f is certainly monotone on it (one root, polished by Newton's method and enclosed by
-// |t - root| <= |f(t) - s| / min |f'|), or f - s is all within its own rounding error (doubt).
+// Bernstein form). A part is halved until its coefficients certainly have one sign (no root), f is
+// certainly monotone on it (one root, refined by Newton's method and enclosed by |t - root| <=
+// |f(t) - s| / min |f'|), or f - s is within its own rounding error (doubt).
 #include "hiac/optics/polynomial_roots.hpp"
 
 #include <algorithm>
@@ -15,14 +15,14 @@ template <class Real>
 constexpr Real kUnit = std::numeric_limits<Real>::epsilon() / 2;
 template <class Real>
 constexpr Real kSmallestWidth = 8 * kUnit<Real>;
-// Of a part's width: enclosures of simple roots that are wider than the first are found again from
-// the slope near the root, those that are wider than the second on shorter parts.
+// Fractions of a part's width. An enclosure of a simple root that is wider than the first is
+// improved with the slope near the root; if it is wider than the second, the part is halved.
 template <class Real>
 constexpr Real kWide = 0x1p-30;
 template <class Real>
 constexpr Real kWidest = 0.125;
 
-/// f - s on [low, low + width], its coefficients wrong by at most `margin` each.
+/// f - s on [low, low + width]; each coefficient has an error of at most `margin`.
 template <class Real>
 struct Part {
   BasicBernstein<Real> f;
@@ -38,7 +38,8 @@ Real largest_magnitude(const BasicBernstein<Real>& f) {
   return largest;
 }
 
-/// Error of evaluating f in [0, 1] (bernstein.hpp): its terms add up to no more than the largest.
+/// Bounds the error of evaluating f in [0, 1] (bernstein.hpp): its terms add up to at most the
+/// largest.
 template <class Real>
 Real evaluation_error(const BasicBernstein<Real>& f) {
   return 4 * static_cast<Real>(f.degree) * kUnit<Real> * largest_magnitude(f);
@@ -70,7 +71,7 @@ Real monotone_root(const BasicBernstein<Real>& f, const BasicBernstein<Real>& sl
   return x;
 }
 
-/// The root of a part on which f' is certainly nonzero.
+/// Encloses the root of a part on which f' is certainly not zero.
 template <class Real>
 BasicRootEnclosure<Real> enclosed_simple_root(const Part<Real>& part,
                                               const BasicBernstein<Real>& slope,
@@ -86,7 +87,7 @@ BasicRootEnclosure<Real> enclosed_simple_root(const Part<Real>& part,
   const Real residual = std::abs(evaluate(part.f, x)) + doubt;
   Real reach = residual / flattest;
   if (reach > kWide<Real> && slope.degree > 0) {
-    // what the slope is at the root, less what it may change up to the enclosure's ends
+    // the slope at the root, minus its largest change within the enclosure
     const BasicBernstein<Real> bending = derivative(slope);
     Real bend = 0;
     for (const Real b : bending.coefficients()) bend = std::max(bend, std::abs(b));
@@ -113,13 +114,13 @@ void isolate(const Part<Real>& part, std::vector<BasicRootEnclosure<Real>>& root
   const Real slope_margin = 2 * n * part.margin + 4 * n * kUnit<Real> * largest;
   if (certainly_nonzero(slope, slope_margin)) {
     const BasicRootEnclosure<Real> root = enclosed_simple_root(part, slope, slope_margin);
-    // the flattest slope may be far from the root, and say nothing of it
+    // the flattest slope may lie far from the root and be unrelated to it
     if (root.high - root.low <= kWidest<Real> * part.width) {
       roots.push_back(root);
       return;
     }
   }
-  // n averages deep, each wrong by kUnit<Real> of the largest coefficient at most
+  // n levels of averages, each with an error of up to kUnit<Real> of the largest coefficient
   const Real margin =
       part.margin + n * kUnit<Real> * largest + std::numeric_limits<Real>::denorm_min();
   const BernsteinHalves<Real> h = halves(part.f);

@@ -7,7 +7,7 @@
 
 namespace hiac {
 
-/// A part of [0, 1] where f may take a value s.
+/// A part of [0, 1] where f may take the value s.
 template <class Real>
 struct BasicRootEnclosure {
   Real low;
@@ -17,9 +17,9 @@ struct BasicRootEnclosure {
 using RootEnclosure = BasicRootEnclosure<double>;
 
 /// Appends enclosures of all t in [0, 1] with f(t) = s: outside them f(t) - s has a certain sign,
-/// rounding errors included. A simple root's enclosure is a few units of rounding divided by the
-/// slope wide; around a multiple root, or where f comes closer to s than can be resolved, it is as
-/// wide as the doubt. A constant f has no roots (it is compared with s exactly).
+/// rounding errors included. The width of a simple root's enclosure is a few units of rounding
+/// divided by the slope; around a multiple root, or where f comes too close to s to be resolved, it
+/// is as wide as the uncertainty. A constant f has no roots (it is compared with s exactly).
 template <class Real>
 void append_roots(const BasicBernstein<Real>& f, std::type_identity_t<Real> s,
                   std::vector<BasicRootEnclosure<Real>>& roots);

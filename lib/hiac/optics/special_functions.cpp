@@ -10,7 +10,8 @@ namespace {
 using special_functions_table::kDegree;
 using special_functions_table::kIntervals;
 
-/// Where x lies in the tables: s = 2 / (x + 2), the interval of t = 1 - s, and y in [-1, 1] there.
+/// The place of x in the tables: s = 2 / (x + 2), the interval of t = 1 - s, and y in [-1, 1]
+/// there.
 struct Place {
   double s;
   int interval;
@@ -19,7 +20,7 @@ struct Place {
 
 Place place_of(double x) {
   const double s = 2 / (x + 2);
-  // x s / 2 rather than 1 - s: exact to an ulp near x = 0 also
+  // x s / 2 instead of 1 - s: also exact to an ulp near x = 0
   const double v = (0.5 * kIntervals) * (x * s);
   const int interval = std::min(static_cast<int>(v), kIntervals - 1);
   return {s, interval, 2 * (v - interval) - 1};

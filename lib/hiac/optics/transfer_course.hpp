@@ -15,18 +15,18 @@
 
 namespace hiac {
 
-/// What a number is rounded by. Nodes, weights and cosines are found in extended precision: rounded
-/// to double they are off by a unit of double; otherwise by a few of their own, for which 64 are
-/// counted. Where long double is no finer than double, that holds for both.
+/// The rounding unit of a number. Nodes, weights and cosines are computed in extended precision:
+/// rounded to double they are off by one unit of double, otherwise by a few of their own units, for
+/// which 64 is a safe bound. Where long double is no finer than double, that holds for both.
 template <class Real>
 inline constexpr Real kRuleUnit = kUnitOf<Real>*(std::is_same_v<Real, double>&& kExtendedIsFiner
                                                      ? 1
                                                      : 64);
-/// Differences and slopes of coefficients that are no larger do not overflow.
+/// Differences and slopes of coefficients up to this size do not overflow.
 inline constexpr double kLargestCoefficient = 1e150;
 
-/// Where the segment is cut, and what doubts about the places cost: integrals over t of the bound
-/// of what each transfer function's value is wrong by.
+/// Where the segment is cut, and the effect of uncertain cuts: the integrals over t of the bounds
+/// of each transfer function's error.
 template <class Real>
 struct Cuts {
   std::vector<Real> places;
@@ -46,14 +46,14 @@ struct FunctionPiece {
   }
 };
 
-/// A transfer function along a segment. Fields are measured from their value at the segment's
-/// front, so that a small variation of large numbers keeps its digits.
+/// A transfer function along a segment. Fields are measured relative to their value at the
+/// segment's front, so that a small variation of large numbers keeps its digits.
 template <std::size_t N, class Real>
 struct Course {
   const BasicBernstein<Real>& field;
   const PiecewiseLinear<N>& function;
   BasicChebyshev<Real> variation;  ///< field - field(0)
-  Real field_error = 0;            ///< bound of the rounding error of `variation` on a piece
+  Real field_error = 0;            ///< bounds the rounding error of `variation` on a piece
 
   Course(const BasicBernstein<Real>& f, const PiecewiseLinear<N>& transfer_function)
       : field(f), function(transfer_function) {
@@ -66,14 +66,14 @@ struct Course {
       largest = std::max(largest, std::abs(shifted.c[i]));
     }
     variation = chebyshev_from_bernstein(shifted);
-    // ample for a change of basis (n + 1 terms, whose factors add up to 2 at most), a transform
-    // (n + 1 terms, n + 1 coefficients) and Clenshaw's recurrence twice (errors up to n times 4 n),
-    // each relative to `largest`
+    // a generous bound for a change of basis (n + 1 terms, whose factors add up to at most 2), a
+    // transform (n + 1 terms, n + 1 coefficients) and Clenshaw's recurrence twice (errors up to n
+    // times 4 n), each relative to `largest`
     const auto n = static_cast<Real>(f.degree);
     field_error = (1 + 3 * n + 4 * (n + 1) * (n + 1) + 8 * n * n) * kRuleUnit<Real> * largest;
   }
 
-  /// The function on interval k, as a function of the variation.
+  /// Returns the function on interval k, as a function of the variation.
   [[nodiscard]] FunctionPiece<N, Real> shifted_piece(std::size_t k) const {
     const auto& given = function.piece(k);
     FunctionPiece<N, Real> p{given.anchor - field.c[0], {}, {}};
@@ -83,7 +83,7 @@ struct Course {
   }
 };
 
-/// Bounds of how much a transfer function jumps and bends at breakpoint k.
+/// Bounds of a transfer function's jump and bend at a breakpoint.
 struct Break {
   double jump = 0;
   double bend = 0;
@@ -102,7 +102,7 @@ Break break_at(const PiecewiseLinear<N>& f, std::size_t k) {
   return b;
 }
 
-/// Adds the places where the field crosses breakpoints; returns the doubt about them.
+/// Adds the places where the field crosses breakpoints; returns the effect of their uncertainty.
 template <std::size_t N, class Real>
 Real add_cuts(const Course<N, Real>& course, std::vector<Real>& places) {
   const auto breakpoints = course.function.breakpoints();
@@ -122,7 +122,7 @@ Real add_cuts(const Course<N, Real>& course, std::vector<Real>& places) {
   return doubt;
 }
 
-/// f(t) < s, told from differences of coefficients, which keep their sign however small they are.
+/// Decides f(t) < s from differences of coefficients, which keep their sign however small they are.
 template <class Real>
 bool certainly_below(const BasicBernstein<Real>& f, Real t, double s) {
   BasicBernstein<Real> difference = f;
@@ -130,7 +130,7 @@ bool certainly_below(const BasicBernstein<Real>& f, Real t, double s) {
   return evaluate(difference, t) < 0;
 }
 
-/// The interval of the transfer function on a piece around t.
+/// Returns the interval of the transfer function on a piece around t.
 template <std::size_t N, class Real>
 std::size_t interval_around(const Course<N, Real>& course, Real t) {
   const auto breakpoints = course.function.breakpoints();

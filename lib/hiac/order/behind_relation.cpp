@@ -41,7 +41,7 @@ int eye_side_of_face(const Question& q, CellId cell, std::size_t face) {
   return eye_side_of_patch({corner(0), corner(1), corner(2), corner(3)}, q.view, q.planarity);
 }
 
-// What a cell says of its settled faces.
+// The arrows across a cell's settled faces.
 CellArrows settled_arrows(const Question& q, CellId cell) {
   const ZooMesh& mesh = *q.basis.mesh;
   const CellSides& sides = q.basis.sides[cell];
@@ -68,8 +68,8 @@ CellArrows settled_arrows(const Question& q, CellId cell) {
           static_cast<std::uint8_t>((positive & sides.negative) | (negative & sides.positive))};
 }
 
-// Neighbouring numbers need not be neighbouring nodes: without this, most of the time goes into
-// waiting for their positions.
+// Cells with consecutive numbers need not have nearby nodes: without prefetching, most of the time
+// is spent waiting for node positions.
 constexpr std::size_t kFetchAhead = 12;
 
 void fetch_corners(const ZooMesh& mesh, CellId cell) {
@@ -79,8 +79,8 @@ void fetch_corners(const ZooMesh& mesh, CellId cell) {
 
 unsigned mirrored(unsigned arrows) { return ((arrows & 1U) << 1) | (arrows >> 1); }
 
-// What a cell says of all the faces that it shares with another one, and whether rays cross any of
-// them: a face without area is always seen edge-on.
+// One cell's answer for all the faces that it shares with another cell, and whether rays cross any
+// of them: a face without area is always seen edge-on.
 struct Said {
   unsigned arrows = kNoArrow;
   bool crossed = false;
@@ -105,7 +105,7 @@ bool has_volume(const ZooMesh& mesh, CellId cell) {
   });
 }
 
-// Joins what both cells of an unsettled face say.
+// Joins the answers of both cells of an unsettled face.
 unsigned joined_arrows(const Question& q, const UnsettledFace& at) {
   const CellId other = q.basis.adjacency.neighbors[q.basis.faces.first(at.cell) + at.face];
   const Said here = said_of(q, at.cell, other);
@@ -116,7 +116,7 @@ unsigned joined_arrows(const Question& q, const UnsettledFace& at) {
   return nobody_knows ? unsigned{kBothWays} : arrows;
 }
 
-// Parallel over the cells' ranges: unsettled faces are listed by cell.
+// The list is sorted by cell.
 void join_unsettled(const Question& q, std::vector<CellArrows>& of_cell) {
   const auto& unsettled = q.basis.unsettled;
   std::vector<std::uint8_t> arrows(unsettled.size());

@@ -10,8 +10,8 @@
 
 namespace hiac {
 
-/// Arrows of the behind-relation across one face of a cell, as seen from that cell. A viewing ray
-/// meets a cell before another one that lies behind it.
+/// The arrows of the behind-relation across one face of a cell, as seen from that cell. An arrow
+/// leads from a cell to another one that viewing rays meet behind it.
 enum FaceArrows : std::uint8_t {
   kNoArrow = 0,        ///< no ray crosses the face: it is seen edge-on, or has no neighbour
   kNeighborFirst = 1,  ///< rays come from the neighbour into this cell
@@ -37,32 +37,32 @@ struct CellArrows {
   }
 };
 
-/// The number of faces in a mask. (Without an instruction for it, which not every processor has,
-/// std::popcount is a call.)
+/// Returns the number of faces in a mask. (std::popcount would be a function call, as not every
+/// processor has an instruction for it.)
 constexpr unsigned count_faces(unsigned mask) {
   constexpr std::uint64_t kOnesOfThreeBits = 0x32212110;  // nibble k: the ones in k
   return static_cast<unsigned>((kOnesOfThreeBits >> (4 * (mask & 7U))) & 7U) +
          static_cast<unsigned>((kOnesOfThreeBits >> (4 * (mask >> 3 & 7U))) & 7U);
 }
 
-/// The relation across shared faces. What one side of a face says is what the other says, mirrored.
+/// The relation across shared faces. Both cells of a face store its arrows, mirrored.
 struct BehindRelation {
   std::vector<CellArrows> of_cell;
   std::uint64_t both_ways = 0;  ///< number of shared faces with arrows both ways
   std::uint64_t edge_on = 0;    ///< number of shared faces that no ray crosses
 };
 
-/// Decides every shared face by exact orientation determinants of the input coordinates
-/// (design: source 1 and, for what cannot be decided, source 3).
+/// Decides every shared face by exact orientation determinants of the input coordinates (sources 1
+/// and 3 of docs/visibility-order.md).
 ///
-/// A face is on the side of its plane on which the rest of its cell lies; the eye's side against
-/// that says which way rays cross. Quadrilaterals are bilinear patches: when the eye lies on one
-/// side of the four corner triangles all rays cross one way, else both arrows are put, unless the
-/// patch deviates from a plane by less than `planarity` of its size: then it is seen edge-on. Faces
-/// with curved edges: the same by Bernstein coefficients (patch_side.hpp). A
-/// cell without volume has no side of its own and takes what its neighbours say; between two such
-/// cells go both arrows where rays cross the face. All faces that the same two cells share get the
-/// same arrows.
+/// A cell lies on a known side of its face's plane; whether the eye lies on the same side tells
+/// which way rays cross the face. Quadrilaterals are bilinear patches: when the eye lies on the
+/// same side of the triangles at all four corners, all rays cross one way; otherwise both arrows
+/// are set, unless the patch deviates from a plane by less than `planarity` of its size and so is
+/// seen edge-on. Faces with curved edges are decided likewise by Bernstein coefficients
+/// (patch_side.hpp). A cell without volume has no side of its own and takes its neighbours'
+/// answers; between two such cells both arrows are set if rays cross the face. All faces that the
+/// same two cells share get the same arrows.
 BehindRelation shared_face_relation(const OrderBasis& basis, const View& view, double planarity);
 
 }  // namespace hiac

@@ -26,7 +26,7 @@ class Graph {
   [[nodiscard]] std::size_t cell_count() const { return relation_.of_cell.size(); }
   [[nodiscard]] bool has_gaps() const { return !gaps_.behind.empty(); }
 
-  // The faces of a cell with a cell behind them, and those with a cell before them; bit f: face f.
+  // The faces of a cell with a cell behind them, and the faces with a cell in front; bit f: face f.
   [[nodiscard]] unsigned faces_behind(CellId cell) const {
     return relation_.of_cell[cell].cell_first;
   }
@@ -50,8 +50,8 @@ class Graph {
     return count;
   }
 
-  // A cell's arrows, numbered: those across its faces, then those across gaps. The cell behind
-  // arrow number `slot`, or kNoCell when that number has no arrow.
+  // The arrows of a cell are numbered, first those across its faces, then those across gaps.
+  // behind() returns the cell behind arrow number `slot`, or kNoCell if that number has no arrow.
   [[nodiscard]] std::uint32_t arrow_slots(CellId cell) const {
     return numbering_.count(cell) + static_cast<std::uint32_t>(gaps_behind(cell).size());
   }
@@ -68,15 +68,16 @@ class Graph {
   const GapRelation& gaps_;
 };
 
-// What peeling keeps of a cell, on one cache line's worth of neighbours.
+// What peeling stores for a cell: two bytes, so that many cells share a cache line.
 struct Waiting {
   std::uint8_t faces_behind;
-  // Faces with a cell before them that has not come yet, and one more while arrows across gaps from
-  // such cells are left.
+  // The number of faces whose cell in front has not been output yet, plus one while arrows across
+  // gaps remain from such cells.
   std::uint8_t for_cells;
 };
 
-// What every cell waits for at first. `gaps`: arrows across gaps into each cell; empty: none.
+// Returns what every cell waits for at first. `gaps`: the number of arrows across gaps into each
+// cell; empty if there are none.
 std::vector<Waiting> all_waiting(const Graph& graph, std::span<const std::uint32_t> gaps) {
   auto waiting = large_vector<Waiting>(graph.cell_count());
   parallel_for(waiting.size(), kGrain, [&](IndexRange range) {
@@ -91,15 +92,15 @@ std::vector<Waiting> all_waiting(const Graph& graph, std::span<const std::uint32
   return waiting;
 }
 
-// Appends to `order` every cell that no cycle keeps from being output; what remains waits for some.
+// Appends to `order` all cells that no cycle precedes. The cells that remain still wait for others.
 std::vector<Waiting> peel(const Graph& graph, std::vector<CellId>& order) {
   std::vector<std::uint32_t> gaps = graph.gaps_into();
   std::vector<Waiting> waiting = all_waiting(graph, gaps);
   std::vector<CellId> ready;
   for (std::size_t i = waiting.size(); i-- > 0;)
     if (waiting[i].for_cells == 0) ready.push_back(static_cast<CellId>(i));
-  // Last in, first out: consecutive cells of the order are neighbours. That serves whoever draws
-  // them more than this loop would gain from first in, first out.
+  // Last in, first out: consecutive cells of the order are neighbours. That helps the renderer more
+  // than first in, first out would speed up this loop.
   CancellationCheck check;
   while (!ready.empty()) {
     check();
@@ -109,7 +110,7 @@ std::vector<Waiting> peel(const Graph& graph, std::vector<CellId>& order) {
     for (unsigned faces = waiting[cell].faces_behind; faces != 0; faces &= faces - 1) {
       const CellId behind = graph.neighbor(cell, static_cast<unsigned>(std::countr_zero(faces)));
       const unsigned left = --waiting[behind].for_cells;
-      // a cell that is ready comes next and asks at once: its neighbours are fetched one earlier
+      // a cell that becomes ready is visited next: its neighbours are fetched one step earlier
       if (left < 2) graph.fetch_neighbors(behind);
       if (left == 0) ready.push_back(behind);
     }
@@ -120,7 +121,7 @@ std::vector<Waiting> peel(const Graph& graph, std::vector<CellId>& order) {
 }
 
 // Tarjan's algorithm on the cells that still wait, without recursion. Components come out last
-// first, each as a run of `reversed`; `ends` holds where each run ends.
+// first, each as a run of `reversed`; `ends` holds the end of each run.
 class Tarjan {
  public:
   Tarjan(const Graph& graph, const std::vector<Waiting>& waiting)

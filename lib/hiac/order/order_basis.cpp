@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kGrain = 1 << 13;
 
-// `plane`: the face's corners; `side`: the cell's to them.
+// `plane`: the face's plane_corners; `side`: the side of their plane on which the cell lies.
 UnmatchedFace unmatched_face(const ZooMesh& mesh, CellId cell, std::size_t f,
                              const std::array<std::uint8_t, 4>& plane, int side) {
   UnmatchedFace face{cell,
@@ -28,7 +28,7 @@ UnmatchedFace unmatched_face(const ZooMesh& mesh, CellId cell, std::size_t f,
                      0};
   for (std::size_t k = 0; k < 4; ++k) face.nodes[k] = mesh.cell_nodes(cell)[plane[k]];
   const auto at = [&](std::size_t k) { return mesh.position(face.nodes[k]); };
-  // an edge without length is none: it has no side on which other faces could be
+  // an edge without length has no side on which other faces could lie
   if (std::ranges::equal(at(3), at(0)) || std::ranges::equal(at(3), at(2))) {
     face.corner_count = 3;
     face.nodes[3] = face.nodes[2];
@@ -37,7 +37,7 @@ UnmatchedFace unmatched_face(const ZooMesh& mesh, CellId cell, std::size_t f,
   return face;
 }
 
-// The sides of one cell to its shared faces, and its unmatched faces.
+// Returns the sides of one cell's shared faces on which it lies, and appends its unmatched faces.
 CellSides sides_of(const ZooMesh& mesh, CellId cell, std::span<const CellId> neighbors,
                    std::vector<UnmatchedFace>& unmatched) {
   CellSides sides;
@@ -46,8 +46,8 @@ CellSides sides_of(const ZooMesh& mesh, CellId cell, std::span<const CellId> nei
   const CellKind kind = mesh.kinds[cell];
   const int curved_side = order_of(kind) == CellOrder::linear ? 0 : side_by_jacobian(mesh, cell);
   const bool tetrahedron = shape_of(kind) == CellShape::tetrahedron;
-  // the faces of a tetrahedron all have it on the side that its own orientation tells; so have
-  // those of any cell that is not turned inside out in part, bent as they may be
+  // a tetrahedron's orientation tells on which side of all its faces it lies; so do the corners, or
+  // the Jacobian, of any other cell that is nowhere turned inside out, however warped its faces are
   const int one_side = curved_side != 0 ? curved_side
                        : tetrahedron
                            ? -orientation(mesh.position(nodes[0]), mesh.position(nodes[1]),
@@ -78,8 +78,8 @@ std::array<NodeId, 3> plane_nodes(const OrderBasis& basis, CellId cell, std::siz
   return {nodes[plane[0]], nodes[plane[1]], nodes[plane[2]]};
 }
 
-// +1 when both triples go round their triangle the same way, -1 when the opposite way, 0 when they
-// are not the same three different nodes.
+// Returns +1 when both triples run around their triangle the same way, -1 when they run opposite
+// ways, 0 when they are not the same three different nodes.
 int same_winding(const std::array<NodeId, 3>& a, const std::array<NodeId, 3>& b) {
   const auto at = static_cast<std::size_t>(std::ranges::find(b, a[0]) - b.begin());
   if (at == 3 || a[0] == a[1] || a[1] == a[2] || a[0] == a[2]) return 0;
@@ -92,7 +92,7 @@ std::span<const CellId> neighbors_of(const OrderBasis& basis, CellId cell) {
   return basis.adjacency.neighbors.view().subspan(basis.faces.first(cell), basis.faces.count(cell));
 }
 
-// How often two neighbours have one another; throws unless both say so.
+// Returns how many faces two neighbours share; throws if they disagree about it.
 std::ptrdiff_t shared_faces(const OrderBasis& basis, CellId cell, CellId other) {
   const auto here = neighbors_of(basis, cell);
   const auto there = other < basis.mesh->cell_count() && other != cell ? neighbors_of(basis, other)
@@ -107,8 +107,8 @@ std::ptrdiff_t shared_faces(const OrderBasis& basis, CellId cell, CellId other) 
   return shared;
 }
 
-// -1 when two cells lie on either side of a face that they share, +1 when on one; 0 when that
-// cannot be told.
+// Returns -1 when two cells lie on different sides of a face that they share, +1 when they lie on
+// the same side, 0 when that is unknown.
 int sides_across(const OrderBasis& basis, CellId cell, std::size_t face) {
   const CellId other = neighbors_of(basis, cell)[face];
   const auto there = neighbors_of(basis, other);
@@ -121,8 +121,8 @@ int sides_across(const OrderBasis& basis, CellId cell, std::size_t face) {
   return 0;
 }
 
-// Faces with both of their cells on one side count as unmatched besides: rays enter both there, or
-// leave both. Returns whether there are any.
+// Adds the faces with both cells on the same side to the unmatched ones: rays enter both cells
+// there, or leave both. Returns whether there are any.
 bool add_folded_faces(OrderBasis& basis) {
   const std::size_t before = basis.unmatched.size();
   for (const auto& [cell, f] : basis.unsettled) {
@@ -137,7 +137,7 @@ bool add_folded_faces(OrderBasis& basis) {
   return true;
 }
 
-// Whether an unmatched face has nodes off its plane: convexity is asked of corners alone.
+// Returns whether an unmatched face has nodes off its plane: boundary_is_convex tests corners only.
 bool has_curved_boundary(const OrderBasis& basis) {
   return std::ranges::any_of(basis.unmatched, [&](const UnmatchedFace& face) {
     return order_of(basis.mesh->kinds[face.cell]) != CellOrder::linear &&
@@ -160,8 +160,8 @@ OrderBasis order_basis(const ZooMesh& mesh, FaceAdjacency adjacency) {
     basis.sides[i] = sides_of(mesh, cell, neighbors_of(basis, cell), unmatched);
   });
   basis.shared_faces = (basis.adjacency.neighbors.size() - basis.unmatched.size()) / 2;
-  // nothing but the eye's place decides about a face that is the only one of two cells on either
-  // side of it
+  // a face is settled if it is the only face that its cells share and they lie on different sides
+  // of it: then one cell and the eye's side decide its arrows
   basis.unsettled = collect<UnsettledFace>(cells, kGrain, [&](std::size_t i, auto& unsettled) {
     const auto cell = static_cast<CellId>(i);
     const auto neighbors = neighbors_of(basis, cell);

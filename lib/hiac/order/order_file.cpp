@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint32_t kVersion = 1;
 
-// Begins the payload; the cells follow, then zeros up to a multiple of 64, then the groups.
+// The start of the payload. The cells follow, then zeros up to a multiple of 64, then the groups.
 struct OrderHeader {
   std::uint32_t version;
   std::uint32_t zero;
@@ -51,7 +51,7 @@ SharedArray<T> array_at(const SharedArray<std::uint8_t>& payload, std::uint64_t 
   return {std::span<const T>(data, count), std::make_shared<SharedArray<std::uint8_t>>(payload)};
 }
 
-// The head of a payload that is as long as it says.
+// Returns the head of a payload, after checking that the payload has the length that it implies.
 OrderHeader checked_header(const SharedArray<std::uint8_t>& payload, const std::string& subject) {
   OrderHeader header;
   if (payload.size() < sizeof header)

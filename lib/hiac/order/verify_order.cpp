@@ -12,7 +12,7 @@
 namespace hiac {
 namespace {
 
-// For every cell the place of the first cell of its group.
+// Returns, for every cell, the place in the order of the first cell of its group.
 std::vector<std::uint32_t> group_starts(const VisibilityOrder& order) {
   std::vector<std::uint32_t> start(order.cells.size());
   for (std::uint32_t at = 0; at < start.size(); ++at) start[order.cells[at]] = at;
@@ -22,7 +22,7 @@ std::vector<std::uint32_t> group_starts(const VisibilityOrder& order) {
   return start;
 }
 
-// Wrong pairs with the place of the first one's group, which sorts them.
+// Wrong pairs, each with the place of its first cell's group, by which they are sorted.
 struct WrongPairs {
   std::vector<std::pair<std::uint32_t, std::pair<CellId, CellId>>> found;
 
@@ -45,7 +45,7 @@ HullCells hull_cells(const ZooMesh& mesh, const View& view, double inset) {
   return hulls;
 }
 
-// Arrows between the cells of one group, as lists of those that each cell leads to.
+// The arrows between cells of the same group, as a list of targets for each cell.
 class InnerArrows {
  public:
   explicit InnerArrows(std::size_t cells) : start_(cells + 1, 0) {}
@@ -57,7 +57,7 @@ class InnerArrows {
     for (std::size_t cell = 0; cell + 1 < start_.size(); ++cell) start_[cell + 1] += start_[cell];
   }
 
-  // How many of the cells a cell leads to, itself included.
+  // Returns the number of cells that can be reached from a cell, itself included.
   [[nodiscard]] std::size_t reached_from(CellId cell, std::vector<std::uint8_t>& seen) const {
     std::vector<CellId> all{cell};
     seen[cell] = 1;
@@ -87,14 +87,14 @@ void judge_groups_by_arrows(const VisibilityOrder& order, const InnerArrows& for
   }
 }
 
-// As verify_pairs; `left_out` says of every cell whether it was.
+// Does the work of verify_pairs; `left_out` tells for every cell whether it was left out.
 OrderCheck check_pairs(const ZooMesh& mesh, const View& view, const VisibilityOrder& order,
                        double planarity, std::vector<std::uint8_t>& left_out, WrongPairs& wrong) {
   OrderCheck check;
   const HullCells hulls = hull_cells(mesh, view, 2 * planarity);
   const auto start = group_starts(order);
   std::mutex joining;
-  // in the order, so that the pairs of a range have about the same depth
+  // by place in the order, so that the pairs of a range have similar depths
   parallel_for(order.cells.size(), 8, [&](IndexRange range) {
     WrongPairs here;
     std::uint64_t pairs = 0;
@@ -121,7 +121,7 @@ OrderCheck check_pairs(const ZooMesh& mesh, const View& view, const VisibilityOr
   return check;
 }
 
-// As verify_arrows.
+// Does the work of verify_arrows.
 OrderCheck check_arrows(const OrderBasis& basis, const View& view, const VisibilityOrder& order,
                         double planarity, WrongPairs& wrong) {
   OrderCheck check;

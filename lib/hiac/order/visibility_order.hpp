@@ -10,7 +10,7 @@
 
 namespace hiac {
 
-/// A visibility cycle, or cells whose order is not known: a run of VisibilityOrder::cells that the
+/// A visibility cycle, or cells whose order is unknown: a run of VisibilityOrder::cells that the
 /// renderer must order pixel by pixel.
 struct CellGroup {
   std::uint32_t first;  ///< index into VisibilityOrder::cells
@@ -19,21 +19,21 @@ struct CellGroup {
   bool operator==(const CellGroup&) const = default;
 };
 
-/// Every cell of a mesh once, front to back: a sequence of groups, those of one cell left implicit.
-/// A cell of an earlier group is never behind a cell of a later one on any ray.
+/// A sequence of groups that contains every cell of a mesh once, front to back; groups of one cell
+/// are implicit. No ray meets a cell of an earlier group behind a cell of a later one.
 struct VisibilityOrder {
   SharedArray<CellId> cells;
-  SharedArray<CellGroup> groups;  ///< those of several cells, by ascending `first`, disjoint
-  std::string algorithm;          ///< the name that hiac-sort knows it by
+  SharedArray<CellGroup> groups;  ///< the groups of several cells, by ascending `first`, disjoint
+  std::string algorithm;          ///< the algorithm's name in hiac-sort
 };
 
-/// What was met while ordering.
+/// Counts of what ordering a view found.
 struct OrderStatistics {
   std::uint64_t shared_faces = 0;
   std::uint64_t unmatched_faces = 0;
   std::uint64_t both_ways = 0;   ///< shared faces with arrows both ways
   std::uint64_t edge_on = 0;     ///< shared faces that no ray crosses
-  std::uint64_t gap_pairs = 0;   ///< pairs of unmatched faces that were decided
+  std::uint64_t gap_pairs = 0;   ///< pairs of unmatched faces that were tested
   std::uint64_t gap_arrows = 0;  ///< arrows between cells that share no face
   std::uint64_t cells_in_groups = 0;
   std::uint64_t largest_group = 1;
@@ -46,14 +46,14 @@ struct OrderResult {
   OrderStatistics statistics;
 };
 
-/// The exact visibility order of a mesh for a view: the relation across shared faces and, where a
-/// ray could leave the mesh and enter it again, across gaps; its strongly connected components, and
-/// a topological order of those (front to back). `planarity` is the deviation, relative to the size
-/// of a face, below which a quadrilateral counts as planar. The result does not depend on the
+/// Returns the exact visibility order of a mesh for a view: a topological order, front to back, of
+/// the strongly connected components of the relation across shared faces and, where a ray could
+/// leave the mesh and enter it again, across gaps. `planarity` is the deviation, relative to the
+/// size of a face, below which a quadrilateral counts as planar. The result does not depend on the
 /// number of threads.
 OrderResult exact_order(const OrderBasis& basis, const View& view, double planarity);
 
-/// The same for a single view.
+/// Computes the basis as well: for a single view.
 OrderResult exact_order(const ZooMesh& mesh, const FaceAdjacency& adjacency, const View& view,
                         double planarity);
 

@@ -11,8 +11,8 @@
 namespace hiac {
 namespace {
 
-// Three corners are nearly in line when their triangle is smaller than this part of the one around
-// the opposite corner.
+// Three corners are nearly in line when their triangle's area is less than this fraction of the
+// area of the triangle around the opposite corner.
 constexpr double kNearlyInLine = 1.0 / 16;
 
 double doubled_area(Point3 a, Point3 b, Point3 c) {
@@ -30,7 +30,7 @@ unsigned plane_start(const ZooMesh& mesh, CellId cell, const ShapeFace& face) {
   const auto nodes = mesh.cell_nodes(cell);
   const auto lowest = std::ranges::min_element(c, {}, [&](std::uint8_t k) { return nodes[k]; });
   const auto middle = static_cast<std::size_t>(lowest - c.begin());
-  // measured from the corner itself, so that rounding is the same in the other order
+  // measured from the corner itself, so that both orders of the corners round alike
   const auto area_at = [&](std::size_t k) {
     return doubled_area(mesh.position(nodes[c[k % 4]]), mesh.position(nodes[c[(k + 3) % 4]]),
                         mesh.position(nodes[c[(k + 1) % 4]]));

@@ -13,9 +13,9 @@ namespace hiac {
 namespace {
 
 struct BoundaryFace {
-  std::array<NodeId, 4> nodes;  // around it; a triangle repeats its last node
+  std::array<NodeId, 4> nodes;  // in order around it; a triangle repeats its last node
   NodeId inner;                 // a corner of the cell that is off the face's plane
-  int inside;                   // its orientation against nodes 0, 1, 2; 0 when there is none
+  int inside;                   // its orientation relative to nodes 0, 1, 2; 0 if there is none
 };
 
 struct BoundaryEdge {
@@ -67,7 +67,7 @@ std::vector<BoundaryFace> boundary_faces(const ZooMesh& mesh, const FaceAdjacenc
   return boundary;
 }
 
-// Every corner of `face` lies inside the plane of `plane` or on it.
+// Returns whether every corner of `face` lies in the plane of `plane` or on its inner side.
 bool within(const ZooMesh& mesh, const BoundaryFace& plane, const BoundaryFace& face) {
   return std::ranges::all_of(face.nodes, [&](NodeId node) {
     const int side = orientation(mesh.position(plane.nodes[0]), mesh.position(plane.nodes[1]),
@@ -76,8 +76,8 @@ bool within(const ZooMesh& mesh, const BoundaryFace& plane, const BoundaryFace& 
   });
 }
 
-// The side of the plane of a, b and c on which a face lies that has the edge a-b: that of its first
-// corner off the plane, 0 when there is none.
+// Returns the side of the plane of a, b and c on which a face with the edge a-b lies: that of its
+// first corner off the plane, or 0 if there is none.
 int side_of_face(const ZooMesh& mesh, NodeId a, NodeId b, NodeId c, const BoundaryFace& face) {
   for (const NodeId node : face.nodes) {
     const int side =
@@ -87,9 +87,9 @@ int side_of_face(const ZooMesh& mesh, NodeId a, NodeId b, NodeId c, const Bounda
   return 0;
 }
 
-// Whether the body turns by less than half around the edge a-b that two of its faces share, or by
-// just half. Where both lie in one plane, they may also be folded onto one another, around nothing
-// (a body of no thickness) or around everything (the front of a crack of no width).
+// Returns whether the angle inside the body, at the edge a-b that two of its faces share, is at
+// most half a turn. Two faces in one plane may also be folded onto one another, with an angle of
+// zero (a body of no thickness) or of a full turn (the front of a crack of no width).
 bool convex_along(const ZooMesh& mesh, NodeId a, NodeId b, const BoundaryFace& f,
                   const BoundaryFace& g) {
   if (!within(mesh, f, g) || !within(mesh, g, f)) return false;

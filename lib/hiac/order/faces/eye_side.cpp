@@ -12,11 +12,11 @@ namespace hiac {
 namespace {
 
 Vector minus(const double* a, const double* b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-// Values whose signs are the sides of the eye, and how far rounding can have moved them. A
-// determinant of three vectors has six products of three factors; every product passes at most
-// three rounded differences, two multiplications and three additions, 8 eps of it to first order
-// (eps: half an ulp of 1). What underflow adds is below the smallest normal number times the
-// factor that is left.
+// Values whose signs are the sides of the eye, and a bound of their rounding errors. A determinant
+// of three vectors has six products of three factors; every product is subject to at most three
+// rounded differences, two multiplications and three additions, that is 8 eps of it to first order
+// (eps: half an ulp of 1). Underflow adds less than the smallest normal number times the remaining
+// factor.
 struct Filtered {
   std::array<double, 4> values;
   double error;
@@ -56,7 +56,7 @@ EyeSides eye_sides_of_tetrahedron(const std::array<const double*, 4>& corners, c
     positive |= (filtered.values[f] > filtered.error ? 1U : 0U) << f;
     negative |= (filtered.values[f] < -filtered.error ? 1U : 0U) << f;
   }
-  // not-a-number and overflow end in the exact question as well
+  // NaN and overflow lead to the exact test as well
   for (unsigned left = ~(positive | negative) & 0xFU; left != 0; left &= left - 1) {
     const auto f = static_cast<unsigned>(std::countr_zero(left));
     const auto& c = shape_tables::kTetrahedronFaces[f].corners;

@@ -7,13 +7,13 @@
 
 namespace hiac {
 
-/// The numbering of FaceAdjacency: where the faces of each cell begin. A mesh of one shape needs no
-/// table for that.
+/// The numbering of FaceAdjacency: the number of each cell's first face. A mesh of a single shape
+/// needs no table for it.
 class FaceNumbering {
  public:
   explicit FaceNumbering(const ZooMesh& mesh);
 
-  /// Number of the first face of a cell; of the cell after the last: the number of all faces.
+  /// The number of a cell's first face; for the cell after the last, the number of all faces.
   [[nodiscard]] std::uint64_t first(std::size_t cell) const {
     return table_.empty() ? stride_ * cell : table_[cell];
   }

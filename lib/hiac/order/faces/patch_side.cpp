@@ -9,7 +9,7 @@
 namespace hiac {
 namespace {
 
-// Axes of which the third points along a parallel view's rays; right-handed.
+// Right-handed axes of which the third points along a parallel view's rays.
 std::array<Vector, 3> axes_along(const Vector& direction) {
   const Vector forward = unit(direction);
   std::size_t least = 0;
@@ -28,7 +28,7 @@ std::array<PatchNet<double>, 3> nets_of(const PatchShape& shape, const PatchNet<
   return nets;
 }
 
-// As the rays have it: from the eye, or across them.
+// The control points relative to the eye or, in a parallel view, in coordinates across the rays.
 PatchNet<Vector> as_seen(const PatchShape& shape, const PatchNet<Vector>& points,
                          const View& view) {
   PatchNet<Vector> seen;
@@ -44,7 +44,7 @@ PatchNet<Vector> as_seen(const PatchShape& shape, const PatchNet<Vector>& points
   return seen;
 }
 
-// Whether a face's corners run the way in which the kind's table lists them.
+// Returns whether a face's corners run in the direction in which the kind's table lists them.
 bool runs_as_listed(const ShapeFace& face, const std::array<std::uint8_t, 4>& corners) {
   const auto* const end = face.corners.begin() + face.corner_count;
   const auto first = std::find(face.corners.begin(), end, corners[0]) - face.corners.begin();
@@ -81,7 +81,7 @@ PatchNet<Vector> hull_of_face(const ZooMesh& mesh, CellId cell, std::size_t face
 }
 
 // With a, b, c the corners around a point of the face, eye_side is -sign det[a - e, b - a, c - a],
-// and along a direction v -sign det[v, b - a, c - a].
+// or -sign det[v, b - a, c - a] for rays of direction v.
 int eye_side_of_curved_face(const ZooMesh& mesh, CellId cell, std::size_t face,
                             const FaceForm& form, const View& view) {
   const PatchNet<Vector> seen = as_seen(form.shape, hull_of_face(mesh, cell, face, form), view);

@@ -11,7 +11,7 @@
 namespace hiac {
 namespace {
 
-// More than rounding does to a product of three differences, relative to their sizes.
+// A bound of the rounding error of a product of three differences, relative to their sizes.
 constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
 
 struct Range {
@@ -28,7 +28,7 @@ Range range_along(const Vector& normal, std::span<const Vector> points, const Ve
   return range;
 }
 
-// Asks about two hulls.
+// Tests for planes that separate two hulls.
 class Parting {
  public:
   Parting(std::span<const Vector> f, std::span<const Vector> g, const View& view, double slack)
@@ -40,7 +40,7 @@ class Parting {
     rounding_ = kRounding * reach;
   }
 
-  // A plane through the eye and two points has the hulls on its two sides.
+  // Returns whether a plane through the eye and two points has the hulls on different sides.
   [[nodiscard]] bool beside(const Vector& a, const Vector& b) const {
     const Vector normal = view_.perspective ? cross(minus(a, view_.eye), minus(b, view_.eye))
                                             : cross(view_.direction, minus(b, a));
@@ -51,7 +51,7 @@ class Parting {
     return (f.high <= zero && g.low >= -zero) || (g.high <= zero && f.low >= -zero);
   }
 
-  // Both hulls lie within the slack of a plane across a normal.
+  // Returns whether both hulls lie within the slack of a plane with this normal.
   [[nodiscard]] bool in_one_plane(const Vector& normal) const {
     const double size = length(normal);
     if (!(size > 0)) return false;
@@ -59,7 +59,7 @@ class Parting {
     return std::max(f.high, g.high) - std::min(f.low, g.low) <= 2 * (slack_ + rounding_) * size;
   }
 
-  // A plane across a normal has g and the eye on one side, and f beyond.
+  // Returns whether a plane with this normal has g and the eye on one side, and f on the other.
   [[nodiscard]] bool beyond(const Vector& normal) const {
     const double size = length(normal);
     if (!(size > 0)) return false;
@@ -81,8 +81,8 @@ class Parting {
   double slack_, rounding_ = 0;
 };
 
-// Corners of nets of 3, 4, 9 and 16 points, around the face: of triangles with curved edges the net
-// is a square, of which they are a half.
+// Returns the corners, in order around the face, of a net of 3, 4, 9 or 16 points. The net of a
+// triangle with curved edges is a square, of which the triangle is one half.
 std::vector<Vector> corners_of(std::span<const Vector> hull) {
   const std::size_t n = hull.size();
   if (n <= 4) return {hull.begin(), hull.end()};
@@ -135,7 +135,7 @@ bool may_be_met_first(std::span<const Vector> f, std::span<const Vector> g, cons
   const auto beyond = [&](const Vector& normal) { return parting.beyond(normal); };
   if (std::ranges::any_of(normals, touching)) return true;
   if (std::ranges::any_of(normals, beyond)) return false;
-  // where they touch along edges a plane along one of each may separate them
+  // where the hulls touch along edges, a plane parallel to an edge of each may separate them
   return std::ranges::none_of(edges[0], [&](const Vector& along_f) {
     return std::ranges::any_of(
         edges[1], [&](const Vector& along_g) { return beyond(cross(along_f, along_g)); });

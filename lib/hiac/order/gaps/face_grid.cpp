@@ -29,7 +29,7 @@ void FaceExtent::include(const Outline& outline) {
 
 FaceGrid::Axis::Axis(const Interval& range, double sum_of_sizes, std::size_t faces) {
   const double width = range.high - range.low;
-  // where rounding leaves nothing certain about a place, all are in one tile
+  // if rounding makes all places uncertain, there is a single tile
   if (!std::isfinite(width) || !(width > 0) || !(sum_of_sizes > 0)) return;
   const auto count = static_cast<double>(faces);
   const double most = std::clamp(std::sqrt(count), 1.0, kMostTilesPerSide);
@@ -38,7 +38,7 @@ FaceGrid::Axis::Axis(const Interval& range, double sum_of_sizes, std::size_t fac
   scale = kLastStep / width;
 }
 
-// What is not a number, from a window of no certain size, is everywhere.
+// NaN, which a window of uncertain size yields, covers all steps.
 std::uint16_t FaceGrid::Axis::step_below(double v) const {
   const double u = std::floor((v - low) * scale);
   return u > 0 ? static_cast<std::uint16_t>(std::min(u, kLastStep)) : std::uint16_t{0};

@@ -8,7 +8,7 @@
 
 namespace hiac {
 
-/// The part of a window that faces take, and how large they are in the mean.
+/// The part of a window that faces cover, and the sums of their widths and heights.
 struct FaceExtent {
   Interval x, y;
   double sum_of_widths = 0, sum_of_heights = 0;
@@ -17,19 +17,19 @@ struct FaceExtent {
   void include(const Outline& outline);
 };
 
-/// A rectangle in steps of 2^-15 of a grid, rounded outwards.
+/// A rectangle in units of 2^-15 of a grid, rounded outwards.
 struct GridBounds {
   std::uint16_t x_low, y_low, x_high, y_high;
 };
 
-/// A face in a grid.
+/// A face as it is binned into a grid.
 struct BinnedFace {
   GridBounds bounds;
-  float depth;         ///< one end of its range, rounded
+  float depth;         ///< one end of its depth range, rounded
   std::uint32_t face;  ///< its number
 };
 
-/// Faces by tile: those of tile t are members[start[t]] ... members[start[t + 1] - 1].
+/// Faces by tile: tile t has members[start[t]] ... members[start[t + 1] - 1].
 struct FaceBins {
   std::vector<std::uint64_t> start;
   std::vector<BinnedFace> members;
@@ -39,10 +39,10 @@ struct FaceBins {
   }
 };
 
-/// A regular grid over the part of a window in which faces are.
+/// A regular grid over the part of a window that faces cover.
 class FaceGrid {
  public:
-  /// Tiles about as large as a face is in the mean, though not many more than faces.
+  /// Makes tiles about as large as the mean face, but not many more tiles than faces.
   explicit FaceGrid(const FaceExtent& extent);
 
   [[nodiscard]] std::size_t tiles() const { return std::size_t{x_.tiles} * y_.tiles; }
@@ -50,10 +50,10 @@ class FaceGrid {
     return y_.tile(y) * x_.tiles + x_.tile(x);
   }
 
-  /// A face as it is binned; `depth` is rounded upwards or downwards.
+  /// Returns a face in the form in which it is binned; `depth` is rounded upwards or downwards.
   [[nodiscard]] BinnedFace binned(const Outline& outline, double depth, bool upwards,
                                   std::uint32_t face) const;
-  /// Puts every face into each tile that its bounds meet; a tile keeps their order.
+  /// Puts every face into each tile that its bounds meet; each tile keeps the faces' order.
   [[nodiscard]] FaceBins bin(std::span<const BinnedFace> faces) const;
 
  private:
@@ -74,14 +74,14 @@ class FaceGrid {
   Axis x_, y_;
 };
 
-/// Tells whether rectangles meet, in three instructions a pair: four comparisons in the four 16-bit
-/// lanes of a word, whose results are the lanes' top bits.
+/// Decides whether rectangles meet, in three instructions per pair: four comparisons in the four
+/// 16-bit lanes of a word, whose results are the lanes' top bits.
 class MeetingTest {
  public:
   explicit MeetingTest(const GridBounds& a)
       : lows_(lanes(a.x_low, a.y_low, kLast - a.x_high, kLast - a.y_high)) {}
 
-  /// The other rectangle, prepared.
+  /// Returns the other rectangle in the form that meets() takes.
   static std::uint64_t prepared(const GridBounds& b) {
     return kTopBits | lanes(b.x_high, b.y_high, kLast - b.x_low, kLast - b.y_low);
   }

@@ -1,6 +1,6 @@
 // Based on the Obstructs sequence of P. Williams, N. Max, C. Stein, "A High Accuracy Volume
-// Renderer for Unstructured Data", 1998, section 6, for single faces and with exact predicates
-// throughout: nothing is asked of projected coordinates.
+// Renderer for Unstructured Data", 1998, section 6, for single faces. All predicates are exact;
+// none uses projected coordinates.
 
 #include "hiac/order/gaps/face_obstruction.hpp"
 
@@ -14,11 +14,11 @@
 namespace hiac {
 namespace {
 
-// The side of the plane through the eye, a and b on which p is seen: +1 to the left of the edge
-// a -> b as seen from the eye.
+// Returns the side of the plane through the eye, a and b on which p lies: +1 to the left of the
+// edge a -> b as seen from the eye.
 int side_of_edge(Point3 a, Point3 b, Point3 p, const View& view) { return eye_side(a, b, p, view); }
 
-// Whether an edge of `f` has all of `g` on its outer side or in its plane.
+// Returns whether an edge of `f` has all of `g` on its outer side or in its plane.
 bool separated_by_edge(const SeenFace& f, const SeenFace& g, const View& view) {
   for (std::size_t k = 0; k < f.count; ++k) {
     bool outside = true;
@@ -29,8 +29,8 @@ bool separated_by_edge(const SeenFace& f, const SeenFace& g, const View& view) {
   return false;
 }
 
-// Whether all of both faces surely lies before one plane through the eye. What rounding could turn
-// counts as not.
+// Returns whether both faces surely lie in front of one plane through the eye. Where rounding could
+// change the answer, it is false.
 bool in_one_hemisphere(const SeenFace& f, const SeenFace& g, const View& view) {
   constexpr double kSurely = 1e-9;
   if (!view.perspective) return true;
@@ -66,8 +66,8 @@ Span span_of(Point3 a, Point3 b, const SeenFace& face, const View& view) {
   return span;
 }
 
-// Whether a plane through the eye and a corner of each face has them on different sides. Faces that
-// surround the eye can be apart by such planes alone.
+// Returns whether a plane through the eye and a corner of each face has them on different sides.
+// Faces that surround the eye may be separated only by such planes.
 bool separated_by_corners(const SeenFace& f, const SeenFace& g, const View& view) {
   for (std::size_t k = 0; k < f.count; ++k)
     for (std::size_t j = 0; j < g.count; ++j) {
@@ -78,7 +78,7 @@ bool separated_by_corners(const SeenFace& f, const SeenFace& g, const View& view
   return false;
 }
 
-// How the corners of `face` lie to the plane of `plane`: on the eye's side, beyond, or in it.
+// Where the corners of `face` lie relative to the plane of `plane`: on the eye's side, beyond it.
 struct Sides {
   bool any_nearer = false, any_beyond = false;
 };
@@ -98,7 +98,7 @@ Vector normal_of(const SeenFace& face) {
   return cross(minus(face.corner(1), a), minus(face.corner(2), a));
 }
 
-// Of a point on the positive side of the plane positive.
+// The distance of a point from a face's plane, positive on the plane's positive side.
 double height_over(const SeenFace& plane, Point3 p) {
   const Vector n = normal_of(plane);
   return dot(n, minus(p, plane.corner(0))) / length(n);
@@ -109,14 +109,15 @@ double distance_of_lines(Point3 a, Point3 b, Point3 c, Point3 d) {
   return std::abs(dot(n, minus(c, a))) / length(n);
 }
 
-// Whether the eye sees both faces from the same side. Faces of one wall that rounding tilts, seen
-// nearly edge-on, are seen from either side: they lie close to one plane, but touch nowhere.
+// Returns whether the eye sees both faces from the same side. Faces of one wall that rounding has
+// tilted, seen nearly edge-on, are seen from different sides: they lie close to one plane, but do
+// not touch.
 bool face_alike(const SeenFace& f, const SeenFace& g) {
   const auto m = normal_of(f), n = normal_of(g);
   return f.winding * g.winding * dot(m, n) > 0;
 }
 
-// Distance of the corner of `face` that is farthest in front of the plane of `plane`.
+// Returns how far the farthest corner of `face` lies in front of the plane of `plane`.
 double depth_in_front(const SeenFace& plane, const SeenFace& face) {
   double most = 0;
   for (std::size_t k = 0; k < face.count; ++k)
@@ -130,12 +131,12 @@ bool covers(const SeenFace& face, Point3 p, const View& view) {
   return true;
 }
 
-// How far, at most, each of two faces lies before the other where both are seen: 0 where it
-// nowhere does, exactly; else rounded, world units.
+// The largest distance by which each of two faces lies in front of the other where both are seen. 0
+// is exact and means nowhere; other values are rounded, in world units.
 struct Ahead {
   double first = 0, second = 0;
 
-  // At one place: -1 where the first face is nearer, +1 where the second is.
+  // Includes one place; `nearer` is -1 if the first face is nearer there, +1 if the second is.
   void include(int nearer, double distance) {
     if (nearer == 0) return;
     double& most = nearer < 0 ? first : second;
@@ -143,8 +144,8 @@ struct Ahead {
   }
 };
 
-// Corners of `face` that are seen where `cover` is; `nearer`: what is told of those on the eye's
-// side of its plane.
+// Includes the corners of `face` that are seen within `cover`; `nearer` is the value for those on
+// the eye's side of its plane.
 void include_corners(const SeenFace& face, const SeenFace& cover, const View& view, int nearer,
                      Ahead& ahead) {
   for (std::size_t k = 0; k < face.count; ++k) {
@@ -155,8 +156,9 @@ void include_corners(const SeenFace& face, const SeenFace& cover, const View& vi
   }
 }
 
-// What is seen of both faces is a polygon, and the first is nearer on one side of a line there: all
-// is told at the polygon's corners, where edges cross or which are those of the faces.
+// Both faces are seen together in a polygon, where a line divides the parts in which one or the
+// other is nearer. The polygon's corners, which are crossings of edges or corners of the faces, are
+// therefore all that need be compared.
 Ahead ahead_of_one_another(const SeenFace& f, const SeenFace& g, const View& view) {
   Ahead ahead;
   for (std::size_t k = 0; k < f.count; ++k)
@@ -172,13 +174,13 @@ Ahead ahead_of_one_another(const SeenFace& f, const SeenFace& g, const View& vie
 
 }  // namespace
 
-// With s the side of the line's wedge: c-d passes the triangle of the eye, a and b inside it, and
-// so in front of a-b, exactly when it passes all three edges of that triangle on the same side.
+// c-d passes through the triangle of the eye, a and b, and so in front of a-b, exactly if it passes
+// all three edges of that triangle on the same side.
 std::optional<int> nearer_edge(Point3 a, Point3 b, Point3 c, Point3 d, const View& view) {
   const int c_side = side_of_edge(a, b, c, view), d_side = side_of_edge(a, b, d, view);
   const int a_side = side_of_edge(c, d, a, view), b_side = side_of_edge(c, d, b, view);
   if (c_side * d_side >= 0 || a_side * b_side >= 0) return std::nullopt;
-  if (a_side != d_side) return std::nullopt;  // one passes the other's opposite, behind the eye
+  if (a_side != d_side) return std::nullopt;  // one passes behind the eye, opposite the other
   // det[d-c, a-c, eye-c] = a_side: seen from the eye, a lies left of c -> d when it is positive
   return orientation(c, d, a, b) * a_side * -1;
 }
@@ -192,10 +194,10 @@ bool reached_first(const SeenFace& f, const SeenFace& g, const View& view, doubl
   const Sides g_to_f = sides_of(f, g);
   if (!g_to_f.any_nearer) return true;  // all of g lies beyond the plane of f, or in it
   const Sides f_to_g = sides_of(g, f);
-  if (!f_to_g.any_beyond) return true;  // all of f lies before the plane of g, or in it
+  if (!f_to_g.any_beyond) return true;  // all of f lies in front of the plane of g, or in it
   if (face_alike(f, g) && depth_in_front(f, g) <= slack) return true;
   if (!g_to_f.any_beyond || !f_to_g.any_nearer) return false;
-  // each plane cuts the other face: rays that cross both must be asked
+  // each plane cuts the other face: the places where rays cross both must be compared
   const Ahead ahead = ahead_of_one_another(f, g, view);
   const bool pierce = std::min(ahead.first, ahead.second) > slack;
   return pierce || ahead.first >= ahead.second;

@@ -13,27 +13,27 @@ namespace hiac {
 struct SeenFace {
   std::array<const double*, 4> corners;  ///< positions, in order around the face
   std::size_t count;                     ///< 3 or 4
-  int winding;                           ///< +1: counter-clockwise as seen from the eye; -1
+  int winding;                           ///< +1: counter-clockwise as seen from the eye; else -1
 
   [[nodiscard]] Point3 corner(std::size_t k) const { return Point3(corners[k % count], 3); }
 };
 
-/// Where edges a-b and c-d cross on the screen: -1 when a-b is nearer, +1 when c-d is, 0 when they
-/// meet; nothing when they do not cross properly. Exact.
+/// Compares edges a-b and c-d where they cross on the screen: -1 if a-b is nearer, +1 if c-d is, 0
+/// if they meet; nothing if they do not cross properly. Exact.
 std::optional<int> nearer_edge(Point3 a, Point3 b, Point3 c, Point3 d, const View& view);
 
-/// True when some viewing ray crosses the inner of both faces.
+/// Returns whether some viewing ray crosses the interiors of both faces.
 ///
-/// Exact: two convex polygons on the sphere of directions are apart when the great circle through
-/// an edge of one of them has them on different sides or, if no hemisphere holds both, one through
-/// a corner of each. The faces must not be seen edge-on.
+/// Exact: two convex polygons on the sphere of directions are disjoint if the great circle through
+/// an edge of one of them has them on different sides or, if no hemisphere contains both, one
+/// through a corner of each. The faces must not be seen edge-on.
 bool projections_overlap(const SeenFace& f, const SeenFace& g, const View& view);
 
-/// True when `f` is met before `g` by some ray that crosses both, or no later by all of them, given
-/// that there are such rays: of faces that pierce each other, whichever is asked about first.
-/// `slack` is the distance, world units, that g may lie in front of f and still count as touching
-/// it, where the eye sees both from the same side; of faces that pierce each other by no more only
-/// the one is first that is farther in front of the other where it is.
+/// Returns true if some ray that crosses both faces meets `f` before `g`, or if all of them meet
+/// `f` no later; there must be such rays. Two faces that pierce each other are therefore each met
+/// first. `slack` is the distance, in world units, by which g may lie in front of f and still count
+/// as touching it, if the eye sees both from the same side. If faces pierce each other by no more
+/// than that, only the one that lies farther in front of the other is first.
 bool reached_first(const SeenFace& f, const SeenFace& g, const View& view, double slack);
 
 }  // namespace hiac

@@ -23,14 +23,14 @@ namespace {
 constexpr std::size_t kFaceGrain = 1 << 11;
 constexpr std::size_t kTileGrain = 64;
 
-// An unmatched face that rays cross, as a window has it.
+// An unmatched face that rays cross, as seen in a window.
 struct GapFace {
   SeenFace seen;
   CellId cell;
-  bool exit;    // rays leave the cell through it; else they enter
+  bool exit;    // whether rays leave the cell through it; else they enter
   double size;  // longest edge or diagonal from its first corner
   Outline outline;
-  std::span<const Vector> hull;  // of a face that is not planar; else empty
+  std::span<const Vector> hull;  // the hull of a face that is not planar; else empty
 
   [[nodiscard]] bool bent() const { return !hull.empty(); }
 };
@@ -39,7 +39,7 @@ struct Question {
   const OrderBasis& basis;
   const View& view;
   double planarity;
-  std::vector<BentFace> bent;  // of every unmatched face
+  std::vector<BentFace> bent;  // for every unmatched face
 };
 
 // Appends a face, unless no ray crosses it in the window.
@@ -63,7 +63,7 @@ void add_face(const Question& q, const Window& window, const UnmatchedFace& face
   if (window.place(gap.seen, gap.outline)) faces.push_back(gap);
 }
 
-// Of a face that rays cross both ways, two: an exit and an entry.
+// Appends a face, or two, an exit and an entry, if rays cross the face both ways.
 void add_bent_face(const Window& window, const UnmatchedFace& face, const BentFace& bent,
                    std::vector<GapFace>& faces) {
   if (bent.eye == 0) return;
@@ -89,7 +89,7 @@ std::vector<GapFace> faces_in(const Question& q, const Window& window) {
   });
 }
 
-// What a face lies in: its hull, or its corners.
+// Returns points whose convex hull contains a face: its hull's or its corners.
 std::vector<Vector> hull_of(const GapFace& face) {
   if (face.bent()) return {face.hull.begin(), face.hull.end()};
   std::vector<Vector> corners;
@@ -100,14 +100,14 @@ std::vector<Vector> hull_of(const GapFace& face) {
   return corners;
 }
 
-// What the corners of a face in a window tell, given how far they may be off.
+// What the window coordinates of two faces, with their error bounds, prove about their overlap.
 enum class Overlap { none, certain, unknown };
 
 double extent(const Outline& face) { return face.x.high - face.x.low + face.y.high - face.y.low; }
 
-// Two convex polygons in a plane are apart exactly when an edge of one of them has the other on its
-// outer side or on its line; corners that both have in common lie on it for sure. What rounding can
-// have done to a corner's distance from an edge, times the edge's length, is within `margin`.
+// Two convex polygons in a plane are disjoint exactly if an edge of one of them has the other on
+// its outer side or on its line; a corner that both share surely lies on the line. `margin` bounds
+// the rounding error of a corner's distance from an edge, times the edge's length.
 Overlap overlap_across_edges(const GapFace& f, const GapFace& g, double margin) {
   const double inner = Window::kWinding * f.seen.winding;
   bool all_reached = true;
@@ -115,7 +115,7 @@ Overlap overlap_across_edges(const GapFace& f, const GapFace& g, double margin) 
     const std::size_t next = k + 1 == f.seen.count ? 0 : k + 1;
     const double px = f.outline.at_x[k], py = f.outline.at_y[k];
     const double dx = inner * (f.outline.at_x[next] - px), dy = inner * (f.outline.at_y[next] - py);
-    std::array<double, 4> turn;  // how far inside the edge the corners of g are
+    std::array<double, 4> turn;  // positive where a corner of g lies inside the edge
     for (std::size_t j = 0; j < 4; ++j)
       turn[j] = dx * (g.outline.at_y[j] - py) - dy * (g.outline.at_x[j] - px);
     const double most = std::max(std::max(turn[0], turn[1]), std::max(turn[2], turn[3]));
@@ -147,7 +147,7 @@ class PairSearch {
   PairSearch(const Question& q, const Window& window)
       : q_(q), window_(window), faces_(faces_in(q, window)) {}
 
-  // Appends the arrows, and returns the number of pairs that had to be decided.
+  // Appends the arrows, and returns the number of pairs that were tested.
   std::uint64_t run(std::vector<GapArrow>& arrows) const {
     FaceExtent extent;
     for (const GapFace& face : faces_) extent.include(face.outline);
@@ -162,8 +162,8 @@ class PairSearch {
   }
 
  private:
-  // Exits keep where they begin, entries where they end, in depth; either with the slack by which
-  // faces that touch may be out of order. By ascending depth.
+  // Exits are sorted by where their depth range begins, entries by where it ends, both moved by the
+  // slack within which faces count as touching. Ascending.
   [[nodiscard]] FaceBins bins_of(const FaceGrid& grid, bool exit) const {
     std::vector<BinnedFace> faces;
     for (std::uint32_t f = 0; f < faces_.size(); ++f) {
@@ -193,7 +193,7 @@ class PairSearch {
       for (std::size_t e = first_behind; e < entries.size(); ++e) {
         if (!test.meets(prepared[e])) continue;
         const BinnedFace& entry = entries[e];
-        // of the tiles that both are in, the first one decides
+        // the first of the tiles that contain both decides the pair
         if (grid.tile_at(std::max(exit.bounds.x_low, entry.bounds.x_low),
                          std::max(exit.bounds.y_low, entry.bounds.y_low)) != tile)
           continue;
@@ -203,7 +203,7 @@ class PairSearch {
     return decided;
   }
 
-  // True when the pair had to be asked more than its bounds.
+  // Returns true if the pair needed more than the test of bounds.
   bool decide(const GapFace& exit, const GapFace& entry, std::vector<GapArrow>& arrows) const {
     if (exit.cell == entry.cell) return false;
     if (exit.bent() || entry.bent()) {
@@ -217,8 +217,8 @@ class PairSearch {
     if (overlap == Overlap::unknown && !projections_overlap(exit.seen, entry.seen, q_.view))
       return true;
     const double slack = q_.planarity * std::max(exit.size, entry.size);
-    // before an entry all of which is farther than all of the exit there is nothing to ask; a
-    // pyramid bounds but parts of them, and they may overlap where they lie the other way round
+    // an exit that lies wholly in front of an entry is met first. In a pyramid the depths bound
+    // only the parts of the faces inside it; the order may be reversed where they overlap
     const bool farther = !window_.pyramid() && exit.outline.depth.high < entry.outline.depth.low;
     if (farther || reached_first(exit.seen, entry.seen, q_.view, slack))
       arrows.push_back({exit.cell, entry.cell});
@@ -230,7 +230,7 @@ class PairSearch {
   std::vector<GapFace> faces_;
 };
 
-// Returns the number of pairs of faces that were decided.
+// Returns the number of pairs of faces that were tested.
 std::uint64_t add_gap_arrows(const OrderBasis& basis, const View& view, double planarity,
                              std::vector<GapArrow>& arrows) {
   Question question{basis, view, planarity, {}};
@@ -258,7 +258,7 @@ GapRelation sorted_by_cell(std::size_t cells, std::span<const GapArrow> arrows) 
   for (const GapArrow& arrow : arrows) ++start[arrow.front + 1];
   for (std::size_t cell = 0; cell < cells; ++cell) start[cell + 1] += start[cell];
   behind.resize(arrows.size());
-  // from here on start[c] is where the next arrow of cell c goes; in the end, where they end
+  // while arrows are placed, start[c] is where the next arrow of cell c goes; then where they end
   for (const GapArrow& arrow : arrows) behind[start[arrow.front]++] = arrow.behind;
   std::uint64_t begin = 0, kept = 0;
   for (std::size_t cell = 0; cell < cells; ++cell) {
@@ -283,7 +283,7 @@ GapRelation gap_relation(const OrderBasis& basis, const View& view, double plana
     arrows.push_back({a, b});
     arrows.push_back({b, a});
   }
-  // of a convex mesh no ray leaves it and enters it again
+  // no ray leaves a convex mesh and enters it again
   const std::uint64_t pairs = basis.convex ? 0 : add_gap_arrows(basis, view, planarity, arrows);
   GapRelation relation = sorted_by_cell(basis.mesh->cell_count(), arrows);
   relation.candidate_pairs = pairs;

@@ -8,12 +8,12 @@
 namespace hiac {
 namespace {
 
-// More than the rounding of a coordinate in a window, relative to the largest coordinate that it is
-// made of: one difference, three products and two sums, and along the rays of an orthographic view
-// the rounding of the window's own axes; twice that in a quotient.
+// A bound of the rounding error of a window coordinate, relative to the largest coordinate from
+// which it is computed: one difference, three products and two sums and, along the rays of an
+// orthographic view, the rounding of the window's own axes; twice that in a quotient.
 constexpr double kRounding = 32 * std::numeric_limits<double>::epsilon();
 
-// Keeps the part of a polygon inside a pyramid, a little widened.
+// Keeps the part of a polygon inside a pyramid, slightly widened.
 void clip(std::vector<Vector>& polygon) {
   constexpr double kOpening = 1 + 1e-9;
   for (std::size_t side = 0; side < 4; ++side) {
@@ -84,7 +84,7 @@ bool Window::place_hull(std::span<const Vector> points, Outline& outline) const 
   double farthest = 0;
   for (const Vector& p : points) seen_points.push_back(seen(p, farthest));
   if (!pyramid_) return place_whole(seen_points, farthest, outline);
-  // of a pyramid it may fill all, unless it lies outside of one of its sides
+  // the hull may fill the whole pyramid, unless it lies outside one of its sides
   constexpr double kOpening = 1 + 1e-9;
   Interval depth;
   std::array<bool, 5> outside;

@@ -13,7 +13,7 @@
 
 namespace hiac {
 
-/// A closed range; made empty.
+/// A closed range, initially empty.
 struct Interval {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
@@ -28,18 +28,18 @@ struct Interval {
   }
 };
 
-/// Where a window has a face.
+/// The place of a face in a window.
 struct Outline {
-  Interval x, y, depth;              ///< what of it is seen lies in there for sure
+  Interval x, y, depth;              ///< bounds of its visible part
   std::array<double, 4> at_x, at_y;  ///< its corners, a triangle's last one twice; not in a pyramid
-  double error;                      ///< what those may be off by
+  double error;                      ///< error bound of the corners
 };
 
-/// A plane to project on, through which part of the mesh is seen: x and y in it, depth along its
-/// axis.
+/// A projection plane through which a part of the mesh is seen: x and y are coordinates in the
+/// plane, depth is along its axis.
 ///
-/// A wide window has all of the mesh before the eye. A pyramid is one of six that look out of a
-/// cube around the eye: of a face only what lies inside |x|, |y| <= depth counts.
+/// A wide window has all of the mesh in front of the eye. A pyramid is one of six that look out of
+/// a cube around the eye: only the part of a face inside |x|, |y| <= depth counts.
 class Window {
  public:
   /// `axis` may have any length but 0.
@@ -47,13 +47,13 @@ class Window {
 
   [[nodiscard]] bool pyramid() const { return pyramid_; }
 
-  /// +1 when what runs counter-clockwise as seen from the eye does so in x and y: always -1, since
-  /// x, y and depth are right-handed.
+  /// +1 if an order that is counter-clockwise as seen from the eye is so in x and y: always -1,
+  /// since x, y and depth are right-handed.
   static constexpr int kWinding = -1;
 
-  /// False when nothing of the face is seen here.
+  /// Returns false if no part of the face is seen here.
   bool place(const SeenFace& face, Outline& outline) const;
-  /// The same for the convex hull of at least four points.
+  /// Does the same for the convex hull of at least four points.
   bool place_hull(std::span<const Vector> points, Outline& outline) const;
 
  private:
@@ -65,8 +65,8 @@ class Window {
   bool pyramid_;
 };
 
-/// The windows that together see the whole mesh, and points besides: one when they lie on one side
-/// of the eye, else the six sides of a cube around the eye.
+/// Returns the windows that together see the whole mesh and the given points: one if they all lie
+/// on one side of the eye, otherwise the six sides of a cube around the eye.
 std::vector<Window> windows_of(const ZooMesh& mesh, std::span<const Vector> points,
                                const View& view);
 

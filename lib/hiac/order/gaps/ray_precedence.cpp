@@ -39,16 +39,16 @@ double length(const Real& v) { return std::hypot(v[0], v[1], v[2]); }
 
 // Making cells --------------------------------------------------------------------------------
 
-// A face with the control points of its patch where it may be curved: it lies in their convex hull.
+// A face, with the control points of its patch if it may be curved; their convex hull contains it.
 struct HullFace {
   ShapeFace shape;
   std::vector<Real> controls;
 };
 
-// The plane of a face that lies best: through the mean of its corners, across both diagonals.
+// A plane close to a face: through the mean of its corners, parallel to both diagonals.
 struct MeanPlane {
   Real point, normal;  // normal of length 1, or 0 for a face without area
-  double deviation;    // of the face from it, at most
+  double deviation;    // the face's largest distance from it
 };
 
 MeanPlane mean_plane(const HullCell& cell, const HullFace& hull) {
@@ -68,13 +68,14 @@ MeanPlane mean_plane(const HullCell& cell, const HullFace& hull) {
   return plane;
 }
 
-// How far the cell has to be drawn towards its middle for every face to move inwards by `distance`
-// and twice its deviation; none when nothing would be left or it is not convex to within that. Sets
-// the cell's deviation.
+// Returns the fraction of the way to its middle by which the cell must be shrunk so that every face
+// moves inwards by `distance` plus twice its deviation; nothing if no cell would remain or if it is
+// not convex to within that. Sets the cell's deviation.
 //
-// A curved face lies between two planes parallel to that of its corners, and so does every face on
-// the way from the straight cell to the curved one. What is left of the cell lies inside all of
-// these planes: no face passes through it on that way, and it is inside the curved cell as it is
+// A curved face lies between two planes parallel to that of its corners, and so does every face of
+// a deformation from the straight cell to the curved one. The shrunk cell lies inside all of these
+// planes: no face passes through it during the deformation, so that it lies inside the curved cell
+// as it does inside the straight one.
 // inside the straight one.
 std::optional<double> shrink_of(HullCell& cell, std::span<const HullFace> faces, double distance) {
   double shrink = 0;
@@ -117,7 +118,7 @@ std::vector<HullFace> hull_faces(const ZooMesh& mesh, CellId cell) {
   return faces;
 }
 
-// True when the corners do not all lie in one plane.
+// Returns whether the corners do not all lie in one plane.
 bool has_inside(const std::vector<Real>& corners) {
   for (std::size_t i = 1; i < corners.size(); ++i)
     for (std::size_t j = i + 1; j < corners.size(); ++j)
@@ -132,7 +133,8 @@ bool is_planar(const HullCell& cell, const ShapeFace& face) {
                                                cell.corners[c[2]], cell.corners[c[3]]) == 0;
 }
 
-// The largest triangle of three neighbouring corners: it spans the plane of a planar face.
+// Returns the largest triangle of three neighbouring corners, which spans the plane of a planar
+// face.
 std::array<std::uint8_t, 3> spanning(const HullCell& cell, const ShapeFace& face) {
   const auto& c = face.corners;
   if (face.corner_count == 3) return {c[0], c[1], c[2]};
@@ -144,7 +146,7 @@ std::array<std::uint8_t, 3> spanning(const HullCell& cell, const ShapeFace& face
   });
 }
 
-// The cell's own edges and planes where all its faces are planar, else whatever its corners span.
+// Adds the cell's own edges and planes if all its faces are planar, else all that its corners span.
 void add_edges_and_planes(const ShapeTopology& topology, HullCell& cell) {
   const auto& faces = topology.faces;
   if (std::ranges::all_of(faces, [&](const ShapeFace& f) { return is_planar(cell, f); })) {
@@ -162,7 +164,7 @@ void add_edges_and_planes(const ShapeTopology& topology, HullCell& cell) {
 }
 
 void add_ball(HullCell& cell, const View& view) {
-  constexpr double kSlack = 1e-9;  // more than rounding makes of any of this
+  constexpr double kSlack = 1e-9;  // larger than any rounding error here
   Real middle{};
   for (const Real& p : cell.seen)
     for (std::size_t c = 0; c < 3; ++c) middle[c] += p[c] / static_cast<double>(cell.seen.size());
@@ -187,7 +189,7 @@ void add_ball(HullCell& cell, const View& view) {
   }
 }
 
-// Whether no ray that meets p can meet q behind where it first meets p; false when in doubt.
+// Returns whether surely no ray that meets p meets q behind its first point in p.
 bool surely_apart(const HullCell& p, const HullCell& q, const View& view) {
   if (p.nearest > q.farthest) return true;
   if (view.perspective) {
@@ -200,10 +202,10 @@ bool surely_apart(const HullCell& p, const HullCell& q, const View& view) {
          (p.half_angle + q.half_angle) * length(view.direction);
 }
 
-// Asking them ---------------------------------------------------------------------------------
+// Testing pairs of cells -----------------------------------------------------------------------
 
-// A direction: from one point to another. Points are the corners of p, then those of q, then the
-// eye; kRays stands for the direction of all rays of a parallel view.
+// A direction from one point to another. The points are the corners of p, then those of q, then the
+// eye; kRays denotes the direction of all rays of a parallel view.
 struct Direction {
   std::uint8_t from, to;
 };
@@ -211,7 +213,7 @@ constexpr std::uint8_t kRays = 255;
 
 enum class Answer : std::uint8_t { no, yes, unknown };
 
-// What a linear function is on some points.
+// The range of a linear function on some points.
 template <typename Number>
 struct Range {  // NOLINT(bugprone-exception-escape): exact numbers' move says so
   Number low, high;
@@ -240,7 +242,7 @@ class Separation {
     }
   }
 
-  // Whether a plane separates q from the shadow of p.
+  // Returns whether a plane separates q from the shadow of p.
   bool found() {
     for_each_candidate([&](Direction a, Direction b) {
       const Answer answer = by_rounded(a, b);
@@ -286,7 +288,7 @@ class Separation {
     return d.to == kRays ? view_.direction : minus(points_[d.to], points_[d.from]);
   }
 
-  // Whether the planes across a x b separate, by the values of (a x b) . x on the points.
+  // Returns whether planes with the normal a x b separate, from its products with the points.
   template <typename Number>
   static bool separates(const Range<Number>& p, const Range<Number>& q, const Range<Number>& cone,
                         const Number& slack, const Number& cone_slack) {
@@ -294,8 +296,9 @@ class Separation {
            (-cone_slack <= cone.low && q.high - p.low <= slack);
   }
 
-  // Every point is off by a few rounding errors of the largest one, and an edge by two of those;
-  // the rest is a forward analysis with generous factors. What underflow adds is far below kTiny.
+  // The error of a point is a few rounding errors of the largest one, that of an edge twice as
+  // large; the rest is a forward analysis with generous factors. Underflow adds far less than
+  // kTiny.
   [[nodiscard]] Answer by_rounded(Direction da, Direction db) const {
     constexpr double kTiny = 1e-280;
     const Real a = rounded(da), b = rounded(db);
@@ -322,7 +325,7 @@ class Separation {
     return separates(p, q, cone, slack, cone_slack) ? Answer::unknown : Answer::no;
   }
 
-  // The exact place of a point: p + shrink (middle - p), from the eye.
+  // The exact position of a point relative to the eye: p + shrink (middle - p).
   [[nodiscard]] Vector<Exact> exact_point(std::size_t k) const {
     Vector<Exact> x{Exact(0), Exact(0), Exact(0)};
     if (k == eye_) return x;
@@ -379,7 +382,7 @@ std::optional<HullCell> hull_cell(const ZooMesh& mesh, CellId cell, const View& 
                                   double inset) {
   HullCell hull{};
   const CellKind kind = mesh.kinds[cell];
-  // a curved cell is not its corners' hull
+  // the hull of its corners is not a curved cell
   if (inset == 0 && order_of(kind) != CellOrder::linear && has_curved_faces(mesh, cell, 1e-14))
     return std::nullopt;
   const auto nodes = mesh.cell_nodes(cell);

@@ -16,17 +16,17 @@ namespace {
 
 constexpr std::size_t kGrain = 1 << 13;
 
-// How a face lies to the eye. A face with its plane through the eye is both front and back: no ray
-// goes from one of its sides to the other.
+// How the eye sees a face. A face whose plane contains the eye is both front and back: no ray goes
+// from one of its sides to the other.
 constexpr unsigned kFront = 1;        // the eye lies on the outer side, or in the plane
 constexpr unsigned kBack = 2;         // the eye lies on the inner side, or in the plane
-constexpr unsigned kNearlyFront = 4;  // the same, but for rounding
+constexpr unsigned kNearlyFront = 4;  // the same, to within rounding
 constexpr unsigned kNearlyBack = 8;
 constexpr unsigned kInward = 16;  // the corners run clockwise seen from outside
-constexpr unsigned kSided = 32;   // the cell has an inner side there: it is not flat
+constexpr unsigned kSided = 32;   // the cell has an inner side there: it has a volume
 constexpr unsigned kNearlyEdgeOn = kNearlyFront | kNearlyBack;
 
-// Towards the eye from a point of a plane, and how far that is for FacePlane::touch.
+// The vector from a plane's point to the eye; against the rays in a parallel view.
 Vector towards_eye(const View& view, const FacePlane& plane) {
   if (view.perspective) return minus(Point3(view.eye), Point3(plane.point));
   return {-view.direction[0], -view.direction[1], -view.direction[2]};
@@ -51,8 +51,9 @@ std::uint8_t facing_of_triangle(const CellCorners& cell, const ShapeFace& face, 
   return static_cast<std::uint8_t>(facing | kSided | (side_of_rest > 0 ? kInward : 0U));
 }
 
-// Newell's plane does not say on which side of a quadrilateral an eye is that is as near to it as
-// the corners are. A quadrilateral that counts as planar is edge-on then.
+// If the eye is as near to Newell's plane as the quadrilateral's corners are, the plane does not
+// tell on which side of the quadrilateral it lies; a quadrilateral that counts as planar is then
+// edge-on.
 std::uint8_t facing_of_quadrilateral(const CellCorners& cell, const ShapeFace& face,
                                      const View& view, const MeshScale& scale, double planarity) {
   const FacePlane plane = plane_of_face(cell, face, scale);
@@ -86,7 +87,7 @@ void find_facing(const ZooMesh& mesh, CellId cell, const View& view, const MeshS
             : facing_of_quadrilateral(corners, faces[f], view, scale, planarity);
 }
 
-// The faces of a cell through which rays leave it, or enter it.
+// The faces of a cell through which rays leave it, or those through which rays enter it.
 class SeenFaces {
  public:
   SeenFaces(const ZooMesh& mesh, CellId cell, const View& view, double planarity, bool exits,
@@ -122,7 +123,7 @@ class SeenFaces {
   std::size_t count_ = 0;
 };
 
-// Whether a cell has no volume.
+// Returns whether a cell has no volume.
 bool is_flat(const CellObstruction::Cell& cell) {
   return std::ranges::all_of(cell.facing, [](unsigned facing) { return (facing & kSided) == 0; });
 }
@@ -153,7 +154,7 @@ const FacePlane& CellObstruction::Cell::plane(std::size_t face, const MeshScale&
   return planes_[face];
 }
 
-// Whether all corners lie on the outer side of a face's plane or in it.
+// Returns whether all corners lie in a face's plane or on its outer side.
 CellObstruction::Separation CellObstruction::beyond(Cell& of, std::size_t face,
                                                     const CellCorners& corners) const {
   const FacePlane& plane = of.plane(face, scale_);
@@ -169,7 +170,7 @@ CellObstruction::Separation CellObstruction::beyond(Cell& of, std::size_t face,
   return nearly_beyond(of, face, corners, values);
 }
 
-// The same where a corner lies in the plane or next to it.
+// Decides the same if a corner lies in the plane or close to it.
 CellObstruction::Separation CellObstruction::nearly_beyond(
     Cell& of, std::size_t face, const CellCorners& corners,
     const std::array<double, 8>& values) const {
@@ -193,8 +194,8 @@ CellObstruction::Separation CellObstruction::nearly_beyond(
   return separation;
 }
 
-// The third and fourth test of Obstructs: P behind a back face of Q, Q in front of a front face of
-// P. The latter comes first, as the planes of P are known.
+// The third and fourth tests of Obstructs: Q lies in front of a front face of P, or P behind a back
+// face of Q. The former is tested first, as the planes of P are known.
 CellObstruction::Separation CellObstruction::lies_behind(Cell& p, Cell& q) const {
   Separation best = Separation::none;
   const auto ask = [&](Cell& of, const Cell& other, unsigned exact, unsigned nearly) {
@@ -210,8 +211,8 @@ CellObstruction::Separation CellObstruction::lies_behind(Cell& p, Cell& q) const
   return best;
 }
 
-// Whether a plane through the eye and an edge of P has all of P on one side and all of Q on the
-// other: no ray meets both.
+// Returns whether a plane through the eye and an edge of P has all of P on one side and all of Q on
+// the other, so that no ray meets both.
 bool CellObstruction::separated_by_edge(const Cell& p, const Cell& q) const {
   for (const ShapeEdge& edge : topology_of(mesh_.kinds[p.id]).edges) {
     const Point3 a = p.corners.at(edge[0]), b = p.corners.at(edge[1]);
@@ -233,7 +234,7 @@ bool CellObstruction::separated_by_edge(const Cell& p, const Cell& q) const {
   return false;
 }
 
-// Whether P obscures a part of Q, when no plane of a face tells that it does not.
+// Returns whether P obscures a part of Q, if no plane of a face shows that it does not.
 bool CellObstruction::projects_before(const Cell& p, const Cell& q) const {
   for (const ShapeEdge& e : topology_of(mesh_.kinds[p.id]).edges)
     for (const ShapeEdge& f : topology_of(mesh_.kinds[q.id]).edges) {
@@ -263,7 +264,7 @@ bool CellObstruction::obstructs(Cell& p, Cell& q) const {
   const Separation behind = lies_behind(p, q);
   if (behind == Separation::surely) return false;
   if (separated_by_edge(p, q) || separated_by_edge(q, p)) return false;
-  // Section 6.1: where projections overlap, a plane of a face that has Q behind P says all.
+  // Section 6.1: if projections overlap, one face's plane with Q behind P decides.
   const Separation before = lies_behind(q, p);
   if (before == Separation::surely) return projections_meet(p, q);
   if (behind == Separation::nearly) return false;

@@ -11,8 +11,8 @@
 
 namespace hiac {
 
-/// How far along its ray a point lies. Grows along every ray, and rounding apart more cannot be
-/// said of it: it orders nothing exactly.
+/// The depth of a point along its ray. It increases along every ray except for rounding, so that it
+/// cannot decide an order exactly.
 class Depth {
  public:
   explicit Depth(const View& view) : view_(view) {
@@ -22,8 +22,8 @@ class Depth {
     for (std::size_t c = 0; c < 3; ++c) view_.direction[c] = d[c] / length;
   }
 
-  /// The distance to the eye, or along the direction of a parallel view from the origin; in halves
-  /// of world units, so that no finite coordinates overflow.
+  /// Returns the distance to the eye or, in a parallel view, the coordinate along its direction, in
+  /// units of two world units, so that no finite coordinates overflow.
   [[nodiscard]] double operator()(Point3 p) const {
     if (view_.perspective)
       return std::hypot(p[0] / 2 - view_.eye[0] / 2, p[1] / 2 - view_.eye[1] / 2,
@@ -36,7 +36,7 @@ class Depth {
   View view_;
 };
 
-/// The mean of some nodes' positions.
+/// Returns the mean position of some nodes.
 template <std::ranges::sized_range Nodes>
 std::array<double, 3> mean_position(const ZooMesh& mesh, const Nodes& nodes) {
   std::array<double, 3> sum{};
@@ -46,7 +46,7 @@ std::array<double, 3> mean_position(const ZooMesh& mesh, const Nodes& nodes) {
   return sum;
 }
 
-/// The depth of the mean of a cell's corners.
+/// Returns the depth of the mean of a cell's corners.
 inline double centroid_depth(const ZooMesh& mesh, CellId cell, const Depth& depth) {
   return depth(mean_position(mesh, mesh.cell_nodes(cell).first(corner_count(mesh.kinds[cell]))));
 }

@@ -9,11 +9,11 @@
 namespace hiac {
 namespace {
 
-// More than the forward error of a determinant of rounded differences, for the norms below
-// (J. R. Shewchuk, 1997, section 4.3).
+// A bound, larger than necessary, of the forward error of a determinant of rounded differences, for
+// the norms below (J. R. Shewchuk, 1997, section 4.3).
 constexpr double kDeterminantError = 8 * std::numeric_limits<double>::epsilon() / 2;
 
-// What underflow may add to such a determinant is far less than this times a distance.
+// Times a distance, this is far more than underflow may add to such a determinant.
 constexpr double kUnderflow = std::numeric_limits<double>::min();
 
 }  // namespace
@@ -34,7 +34,7 @@ MeshScale::MeshScale(const ZooMesh& mesh) {
 FacePlane plane_of_face(const CellCorners& cell, const ShapeFace& face, const MeshScale& scale) {
   const auto corner = [&](std::size_t k) { return cell.at(face.corners[k]); };
   const bool triangle = face.corner_count == 3;
-  // a quadrilateral's diagonals span Newell's plane
+  // the diagonals of a quadrilateral span Newell's plane
   const Vector u = triangle ? minus(corner(1), corner(0)) : minus(corner(2), corner(0));
   const Vector v = triangle ? minus(corner(2), corner(0)) : minus(corner(3), corner(1));
   FacePlane plane{};

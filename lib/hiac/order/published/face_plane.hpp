@@ -11,11 +11,11 @@
 
 namespace hiac {
 
-/// The conventional nodes of a cell and where they are.
+/// The corners of a cell and their positions.
 struct CellCorners {
   std::span<const NodeId> nodes;
   std::array<const double*, 8> positions;
-  /// The same coordinates by axis, an even number of them: the last corner fills up.
+  /// The same coordinates by axis, padded to an even number by repeating the last corner.
   std::array<std::array<double, 8>, 3> coordinates;
 
   CellCorners(const ZooMesh& mesh, CellId cell)
@@ -29,22 +29,22 @@ struct CellCorners {
   [[nodiscard]] Point3 at(std::size_t k) const { return Point3(positions[k], 3); }
 };
 
-/// The plane of a face in floating point, and how far its values can be trusted: that of a
-/// triangle, or the one that Newell's method fits to a quadrilateral (I. Sutherland, R. Sproull,
-/// R. Schumacker, "A Characterization of Ten Hidden-Surface Algorithms", 1974).
+/// The plane of a face in floating point, with error bounds of its values: the plane of a triangle,
+/// or the one that Newell's method fits to a quadrilateral (I. Sutherland, R. Sproull, R.
+/// Schumacker, "A Characterization of Ten Hidden-Surface Algorithms", 1974).
 ///
-/// value(x) = normal . (x - point), the normal as long as twice the face's area.
+/// value(x) = normal . (x - point); the normal's length is twice the face's area.
 struct FacePlane {
   std::array<double, 3> normal, point;
-  double size;       ///< of the face: the larger of the two vectors that span it
-  double deviation;  ///< of a quadrilateral: the largest |value| of its corners
+  double size;       ///< size of the face: the larger of the two vectors that span it
+  double deviation;  ///< of a quadrilateral: the largest |value| of a corner
 
-  /// Values of points of the mesh: beyond `certain` and -`apart` they need no closer look.
+  /// Values of mesh points above `certain` or below -`apart` need no closer test.
   double certain, apart;
-  /// A triangle's value beyond this times |x - point| has the right sign.
+  /// A triangle's value has the right sign if its magnitude exceeds this times |x - point|.
   double certain_slope;
-  /// What rounded coordinates of the face and of a point in its plane can make of the value there,
-  /// and what the face deviates from the plane; `distance` is |x - point|.
+  /// Bounds the value of a point in the plane: the effect of rounded coordinates of the face and
+  /// the point, plus the face's deviation from the plane. `distance` is |x - point|.
   [[nodiscard]] double touch(double distance) const { return touching + touching_slope * distance; }
   double touching, touching_slope;
 
@@ -53,23 +53,23 @@ struct FacePlane {
   }
 };
 
-/// What the planes of a mesh have in common, world units.
+/// What the planes of a mesh have in common, in world units.
 struct MeshScale {
-  double extent;    ///< no two points are farther apart
-  double rounding;  ///< of coordinates
+  double extent;    ///< no two points are farther apart than this
+  double rounding;  ///< the rounding of coordinates
 
   explicit MeshScale(const ZooMesh& mesh);
 };
 
-/// The plane of a face, its normal to the left of the corners' order.
+/// Returns the plane of a face, with the normal to the left of the corners' order.
 FacePlane plane_of_face(const CellCorners& cell, const ShapeFace& face, const MeshScale& scale);
 
-/// The same plane with its normal the other way.
+/// Reverses the plane's normal.
 inline void flip(FacePlane& plane) {
   for (double& n : plane.normal) n = -n;
 }
 
-/// The sum of absolute values: the norm of all distances and sizes here.
+/// Returns the sum of absolute values: the norm of all distances and sizes here.
 inline double taxicab(const std::array<double, 3>& v) {
   return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
 }

@@ -17,7 +17,7 @@ namespace {
 
 using Sources = std::vector<std::pair<double, CellId>>;
 
-// The cells with an outer face towards the eye, farthest face first.
+// Returns the cells that have an outer face towards the eye, farthest face first.
 Sources outer_sources(const OrderBasis& basis, const View& view, const Depth& depth) {
   const ZooMesh& mesh = *basis.mesh;
   Sources sources;
@@ -31,7 +31,8 @@ Sources outer_sources(const OrderBasis& basis, const View& view, const Depth& de
   return sources;
 }
 
-// For an eye inside the mesh: the cells that no search has reached, farthest first.
+// Returns the cells that no search has reached, farthest first; needed if the eye is inside the
+// mesh.
 Sources other_sources(const ZooMesh& mesh, const std::vector<bool>& seen, const Depth& depth) {
   Sources sources;
   for (CellId cell = 0; cell < mesh.cell_count(); ++cell)
@@ -41,7 +42,7 @@ Sources other_sources(const ZooMesh& mesh, const std::vector<bool>& seen, const 
 }
 
 // The depth-first search. The cells of a visibility cycle, a strongly connected component of the
-// relation, are entered and put out as one.
+// relation, are entered and output together.
 class Search {
  public:
   Search(const OrderBasis& basis, const BehindRelation& relation, const VisibilityOrder& components)
@@ -57,7 +58,7 @@ class Search {
         component_of_[cell] = cells.subspan(group.first, group.count);
   }
 
-  // Puts out all that lies behind a cell, and the cell.
+  // Outputs all cells behind a cell, then the cell itself.
   void visit(CellId root) {
     if (seen_[root]) return;
     enter(root);
@@ -80,7 +81,7 @@ class Search {
 
   [[nodiscard]] const std::vector<bool>& seen() const { return seen_; }
 
-  // What was put out, last first.
+  // The output, in reverse.
   VisibilityOrder front_to_back() {
     const auto count = static_cast<std::uint32_t>(back_to_front_.size());
     for (CellGroup& group : groups_) group.first = count - group.first - group.count;
@@ -93,7 +94,7 @@ class Search {
   }
 
  private:
-  // A cell, or the cells of a cycle: which of them is looked at, and through which face next.
+  // A cell, or the cells of a cycle, with the next cell and face to examine.
   struct Step {
     std::span<const CellId> cells;
     std::size_t next;

@@ -1,11 +1,10 @@
 // Based on: P. Williams, N. Max, C. Stein, "A High Accuracy Volume Renderer for Unstructured Data",
-// 1998, section 6.2, steps 5 to 8, and section 6 where there is one tile.
+// 1998, section 6.2, steps 5 to 8, and section 6 if there is one tile.
 //
-// What differs: a cell P that is asked again, after a Q that it obstructs was moved before it and
-// put out, goes on after Q instead of from the start; that a pair is asked once is seen from where
-// extents begin (SortingTiles) instead of a note in Q; tests against cells later in the list are
-// made beforehand, in parallel, because all but few of them are made anyway. None of it changes the
-// order.
+// Differences: after a cell Q that P obstructs was moved before P and output, P continues after Q
+// instead of starting again; the tile where extents begin (SortingTiles) ensures that a pair is
+// tested once, instead of a note in Q; tests against cells later in the list are made beforehand,
+// in parallel, because almost all of them are needed anyway. None of this changes the order.
 
 #include "hiac/order/published/pair_sort.hpp"
 
@@ -26,11 +25,12 @@
 namespace hiac {
 namespace {
 
-// Cells by rank: the first obstructs the second one, which comes later in the rough order.
+// Ranks of two cells: the first obstructs the second, which comes later in the rough order.
 using Exception = std::pair<std::uint32_t, std::uint32_t>;
 
-// Calls visit(place) for every place in [begin, end) whose extent meets that of `place`, if this is
-// the tile that pairs the two: the first two tests of Obstructs, and the same along the diagonals.
+// Calls visit(other) for every place in [begin, end) whose extent meets that of `place`, if this
+// tile is the one that pairs the two. These are the first two tests of Obstructs, with the same
+// tests along the diagonals.
 template <typename Visit>
 void for_each_meeting(const SortingTiles& tiles, std::size_t place, std::size_t begin,
                       std::size_t end, const Visit& visit) {
@@ -71,7 +71,7 @@ class PairSort {
     find_exceptions();
   }
 
-  // Cells back to front.
+  // Returns the cells back to front.
   std::vector<CellId> run() {
     const auto count = static_cast<std::uint32_t>(rough_.cells.size());
     states_.assign(count, State::waiting);
@@ -85,8 +85,8 @@ class PairSort {
  private:
   enum class State : std::uint8_t { waiting, on_path, out };
 
-  // A cell P at the head of the list: candidates_[next] ... [end - 1] are cells that it may
-  // obstruct, the first `untested` of which come before it in the rough order.
+  // A cell P at the head of the list. It may obstruct the cells candidates_[next], ..., of which
+  // those before `first_exception` precede it in the rough order and are still untested.
   struct Step {
     std::uint32_t rank;
     std::size_t begin, next, first_exception;
@@ -112,8 +112,8 @@ class PairSort {
       first_exception_[rank + 1] += first_exception_[rank];
   }
 
-  // Asks a cell P of those Q later in the tile's list whose rearmost depth lies behind P's
-  // frontmost.
+  // Tests a cell P against the cells Q later in the tile's list whose rearmost depth lies behind
+  // P's frontmost.
   void test_later_cells(std::size_t place, std::size_t tile_end,
                         std::vector<Exception>& found) const {
     const std::uint32_t p = tiles_.ranks[place];
@@ -132,7 +132,7 @@ class PairSort {
                      });
   }
 
-  // Puts out a cell, after the cells that it obstructs.
+  // Outputs a cell after the cells that it obstructs.
   void put_out(std::uint32_t root) {
     move_to_head(root);
     while (!path_.empty()) {
@@ -160,8 +160,9 @@ class PairSort {
     path_.push_back({rank, begin, begin, first_exception});
   }
 
-  // The cells still in the list before one that was moved. They stay where they are, so that all of
-  // them have to be asked: being behind it is no reason not to be obstructed.
+  // Adds the cells that are still in the list before a cell that was moved. They stay in their
+  // places, so that all of them must be tested: lying behind the moved cell does not mean that it
+  // does not obstruct them.
   void add_earlier_cells(std::uint32_t rank) {
     const auto begin = static_cast<std::ptrdiff_t>(candidates_.size());
     for (const std::size_t place : tiles_.places(rank)) {
@@ -198,7 +199,7 @@ class PairSort {
     path_.pop_back();
   }
 
-  // Every cell on the path obstructs the next one, and the last one obstructs `rank`.
+  // Throws. Every cell on the path obstructs the next one, and the last one obstructs `rank`.
   [[noreturn]] void report_cycle(std::uint32_t rank) const {
     std::vector<CellId> cells;
     auto step = std::ranges::find(path_, rank, &Step::rank);
@@ -214,7 +215,7 @@ class PairSort {
   std::vector<State> states_;                 // by rank
   std::vector<std::size_t> heads_;  // by tile: the first place whose cell may still be in the list
   std::vector<Step> path_;
-  std::vector<std::uint32_t> candidates_;  // of all cells on the path, ranks
+  std::vector<std::uint32_t> candidates_;  // the candidates of all cells on the path, by rank
   std::vector<CellId> order_;
 };
 

@@ -4,8 +4,8 @@
 
 namespace hiac {
 
-/// The sort that stein_order and multitiled_order share, which is the latter's with more than one
-/// tile. See those for what holds. Throws VisibilityCycle.
+/// Returns the cells front to back, sorted as stein_order does (one tile) or multitiled_order
+/// (several); those headers state the guarantees. Throws VisibilityCycle.
 std::vector<CellId> sort_pairs(const ZooMesh& mesh, const View& view, double planarity,
                                const TilingOptions& tiling);
 

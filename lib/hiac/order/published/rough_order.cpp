@@ -13,11 +13,12 @@ namespace hiac {
 namespace {
 
 constexpr std::size_t kGrain = 1 << 13;
-// More than what rounding does to a depth, relative to the depths and lengths that it is made of.
+// A bound of a depth's rounding error, relative to the depths and lengths from which it is
+// computed.
 constexpr double kRounding = 1e-13;
 
-// No point of a cell is nearer than this. A convex cell lies beyond the plane through its nearest
-// corner across the line from the eye to its centroid.
+// Returns a depth that no point of a cell falls below. A convex cell lies beyond the plane that
+// passes through its nearest corner, across the line from the eye to its centroid.
 double nearest_depth(const ZooMesh& mesh, std::span<const NodeId> corners, const View& view,
                      const Depth& depth) {
   std::array<double, 3> axis{};
@@ -40,7 +41,7 @@ double nearest_depth(const ZooMesh& mesh, std::span<const NodeId> corners, const
   }
   for (const double x : view.eye) size = std::max(size, std::abs(x));
   nearest -= kRounding * size;
-  // an eye in the centroid, or coordinates near the end of the range: nothing is known
+  // nothing is known if the eye is the centroid or coordinates are near the end of the range
   return std::isfinite(nearest) ? nearest : -std::numeric_limits<double>::infinity();
 }
 

@@ -8,15 +8,15 @@
 
 namespace hiac {
 
-/// The roughly sorted list that the sort of Stein et al. starts from: cells by their rearmost
-/// depth, back to front, those of one depth by number. A cell's place in it is its rank.
+/// The roughly sorted list from which the sort of Stein et al. starts: the cells by their rearmost
+/// depth, back to front, cells of equal depth by number. A cell's place in it is its rank.
 ///
-/// Depths are distances to the eye, or along the direction of a parallel view: they grow along
-/// every ray, wherever the eye is.
+/// Depths are distances from the eye, or along the direction of a parallel view: they increase
+/// along every ray, wherever the eye is.
 struct RoughOrder {
   std::vector<CellId> cells;     ///< by rank
   std::vector<double> rearmost;  ///< by rank, descending
-  /// By rank: what lies no nearer than this is surely behind all of the cell's points.
+  /// By rank: a depth beyond which a point is surely behind all points of the cell.
   std::vector<double> frontmost;
 };
 

@@ -13,11 +13,12 @@ namespace hiac {
 namespace {
 
 constexpr std::size_t kGrain = 1 << 13;
-// More than the rounding of window coordinates to float, and of what they are computed from.
+// A bound of the rounding of window coordinates to float, including their computation.
 constexpr float kWidening = 4e-7F;
-// One window does when no node is seen at less than this part of its distance before the eye.
+// One window suffices if every node's depth exceeds this fraction of its distance from the axis.
 constexpr double kWellBefore = 1e-2;
-// A node that lies less than this part of its distance before the eye has no place on a window.
+// A node whose depth is less than this fraction of its distance from the axis has no place on a
+// window.
 constexpr double kBarelyBefore = 1e-6;
 
 struct Box {
@@ -34,15 +35,15 @@ Box bounds(const ZooMesh& mesh) {
   return box;
 }
 
-// Where a node is seen, if it lies before the eye, and beyond which of the planes through the eye
-// and a side of the window it lies.
+// A node's place on a window, if it lies in front of the eye, and the sides of the window beyond
+// which it lies (beyond the plane through the eye and that side).
 struct SeenNode {
   float x, y;
   bool before;
-  std::uint8_t outside;  // a bit a side
+  std::uint8_t outside;  // a bit per side
 };
 
-// A plane to project on: three axes at right angles, the third one towards it.
+// A projection plane: three orthogonal axes, the third of which points towards the plane.
 class Window {
  public:
   Window(const View& view, const Vector& towards, const Vector& origin)
@@ -54,7 +55,7 @@ class Window {
     up_ = cross(axis_, right_);
   }
 
-  // Along the axes, from the origin.
+  // The coordinates of a point along the axes, relative to the origin.
   [[nodiscard]] Vector seen(Point3 p) const {
     const Vector v{p[0] - origin_[0], p[1] - origin_[1], p[2] - origin_[2]};
     return {dot(v, right_), dot(v, up_), dot(v, axis_)};
@@ -68,7 +69,7 @@ class Window {
     return true;
   }
 
-  // Makes the window as large as what is seen of the nodes.
+  // Makes the window just large enough for all nodes.
   void fit(const ZooMesh& mesh) {
     Vector low{1, 1, 0}, high{-1, -1, 0};
     bool first = true;
@@ -100,7 +101,7 @@ class Window {
   }
 
  private:
-  // By more than rounding.
+  // The sides beyond which a point lies by more than rounding.
   static std::uint8_t outside(const Vector& p) {
     const double side = p[2] + 1e-9 * (std::abs(p[0]) + std::abs(p[1]) + std::abs(p[2]));
     return static_cast<std::uint8_t>((p[0] > side ? 1U : 0U) | (-p[0] > side ? 2U : 0U) |
@@ -145,7 +146,7 @@ struct Bounds {
   }
 };
 
-// False when the window does not see the cell.
+// Returns false if the window does not see the cell.
 bool find_extent(std::span<const NodeId> corners, std::span<const SeenNode> nodes,
                  ScreenExtent& extent) {
   Bounds x, y, sum, difference;
@@ -164,7 +165,7 @@ bool find_extent(std::span<const NodeId> corners, std::span<const SeenNode> node
     extent = {-2, 2, -2, 2, -4, 4, -4, 4};
     return true;
   }
-  // what lies outside the window is known less well
+  // coordinates outside the window are less exact
   const float size = std::max({1.F, -x.low, x.high, -y.low, y.high});
   const float widening = kWidening * size;
   extent = {std::max(x.low, -1.F) - kWidening,

@@ -7,13 +7,13 @@
 namespace hiac {
 namespace {
 
-// n^(1/6), rounded.
+// Returns n^(1/6), rounded.
 std::size_t default_tiles(std::size_t cells) {
   return std::max<std::size_t>(
       1, static_cast<std::size_t>(std::lround(std::pow(static_cast<double>(cells), 1.0 / 6))));
 }
 
-// The inner boundaries between `count` parts of [-1, 1], ascending.
+// Returns the inner boundaries between `count` equal parts of [-1, 1], ascending.
 std::vector<float> equal_parts(std::size_t count) {
   std::vector<float> boundaries;
   for (std::size_t i = 1; i < count; ++i)
@@ -21,7 +21,7 @@ std::vector<float> equal_parts(std::size_t count) {
   return boundaries;
 }
 
-// Boundaries that have equally many of the values between them. Shuffles the values.
+// Returns boundaries with equally many of the values between them. Shuffles the values.
 std::vector<float> balanced_parts(std::size_t count, std::vector<float>& values) {
   std::vector<float> boundaries;
   std::ranges::sort(values);

@@ -23,7 +23,8 @@ struct SortingTiles {
   };
   std::vector<Diagonal> diagonals;  ///< bounds of x + y and x - y
   /// Whether the extent begins in a tile further left (bit 0), or further down (bit 1). Two cells
-  /// overlap in one tile alone in which not both begin further left and not both further down.
+  /// that overlap have exactly one common tile in which not both begin further left and not both
+  /// begin further down.
   std::vector<std::uint8_t> begins_before;
   /// The places of the cell of rank r: places_of[first_place[r]] ... [first_place[r + 1] - 1].
   std::vector<std::size_t> first_place;
@@ -39,7 +40,7 @@ struct SortingTiles {
     return p.sum_low <= q.sum_high && q.sum_low <= p.sum_high &&
            p.difference_low <= q.difference_high && q.difference_low <= p.difference_high;
   }
-  /// Whether this is the tile that pairs the cells of two of its places.
+  /// Returns whether this tile is the one that pairs the cells of two of its places.
   [[nodiscard]] bool pairs_here(std::size_t a, std::size_t b) const {
     return (begins_before[a] & begins_before[b]) == 0;
   }

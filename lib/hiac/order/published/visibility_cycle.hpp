@@ -7,12 +7,12 @@
 
 namespace hiac {
 
-/// A visibility cycle that an algorithm reports instead of an order: no order of the cells exists
-/// that is right along every ray.
+/// A visibility cycle, which an algorithm reports instead of an order: no order of the cells is
+/// right along every ray.
 class VisibilityCycle : public JudgementError {
  public:
-  /// `cells`: each is in part in front of the next, and the last of the first. The message names
-  /// them, the first few of a long cycle.
+  /// `cells`: each is partly in front of the next, and the last of the first. The message names
+  /// them, or the first few of a long cycle.
   explicit VisibilityCycle(std::vector<CellId> cells);
 
   [[nodiscard]] const std::vector<CellId>& cells() const { return cells_; }
