@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hiac/frame/frame.hpp"
+#include "hiac/frame/tile_bins.hpp"
 #include "hiac/render/pixels/tile.hpp"
 #include "hiac/scene/scene.hpp"
 
@@ -65,6 +66,9 @@ struct Splat {
   std::array<double, 3> point;  ///< in the world
 };
 Splat splat_of(const Frame& frame, CellId cell);
+
+/// Where the kernels of splats reach, for the tiles' bins. The arguments must outlive it.
+BoundsOfCell splat_bounds(const Frame& frame, const SplattedCells& splatted);
 
 /// The splats of one tile, on their way into its pixels: front to back, after the ray segments that
 /// begin before them.

@@ -31,7 +31,8 @@ std::vector<int> composited(const std::vector<Segment>& segments) {
   constexpr std::uint32_t kPixel = kTileStride + 5;
   SegmentList list;
   for (std::size_t k = 0; k < segments.size(); ++k)
-    list.append(kPixel, segments[k].front, segments[k].back, static_cast<double>(k + 1), 0, 0, 0.1);
+    list.append(kPixel, segments[k].front, segments[k].back,
+                {{static_cast<double>(k + 1), 0, 0}, 0.1});
   const auto buffer = empty_buffer();
   TileCounts counts;
   composite_sorted(list, 1e9, *buffer, counts);
@@ -66,7 +67,7 @@ TEST(CompositeSorted, NearerIsATotalOrder) {
   std::uniform_int_distribution<int> few(0, 2);
   for (int k = 0; k < 40; ++k) {
     const double front = few(random);
-    list.append(0, front, front + few(random), 0, 0, 0, 1);
+    list.append(0, front, front + few(random), {});
   }
   for (std::uint32_t a = 0; a < list.size(); ++a)
     for (std::uint32_t b = 0; b < list.size(); ++b) {
@@ -83,7 +84,7 @@ std::uint64_t violations_of(double front, double length) {
   const auto buffer = empty_buffer();
   buffer->last[7] = 10;
   SegmentList list;
-  list.append(7, front, front + length, 0, 0, 0, 1);
+  list.append(7, front, front + length, {});
   TileCounts counts;
   composite_sorted(list, 0.25, *buffer, counts);
   EXPECT_EQ(buffer->last[7], std::max(10.0, front + length));
@@ -113,12 +114,13 @@ TEST(CompositeSorted, PixelsCountTheirOwn) {
   buffer->details.resize(buffer->red.size());
   SegmentList list;
   for (const std::uint32_t pixel : {3U, 9U}) {
-    list.append(pixel, 0, 4, 0, 0, 0, 1);
-    list.append(pixel, 1, 2, 0, 0, 0, 1);  // within the first
-    if (pixel == 9) list.append(pixel, 3, 5, 0, 0, 0, 1);
-    list.append(pixel, 3.5, 3.5, 0, 0, 0, 1);  // short
+    list.append(pixel, 0, 4, {});
+    list.append(pixel, 1, 2, {});  // within the first
+    if (pixel == 9) list.append(pixel, 3, 5, {});
+    list.append(pixel, 3.5, 3.5, {});  // short
   }
-  list.details.resize(list.size());
+  for (std::size_t k = 0; k < list.size(); ++k)
+    list.details.push_back({.front = list.front[k], .back = list.back[k]});
   TileCounts counts;
   composite_sorted(list, 0.25, *buffer, counts);
   EXPECT_EQ(counts.violations, 3U);
@@ -141,7 +143,7 @@ TEST(CompositeSorted, AddsUpEveryPixel) {
     const auto pixel = static_cast<std::uint32_t>(unit(random) * kTileStride * kTileHeight);
     const double front = unit(random);
     list.append(k % 7 == 0 ? kTileStride * kTileHeight - 1 : pixel, front, front + unit(random),
-                unit(random), unit(random), unit(random), unit(random));
+                {{unit(random), unit(random), unit(random)}, unit(random)});
   }
   std::iota(sorted.begin(), sorted.end(), 0U);
   std::ranges::sort(sorted, {}, [&](std::uint32_t s) { return list.front[s]; });

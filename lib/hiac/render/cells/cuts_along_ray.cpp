@@ -58,8 +58,8 @@ bool CutsAlongRay::below_at_face(const Cut& cut, const CellCrossing& crossing, s
   const double sign = cut.faces[face].sign(mixed);
   if (!mixed) return sign < 0;
   if (std::abs(offset) > kDoubt * std::max(-cut.offsets.least, cut.offsets.most)) return offset < 0;
-  return face_value(frame_.mesh, frame_.projector, cut.faces[face], crossing.x + 0.5,
-                    crossing.y + 0.5, t) < 0;
+  return face_value(frame_.mesh, frame_.projector, cut.faces[face], pixel_center(crossing.x),
+                    pixel_center(crossing.y), t) < 0;
 }
 
 // How far places_ move, and whether as many stay, when the offsets are wrong by `error`.
@@ -146,8 +146,9 @@ IsosurfaceCrossing CutsAlongRay::crossing_at(const CellMap& map, const CellCross
   const Projector& projector = frame_.projector;
   std::array<double, 3> ray{0, 0, 1};
   if (projector.perspective()) {
-    const auto [right, up] = projector.slopes(crossing.x + 0.5, crossing.y + 0.5);
-    const double length = projector.ray_scale(crossing.x + 0.5, crossing.y + 0.5);
+    const double x = pixel_center(crossing.x), y = pixel_center(crossing.y);
+    const auto [right, up] = projector.slopes(x, y);
+    const double length = projector.ray_scale(x, y);
     ray = {right / length, up / length, 1 / length};
   }
   double angle = 0;

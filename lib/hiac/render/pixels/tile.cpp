@@ -18,13 +18,7 @@ void TileBuffer::reset(const TileRect& tile, const Projector& projector, bool wi
   if (!projector.perspective()) return;
   for (int y = tile.y0; y < tile.y1; ++y)
     for (int x = tile.x0; x < tile.x1; ++x)
-      ray_scale[static_cast<std::size_t>(y - tile.y0) * kTileStride +
-                static_cast<std::size_t>(x - tile.x0)] = projector.ray_scale(x + 0.5, y + 0.5);
-}
-
-void TileBuffer::describe(std::size_t at, const SegmentDetails& segment) {
-  const double light = std::max({red[at], green[at], blue[at]});
-  details[at].add(segment, transparency[at], light);
+      ray_scale[tile.index(x, y)] = projector.ray_scale(pixel_center(x), pixel_center(y));
 }
 
 void SegmentList::clear() {
@@ -33,15 +27,15 @@ void SegmentList::clear() {
   for (auto* array : {&front, &back, &red, &green, &blue, &transparency}) array->clear();
 }
 
-void SegmentList::append(std::uint32_t at, double t_front, double t_back, double r, double g,
-                         double b, double zeta) {
-  pixel.push_back(at);
+void SegmentList::append(std::size_t at, double t_front, double t_back,
+                         const PlainRadiance& light) {
+  pixel.push_back(static_cast<std::uint32_t>(at));
   front.push_back(t_front);
   back.push_back(t_back);
-  red.push_back(r);
-  green.push_back(g);
-  blue.push_back(b);
-  transparency.push_back(zeta);
+  red.push_back(light.rgb[0]);
+  green.push_back(light.rgb[1]);
+  blue.push_back(light.rgb[2]);
+  transparency.push_back(light.transparency);
 }
 
 bool SegmentList::nearer(std::uint32_t a, std::uint32_t b) const {
@@ -64,15 +58,9 @@ void composite_sorted(const SegmentList& segments, double witness_tolerance, Til
     std::sort(sorted.begin() + start[p], sorted.begin() + start[p + 1], nearer);
     for (std::uint32_t i = start[p]; i < start[p + 1]; ++i) {
       const std::uint32_t s = sorted[i];
-      const double front = segments.front[s], back = segments.back[s];
-      if (!segments.details.empty()) {
-        SegmentDetails details = segments.details[s];
-        details.out_of_order = out_of_order(front, back, buffer.last[p], witness_tolerance);
-        buffer.describe(p, details);
-      }
-      composite(p, front, back,
-                {{segments.red[s], segments.green[s], segments.blue[s]}, segments.transparency[s]},
-                witness_tolerance, buffer, counts);
+      if (!segments.details.empty()) describe(p, segments.details[s], witness_tolerance, buffer);
+      composite(p, segments.front[s], segments.back[s], segments.light(s), witness_tolerance,
+                buffer, counts);
     }
   }
 }

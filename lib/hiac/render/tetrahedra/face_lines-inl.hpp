@@ -59,7 +59,7 @@ template <bool kSeparateFields>
 HWY_INLINE void set_row(const FacePlanes& planes, const FaceRuns& runs, int row, FaceLines& lines) {
   const hn::CappedTag<double, 4> d;
   const auto r = static_cast<std::size_t>(row - runs.row_begin);
-  const auto y = hn::Set(d, row + 0.5), half = hn::Set(d, 0.5), one = hn::Set(d, 1.0);
+  const auto y = hn::Set(d, pixel_center(row)), half = hn::Set(d, 0.5), one = hn::Set(d, 1.0);
   for (std::size_t f = 0; f < 4; f += hn::Lanes(d)) {
     const auto first = hn::Load(d, runs.first[r] + f);
     const auto dx = hn::Sub(hn::Add(first, half), hn::Load(d, planes.base_x + f));

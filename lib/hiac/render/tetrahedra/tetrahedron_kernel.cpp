@@ -56,17 +56,16 @@ HWY_INLINE IntervalRange load_field(const FrameField& field, CellId cell, std::u
 template <bool kSeparateFields, class Rule>
 class TetrahedronRenderer {
  public:
-  TetrahedronRenderer(const Frame& frame, const TileRect& tile, TileBuffer& buffer,
-                      SegmentList* group, TileCounts& counts)
-      : frame_(frame),
-        tile_(tile),
-        buffer_(buffer),
-        counts_(counts),
-        perspective_(frame.projector.perspective()),
-        clipped_(frame.projector.near() > (perspective_ ? 0.0 : -hwy::HighestValue<double>()) ||
-                 frame.projector.far() < hwy::HighestValue<double>()),
-        sink_(frame, buffer, group, counts),
-        describer_(frame, buffer, group) {}
+  explicit TetrahedronRenderer(const TileTarget& to)
+      : frame_(to.frame),
+        tile_(to.tile),
+        buffer_(to.buffer),
+        counts_(to.counts),
+        perspective_(frame_.projector.perspective()),
+        clipped_(frame_.projector.near() > (perspective_ ? 0.0 : -hwy::HighestValue<double>()) ||
+                 frame_.projector.far() < hwy::HighestValue<double>()),
+        sink_(to),
+        describer_(to) {}
 
   HWY_INLINE void render(CellId cell) {
     CellScalars scalars;
@@ -89,11 +88,9 @@ class TetrahedronRenderer {
       set_row<kSeparateFields>(planes_, runs_, row, face_lines_);
       if (HWY_UNLIKELY(!cuts_.empty()) && cut_box_.meets(row))
         for (TetrahedronCut& cut : cuts_) set_at_first(face_lines_, cut.offset, cut.line);
-      const std::size_t row_at = static_cast<std::size_t>(row - tile_.y0) * kTileStride -
-                                 static_cast<std::size_t>(tile_.x0);
-      for (int x = first; x < last; x += lanes)
-        render_pixels(scalars, row, x, last, row_at + static_cast<std::size_t>(x), nearest,
-                      farthest);
+      std::size_t at = tile_.index(first, row);
+      for (int x = first; x < last; x += lanes, at += hn::Lanes(D()))
+        render_pixels(scalars, row, x, last, at, nearest, farthest);
     }
   }
 
@@ -262,7 +259,7 @@ class TetrahedronRenderer {
     hn::Store(pixel, d, x);
     double up = 0;
     for (std::size_t k = 0; k < lanes(); ++k) {
-      const auto slopes = frame_.projector.slopes(x[k] + 0.5, row + 0.5);
+      const auto slopes = frame_.projector.slopes(pixel_center(x[k]), pixel_center(row));
       right[k] = slopes[0];
       up = slopes[1];
     }
@@ -443,19 +440,16 @@ HWY_INLINE void prefetch(const Frame& frame, std::span<const CellId> cells, std:
 }
 
 template <bool kSeparateFields, class Rule>
-HWY_NOINLINE void render_all(const Frame& frame, std::span<const CellId> cells,
-                             const TileRect& tile, TileBuffer& buffer, SegmentList* group,
-                             TileCounts& counts) {
-  TetrahedronRenderer<kSeparateFields, Rule> renderer(frame, tile, buffer, group, counts);
+HWY_NOINLINE void render_all(const TileTarget& to, std::span<const CellId> cells) {
+  TetrahedronRenderer<kSeparateFields, Rule> renderer(to);
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    prefetch(frame, cells, i);
+    prefetch(to.frame, cells, i);
     renderer.render(cells[i]);
   }
 }
 
-void render_tetrahedra_here(const Frame& frame, std::span<const CellId> cells, const TileRect& tile,
-                            TileBuffer& buffer, SegmentList* group, TileCounts& counts) {
-  const OpticsTables& optics = frame.optics;
+void render_tetrahedra_here(const TileTarget& to, std::span<const CellId> cells) {
+  const OpticsTables& optics = to.frame.optics;
   auto render = render_all<true, AnyRule>;
   if (optics.rule == PieceRule::exact && !optics.emission)
     render = optics.same_field ? render_all<false, ExactChromaticity>
@@ -465,7 +459,7 @@ void render_tetrahedra_here(const Frame& frame, std::span<const CellId> cells, c
   else if (optics.rule == PieceRule::mean_color && !optics.emission)
     render = optics.same_field ? render_all<false, MeanChromaticity>
                                : render_all<true, MeanChromaticity>;
-  render(frame, cells, tile, buffer, group, counts);
+  render(to, cells);
 }
 
 }  // namespace hiac::HWY_NAMESPACE
@@ -476,9 +470,8 @@ namespace hiac {
 
 HWY_EXPORT(render_tetrahedra_here);
 
-void render_tetrahedra(const Frame& frame, std::span<const CellId> cells, const TileRect& tile,
-                       TileBuffer& buffer, SegmentList* group, TileCounts& counts) {
-  HWY_DYNAMIC_DISPATCH(render_tetrahedra_here)(frame, cells, tile, buffer, group, counts);
+void render_tetrahedra(const TileTarget& to, std::span<const CellId> cells) {
+  HWY_DYNAMIC_DISPATCH(render_tetrahedra_here)(to, cells);
 }
 
 }  // namespace hiac

@@ -1,4 +1,4 @@
-#include "hiac/render/pixels/tile_bins.hpp"
+#include "hiac/frame/tile_bins.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -70,11 +70,10 @@ TEST_P(TileBinsOfManyCells, AreThoseFoundPixelByPixel) {
   Scene volume = scene;
   volume.volume.extinction = ExtinctionTransfer{"f", {{0.0, {0.0}}, {1.0, {1.0}}}};
   const Frame frame(with_field, volume, projector);
-  const SplattedCells none_splatted(frame, scene.image, 0);
   const VisibilityOrder order = shuffled_order(mesh.cell_count());
 
   const PixelRect whole{0, 0, 200, 150};
-  const TileBins bins = bin_cells(frame, none_splatted, order, scene.image, whole);
+  const TileBins bins = bin_cells(frame, order, scene.image, whole);
   ASSERT_EQ(bins.tiles.size(), 20U);
   std::vector<std::vector<std::uint32_t>> expected(bins.tiles.size());
   for (std::uint32_t rank = 0; rank < order.cells.size(); ++rank)
@@ -84,7 +83,7 @@ TEST_P(TileBinsOfManyCells, AreThoseFoundPixelByPixel) {
     EXPECT_TRUE(std::ranges::equal(bins.cells_of(tile), expected[tile])) << "tile " << tile;
 
   const ThreadLimit one_thread(1);
-  const TileBins again = bin_cells(frame, none_splatted, order, scene.image, whole);
+  const TileBins again = bin_cells(frame, order, scene.image, whole);
   EXPECT_EQ(again.start, bins.start);
   EXPECT_EQ(again.ranks, bins.ranks);
 }
