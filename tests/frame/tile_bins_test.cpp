@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <random>
 #include <set>
 #include <vector>
@@ -86,6 +87,92 @@ TEST_P(TileBinsOfManyCells, AreThoseFoundPixelByPixel) {
   const TileBins again = bin_cells(frame, order, scene.image, whole);
   EXPECT_EQ(again.start, bins.start);
   EXPECT_EQ(again.ranks, bins.ranks);
+}
+
+// A mesh with a field, and its frame.
+struct Framed {
+  ZooMesh mesh;
+  Scene scene;
+  Projector projector;
+  Frame frame;
+
+  Framed(std::size_t n, const Scene& what)
+      : mesh(with_field(n)),
+        scene(what),
+        projector(scene.camera, scene.image),
+        frame(mesh, volume_of(scene), projector) {}
+
+  static ZooMesh with_field(std::size_t n) {
+    ZooMesh mesh = test::structured(n, test::Cut::tetrahedra);
+    test::add_node_field(mesh, "f", test::smooth_field);
+    return mesh;
+  }
+  static Scene volume_of(Scene scene) {
+    scene.volume.extinction = ExtinctionTransfer{"f", {{0.0, {0.0}}, {1.0, {1.0}}}};
+    return scene;
+  }
+
+  // The cells that some tile has.
+  [[nodiscard]] std::set<CellId> binned(const BoundsOfCell& other_bounds = {}) const {
+    const VisibilityOrder order = shuffled_order(mesh.cell_count());
+    const TileBins bins =
+        bin_cells(frame, order, scene.image, whole_picture(scene.image), other_bounds);
+    std::set<CellId> cells;
+    for (const std::uint32_t rank : bins.ranks) cells.insert(order.cells[rank]);
+    return cells;
+  }
+};
+
+TEST(TileBins, CellsOutsideTheSlabGoToNone) {
+  for (const auto projection : {Projection::orthographic, Projection::perspective}) {
+    Scene scene = small_scene(projection);
+    const Framed whole(6, scene);
+    double nearest = INFINITY, farthest = -INFINITY;
+    for (NodeId node = 0; node < whole.mesh.node_count(); ++node) {
+      const double t =
+          whole.projector.distance(whole.projector.parameter(whole.mesh.position(node)));
+      nearest = std::min(nearest, t), farthest = std::max(farthest, t);
+    }
+    scene.camera.clip = {
+        {nearest + 0.3 * (farthest - nearest), nearest + 0.6 * (farthest - nearest)}};
+    const Framed clipped(6, scene);
+    const std::set<CellId> all = whole.binned(), some = clipped.binned();
+    std::set<CellId> expected;
+    for (const CellId cell : all) {
+      double near = INFINITY, far = -INFINITY;
+      for (const NodeId node : clipped.mesh.cell_nodes(cell)) {
+        const double t = clipped.projector.parameter(clipped.mesh.position(node));
+        near = std::min(near, t), far = std::max(far, t);
+      }
+      if (far >= clipped.projector.near() && near <= clipped.projector.far()) expected.insert(cell);
+    }
+    EXPECT_EQ(some, expected);
+    EXPECT_LT(some.size(), all.size() * 9 / 10);
+    EXPECT_GT(some.size(), all.size() / 4);
+  }
+}
+
+TEST(TileBins, TakeOtherBoundsForACell) {
+  const Framed framed(2, small_scene(Projection::orthographic));
+  const VisibilityOrder order = shuffled_order(framed.mesh.cell_count());
+  constexpr CellId kElsewhere = 5, kNowhere = 7;
+  const TileBins bins =
+      bin_cells(framed.frame, order, framed.scene.image, whole_picture(framed.scene.image),
+                [](CellId cell) -> std::optional<ScreenBounds> {
+                  if (cell != kElsewhere && cell != kNowhere) return std::nullopt;
+                  ScreenBounds bounds;
+                  bounds.include_parameter(0);
+                  bounds.include(1, 1);
+                  if (cell == kElsewhere) bounds.include(66, 2);  // two tiles of the first row
+                  return bounds;
+                });
+  std::vector<std::size_t> tiles;
+  for (std::size_t tile = 0; tile < bins.tiles.size(); ++tile)
+    for (const std::uint32_t rank : bins.cells_of(tile)) {
+      EXPECT_NE(order.cells[rank], kNowhere);
+      if (order.cells[rank] == kElsewhere) tiles.push_back(tile);
+    }
+  EXPECT_EQ(tiles, (std::vector<std::size_t>{0, 1}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Projections, TileBinsOfManyCells,

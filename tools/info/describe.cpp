@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "hiac/mesh/location_name.hpp"
+
 namespace hiac::tools {
 namespace {
 
@@ -42,17 +44,6 @@ struct Extent {
 
 std::string line(std::string_view label, const std::string& value) {
   return fmt::format("  {:<12} {}\n", label, value);
-}
-
-const char* location_name(FieldLocation location) {
-  switch (location) {
-    case FieldLocation::node:
-      return "node";
-    case FieldLocation::cell:
-      return "cell";
-    default:
-      return "corner";
-  }
 }
 
 void describe_cells(const ZooMesh& mesh, Description& description) {

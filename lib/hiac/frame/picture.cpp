@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -126,9 +125,7 @@ Details details_for(std::span<const Channel> channels) {
 RenderResult draw_picture(const Frame& frame, const Scene& scene, const TileBins& bins,
                           const PictureParts& wanted, const DrawTile& draw, Progress* progress) {
   const double start = seconds_now();
-  std::vector<std::string> names = rgba_channels();
-  for (const Channel channel : wanted.channels) names.emplace_back(channel_name(channel));
-  Image image(wanted.part.width, wanted.part.height, std::move(names));
+  Image image(wanted.part.width, wanted.part.height, image_channels(wanted.channels));
   if (progress != nullptr) progress->begin("tiles", bins.tiles.size());
   std::vector<TileSummary> summaries(bins.tiles.size());
   parallel_for(bins.tiles.size(), 1, [&](IndexRange range) {

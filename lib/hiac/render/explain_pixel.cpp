@@ -57,7 +57,7 @@ double mean_transparency(const OpticsTables& optics, std::span<const FieldAlongR
 }
 
 void append(const SegmentList& all, std::size_t i, SegmentList& list) {
-  list.append(all.pixel[i], all.front[i], all.back[i], all.light(i));
+  list.segments.push_back(all.segments[i]);
   list.details.push_back(all.details[i]);
 }
 
@@ -79,14 +79,15 @@ class RayFollower {
   void follow(CellId cell) {
     SegmentList found, others;
     collect(cell, found, others);
-    if (found.size() == 0) return draw(cell, nullptr);
-    if (found.size() > 1) {
+    if (found.segments.size() == 0) return draw(cell, nullptr);
+    if (found.segments.size() > 1) {
       TileBuffer so_far = buffer_;
-      for (std::size_t i = 0; i + 1 < found.size(); ++i) composite(cell, found, i, so_far);
+      for (std::size_t i = 0; i + 1 < found.segments.size(); ++i) composite(cell, found, i, so_far);
     }
     const std::uint32_t violations = buffer_.details[at_].violations;
     draw(cell, nullptr);
-    add_row(cell, found, found.size() - 1, buffer_, buffer_.details[at_].violations > violations);
+    add_row(cell, found, found.segments.size() - 1, buffer_,
+            buffer_.details[at_].violations > violations);
   }
 
   // Cells that the engine puts in order along the ray.
@@ -95,9 +96,9 @@ class RayFollower {
     std::vector<CellId> owners;
     for (const CellId cell : cells) {
       collect(cell, found, others);
-      owners.resize(found.size(), cell);
+      owners.resize(found.segments.size(), cell);
     }
-    std::vector<std::uint32_t> sorted(found.size());
+    std::vector<std::uint32_t> sorted(found.segments.size());
     std::iota(sorted.begin(), sorted.end(), 0U);
     std::ranges::sort(sorted, [&](std::uint32_t a, std::uint32_t b) { return found.nearer(a, b); });
     for (const std::uint32_t i : sorted) {
@@ -126,8 +127,8 @@ class RayFollower {
   void collect(CellId cell, SegmentList& found, SegmentList& others) {
     SegmentList all;
     draw(cell, &all);
-    for (std::size_t i = 0; i < all.size(); ++i)
-      append(all, i, all.pixel[i] == at_ ? found : others);
+    for (std::size_t i = 0; i < all.segments.size(); ++i)
+      append(all, i, all.segments[i].pixel == at_ ? found : others);
   }
 
   // One segment of a list, noted behind what a buffer holds.
@@ -156,14 +157,15 @@ class RayFollower {
     row.cell = cell;
     row.kind = frame_.mesh.kinds[cell];
     row.out_of_order = out_of_order;
-    row.length = (found.back[i] - found.front[i]) * after.ray_scale[at_];
+    const double front = found.segments[i].front, back = found.segments[i].back;
+    row.length = (back - front) * after.ray_scale[at_];
     row.transparency = after.transparency[at_];
     row.color = color_of(after);
     row.error = error_of(after);
     const CellMap map(row.kind, relative_positions(frame_.mesh, cell, frame_.projector),
                       frame_.straightness);
-    const CellCrossing* crossing = crossing_of(cell, found.front[i]);
-    CellCrossing part = planar_crossing(frame_.projector, x_, y_, found.front[i], found.back[i]);
+    const CellCrossing* crossing = crossing_of(cell, front);
+    CellCrossing part = planar_crossing(frame_.projector, x_, y_, front, back);
     if (crossing != nullptr) part.front_reference = place_of(*crossing);
     set_fields(row, map, stretch_of(frame_.projector, part));
     if (crossing != nullptr) find_surfaces(row, map, *crossing);

@@ -296,7 +296,7 @@ void TileSplats::deal_out() {
 }
 
 void TileSplats::append(std::size_t at, double before, const TileBuffer& buffer,
-                        SegmentList& segments) {
+                        SegmentList& list) {
   // A splat has no end that segments behind it would have to respect.
   constexpr double kNoEnd = std::numeric_limits<double>::lowest();
   const bool emission = frame_.optics.emission;
@@ -311,29 +311,32 @@ void TileSplats::append(std::size_t at, double before, const TileBuffer& buffer,
     const LinearPieceWeights weights =
         emission ? linear_piece_emission(depth, depth) : linear_piece_weights(depth, depth);
     const double light = (weights.front + weights.back) * (emission ? length : 1);
-    segments.append(at, splat.t, kNoEnd,
-                    {{light * splat.color[0], light * splat.color[1], light * splat.color[2]},
-                     weights.transparency});
+    list.segments.push_back(
+        {at,
+         splat.t,
+         kNoEnd,
+         {{light * splat.color[0], light * splat.color[1], light * splat.color[2]},
+          weights.transparency}});
     if (!frame_.with_details) continue;
     SegmentDetails details;
     details.front = details.back = details.first = details.mean = splat.t;
     details.light = light * *std::ranges::max_element(splat.color);
     details.transparency = weights.transparency;
-    segments.details.push_back(details);
+    list.details.push_back(details);
   }
 }
 
-void TileSplats::append_before(const TileBuffer& buffer, SegmentList& segments) {
+void TileSplats::append_before(const TileBuffer& buffer, SegmentList& list) {
   if (empty()) return;
   std::vector<double> farthest(next_.size(), -std::numeric_limits<double>::infinity());
-  for (std::size_t s = 0; s < segments.size(); ++s)
-    farthest[segments.pixel[s]] = std::max(farthest[segments.pixel[s]], segments.front[s]);
-  for (std::size_t at = 0; at < farthest.size(); ++at) append(at, farthest[at], buffer, segments);
+  for (const ListedSegment& s : list.segments)
+    farthest[s.pixel] = std::max(farthest[s.pixel], s.front);
+  for (std::size_t at = 0; at < farthest.size(); ++at) append(at, farthest[at], buffer, list);
 }
 
-void TileSplats::append_rest(const TileBuffer& buffer, SegmentList& segments) {
+void TileSplats::append_rest(const TileBuffer& buffer, SegmentList& list) {
   for (std::size_t at = 0; at < next_.size(); ++at)
-    append(at, std::numeric_limits<double>::infinity(), buffer, segments);
+    append(at, std::numeric_limits<double>::infinity(), buffer, list);
 }
 
 }  // namespace hiac

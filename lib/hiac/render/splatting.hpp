@@ -82,9 +82,9 @@ class TileSplats {
 
   /// Appends the pixels' shares of splats that are not yet there and lie before some segment of
   /// theirs in the list.
-  void append_before(const TileBuffer& buffer, SegmentList& segments);
+  void append_before(const TileBuffer& buffer, SegmentList& list);
   /// Appends all that are left.
-  void append_rest(const TileBuffer& buffer, SegmentList& segments);
+  void append_rest(const TileBuffer& buffer, SegmentList& list);
 
  private:
   struct Glowing {
@@ -96,7 +96,7 @@ class TileSplats {
   void deal_out();
   template <typename Visit>
   void for_each_pixel(const Glowing& splat, const Visit& visit) const;
-  void append(std::size_t at, double before, const TileBuffer& buffer, SegmentList& segments);
+  void append(std::size_t at, double before, const TileBuffer& buffer, SegmentList& list);
 
   const Frame& frame_;
   TileRect tile_;

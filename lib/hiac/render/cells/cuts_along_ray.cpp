@@ -65,17 +65,7 @@ bool CutsAlongRay::below_at_face(const Cut& cut, const CellCrossing& crossing, s
 // How far places_ move, and whether as many stay, when the offsets are wrong by `error`.
 void CutsAlongRay::add_doubts(const RayStretch& stretch, const Cut& cut, double error) {
   moved_.assign(places_.size(), 0);
-  const auto count_at = [&](double level) {
-    find_shifted_changes(pieces_, level, shifted_, roots_);
-    if (shifted_.size() != places_.size()) {
-      doubtful_ = true;
-      return;
-    }
-    for (std::size_t i = 0; i < places_.size(); ++i)
-      moved_[i] = std::max(moved_[i], 2 * std::abs(shifted_[i] - places_[i]));
-  };
-  count_at(error);
-  count_at(-error);
+  if (!as_many_when_shifted(pieces_, error, places_, moved_, shifted_, roots_)) doubtful_ = true;
   for (double& moved : moved_) moved *= stretch.back - stretch.front;
   if (pieces_.empty() && cut.offsets.least < cut.offsets.most) doubtful_ = true;
 }

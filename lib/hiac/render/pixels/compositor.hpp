@@ -37,16 +37,18 @@ inline void composite(std::size_t at, double front, double back, const PlainRadi
 }
 
 /// Tells a pixel's details of a segment that is about to be composited.
-inline void describe(std::size_t at, SegmentDetails segment, double tolerance, TileBuffer& buffer) {
-  segment.out_of_order = out_of_order(segment.front, segment.back, buffer.last[at], tolerance);
+inline void describe(std::size_t at, const SegmentDetails& segment, double tolerance,
+                     TileBuffer& buffer) {
+  PixelDetails& pixel = buffer.details[at];
+  if (out_of_order(segment.front, segment.back, buffer.last[at], tolerance)) ++pixel.violations;
   const double light = std::max({buffer.red[at], buffer.green[at], buffer.blue[at]});
-  buffer.details[at].add(segment, buffer.transparency[at], light);
+  pixel.add(segment, buffer.transparency[at], light);
 }
 
 /// The same where cells are drawn: in a group, segments and their details join its list.
 inline void composite(const TileTarget& to, std::size_t at, double front, double back,
                       const PlainRadiance& radiance) {
-  if (to.group != nullptr) return to.group->append(at, front, back, radiance);
+  if (to.group != nullptr) return to.group->segments.push_back({at, front, back, radiance});
   composite(at, front, back, radiance, to.frame.witness_tolerance, to.buffer, to.counts);
 }
 inline void describe(const TileTarget& to, std::size_t at, const SegmentDetails& segment) {

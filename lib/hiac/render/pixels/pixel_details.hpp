@@ -15,7 +15,6 @@ struct SegmentDetails {
   double mean = 0;          ///< depth of its opacity
   double radiance_error = 0, transparency_error = 0;  ///< ErrorBound
   double front_edge = 0, back_edge = 0;  ///< errors more where nothing adjoins (edge_bound)
-  bool out_of_order = false;             ///< as the compositor finds it
 };
 
 /// What is known of a pixel besides its colour, segment by segment, front to back.
@@ -24,7 +23,8 @@ struct PixelDetails : PixelFacts {
   double last = -std::numeric_limits<double>::infinity();  ///< where the last segment ended
   double open_edge = 0;                                    ///< its back_edge, times what is visible
 
-  /// `visible`: the transparency in front; `light`: the pixel's largest channel so far.
+  /// All but violations. `visible`: the transparency in front; `light`: the pixel's largest channel
+  /// so far.
   void add(const SegmentDetails& segment, double visible, double light);
 };
 

@@ -73,7 +73,8 @@ class SegmentSink {
 
   HWY_NOINLINE void append(std::size_t at, std::size_t count, const SegmentLanes& lanes) {
     for (std::size_t k = 0; k < count; ++k)
-      if (lanes.is_active(k)) group_->append(at + k, lanes.front(k), lanes.back(k), lanes.light(k));
+      if (lanes.is_active(k))
+        group_->segments.push_back({at + k, lanes.front(k), lanes.back(k), lanes.light(k)});
   }
 
   TileBuffer& buffer_;

@@ -20,20 +20,21 @@ struct TileBuffer : TilePixels {
   void reset(const TileRect& tile, const Projector& projector, bool with_details);
 };
 
-/// Ray segments whose order is yet to be found: those of a group of cells in one tile. Arrays of
-/// equal length.
-struct SegmentList {
-  std::vector<std::uint32_t> pixel;  ///< index into the tile's planes
-  std::vector<double> front, back;   ///< ray parameters
-  std::vector<double> red, green, blue, transparency;
-  std::vector<SegmentDetails> details;  ///< empty where no channel needs them
+/// A ray segment of a tile's pixel, and what it does to the light.
+struct ListedSegment {
+  std::size_t pixel;   ///< index into the tile's planes
+  double front, back;  ///< ray parameters
+  PlainRadiance light;
+};
 
-  [[nodiscard]] std::size_t size() const { return pixel.size(); }
-  void clear();
-  void append(std::size_t at, double t_front, double t_back, const PlainRadiance& light);
-  /// What segment i does to the light.
-  [[nodiscard]] PlainRadiance light(std::size_t i) const {
-    return {{red[i], green[i], blue[i]}, transparency[i]};
+/// Ray segments whose order is yet to be found: those of a group of cells in one tile.
+struct SegmentList {
+  std::vector<ListedSegment> segments;
+  std::vector<SegmentDetails> details;  ///< of each; empty where no channel needs them
+
+  void clear() {
+    segments.clear();
+    details.clear();
   }
   /// The order of one pixel's segments: by depth.
   [[nodiscard]] bool nearer(std::uint32_t a, std::uint32_t b) const;
@@ -59,7 +60,7 @@ struct TileTarget {
 };
 
 /// Sorts the segments by pixel and depth and composites them: exact whatever order they came in.
-void composite_sorted(const SegmentList& segments, double witness_tolerance, TileBuffer& buffer,
+void composite_sorted(const SegmentList& list, double witness_tolerance, TileBuffer& buffer,
                       TileCounts& counts);
 
 }  // namespace hiac

@@ -76,20 +76,27 @@ void PixelRefinement::composite(const ExtendedSegment& segment, Again& pixel) co
 std::optional<PixelRefinement::Again> PixelRefinement::compute_again(int x, int y) {
   if (boxes_.empty()) set_boxes();
   Again pixel;
-  std::vector<ExtendedSegment> found;
-  for (std::size_t i = 0; i < ranks_.size() && !pixel.ended;) {
-    const CellRun run = first_run(order_, ranks_.subspan(i), 1);
-    found.clear();
+  std::vector<ExtendedSegment> in_group;
+  std::size_t i = 0;
+  for (auto left = ranks_; !left.empty() && !pixel.ended;) {
+    const CellRun run = first_run(order_, left, left.size());
+    in_group.clear();
     for (const std::uint32_t rank : run.ranks) {
       if (!may_meet(i++, x, y)) continue;
       ExtendedSegment segment;
       const Met met = find(order_.cells[rank], x, y, segment);
       if (met == Met::doubtful) return std::nullopt;
-      if (met == Met::once) found.push_back(segment);
+      if (met == Met::no) continue;
+      if (run.is_group)
+        in_group.push_back(segment);
+      else
+        composite(segment, pixel);
+      if (pixel.ended) break;
     }
-    std::ranges::stable_sort(found, {},
+    std::ranges::stable_sort(in_group, {},
                              [](const ExtendedSegment& s) { return std::pair(s.front, s.back); });
-    for (const ExtendedSegment& segment : found) composite(segment, pixel);
+    for (const ExtendedSegment& segment : in_group) composite(segment, pixel);
+    left = left.subspan(run.ranks.size());
   }
   return pixel;
 }

@@ -15,8 +15,8 @@
 
 #  include "hiac/render/integrate/shading-inl.hpp"
 #  include "hiac/render/pixels/compositor.hpp"
-#  include "hiac/render/tetrahedra/scan_conversion-inl.hpp"
 #  include "hiac/render/tetrahedra/tetrahedron_details.hpp"
+#  include "hiac/render/tetrahedra/tetrahedron_ends-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {

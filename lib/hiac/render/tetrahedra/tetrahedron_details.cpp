@@ -78,8 +78,6 @@ void BasicTetrahedronDetails<Real>::enter(CellId cell) {
   optics_ = cell_optics(frame_.optics, color, extinction, kNumbers);
   color_error_ = error_of(color_values, color, displacement_);
   extinction_error_ = error_of(extinction_values, extinction, displacement_);
-  continuous_ = frame_.color_field().location == FieldLocation::node &&
-                frame_.extinction.location == FieldLocation::node;
   cuts_.clear();
   if (frame_.isosurfaces.in(cell).empty()) return;
   const RayDisplacement world = displacement_in_world(frame_, cell, kNumbers);
@@ -216,10 +214,7 @@ SegmentDetails BasicTetrahedronDetails<Real>::describe(const Segment& segment) c
   }
   details.radiance_error = sum.radiance;
   details.transparency_error = std::min(1.0, sum.transparency);
-  if (!continuous_) {
-    details.radiance_error += details.front_edge + details.back_edge;
-    details.transparency_error += details.front_edge + details.back_edge;
-  }
+  count_edges_at_jumps(frame_, details);
   return details;
 }
 

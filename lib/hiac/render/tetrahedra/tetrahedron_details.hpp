@@ -76,7 +76,6 @@ class BasicTetrahedronDetails {
   RayDisplacement displacement_;
   FieldRounding rounding_ = kTetrahedronRounding;
   double color_error_ = 0, extinction_error_ = 0;
-  bool continuous_ = true;  // fields fit at faces
   std::vector<CutErrors> cuts_;
 };
 
