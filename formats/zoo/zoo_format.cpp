@@ -7,22 +7,11 @@
 #include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/mesh/location_name.hpp"
 #include "hiac/mesh/zoo_layout.hpp"
 
 namespace hiac::formats {
 namespace {
-
-std::string_view location_name(FieldLocation location) {
-  switch (location) {
-    case FieldLocation::node:
-      return "node";
-    case FieldLocation::cell:
-      return "cell";
-    case FieldLocation::corner:
-      return "corner";
-  }
-  return "";
-}
 
 Reading read_zoo(const std::string& path, const ReadOptions& options) {
   return reading_of(read_zoo_file(path), options, path);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "hiac/geometry/interval.hpp"
 #include "hiac/geometry/vector.hpp"
 
 namespace hiac {
@@ -99,16 +100,10 @@ bool separated_by_an_edge(const Hull& p, const Hull& q) {
 
 // Depth -------------------------------------------------------------------------------------------
 
-struct Interval {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-};
-
 Interval along(const Hull& hull, const Vector& n, Point3 from) {
   Interval interval;
   for (std::size_t k = 0; k < hull.count; ++k) {
-    const double x = dot(n, minus(hull.at(k), from));
-    interval.low = std::min(interval.low, x);
-    interval.high = std::max(interval.high, x);
+    interval.include(dot(n, minus(hull.at(k), from)));
   }
   return interval;
 }

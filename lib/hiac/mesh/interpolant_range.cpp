@@ -121,7 +121,7 @@ InterpolantCoefficients interpolant_coefficients(CellKind kind, std::span<const 
   return result;
 }
 
-InterpolantRange interpolant_range(CellKind kind, std::span<const double> values) {
+ValueRange interpolant_range(CellKind kind, std::span<const double> values) {
   const auto nodal = std::ranges::minmax(values.first(node_count(kind)));
   if (order_of(kind) == CellOrder::linear || nodal.min == nodal.max) return {nodal.min, nodal.max};
   const InterpolantCoefficients b = interpolant_coefficients(kind, values);

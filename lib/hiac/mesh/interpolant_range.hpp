@@ -51,14 +51,14 @@ void add_shares(std::size_t nodes, std::size_t count, const SharesOf& shares_of,
 /// `values`: of the kind's nodes.
 InterpolantCoefficients interpolant_coefficients(CellKind kind, std::span<const double> values);
 
-/// Bounds of an interpolant in the whole cell.
-struct InterpolantRange {
+/// Bounds of a field in a cell, or in part of it.
+struct ValueRange {
   double least, most;
 };
 
 /// Bounds of the interpolant of `values` (at the kind's nodes): the extreme values for linear
 /// kinds; for the others, whose interpolants overshoot, the extreme coefficients widened by their
 /// rounding. Both bounds of a constant are the constant.
-InterpolantRange interpolant_range(CellKind kind, std::span<const double> values);
+ValueRange interpolant_range(CellKind kind, std::span<const double> values);
 
 }  // namespace hiac

@@ -7,6 +7,7 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
+#include "hiac/mesh/location_name.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 
 namespace hiac {
@@ -56,18 +57,6 @@ Field magnitude(const Field& field, const std::string& name) {
     for (std::size_t c = 1; c < tuple.size(); ++c) length = std::hypot(length, tuple[c]);
     return length;
   });
-}
-
-std::string_view location_name(FieldLocation location) {
-  switch (location) {
-    case FieldLocation::node:
-      return "node";
-    case FieldLocation::cell:
-      return "cell";
-    case FieldLocation::corner:
-      return "corner";
-  }
-  return "";
 }
 
 /// A field's name with its location: what tells fields of one name apart.
