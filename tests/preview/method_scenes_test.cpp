@@ -102,7 +102,7 @@ TEST(MethodScenes, Isosurfaces) {
   scene.isosurfaces = {half, other, opaque};
   scene.lights.push_back(Light{std::array<double, 3>{1, -2, 3}, {0.5, 0.5, 0.5}});
   // in perspective Phong's light is interpolated between the corners of a polygon
-  expect_close(fine_mesh(), scene, 1e-2, "isosurfaces", 1e-2);
+  expect_close(fine_mesh(), scene, 1e-2, "isosurfaces", 5e-5);
 }
 
 TEST(MethodScenes, AnIsosurfaceInFacesIsDrawnOnce) {
@@ -116,10 +116,9 @@ TEST(MethodScenes, AnIsosurfaceInFacesIsDrawnOnce) {
   surface.value = 0.25;
   surface.opacity = 0.5;
   scene.isosurfaces = {surface};
-  // in perspective depths are interpolated between corners
-  expect_close(mesh, scene, 1e-3, "in faces", 1e-3);
+  expect_close(mesh, scene, 1e-3, "in faces");
   scene.isosurfaces[0].value = 0.5;  // the mesh's own sides
-  expect_close(mesh, scene, 1e-3, "on the boundary", 1e-3);
+  expect_close(mesh, scene, 1e-3, "on the boundary");
 }
 
 TEST(MethodScenes, WithoutSlicing) {
