@@ -58,5 +58,32 @@ TEST(LenientDecks, MfemPartsOfOneProcessAreItsElements) {
   EXPECT_THAT(refusal(folder.write("d.mesh", title + "rank\nx\n" + mesh)), HasSubstr("a rank"));
 }
 
+TEST(LenientDecks, FrdValuesOfUnknownNodesAreLeftOut) {
+  const ScratchFolder folder;
+  const auto node = [](int number, double x, double y, double z) {
+    return fmt::format(" -1{:10}{:12.5E}{:12.5E}{:12.5E}\n", number, x, y, z);
+  };
+  const auto file = [&](const std::string& values) {
+    return "    1C\n    2C                             4                                     1\n" +
+           node(1, 0, 0, 0) + node(2, 1, 0, 0) + node(3, 0, 1, 0) + node(4, 0, 0, 1) +
+           " -3\n    3C                             1                                     1\n" +
+           fmt::format(" -1{:10}{:5}{:5}{:5}\n -2{:10}{:10}{:10}{:10}\n -3\n", 1, 3, 0, 1, 1, 2, 3,
+                       4) +
+           "    1PSTEP                         1           1           1\n"
+           "  100CL  101 1.000000000           6                     0    1           1\n"
+           " -4  NDTEMP      1    1\n -5  T           1    1    0    0\n" +
+           values + " -3\n 9999\n";
+  };
+  std::string values;
+  for (const int n : {1, 2, 7, 3, 4, 9}) values += fmt::format(" -1{:10}{:12.5E}\n", n, 10.0 * n);
+  const Reading reading = read_any(folder.write("a.frd", file(values)));
+  expect_unit_tetrahedron(reading.mesh);
+  ASSERT_EQ(reading.mesh.fields.size(), 1U);
+  for (std::size_t n = 0; n < 4; ++n)
+    EXPECT_EQ(reading.mesh.fields[0].values[n], 10.0 * static_cast<double>(n + 1));
+  EXPECT_THAT(reading.notes, Contains(HasSubstr("values of 2 nodes that the file does not have, "
+                                                "the first of them is node 7")));
+}
+
 }  // namespace
 }  // namespace hiac::formats
