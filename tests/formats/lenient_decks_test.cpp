@@ -85,5 +85,33 @@ TEST(LenientDecks, FrdValuesOfUnknownNodesAreLeftOut) {
                                                 "the first of them is node 7")));
 }
 
+TEST(LenientDecks, AnsysElementsEndWithTheirLastNode) {
+  const ScratchFolder folder;
+  // ten places, of which all mid-side nodes but the first, or none but the first, are missing
+  const auto deck = [](const std::string& nodes, int count) {
+    std::string text = "/PREP7\nET,1,187\nN,1,0,0,0\nN,2,1,0,0\nN,3,0,1,0\nN,4,0,0,1\nN,5,.5,0,0\n";
+    text += "EBLOCK,19,SOLID\n(19i9)\n";
+    for (const int field : {1, 1, 1, 1, 0, 0, 0, 0, count, 0, 1})
+      text += fmt::format("{:9}", field);
+    return text + nodes + "\n-1\n";
+  };
+  const std::string corners = fmt::format("{:9}{:9}{:9}{:9}", 1, 2, 3, 4);
+  const auto middles = [](int zeros) {
+    std::string text = fmt::format("{:9}", 5);
+    for (int i = 0; i < zeros; ++i) text += fmt::format("{:9}", 0);
+    return text;
+  };
+  for (int zeros = 0; zeros < 4; ++zeros) {  // as many as fit into the line
+    const ZooMesh mesh =
+        read_any(folder.write("a.cdb", deck(corners + middles(zeros), 5 + zeros))).mesh;
+    ASSERT_EQ(mesh.cell_count(), 1U) << zeros;
+    EXPECT_EQ(mesh.kinds[0], CellKind::tetrahedron10);
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_EQ(mesh.position(mesh.nodes[4])[c], c == 0 ? 0.5 : 0);  // given
+      EXPECT_EQ(mesh.position(mesh.nodes[9])[c], c == 0 ? 0 : 0.5);  // made
+    }
+  }
+}
+
 }  // namespace
 }  // namespace hiac::formats
