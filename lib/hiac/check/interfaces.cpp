@@ -49,7 +49,9 @@ std::optional<Polygon> polygon_of(const ZooMesh& mesh, const FreeFace& face) {
   double deepest = 0;
   for (const NodeId node : nodes) {
     const double depth = std::abs(dot(p.normal, minus(mesh.position(node), p.at(0))));
-    if (depth <= deepest || std::ranges::find(face.nodes, node) != face.nodes.end()) continue;
+    // a triangle's fourth node is none
+    const auto corners = std::span(face.nodes).first(p.count);
+    if (depth <= deepest || std::ranges::find(corners, node) != corners.end()) continue;
     deepest = depth;
     p.inner = mesh.position(node).data();
   }

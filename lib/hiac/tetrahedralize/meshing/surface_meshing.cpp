@@ -13,9 +13,9 @@
 #define TETLIBRARY
 #include <tetgen.h>
 
+#include "hiac/base/child_process.hpp"
 #include "hiac/base/error.hpp"
 #include "hiac/geometry/predicates.hpp"
-#include "hiac/base/child_process.hpp"
 
 namespace hiac {
 namespace {
