@@ -13,9 +13,11 @@
 #include "hiac/base/error.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
 #include "hiac/mesh/zoo_container.hpp"
+#include "tools/common/as_option.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/common/version.hpp"
 #include "tools/convert/listing.hpp"
+#include "tools/convert/option_names.hpp"
 #include "tools/convert/spooled_input.hpp"
 
 namespace hiac::tools {
@@ -106,12 +108,15 @@ formats::ReadOptions read_options(const Options& options) {
 /// names, under a name that can be opened; errors name the stream as "stdin".
 template <typename Work>
 auto with_input(const Options& options, const Work& work) {
+  const auto named = [&]() -> const formats::Format& {
+    return *as_option("--", [&] { return &formats::format_named(options.format); });
+  };
   if (!options.from_stdin()) {
-    const formats::Format& format = options.format.empty() ? formats::format_to_read(options.input)
-                                                           : formats::format_named(options.format);
+    const formats::Format& format =
+        options.format.empty() ? formats::format_to_read(options.input) : named();
     return work(format, options.input);
   }
-  const formats::Format& format = formats::format_named(options.format);
+  const formats::Format& format = named();
   const SpooledInput spooled(STDIN_FILENO, "stdin");
   try {
     return work(format, spooled.path());
@@ -133,22 +138,28 @@ bool is_zoo_stream(const Options& options) {
   return options.from_stdin() && (options.format.empty() || options.format == "zoo");
 }
 
-formats::Reading read_input(const Options& options) {
+/// The readers' messages name members of ReadOptions; those on wrong usage begin with one.
+formats::Reading read_input(const Options& options) try {
   const formats::ReadOptions wanted = read_options(options);
-  if (is_zoo_stream(options))
-    return formats::reading_of(read_zoo_stream(STDIN_FILENO, "stdin"), wanted, "stdin");
+  if (is_zoo_stream(options)) {
+    ZooFile stream = read_zoo_stream(STDIN_FILENO, "stdin");
+    return as_option("--", [&] { return formats::reading_of(std::move(stream), wanted, "stdin"); });
+  }
   return with_input(options, [&](const formats::Format& format, const std::string& path) {
-    return format.read(path, wanted);
+    return as_option("--", [&] { return format.read(path, wanted); });
   });
+} catch (const InputError& error) {
+  throw InputError(with_option_names(error.what()));
 }
 
 void list_input(Tool& tool, const Options& options) {
-  const formats::Inventory inventory =
+  formats::Inventory inventory =
       is_zoo_stream(options)
           ? formats::inventory_of(read_zoo_stream(STDIN_FILENO, "stdin").mesh)
           : with_input(options, [](const formats::Format& format, const std::string& path) {
               return format.inspect(path);
             });
+  for (std::string& note : inventory.notes) note = with_option_names(std::move(note));
   if (tool.common().json != "-") std::cout << inventory_text(inventory);
   tool.facts()["inventory"] = inventory_facts(inventory);
 }
@@ -156,7 +167,7 @@ void list_input(Tool& tool, const Options& options) {
 /// Refuses a destination that cannot be written before anything is read.
 void check_output(const Tool& tool, const Options& options) {
   if (!options.to_stdout()) {
-    formats::format_to_write(options.output);
+    as_option("-o ", [&] { formats::format_to_write(options.output); });
     return;
   }
   if (isatty(STDOUT_FILENO) != 0)
@@ -166,7 +177,8 @@ void check_output(const Tool& tool, const Options& options) {
 }
 
 void note_all(Tool& tool, const std::vector<std::string>& notes) {
-  for (const std::string& note : notes) {
+  for (const std::string& told : notes) {
+    const std::string note = with_option_names(told);
     tool.note(note);
     tool.facts()["notes"].push_back(note);
   }
@@ -209,7 +221,8 @@ void convert(Tool& tool, const Options& options) {
   formats::Reading reading = tool.timed("read", [&] { return read_input(options); });
   ZooMesh& mesh = reading.mesh;
   if (options.corners_only) formats::keep_corners(mesh, reading.notes);
-  mesh.fields = formats::select_fields(mesh, options.fields, options.derivations);
+  mesh.fields = as_option(
+      "--", [&] { return formats::select_fields(mesh, options.fields, options.derivations); });
   note_all(tool, reading.notes);
   const bool to_zoo = options.to_stdout() || formats::format_to_write(options.output).name == "zoo";
   if (!options.adjacency)
