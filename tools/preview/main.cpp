@@ -23,6 +23,7 @@
 #include "hiac/scene/scene_writer.hpp"
 #include "hiac/session/ordering.hpp"
 #include "hiac/tetrahedralize/subdivide_cells.hpp"
+#include "tools/common/as_option.hpp"
 #include "tools/common/frames.hpp"
 #include "tools/common/mesh_io.hpp"
 #include "tools/common/order_by.hpp"
@@ -134,7 +135,7 @@ class Previewer {
         options_(options),
         scene_(scene),
         orders_(orders),
-        context_(options.device),
+        context_(as_option("--device: ", [&] { return Context(options.device); })),
         preview_(
             context_, mesh, scene,
             {.method = preview::method_of(options.method), .fine = options.precision == "double"}),

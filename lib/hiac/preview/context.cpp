@@ -218,7 +218,7 @@ Context::Context(const std::string& wanted) : state_(std::make_unique<State>()) 
     state_->current.release();
   }
   if (!names.empty())
-    throw UsageError(fmt::format("--device: there is no such device (expected one of {}; found {})",
+    throw UsageError(fmt::format("there is no such device (expected one of {}; found {})",
                                  fmt::join(names, ", "), wanted));
   if (tried.empty())
     tried.emplace_back("EGL offers neither devices nor Mesa's surfaceless platform");
