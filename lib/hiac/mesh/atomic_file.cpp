@@ -21,7 +21,7 @@ void write_and_close(const std::string& opened, const std::string& path,
 void write_atomically(const std::string& path, const std::function<void(int descriptor)>& write) {
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);
-  // over a pipe or a device nothing can be renamed
+  // pipes and devices cannot be replaced by renaming
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
     return write_and_close(path, path, write);
   OutputFile file(path);

@@ -9,7 +9,7 @@
 namespace hiac {
 namespace {
 
-// Hashes are taken of the arrays as they lie in memory, and must be the same everywhere.
+// Hashes cover the arrays as they are in memory, and must be the same on every machine.
 static_assert(std::endian::native == std::endian::little, "hiac needs a little-endian machine");
 
 /// The 128-bit state of XXH3, fed with sizes and arrays.
@@ -23,7 +23,7 @@ class ContentHasher {
   ContentHasher(const ContentHasher&) = delete;
   ContentHasher& operator=(const ContentHasher&) = delete;
 
-  /// The size goes first, so that no two sequences of arrays run together.
+  /// The size comes first, so that different sequences of arrays differ.
   template <typename T>
   void add(std::span<const T> array) {
     add_number(array.size());
