@@ -33,7 +33,7 @@ bool write_all(int pipe, const std::string& bytes) {
   return true;
 }
 
-// Never returns; no destructor of the parent's runs.
+// Never returns; destructors of the parent do not run.
 [[noreturn]] void be_the_child(int pipe, const std::function<std::string()>& work) {
   silence(STDOUT_FILENO);
   silence(STDERR_FILENO);
@@ -41,7 +41,7 @@ bool write_all(int pipe, const std::string& bytes) {
   try {
     if (write_all(pipe, work())) code = 0;
   } catch (...) {
-    code = 1;  // told to the parent by the missing bytes
+    code = 1;  // the parent notices the missing bytes
   }
   _exit(code);
 }
@@ -63,7 +63,7 @@ std::optional<std::string> in_child_process(const std::function<std::string()>& 
   std::array<int, 2> ends;
   if (pipe2(ends.data(), O_CLOEXEC) != 0)
     throw Error(ExitCode::internal, fmt::format("no pipe ({})", std::strerror(errno)));
-  std::fflush(nullptr);  // what is buffered is the parent's to write
+  std::fflush(nullptr);  // the parent writes its own buffers
   const pid_t child = fork();
   if (child == 0) be_the_child(ends[1], work);
   close(ends[1]);
