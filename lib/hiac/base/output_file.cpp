@@ -26,8 +26,8 @@ namespace {
 constexpr std::size_t kSlots = 64;
 std::array<std::atomic<const char*>, kSlots> open_files{};
 
-// A file that is being made and not yet in the table would survive a signal. So the handler waits
-// for those under way, in other threads, and lets no further one begin.
+// A file that is created but not yet in the table would survive a signal. The handler therefore
+// waits for files that other threads are creating, and lets no further creation start.
 std::atomic<int> making{0};
 std::atomic<bool> dying{false};
 
@@ -63,8 +63,8 @@ std::size_t claim_slot(const char* name) {
   return kSlots;  // more files at once than the handler can clean up: still correct without signals
 }
 
-// Lives while a file is made. Its own thread hears no signals meanwhile: the handler would wait for
-// it forever.
+// Exists while a file is created. It blocks signals in its own thread, as a handler there would
+// wait for it forever.
 class Making {
  public:
   Making() {
@@ -91,7 +91,7 @@ class Making {
 
 OutputFile::OutputFile(std::string path) : path_(std::move(path)), slot_(kSlots) {
   install_handlers();
-  // a symbolic link stays one: what it points to is replaced
+  // a symbolic link remains: its target is replaced
   std::error_code not_there;
   const auto target = std::filesystem::canonical(path_, not_there);
   if (!not_there) path_ = target.string();

@@ -9,15 +9,15 @@ namespace hiac {
 /// commit or when SIGINT, SIGTERM or SIGHUP ends the process.
 class OutputFile {
  public:
-  /// Creates the temporary file. Throws InputError naming `path` when that cannot be done.
+  /// Creates the temporary file. Throws InputError with `path` if that fails.
   explicit OutputFile(std::string path);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  /// The name to write to until commit.
+  /// The name of the file until commit.
   [[nodiscard]] const std::string& temporary_path() const { return temporary_; }
-  /// Renames the file to its destination. Throws InputError when that cannot be done.
+  /// Renames the file to its destination. Throws InputError if that fails.
   void commit();
 
  private:
