@@ -190,8 +190,8 @@ Basis<T, 6, 9> prism_basis(const Point<T>& r, bool with_edges) {
   return basis;
 }
 
-/// Let w = 2 - y - z, and let xi = x / w be the coordinate of the brick. With t = xi (1-y) and s =
-/// xi (1-z), everything is a polynomial of x, y, z and t.
+/// Let w = 2 - y - z, and let xi = x / w be the coordinate of the brick. With t = xi (1-y) and
+/// s = xi (1-z), everything is a polynomial of x, y, z and t.
 template <typename T>
 Basis<T, 7, 11> wedge_basis(const Point<T>& r, bool with_edges) {
   const auto& [x, y, z] = r;
