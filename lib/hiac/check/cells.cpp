@@ -157,8 +157,7 @@ bool outside_of_face(const Nodes& n, const ShapeTopology& shape, const ShapeFace
   return false;
 }
 
-// Findings of a pass over the cells
-// ----------------------------------------------------------------
+// Findings of a pass over the cells ---------------------------------------------------------------
 
 // Returns the orientation of most cells; right if there are as many of either.
 Turn hand_of(const std::vector<Turn>& turns) {

@@ -19,11 +19,10 @@ namespace hiac {
 /// - folded_face: two cells lie on the same side of their common face, according to their
 ///   orientations, or have its four corners in a different order around it: their interiors overlap
 ///   next to it;
-/// - torn_interface, hanging_interface, sliding_interface: a face without neighbour lies on faces
-/// of
-///   other cells, which are on its other side: on a face with corners at the same places (but other
-///   nodes), on smaller faces or within a larger one, or neither. A face gets the first of these
-///   that applies.
+/// - torn_interface, hanging_interface, sliding_interface: a face without neighbour lies on those
+///   of other cells, which are on its other side: on a face with corners at the same places (but
+///   other nodes), on smaller faces or within a larger one, or neither. A face gets the first of
+///   these that applies.
 ///
 /// Faces lie on one another if they do so to within `planarity` times their size plus their own
 /// deviations from planes; with planarity = 0, exact determinants decide.

@@ -6,9 +6,9 @@
 
 namespace hiac {
 
-/// Returns the exact sign of det[(b - a, l_b), (c - a, l_c), (d - a, l_d), (e - a, l_e)] with l_p =
-/// |p - a|^2, for finite coordinates as given. If the tetrahedron a, b, c, d is positive, it is +1
-/// if e is outside its circumsphere, 0 on it, -1 inside.
+/// Returns the exact sign of det[(b - a, l_b), (c - a, l_c), (d - a, l_d), (e - a, l_e)] with
+/// l_p = |p - a|^2, for finite coordinates as given. If the tetrahedron a, b, c, d is positive, it
+/// is +1 if e is outside its circumsphere, 0 on it, -1 inside.
 ///
 /// A filter with the bound of J. R. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and
 /// Fast Robust Geometric Predicates", 1997, section 4.4 (insphere), is followed by CGAL's exact

@@ -90,7 +90,7 @@ void require_sane_size(std::uint64_t width, std::uint64_t height, std::uint64_t 
 inline constexpr std::uint64_t kDeflateRatio = 1032;
 
 /// Throws InputError if rows of that many bytes, compressed at most by the factor `ratio`, do not
-/// fit into a file of that length, which is then truncated.
+/// fit into a file of that length: the file is truncated.
 void require_possible_size(std::uint64_t row_bytes, std::uint64_t rows, std::uint64_t ratio,
                            std::uint64_t file_bytes, const std::string& path);
 

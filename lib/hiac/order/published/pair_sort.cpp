@@ -215,7 +215,7 @@ class PairSort {
   std::vector<State> states_;                 // by rank
   std::vector<std::size_t> heads_;  // by tile: the first place whose cell may still be in the list
   std::vector<Step> path_;
-  std::vector<std::uint32_t> candidates_;  // the candidates of all cells on the path, by rank
+  std::vector<std::uint32_t> candidates_;  // ranks, of all cells on the path
   std::vector<CellId> order_;
 };
 
