@@ -7,7 +7,7 @@
 #include "hiac/base/large_pages.hpp"
 #include "hiac/base/parallel.hpp"
 #include "hiac/frame/screen_rounding.hpp"
-#include "hiac/frame/tile.hpp"
+#include "hiac/frame/tiles/tile.hpp"
 #include "hiac/geometry/extended_vector.hpp"
 #include "hiac/geometry/vector.hpp"
 

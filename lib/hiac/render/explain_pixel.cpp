@@ -12,7 +12,7 @@
 #include "hiac/element/field_along_ray.hpp"
 #include "hiac/frame/background.hpp"
 #include "hiac/frame/cell_groups.hpp"
-#include "hiac/frame/tile_bins.hpp"
+#include "hiac/frame/tiles/tile_bins.hpp"
 #include "hiac/optics/polynomial_piece.hpp"
 #include "hiac/render/bounds/error_bound.hpp"
 #include "hiac/render/cells/cell_scan.hpp"

@@ -12,7 +12,7 @@
 #include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
 #include "hiac/frame/background.hpp"
-#include "hiac/frame/tile.hpp"
+#include "hiac/frame/tiles/tile.hpp"
 #include "hiac/render/quadratic_bspline.hpp"
 
 namespace hiac {

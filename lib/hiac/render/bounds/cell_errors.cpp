@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hiac/element/gradient_bound.hpp"
+#include "hiac/element/gradient/gradient_bound.hpp"
 
 namespace hiac {
 

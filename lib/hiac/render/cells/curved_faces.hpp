@@ -8,8 +8,8 @@
 
 #include "hiac/element/cell_surface.hpp"
 #include "hiac/frame/frame.hpp"
-#include "hiac/frame/screen_bounds.hpp"
-#include "hiac/frame/tile.hpp"
+#include "hiac/frame/tiles/screen_bounds.hpp"
+#include "hiac/frame/tiles/tile.hpp"
 #include "hiac/geometry/face_form.hpp"
 #include "hiac/geometry/patch_zeros.hpp"
 

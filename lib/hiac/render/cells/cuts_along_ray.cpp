@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "hiac/base/rounding.hpp"
-#include "hiac/element/gradient_bound.hpp"
-#include "hiac/element/gradient_direction.hpp"
+#include "hiac/element/gradient/gradient_bound.hpp"
+#include "hiac/element/gradient/gradient_direction.hpp"
 #include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 #include "hiac/render/bounds/rounding_counts.hpp"

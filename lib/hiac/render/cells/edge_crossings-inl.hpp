@@ -18,7 +18,7 @@
 
 #  include "hiac/element/cell_surface.hpp"
 #  include "hiac/frame/row_crossing-inl.hpp"
-#  include "hiac/frame/tile.hpp"
+#  include "hiac/frame/tiles/tile.hpp"
 #  include "hiac/render/cells/surface_depth-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "hiac/frame/drawn_tile.hpp"
+#include "hiac/frame/tiles/drawn_tile.hpp"
 
 namespace hiac {
 

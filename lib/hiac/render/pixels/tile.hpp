@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "hiac/frame/frame.hpp"
-#include "hiac/frame/tile.hpp"
+#include "hiac/frame/tiles/tile.hpp"
 #include "hiac/optics/piece_rule.hpp"
 #include "hiac/render/pixels/pixel_details.hpp"
 

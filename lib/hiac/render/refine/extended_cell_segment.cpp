@@ -7,7 +7,7 @@
 #include <span>
 
 #include "hiac/element/face_interpolant.hpp"
-#include "hiac/element/gradient_bound.hpp"
+#include "hiac/element/gradient/gradient_bound.hpp"
 #include "hiac/element/ray_rounding.hpp"
 #include "hiac/optics/polynomial_piece.hpp"
 #include "hiac/render/bounds/rounding_counts.hpp"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "hiac/element/gradient_bound.hpp"
+#include "hiac/element/gradient/gradient_bound.hpp"
 #include "hiac/frame/frame.hpp"
 #include "hiac/render/bounds/error_bound.hpp"
 #include "hiac/render/bounds/ray_displacement.hpp"

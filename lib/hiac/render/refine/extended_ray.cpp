@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "hiac/frame/tile.hpp"
+#include "hiac/frame/tiles/tile.hpp"
 
 namespace hiac {
 

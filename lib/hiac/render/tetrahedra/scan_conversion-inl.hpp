@@ -17,7 +17,7 @@
 
 #  include "hiac/frame/frame.hpp"
 #  include "hiac/frame/row_crossing-inl.hpp"
-#  include "hiac/frame/tile.hpp"
+#  include "hiac/frame/tiles/tile.hpp"
 #  include "hiac/render/pixels/face_plane-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();

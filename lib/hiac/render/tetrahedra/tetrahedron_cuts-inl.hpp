@@ -16,7 +16,7 @@
 #  include <hwy/highway.h>
 
 #  include "hiac/element/face_interpolant.hpp"
-#  include "hiac/element/gradient_direction.hpp"
+#  include "hiac/element/gradient/gradient_direction.hpp"
 #  include "hiac/frame/face_value.hpp"
 #  include "hiac/frame/frame.hpp"
 #  include "hiac/render/tetrahedra/face_lines-inl.hpp"

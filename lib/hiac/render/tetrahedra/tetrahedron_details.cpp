@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "hiac/base/rounding.hpp"
-#include "hiac/element/gradient_direction.hpp"
+#include "hiac/element/gradient/gradient_direction.hpp"
 #include "hiac/frame/face_value.hpp"
-#include "hiac/frame/tile.hpp"
+#include "hiac/frame/tiles/tile.hpp"
 #include "hiac/geometry/vector.hpp"
 #include "hiac/render/bounds/rounding_counts.hpp"
 #include "hiac/render/refine/extended_ray.hpp"

@@ -6,9 +6,9 @@
 #include "hiac/base/progress.hpp"
 #include "hiac/frame/channels.hpp"
 #include "hiac/frame/crop.hpp"
-#include "hiac/frame/drawn_tile.hpp"
 #include "hiac/frame/frame.hpp"
-#include "hiac/frame/tile_bins.hpp"
+#include "hiac/frame/tiles/drawn_tile.hpp"
+#include "hiac/frame/tiles/tile_bins.hpp"
 #include "hiac/image/image.hpp"
 #include "hiac/scene/scene.hpp"
 

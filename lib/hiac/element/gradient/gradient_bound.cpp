@@ -1,11 +1,11 @@
-#include "hiac/element/gradient_bound.hpp"
+#include "hiac/element/gradient/gradient_bound.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "hiac/base/rounding.hpp"
-#include "hiac/element/curved_gradient_bound.hpp"
+#include "hiac/element/gradient/curved_gradient_bound.hpp"
 #include "hiac/geometry/interval.hpp"
 #include "hiac/geometry/inverse_map.hpp"
 #include "hiac/geometry/vector.hpp"

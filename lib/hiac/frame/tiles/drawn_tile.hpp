@@ -5,7 +5,7 @@
 #include <limits>
 #include <span>
 
-#include "hiac/frame/tile.hpp"
+#include "hiac/frame/tiles/tile.hpp"
 
 namespace hiac {
 

@@ -1,10 +1,10 @@
-#include "hiac/frame/screen_bounds.hpp"
+#include "hiac/frame/tiles/screen_bounds.hpp"
 
 #include <cmath>
 #include <cstddef>
 #include <span>
 
-#include "hiac/frame/curved_outline.hpp"
+#include "hiac/frame/tiles/curved_outline.hpp"
 
 namespace hiac {
 namespace {

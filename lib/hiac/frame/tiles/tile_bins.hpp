@@ -8,8 +8,8 @@
 
 #include "hiac/frame/crop.hpp"
 #include "hiac/frame/frame.hpp"
-#include "hiac/frame/screen_bounds.hpp"
-#include "hiac/frame/tile.hpp"
+#include "hiac/frame/tiles/screen_bounds.hpp"
+#include "hiac/frame/tiles/tile.hpp"
 #include "hiac/order/visibility_order.hpp"
 #include "hiac/scene/scene.hpp"
 
