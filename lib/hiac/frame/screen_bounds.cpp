@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "hiac/frame/curved_outline.hpp"
+#include "hiac/frame/tiles/curved_outline.hpp"
 
 namespace hiac {
 namespace {

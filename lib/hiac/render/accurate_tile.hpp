@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "hiac/frame/cell_groups.hpp"
 #include "hiac/frame/drawn_tile.hpp"
 #include "hiac/frame/frame.hpp"
+#include "hiac/frame/tiles/cell_groups.hpp"
 #include "hiac/order/visibility_order.hpp"
 #include "hiac/render/pixels/tile.hpp"
 #include "hiac/render/refine/pixel_refinement.hpp"

@@ -6,7 +6,7 @@
 #include "hiac/base/error.hpp"
 #include "hiac/base/seconds.hpp"
 #include "hiac/frame/frame.hpp"
-#include "hiac/frame/tile_bins.hpp"
+#include "hiac/frame/tiles/tile_bins.hpp"
 #include "hiac/render/accurate_tile.hpp"
 #include "hiac/render/splatting.hpp"
 

@@ -6,7 +6,7 @@
 #include "hiac/base/progress.hpp"
 #include "hiac/frame/channels.hpp"
 #include "hiac/frame/crop.hpp"
-#include "hiac/frame/picture.hpp"
+#include "hiac/frame/tiles/picture.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/order/visibility_order.hpp"
 #include "hiac/scene/scene.hpp"

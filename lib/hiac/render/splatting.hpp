@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hiac/frame/frame.hpp"
-#include "hiac/frame/tile_bins.hpp"
+#include "hiac/frame/tiles/tile_bins.hpp"
 #include "hiac/render/pixels/tile.hpp"
 #include "hiac/scene/scene.hpp"
 

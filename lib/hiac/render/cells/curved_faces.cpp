@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "hiac/frame/curved_outline.hpp"
 #include "hiac/frame/screen_rounding.hpp"
+#include "hiac/frame/tiles/curved_outline.hpp"
 #include "hiac/geometry/patch_facing.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 #include "hiac/render/bounds/ray_displacement.hpp"

@@ -15,7 +15,7 @@
 
 #  include <hwy/highway.h>
 
-#  include "hiac/element/lane_polynomial-inl.hpp"
+#  include "hiac/element/lanes/lane_polynomial-inl.hpp"
 #  include "hiac/render/integrate/piece_optics-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();

@@ -12,7 +12,7 @@
 
 #  include <hwy/highway.h>
 
-#  include "hiac/element/lane_polynomial-inl.hpp"
+#  include "hiac/element/lanes/lane_polynomial-inl.hpp"
 #  include "hiac/render/integrate/piece_optics-inl.hpp"
 #  include "hiac/render/integrate/polynomial_cuts-inl.hpp"
 #  include "hiac/render/integrate/shading-inl.hpp"

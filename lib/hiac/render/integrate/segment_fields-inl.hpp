@@ -15,9 +15,9 @@
 
 #  include <hwy/highway.h>
 
-#  include "hiac/element/cell_rays-inl.hpp"
-#  include "hiac/element/lane_polynomial-inl.hpp"
-#  include "hiac/element/quotient_powers-inl.hpp"
+#  include "hiac/element/lanes/cell_rays-inl.hpp"
+#  include "hiac/element/lanes/lane_polynomial-inl.hpp"
+#  include "hiac/element/lanes/quotient_powers-inl.hpp"
 #  include "hiac/frame/frame.hpp"
 #  include "hiac/render/cells/cell_segments.hpp"
 

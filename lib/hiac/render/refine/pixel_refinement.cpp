@@ -7,7 +7,7 @@
 
 #include "hiac/base/cancellation.hpp"
 #include "hiac/base/rounding.hpp"
-#include "hiac/frame/cell_groups.hpp"
+#include "hiac/frame/tiles/cell_groups.hpp"
 #include "hiac/render/bounds/error_bound.hpp"
 
 namespace hiac {

@@ -13,11 +13,11 @@
 #  include "hiac/base/rounding.hpp"
 #  include "hiac/element/cell_polynomials.hpp"
 #  include "hiac/element/chebyshev_points.hpp"
-#  include "hiac/element/collapsed_cell-inl.hpp"
-#  include "hiac/element/cube_polynomial-inl.hpp"
-#  include "hiac/element/inverse_series-inl.hpp"
+#  include "hiac/element/lanes/collapsed_cell-inl.hpp"
+#  include "hiac/element/lanes/cube_polynomial-inl.hpp"
+#  include "hiac/element/lanes/inverse_series-inl.hpp"
+#  include "hiac/element/lanes/taper-inl.hpp"
 #  include "hiac/element/ray_rounding.hpp"
-#  include "hiac/element/taper-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {

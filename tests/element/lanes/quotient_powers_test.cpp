@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hiac/element/quotient_powers-inl.hpp"
+#include "hiac/element/lanes/quotient_powers-inl.hpp"
 
 namespace hiac {
 namespace {

@@ -1,4 +1,4 @@
-#include "hiac/frame/picture.hpp"
+#include "hiac/frame/tiles/picture.hpp"
 
 #include <cmath>
 #include <limits>

@@ -13,8 +13,8 @@
 #  include <hwy/highway.h>
 
 #  include "hiac/element/chebyshev_points.hpp"
-#  include "hiac/element/lane_polynomial-inl.hpp"
-#  include "hiac/element/taper-inl.hpp"
+#  include "hiac/element/lanes/lane_polynomial-inl.hpp"
+#  include "hiac/element/lanes/taper-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {

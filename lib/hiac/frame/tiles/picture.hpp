@@ -8,7 +8,7 @@
 #include "hiac/frame/crop.hpp"
 #include "hiac/frame/drawn_tile.hpp"
 #include "hiac/frame/frame.hpp"
-#include "hiac/frame/tile_bins.hpp"
+#include "hiac/frame/tiles/tile_bins.hpp"
 #include "hiac/image/image.hpp"
 #include "hiac/scene/scene.hpp"
 

@@ -14,7 +14,7 @@
 #  include <hwy/highway.h>
 
 #  include "hiac/element/chebyshev_points.hpp"
-#  include "hiac/element/cube_polynomial-inl.hpp"
+#  include "hiac/element/lanes/cube_polynomial-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {

@@ -1,4 +1,4 @@
-#include "hiac/frame/curved_outline.hpp"
+#include "hiac/frame/tiles/curved_outline.hpp"
 
 #include <cmath>
 #include <span>

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hiac/element/cube_polynomial-inl.hpp"
+#include "hiac/element/lanes/cube_polynomial-inl.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 
 namespace hiac {

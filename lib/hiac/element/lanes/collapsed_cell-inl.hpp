@@ -13,7 +13,7 @@
 #  include <hwy/highway.h>
 
 #  include "hiac/element/cell_polynomials.hpp"
-#  include "hiac/element/cube_polynomial-inl.hpp"
+#  include "hiac/element/lanes/cube_polynomial-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {

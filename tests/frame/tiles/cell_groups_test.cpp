@@ -1,4 +1,4 @@
-#include "hiac/frame/cell_groups.hpp"
+#include "hiac/frame/tiles/cell_groups.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "hiac/frame/tile_bins.hpp"
+#include "hiac/frame/tiles/tile_bins.hpp"
 
 #include <algorithm>
 #include <functional>
