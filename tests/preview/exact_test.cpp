@@ -80,6 +80,21 @@ TEST_F(ExactPreview, EyesInsideTheMesh) {
     }
 }
 
+// A few large cells, in which every term of the series counts.
+TEST_F(ExactPreview, PiecesOfLargeOpticalDepth) {
+  ZooMesh mesh = test::structured(1, test::Cut::tetrahedra);
+  test::add_node_field(mesh, "f", [](const test::Position& p) { return p[0]; });
+  for (const Glow glow : {Glow::chromaticity, Glow::emission})
+    for (const double tau : {1.0, 3.0, 40.0}) {
+      Scene scene = cube_scene(Projection::orthographic, 60, 50);
+      scene.volume.glow = glow;
+      scene.volume.color->points = {{0, {1, 0, 0.5}}, {1, {0, 1, 0.5}}};
+      scene.volume.extinction->points = {{0, {0}}, {1, {tau}}};
+      SCOPED_TRACE(tau);
+      expect_close(mesh, scene, 1e-6, 2e-7);
+    }
+}
+
 TEST_F(ExactPreview, ClippingSlab) {
   const ZooMesh mesh = delaunay_with_fields(150, 4);
   for (const Projection projection : {Projection::orthographic, Projection::perspective}) {

@@ -103,7 +103,7 @@ class Current {
     if (display_ == EGL_NO_DISPLAY) return;
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
-    eglTerminate(display_);
+    // the display itself stays: other contexts of the process may be of it
     display_ = EGL_NO_DISPLAY;
     context_ = EGL_NO_CONTEXT;
   }
