@@ -1,0 +1,110 @@
+#include "hiac/preview/methods/region_filler.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <stdexcept>
+
+#include "hiac/base/parallel.hpp"
+#include "hiac/preview/methods/cell_triangles.hpp"
+
+namespace hiac::preview {
+namespace {
+
+// Cells a thread takes at a time.
+constexpr std::size_t kGrain = 2048;
+// Coordinates beyond which cells are clipped at the picture's border, pixels: floats know others to
+// a thousandth of a pixel.
+constexpr double kReach = 16384;
+
+// How many cells ahead their nodes' numbers, and what is at the nodes, are fetched.
+constexpr std::size_t kCellsAhead = 12, kNodesAhead = 6;
+
+// A cell of the mesh is a tetrahedron: its nodes begin at four times its number.
+void fetch_cell(const Frame& frame, CellId cell) {
+  __builtin_prefetch(&frame.mesh.nodes[std::size_t{4} * cell]);
+  __builtin_prefetch(&frame.mesh.elems[cell]);
+}
+
+void fetch_nodes(const Frame& frame, CellId cell) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    const NodeId node = frame.mesh.nodes[std::size_t{4} * cell + k];
+    __builtin_prefetch(&frame.nodes[node]);
+    if (frame.extinction.location != FieldLocation::node) continue;
+    __builtin_prefetch(&frame.extinction.values[node]);
+    __builtin_prefetch(&frame.extinction.intervals[node]);
+  }
+}
+
+double depth_of(const Projector& projector, double t) {
+  return projector.perspective() ? -1 / t : t;
+}
+
+}  // namespace
+
+void RegionCounts::add(const RegionCounts& other) {
+  cells += other.cells;
+  whole += other.whole;
+  slabs += other.slabs;
+  regions += other.regions;
+  surfaces += other.surfaces;
+  vertices += other.vertices;
+  reverted += other.reverted;
+  uncut += other.uncut;
+}
+
+RegionFiller::RegionFiller(const Frame& frame, Method method, const PixelRect& part)
+    : frame_(frame),
+      method_(method),
+      part_(part),
+      values_(frame.projector.perspective() && method != Method::interpolated_opacity
+                  ? kPerspectiveValues
+                  : kFlatValues),
+      color_(method, frame.optics.emission ? Glow::emission : Glow::chromaticity),
+      near_(frame.projector.near()),
+      far_(frame.projector.far()),
+      width_(2 * frame.projector.axes().center_x),
+      height_(2 * frame.projector.axes().center_y),
+      reach_(std::max({kReach, width_, height_})) {
+  for (const CellKind kind : frame.mesh.kinds.view())
+    if (kind != CellKind::tetrahedron4)
+      throw std::invalid_argument("homogeneous regions are made of linear tetrahedra alone");
+  if (frame.projector.perspective()) near_ = std::max(near_, kNearest * frame.depth);
+  near_depth_ = depth_of(frame.projector, near_);
+  far_depth_ = depth_of(frame.projector, far_);
+}
+
+RegionFiller::~RegionFiller() = default;
+
+void RegionFiller::fill(std::span<const CellId> back_to_front, TriangleBuffer& triangles,
+                        RegionCounts& counts) {
+  CellTriangles cells(*this, triangles, counts);
+  const std::size_t count = back_to_front.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    // in a visibility order cells and nodes lie anywhere in memory
+    if (k + kNodesAhead < count) fetch_nodes(frame_, back_to_front[k + kNodesAhead]);
+    if (k + kCellsAhead < count) fetch_cell(frame_, back_to_front[k + kCellsAhead]);
+    cells.add(back_to_front[k]);
+  }
+  cells.finish();
+}
+
+void RegionFiller::fill(std::span<const CellId> back_to_front, std::vector<TriangleBuffer>& buffers,
+                        RegionCounts& counts) {
+  const std::size_t parts = (back_to_front.size() + kGrain - 1) / kGrain;
+  while (buffers.size() < parts) buffers.emplace_back(values_);
+  for (TriangleBuffer& buffer : buffers) buffer.clear();
+  std::mutex joining;
+  parallel_for(back_to_front.size(), kGrain, [&](IndexRange range) {
+    RegionCounts here;
+    // a range may be several grains long
+    for (std::size_t first = range.begin; first < range.end; first += kGrain)
+      fill(back_to_front.subspan(first, std::min(kGrain, range.end - first)),
+           buffers[first / kGrain], here);
+    const std::scoped_lock lock(joining);
+    counts.add(here);
+  });
+}
+
+}  // namespace hiac::preview

@@ -1,0 +1,58 @@
+#include "hiac/preview/regions/projected_tetrahedron.hpp"
+
+#include <utility>
+
+namespace hiac::preview {
+
+ProjectedTetrahedron project_tetrahedron(std::span<const ScreenPoint, 4> points,
+                                         std::span<const double, 4> depths) {
+  const std::array<double, 4> relation{
+      twice_area(points[1], points[2], points[3]), -twice_area(points[0], points[2], points[3]),
+      twice_area(points[0], points[1], points[3]), -twice_area(points[0], points[1], points[2])};
+  ProjectedTetrahedron result{};
+  std::array<std::uint8_t, 4> plus{}, minus{};
+  unsigned plus_count = 0, minus_count = 0;
+  double plus_sum = 0, minus_sum = 0;
+  for (std::uint8_t k = 0; k < 4; ++k) {
+    if (relation[k] > 0) {
+      plus[plus_count++] = k;
+      plus_sum += relation[k];
+    } else if (relation[k] < 0) {
+      minus[minus_count++] = k;
+      minus_sum += relation[k];
+    }
+  }
+  if (plus_count == 0 || minus_count == 0) return result;
+  for (unsigned i = 0; i < plus_count; ++i)
+    for (unsigned j = 0; j < minus_count; ++j) {
+      auto& rim = result.rims[result.count++];
+      std::size_t n = 0;
+      for (std::uint8_t k = 0; k < 4; ++k)
+        if (k != plus[i] && k != minus[j]) rim[n++] = k;
+    }
+  // exactly at the corner where there is one
+  const bool by_plus = plus_count <= minus_count;
+  for (unsigned i = 0; i < plus_count; ++i) {
+    const std::uint8_t k = plus[i];
+    result.front[k] = plus_count == 1 ? 1 : relation[k] / plus_sum;
+    result.front_depth += result.front[k] * depths[k];
+    if (!by_plus) continue;
+    result.at.x += result.front[k] * points[k].x;
+    result.at.y += result.front[k] * points[k].y;
+  }
+  for (unsigned j = 0; j < minus_count; ++j) {
+    const std::uint8_t k = minus[j];
+    result.back[k] = minus_count == 1 ? 1 : relation[k] / minus_sum;
+    result.back_depth += result.back[k] * depths[k];
+    if (by_plus) continue;
+    result.at.x += result.back[k] * points[k].x;
+    result.at.y += result.back[k] * points[k].y;
+  }
+  if (result.front_depth > result.back_depth) {
+    std::swap(result.front, result.back);
+    std::swap(result.front_depth, result.back_depth);
+  }
+  return result;
+}
+
+}  // namespace hiac::preview

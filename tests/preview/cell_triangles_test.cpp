@@ -1,0 +1,186 @@
+#include "hiac/preview/methods/cell_triangles.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "hiac/geometry/predicates.hpp"
+#include "tests/preview/drawn.hpp"
+#include "tests/support/meshes.hpp"
+
+namespace hiac::preview {
+namespace {
+
+// Sum of the lengths that the triangles of flat values have at a screen point, and how many cover
+// it. `doubtful` where an edge is nearer than a millionth of a pixel.
+struct Covered {
+  double length = 0;
+  int triangles = 0;
+  bool doubtful = false;
+};
+
+Covered cover(const TriangleBuffer& buffer, double x, double y) {
+  Covered result;
+  const auto floats = buffer.floats();
+  const std::size_t stride = buffer.floats_per_vertex();
+  for (std::size_t t = 0; t < floats.size(); t += 3 * stride) {
+    std::array<double, 3> px, py, area;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const float* v = &floats[t + k * stride];
+      const auto fine = std::bit_cast<std::array<std::int16_t, 2>>(v[4]);
+      px[k] = v[2] + fine[0] * kFine - x;
+      py[k] = v[3] + fine[1] * kFine - y;
+    }
+    double sum = 0;
+    bool inside = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+      area[k] = px[i] * py[j] - py[i] * px[j];
+      inside &= area[k] >= 0;
+      sum += area[k];
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+      const double side = std::hypot(px[j] - px[i], py[j] - py[i]);
+      // near the edge, and within the triangle's reach
+      if (std::abs(area[k]) < 2e-6 * side && area[i] > -2e-6 * side && area[j] > -2e-6 * side)
+        result.doubtful = true;
+    }
+    if (!inside) continue;
+    ++result.triangles;
+    for (std::size_t k = 0; k < 3; ++k)
+      result.length += area[k] / sum * floats[t + k * stride + kFirstValue];
+  }
+  return result;
+}
+
+// The chord of a tetrahedron on the ray of a screen point: between its faces' planes.
+double chord(const std::array<std::array<double, 3>, 4>& p, const Projector& projector, double x,
+             double y) {
+  const auto o = projector.origin(x, y), d = projector.direction(x, y);
+  double enter = projector.near(), leave = projector.far();
+  for (std::size_t f = 0; f < 4; ++f) {
+    const auto &a = p[(f + 1) % 4], &b = p[(f + 2) % 4], &c = p[(f + 3) % 4];
+    std::array<double, 3> n{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
+      n[k] = (b[i] - a[i]) * (c[j] - a[j]) - (b[j] - a[j]) * (c[i] - a[i]);
+    }
+    double inner = 0, at = 0, along = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      inner += n[k] * (p[f][k] - a[k]);
+      at += n[k] * (o[k] - a[k]);
+      along += n[k] * d[k];
+    }
+    if (inner < 0) {
+      at = -at;
+      along = -along;
+    }
+    if (along > 0) enter = std::max(enter, -at / along);
+    if (along < 0) leave = std::min(leave, -at / along);
+    if (along == 0 && at < 0) return 0;
+  }
+  return std::max(0.0, leave - enter) * projector.ray_scale(x, y);
+}
+
+struct Setting {
+  const char* name;
+  bool lattice;
+  std::vector<double> levels;
+};
+
+// One tetrahedron, sliced: its slabs' lengths add up to the chord, at every point, and no slab
+// covers a point twice.
+void expect_chords(const Setting& setting) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> any(0, 1);
+  int points = 0;
+  std::uint64_t slabs = 0;
+  for (int i = 0; i < 600; ++i) {
+    std::vector<test::Position> corners;
+    for (int k = 0; k < 4; ++k) {
+      corners.push_back({any(random), any(random), any(random)});
+      if (setting.lattice)
+        for (double& x : corners.back()) x = std::floor(4 * x) / 4;
+    }
+    if (orientation(corners[0], corners[1], corners[2], corners[3]) == 0) continue;
+    ZooMesh mesh = test::make_mesh(corners, {{CellKind::tetrahedron4, {0, 1, 2, 3}}});
+    test::add_node_field(mesh, "f", [&](const test::Position&) {
+      return setting.lattice ? std::floor(4 * any(random)) / 4 : any(random);
+    });
+    Scene scene = test::smooth_scene(Projection::orthographic, Glow::chromaticity);
+    if (setting.lattice) {
+      scene.camera.eye = {0.5, 0.5, 3};
+      scene.camera.up = {0, 1, 0};
+    }
+    scene.volume.extinction->points.clear();
+    for (const double level : setting.levels)
+      scene.volume.extinction->points.push_back({level, {2 + level}});
+    const Projector projector(scene.camera, scene.image);
+    const Frame frame(mesh, scene, projector);
+    RegionFiller filler(frame, Method::mean_color, whole_picture(scene.image));
+    TriangleBuffer buffer(filler.values());
+    RegionCounts counts;
+    filler.fill(std::vector<CellId>{0}, buffer, counts);
+    slabs += counts.slabs;
+    std::array<std::array<double, 3>, 4> p;
+    std::copy_n(corners.begin(), 4, p.begin());
+    for (int n = 0; n < 40; ++n) {
+      // a point of the tetrahedron, so that its chord is not 0
+      std::array<double, 4> share;
+      double sum = 0;
+      for (double& s : share) sum += s = any(random);
+      std::array<double, 3> inside{};
+      for (std::size_t k = 0; k < 4; ++k)
+        for (std::size_t c = 0; c < 3; ++c) inside[c] += share[k] / sum * p[k][c];
+      ProjectedNode at{};
+      ASSERT_TRUE(projector.project(inside, at));
+      const Covered covered = cover(buffer, at.x, at.y);
+      if (covered.doubtful) continue;
+      ++points;
+      ASSERT_NEAR(covered.length, chord(p, projector, at.x, at.y), 3e-5)
+          << setting.name << ", tetrahedron " << i << ", " << covered.triangles << " triangles";
+      ASSERT_LE(static_cast<std::uint64_t>(covered.triangles), counts.whole + counts.slabs);
+    }
+  }
+  EXPECT_GT(points, 10000);
+  if (setting.levels.size() > 1) {
+    EXPECT_GT(slabs, 1000U);
+  }
+}
+
+TEST(CellTriangles, SlabsAddUpToTheTetrahedron) {
+  expect_chords({"whole", false, {-1}});
+  expect_chords({"sliced", false, {0.2, 0.4, 0.5, 0.50001, 0.9}});
+  expect_chords({"one thin slab", false, {0.3, 0.3 + 1e-9}});
+}
+
+// A corner whose rest is half of the coarse grid's step: the largest of 16-bit numbers.
+TEST(TriangleBuffer, KeepsCornersToTheFineGrid) {
+  TriangleBuffer buffer(kFlatValues);
+  const double half = kCoarse / 2;
+  buffer.add({212.25 + half, 100, {}}, {300 - half, 20.1, {}}, {0.3, -half, {}});
+  ASSERT_EQ(buffer.triangles(), 1U);
+  std::vector<double> places;
+  for (std::size_t v = 0; v < 3; ++v) {
+    const float* at = &buffer.floats()[v * buffer.floats_per_vertex()];
+    const auto fine = std::bit_cast<std::array<std::int16_t, 2>>(at[4]);
+    for (std::size_t c = 0; c < 2; ++c) places.push_back(at[2 + c] + fine[c] * kFine);
+  }
+  for (const double place : {212.25 + half, 100.0, 300 - half, 20.1, 0.3, -half})
+    EXPECT_TRUE(std::ranges::any_of(places, [&](double found) {
+      return std::abs(found - place) <= kFine / 2;
+    })) << place;
+}
+
+TEST(CellTriangles, SlabsOfLatticesAddUpToo) {
+  expect_chords({"lattice, whole", true, {-1}});
+  expect_chords({"lattice, sliced", true, {0, 0.25, 0.375, 0.5, 0.75}});
+}
+
+}  // namespace
+}  // namespace hiac::preview
