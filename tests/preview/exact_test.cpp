@@ -95,6 +95,24 @@ TEST_F(ExactPreview, PiecesOfLargeOpticalDepth) {
     }
 }
 
+// More intervals than shaders choose among: they are looked up in tables.
+TEST_F(ExactPreview, FunctionsOfManyBreakpoints) {
+  const ZooMesh mesh = delaunay_with_fields(60, 12);
+  for (const char* color : {"f", "g"}) {
+    Scene scene = cube_scene(Projection::perspective, 80, 60);
+    scene.volume.color->field = std::string(color);
+    scene.volume.color->points.clear();
+    for (int k = 0; k <= 400; ++k)
+      scene.volume.color->points.push_back(
+          {k / 400.0, {0.5 + 0.5 * std::sin(k / 9.0), 0.5 + 0.5 * std::cos(k / 31.0), k / 400.0}});
+    scene.volume.extinction->points.clear();
+    for (int k = 0; k <= 60; ++k)
+      scene.volume.extinction->points.push_back({k / 60.0, {2 + 2 * std::sin(k / 2.0)}});
+    SCOPED_TRACE(color);
+    expect_close(mesh, scene, kLargest, kRms);
+  }
+}
+
 TEST_F(ExactPreview, ClippingSlab) {
   const ZooMesh mesh = delaunay_with_fields(150, 4);
   for (const Projection projection : {Projection::orthographic, Projection::perspective}) {

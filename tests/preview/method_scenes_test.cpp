@@ -121,6 +121,49 @@ TEST(MethodScenes, AnIsosurfaceInFacesIsDrawnOnce) {
   expect_close(mesh, scene, 1e-3, "on the boundary");
 }
 
+TEST(MethodScenes, AnIsosurfaceThatIsOnlyTouchedIsNotDrawn) {
+  // the field comes from below on both sides of a plane of faces
+  ZooMesh mesh = test::structured(4, test::Cut::tetrahedra);
+  test::add_node_field(mesh, "f",
+                       [](const test::Position& p) { return 0.5 - std::abs(p[0] - 0.5); });
+  Scene scene = test::smooth_scene(Projection::orthographic, Glow::chromaticity);
+  scene.volume = {};
+  Isosurface surface;
+  surface.field = "f";
+  surface.value = 0.5;
+  scene.isosurfaces = {surface};
+  EXPECT_EQ(drawn(mesh, scene, Method::exact_at_vertices).counts.surfaces, 0U);
+  expect_close(mesh, scene, 0, "touched", 0);
+}
+
+TEST(MethodScenes, IsosurfacesOfOneDepthAreInTheOrderOfTheScene) {
+  Scene scene = bent_scene();
+  Isosurface front;
+  front.field = "f";
+  front.value = 0.6;
+  front.color = {1, 0, 0};
+  front.opacity = 0.7;
+  front.specular = 0;
+  Isosurface back = front;
+  back.color = {0, 0, 1};
+  scene.isosurfaces = {front, back};
+  expect_close(fine_mesh(), scene, 1e-2, "one depth", 5e-5);
+}
+
+TEST(MethodScenes, IsosurfacesAtBreakpoints) {
+  // slabs between isosurfaces are cut again where they already end
+  Scene scene = bent_scene();
+  scene.volume.extinction->points = {{0.2, {0.5}}, {0.45, {8}}, {0.46, {0.1}}, {0.7, {6}}};
+  for (const double value : {0.2, 0.45, 0.7}) {
+    Isosurface surface;
+    surface.field = "f";
+    surface.value = value;
+    surface.opacity = 0.2;
+    scene.isosurfaces.push_back(surface);
+  }
+  expect_close(fine_mesh(), scene, 2e-2, "at breakpoints", 5e-5);
+}
+
 TEST(MethodScenes, WithoutSlicing) {
   Scene scene = bent_scene();
   const ZooMesh mesh = fine_mesh();

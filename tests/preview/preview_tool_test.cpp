@@ -62,6 +62,27 @@ TEST_F(PreviewTool, IsWhatHiacRenderBecomes) {
     EXPECT_TRUE(facts["seconds"].contains(stage)) << stage;
 }
 
+TEST_F(PreviewTool, DrawsByThePapersMethods) {
+  ASSERT_EQ(run("$RENDER m.zoo --view v.toml -o truth.npy"), 0) << complaint();
+  double before = 1;
+  for (const std::string method : {"M0", "M1", "M3"}) {
+    ASSERT_EQ(preview("m.zoo --view v.toml --method " + method + " -o a.npy --json a.json"), 0)
+        << complaint();
+    const double error = difference("truth.npy", "a.npy");
+    EXPECT_LT(error, before) << method;
+    before = error;
+    const auto facts = nlohmann::json::parse(bytes_of(file("a.json")));
+    EXPECT_EQ(facts["method"], method);
+    EXPECT_GT(facts["regions"]["triangles"], 0);
+    EXPECT_EQ(facts["regions"]["reverted_to_M1"], 0);
+  }
+  EXPECT_EQ(preview("m.zoo --view v.toml --method M2 -o a.npy"), 0) << complaint();
+  EXPECT_THAT(complaint(), HasSubstr("M2 fell back to M1 at"));
+  EXPECT_EQ(preview("m.zoo --view v.toml --method M4 -o a.npy"), 2);
+  EXPECT_EQ(preview("m.zoo --view v.toml --method M1 --precision double -o a.npy"), 2);
+  EXPECT_THAT(complaint(), HasSubstr("--precision double: for --method exact alone"));
+}
+
 TEST_F(PreviewTool, ThatIsMissingIsSaidInOneLine) {
   EXPECT_EQ(run("PATH=/usr/bin:/bin; cp $RENDER lonely; ./lonely m.zoo --view v.toml "
                 "--engine=preview -o a.npy"),

@@ -1,12 +1,12 @@
 #include "hiac/preview/exact_shaders.hpp"
 
 namespace hiac::preview {
+namespace {
 
 // The convex outline of a cell's projection as four corners, the last two the same where it is a
 // triangle; grown, because rasterisers snap corners to fractions of a pixel: the rays' arithmetic
 // decides what a cell covers.
-std::string exact_outline_source() {
-  return R"(
+constexpr const char* kOutline = R"(
 // How far pixels of a cell are from its anchor. It does not depend on the part that is drawn, so
 // that a pixel is the same in all parts.
 double reach_of() {
@@ -139,6 +139,9 @@ bool outline_of(out vec2 corner[4]) {
   return true;
 }
 )";
-}
+
+}  // namespace
+
+std::string exact_outline_source() { return kOutline; }
 
 }  // namespace hiac::preview

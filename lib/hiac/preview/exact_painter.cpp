@@ -99,7 +99,27 @@ ExactPainter::ExactPainter(const Context& context, const ZooMesh& mesh, const Dr
   for (std::uint32_t cell = 0; cell < chunk_; ++cell)
     for (const std::uint32_t k : {0U, 1U, 2U, 0U, 2U, 3U}) indices.push_back(4 * cell + k);
   indices_.set(std::span<const std::uint32_t>(indices));
+  upload_tables();
   context.check("copying the mesh to the device");
+}
+
+void ExactPainter::upload_tables() {
+  GLint most = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+  for (const std::vector<float>& texels : transfer_texels(scene_)) {
+    GLuint name = 0;
+    glCreateTextures(GL_TEXTURE_BUFFER, 1, &name);
+    table_textures_.emplace_back(name);
+    tables_.emplace_back();
+    if (texels.empty()) continue;
+    if (texels.size() / 4 > static_cast<std::size_t>(most))
+      throw DriverError(
+          fmt::format("{}: a transfer function needs {} texels, and the driver has {} "
+                      "at most",
+                      context_.device().name, texels.size() / 4, most));
+    tables_.back().set(std::span<const float>(texels));
+    glTextureBuffer(name, GL_RGBA32F, tables_.back().get());
+  }
 }
 
 void ExactPainter::compile() {
@@ -142,6 +162,8 @@ void ExactPainter::set_view(const Projector& projector) {
 void ExactPainter::draw(const PixelRect& part, std::span<const CellId> back_to_front) {
   set_part(setup_, part);
   set_part(program_, part);
+  for (GLuint unit = 0; unit < table_textures_.size(); ++unit)
+    if (tables_[unit].bytes() > 0) glBindTextureUnit(unit, table_textures_[unit].get());
   glBindVertexArray(layout_.get());
   glProvokingVertex(GL_FIRST_VERTEX_CONVENTION);
   for (std::size_t first = 0; first < back_to_front.size(); first += chunk_)

@@ -35,6 +35,7 @@ class ExactPainter {
 
  private:
   void compile();
+  void upload_tables();
   void set_closed_faces(std::span<const CellId> cells);
   void draw_chunk(std::span<const CellId> cells);
 
@@ -45,6 +46,8 @@ class ExactPainter {
   std::optional<ExactVariant> compiled_;
   ProgramName setup_, program_;
   Buffer nodes_, values_, corners_, numbers_, records_, closed_, indices_;
+  std::vector<Buffer> tables_;  // of transfer functions, and textures of these
+  std::vector<TextureName> table_textures_;
   VertexArrayName layout_;                    // refers to the indices
   std::vector<std::uint32_t> field_layouts_;  // two a field: first value, location
   std::size_t chunk_ = 0;                     // cells

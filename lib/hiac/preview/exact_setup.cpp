@@ -1,6 +1,7 @@
 #include "hiac/preview/exact_shaders.hpp"
 
 namespace hiac::preview {
+namespace {
 
 // One invocation a cell, in double precision: where rays enter and leave it, as planes over the
 // screen, its fields, and the outline to rasterise. Corners are taken by ascending number of their
@@ -9,8 +10,7 @@ namespace hiac::preview {
 // Places on the screen count from the centre of the cell's anchor pixel, (X, Y); places along the
 // ray by d: orthographic d = t - t_ref, perspective d = 1 - t_ref / t, both affine over the screen
 // on every plane. Fields times t_ref / t, that is 1 - d, are affine in (X, Y, d) in perspective.
-std::string exact_setup_source(const ExactVariant& variant, const DrawnScene& scene) {
-  return "#version 450 core\n" + defines_of(variant) + R"(
+constexpr const char* kCells = R"(
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Nodes { dvec4 nodes[]; };
 layout(std430, binding = 1) readonly buffer Cells { uvec4 cells[]; };
@@ -299,9 +299,9 @@ float grain_of(dvec3 plane, double reach) {
   int e = clamp(int(ceil(log2(float(most)))) + 1, -80, 120);
   return uintBitsToFloat(uint(e - 22 + 127) << 23);
 }
-)" + exact_outline_source() +
-         surface_setup_source(variant, scene) +
-         R"(
+)";
+
+constexpr const char* kMain = R"(
 void main() {
   uint i = gl_GlobalInvocationID.x;
   if (i >= cell_count) return;
@@ -371,6 +371,12 @@ void main() {
 #endif
 }
 )";
+
+}  // namespace
+
+std::string exact_setup_source(const ExactVariant& variant, const DrawnScene& scene) {
+  return "#version 450 core\n" + defines_of(variant) + kCells + exact_outline_source() +
+         surface_setup_source(variant, scene) + kMain;
 }
 
 }  // namespace hiac::preview

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "hiac/preview/drawn_fields.hpp"
 #include "hiac/scene/scene.hpp"
@@ -37,6 +38,10 @@ struct ExactVariant {
 std::string exact_setup_source(const ExactVariant& variant, const DrawnScene& scene);
 std::string exact_vertex_source(const ExactVariant& variant);
 std::string exact_fragment_source(const ExactVariant& variant, const DrawnScene& scene);
+
+/// What transfer functions of many intervals are looked up in: floats for buffer textures of
+/// GL_RGBA32F, of the texture units 0 and 1; empty where a function needs none.
+std::vector<std::vector<float>> transfer_texels(const DrawnScene& scene);
 
 /// The most isosurfaces that they draw.
 inline constexpr std::size_t kMostSurfaces = 8;

@@ -18,8 +18,8 @@ namespace hiac::preview {
 
 /// How a preview is drawn.
 struct PreviewOptions {
-  std::optional<Method> method;  ///< of the paper; none: exact
-  bool fine = false;             ///< double precision along rays
+  std::optional<Method> method = std::nullopt;  ///< of the paper; none: exact
+  bool fine = false;                            ///< double precision along rays
   /// Pixels of a part's side; larger pictures are drawn in parts. 0: what suits the driver.
   std::uint32_t part_side = 0;
 };

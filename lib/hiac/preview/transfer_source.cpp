@@ -1,5 +1,9 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <iterator>
 #include <limits>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -22,90 +26,153 @@ std::string real(const ExactVariant& variant, double v) {
   return fmt::format("{:.17e}lf", v);
 }
 
-// Tables as chains of choices, which compilers turn into selections: faster than memory that is
-// indexed for the few intervals that functions have.
-class Chain {
- public:
-  Chain(const ExactVariant& variant, const DrawnField& field) : variant_(variant), field_(field) {}
+// More intervals than this are looked up in a table: chains grow with their number.
+constexpr std::size_t kMostInChain = 32;
 
-  template <std::size_t N>
-  std::string interval(const std::string& name, const TransferTable<N>& table) const {
-    std::string text = fmt::format("int {}_interval(real s, bool up) {{\n  int k = 0;\n", name);
-    for (std::size_t k = 1; k < table.intervals(); ++k)
-      fmt::format_to(std::back_inserter(text), "  k += (up ? s >= {0} : s > {0}) ? 1 : 0;\n",
-                     bound(table.lower[k]));
-    return text + "  return k;\n}\n";
-  }
-
-  [[nodiscard]] std::string bound(double scalar) const {
-    return real(variant_, field_.scaled(scalar));
-  }
-  [[nodiscard]] double slope(double of_scalar) const { return of_scalar * field_.half; }
-
- private:
-  const ExactVariant& variant_;
-  const DrawnField& field_;
+// One interval of a field's functions, scalars scaled as the field.
+struct Interval {
+  double low, high;             // infinite at the ends
+  double anchor;                // where the values are
+  double value = 0, slope = 0;  // extinction
+  std::array<double, 3> color{}, color_slope{};
 };
 
-std::string vec3(double a, double b, double c) {
-  return fmt::format("vec3({}, {}, {})", single(a), single(b), single(c));
-}
-
-// The members' values on interval k; `tau`, `kappa`: null where the struct has none.
-std::string members(const Chain& chain, const TransferTable<1>* tau, const TransferTable<3>* kappa,
-                    std::size_t k) {
+// `tau`, `kappa`: the functions of the field that there are; their intervals are the same.
+std::vector<Interval> intervals_of(const DrawnField& field, const TransferTable<1>* tau,
+                                   const TransferTable<3>* kappa) {
   const auto& lower = tau != nullptr ? tau->lower : kappa->lower;
   const auto& upper = tau != nullptr ? tau->upper : kappa->upper;
-  // values at the interval's end, where there is one, so that they are exact at breakpoints
-  const double anchor = k > 0 ? lower[k] : upper[k];
-  const double at = std::abs(anchor) < std::numeric_limits<double>::infinity() ? anchor : 0;
-  std::string text = fmt::format("t.low = {}; t.high = {}; t.anchor = {}; ", chain.bound(lower[k]),
-                                 chain.bound(upper[k]), chain.bound(at));
-  if (tau != nullptr)
-    text += fmt::format("t.value = {}; t.slope = {}; ",
-                        single(tau->value[0][k] + tau->slope[0][k] * (at - tau->anchor[k])),
-                        single(chain.slope(tau->slope[0][k])));
-  if (kappa != nullptr) {
-    std::array<double, 3> value{}, slope{};
-    for (std::size_t c = 0; c < 3; ++c) {
-      value[c] = kappa->value[c][k] + kappa->slope[c][k] * (at - kappa->anchor[k]);
-      slope[c] = chain.slope(kappa->slope[c][k]);
+  std::vector<Interval> all;
+  for (std::size_t k = 0; k < lower.size(); ++k) {
+    // values at the interval's end, where there is one, so that they are exact at breakpoints
+    const double end = k > 0 ? lower[k] : upper[k];
+    const double at = std::abs(end) < std::numeric_limits<double>::infinity() ? end : 0;
+    Interval i{field.scaled(lower[k]), field.scaled(upper[k]), field.scaled(at)};
+    if (tau != nullptr) {
+      i.value = tau->value[0][k] + tau->slope[0][k] * (at - tau->anchor[k]);
+      i.slope = tau->slope[0][k] * field.half;
     }
-    text += fmt::format("t.color = {}; t.color_slope = {}; ", vec3(value[0], value[1], value[2]),
-                        vec3(slope[0], slope[1], slope[2]));
+    for (std::size_t c = 0; kappa != nullptr && c < 3; ++c) {
+      i.color[c] = kappa->value[c][k] + kappa->slope[c][k] * (at - kappa->anchor[k]);
+      i.color_slope[c] = kappa->slope[c][k] * field.half;
+    }
+    all.push_back(i);
   }
-  return text;
+  return all;
 }
 
-std::string lookup(const Chain& chain, const std::string& type, const std::string& name,
-                   const TransferTable<1>* tau, const TransferTable<3>* kappa) {
-  const std::size_t intervals = tau != nullptr ? tau->intervals() : kappa->intervals();
-  std::string text = fmt::format("{0} {1}_at(int k) {{\n  {0} t;\n  {2}\n", type, name,
-                                 members(chain, tau, kappa, 0));
-  for (std::size_t k = 1; k < intervals; ++k)
-    fmt::format_to(std::back_inserter(text), "  if (k >= {}) {{ {}}}\n", k,
-                   members(chain, tau, kappa, k));
+std::string vec3(const std::array<double, 3>& v) {
+  return fmt::format("vec3({}, {}, {})", single(v[0]), single(v[1]), single(v[2]));
+}
+
+// What a function's shader code is written for.
+struct Function {
+  std::string name;  // of the field's role, lower case
+  std::string type;  // of an interval
+  bool tau, kappa;
+  std::vector<Interval> intervals;
+};
+
+std::vector<Function> functions_of(const DrawnScene& scene) {
+  const OpticsTables& optics = scene.optics;
+  const bool same = optics.same_field;
+  std::vector<Function> all{{"extinction", "Extinction", true, same,
+                             intervals_of(scene.fields[scene.extinction], &optics.extinction,
+                                          same ? &optics.color : nullptr)}};
+  if (!same)
+    all.push_back({"color", "Color", false, true,
+                   intervals_of(scene.fields[scene.color], nullptr, &optics.color)});
+  return all;
+}
+
+// Tables as chains of choices, which compilers turn into selections: faster than memory that is
+// indexed for the few intervals that functions have.
+std::string chain_source(const ExactVariant& variant, const Function& function) {
+  std::string text =
+      fmt::format("int {}_interval(real s, bool up) {{\n  int k = 0;\n", function.name);
+  const auto& intervals = function.intervals;
+  for (std::size_t k = 1; k < intervals.size(); ++k)
+    fmt::format_to(std::back_inserter(text), "  k += (up ? s >= {0} : s > {0}) ? 1 : 0;\n",
+                   real(variant, intervals[k].low));
+  text += fmt::format("  return k;\n}}\n{0} {1}_at(int k) {{\n  {0} t;\n", function.type,
+                      function.name);
+  for (std::size_t k = 0; k < intervals.size(); ++k) {
+    const Interval& i = intervals[k];
+    if (k > 0) text += fmt::format("  if (k >= {}) {{\n", k);
+    text += fmt::format("  t.low = {}; t.high = {}; t.anchor = {};\n", real(variant, i.low),
+                        real(variant, i.high), real(variant, i.anchor));
+    if (function.tau)
+      text += fmt::format("  t.value = {}; t.slope = {};\n", single(i.value), single(i.slope));
+    if (function.kappa)
+      text +=
+          fmt::format("  t.color = {}; t.color_slope = {};\n", vec3(i.color), vec3(i.color_slope));
+    if (k > 0) text += "  }\n";
+  }
   return text + "  return t;\n}\n";
+}
+
+// The same from a table of four texels an interval (transfer_texels).
+std::string table_source(const Function& function, std::size_t unit) {
+  std::string text = fmt::format(
+      "layout(binding = {2}) uniform samplerBuffer {1}_table;\n"
+      "int {1}_interval(real s, bool up) {{\n"
+      "  int low = 0, high = {3};\n"
+      "  for (int step = 0; step < 17; ++step) {{\n"
+      "    int k = (low + high + 1) / 2;\n"
+      "    real t = real(texelFetch({1}_table, 4 * k).x) + real(texelFetch({1}_table, 4 * k + "
+      "3).x);\n"
+      "    bool above = low < high && (up ? s >= t : s > t);\n"
+      "    low = above ? k : low;\n"
+      "    high = low < high && !above ? k - 1 : high;\n"
+      "  }}\n"
+      "  return low;\n}}\n"
+      "{0} {1}_at(int k) {{\n  {0} t;\n  k = 4 * clamp(k, 0, {3});\n"
+      "  vec4 a = texelFetch({1}_table, k), b = texelFetch({1}_table, k + 1);\n"
+      "  vec4 c = texelFetch({1}_table, k + 2), rest = texelFetch({1}_table, k + 3);\n"
+      "  t.low = real(a.x) + real(rest.x); t.high = real(a.y) + real(rest.y);\n"
+      "  t.anchor = real(a.z) + real(rest.z);\n",
+      function.type, function.name, unit, function.intervals.size() - 1);
+  if (function.tau) text += "  t.value = a.w; t.slope = b.x;\n";
+  if (function.kappa) text += "  t.color = b.yzw; t.color_slope = c.xyz;\n";
+  return text + "  return t;\n}\n";
+}
+
+std::vector<float> texels_of(const Function& function) {
+  std::vector<float> texels;
+  const auto put = [&](double v) {
+    texels.push_back(static_cast<float>(std::clamp(v, -1e37, 1e37)));
+    return std::clamp(v, -1e37, 1e37) - static_cast<double>(texels.back());
+  };
+  for (const Interval& i : function.intervals) {
+    const double low = put(i.low), high = put(i.high), anchor = put(i.anchor);
+    for (const double v : {i.value, i.slope, i.color[0], i.color[1], i.color[2], i.color_slope[0],
+                           i.color_slope[1], i.color_slope[2], 0.0, low, high, anchor, 0.0})
+      put(v);
+  }
+  return texels;
 }
 
 }  // namespace
 
+std::vector<std::vector<float>> transfer_texels(const DrawnScene& scene) {
+  std::vector<std::vector<float>> all;
+  for (const Function& function : functions_of(scene)) {
+    const bool table = function.intervals.size() > kMostInChain;
+    all.push_back(table ? texels_of(function) : std::vector<float>{});
+  }
+  return all;
+}
+
 std::string transfer_source(const ExactVariant& variant, const DrawnScene& scene) {
-  const OpticsTables& optics = scene.optics;
-  const bool same = optics.same_field;
-  const Chain of_tau(variant, scene.fields[scene.extinction]);
-  const Chain of_kappa(variant, scene.fields[scene.color]);
+  const bool same = scene.optics.same_field;
   std::string text = same ? "#define SEPARATE 0\n" : "#define SEPARATE 1\n";
   text += "struct Extinction { real low, high, anchor; float value, slope;";
   text += same ? " vec3 color, color_slope; };\n" : " };\n";
   if (!same) text += "struct Color { real low, high, anchor; vec3 color, color_slope; };\n";
-  text += of_tau.interval("extinction", optics.extinction);
-  text += lookup(of_tau, "Extinction", "extinction", &optics.extinction,
-                 same ? &optics.color : nullptr);
-  if (!same) {
-    text += of_kappa.interval("color", optics.color);
-    text += lookup(of_kappa, "Color", "color", nullptr, &optics.color);
-  }
+  const std::vector<Function> functions = functions_of(scene);
+  for (std::size_t f = 0; f < functions.size(); ++f)
+    text += functions[f].intervals.size() > kMostInChain ? table_source(functions[f], f)
+                                                         : chain_source(variant, functions[f]);
   return text;
 }
 

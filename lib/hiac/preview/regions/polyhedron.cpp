@@ -84,7 +84,8 @@ void PolyhedronCutter::cut_face(const Polyhedron& whole, std::span<const double>
     any_below |= values[v] < level;
     any_above |= values[v] > level;
   }
-  std::uint16_t enters = kNone, leaves = kNone;  // of the plane, by the part below
+  std::uint16_t enters = kNone, leaves = kNone;  // of the part below, through the plane
+  int times = 0, meetings = 0;                   // it leaves; the border meets the plane
   for (std::size_t n = 0; n < face.size(); ++n) {
     const std::uint16_t v = face[n], next = face[n + 1 == face.size() ? 0 : n + 1];
     const std::uint16_t before = face[n == 0 ? face.size() - 1 : n - 1];
@@ -92,8 +93,12 @@ void PolyhedronCutter::cut_face(const Polyhedron& whole, std::span<const double>
       below.polyhedron->corners.push_back(keep(whole, v, values[v], below));
     if (any_above && values[v] >= level)
       above.polyhedron->corners.push_back(keep(whole, v, values[v], above));
+    meetings += values[v] == level ? 1 : 0;
     if (any_below && values[v] == level) {
-      if (values[before] < level) leaves = (*below.number)[v];
+      if (values[before] < level) {
+        leaves = (*below.number)[v];
+        ++times;
+      }
       if (values[next] < level) enters = (*below.number)[v];
     }
     const bool crosses =
@@ -103,11 +108,15 @@ void PolyhedronCutter::cut_face(const Polyhedron& whole, std::span<const double>
     below.polyhedron->corners.push_back(made.below);
     above.polyhedron->corners.push_back(made.above);
     (values[v] < level ? leaves : enters) = made.below;
+    times += values[v] < level ? 1 : 0;
+    ++meetings;
   }
   for (Part* part : {&below, &above})
     if (part->polyhedron->corners.size() > part->polyhedron->first.back())
       part->polyhedron->first.push_back(
           static_cast<std::uint16_t>(part->polyhedron->corners.size()));
+  // a convex face that lies not in the plane meets it at two points of its border, or along a side
+  if (times > 1 || ((any_below || any_above) && meetings > 2)) contradictory_ = true;
   // a side of the polygon runs the other way than in the face
   if (leaves != kNone && enters != kNone && leaves != enters) sides_.push_back({enters, leaves});
 }
@@ -115,7 +124,7 @@ void PolyhedronCutter::cut_face(const Polyhedron& whole, std::span<const double>
 // Links the sides to the polygon, which becomes a face of both parts.
 bool PolyhedronCutter::close(Part& below, Part& above) {
   polygon.clear();
-  if (sides_.size() < 3) return false;
+  if (contradictory_ || sides_.size() < 3) return false;
   std::uint16_t at = sides_.front()[0];
   for (std::size_t n = 0; n < sides_.size(); ++n) {
     polygon.push_back(at);
@@ -150,13 +159,18 @@ bool PolyhedronCutter::cut(const Polyhedron& whole, std::span<const double> valu
   new_.clear();
   sides_.clear();
   on_plane_.clear();
+  contradictory_ = false;
   std::size_t lower = 0, higher = 0;
   for (const double value : values) {
     lower += value < level ? 1 : 0;
     higher += value > level ? 1 : 0;
   }
   const auto take_whole = [&] {
-    const bool is_below = lower > higher;
+    bool is_below = false;
+    if (!values.empty()) {
+      const auto [least, most] = std::ranges::minmax(values);
+      is_below = level - least > most - level;
+    }
     (is_below ? below : above) = whole;
     (is_below ? values_below : values_above).assign(values.begin(), values.end());
     polygon.clear();

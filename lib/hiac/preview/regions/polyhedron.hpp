@@ -41,7 +41,8 @@ void edges_of(const Polyhedron& polyhedron, std::vector<PolyhedronEdge>& edges);
 /// indices into the vertices of `below`, empty where the plane does not cut.
 ///
 /// Rounded values of vertices that other planes have cut may contradict one another, in parts thin
-/// as a rounding error; such a polyhedron is not cut (false) and goes to the side of most vertices.
+/// as a rounding error; such a polyhedron is not cut (false) and goes to the side that it reaches
+/// farther into.
 class PolyhedronCutter {
  public:
   bool cut(const Polyhedron& whole, std::span<const double> values, double level, Polyhedron& below,
@@ -69,6 +70,7 @@ class PolyhedronCutter {
 
   std::vector<std::uint16_t> number_below_, number_above_;
   std::vector<NewVertex> new_;
+  bool contradictory_ = false;  // a face meets the plane as no convex one does
   // the sides of the polygon in the plane, as `below` has it: pairs of its vertices
   std::vector<std::array<std::uint16_t, 2>> sides_;
   std::vector<std::array<std::uint16_t, 2>> on_plane_;  // vertices on the plane: below, above
