@@ -9,7 +9,7 @@
 
 namespace hiac::formats::mfem {
 
-/// MFEM's numbers of the geometries that elements have.
+/// The geometries of elements, with MFEM's numbers.
 enum class Geometry : std::uint8_t {
   point,
   segment,
@@ -53,7 +53,7 @@ std::string_view geometry_name(Geometry geometry);
 
 /// Throws InputError with the line.
 MeshFile read_mesh_file(TextCursor& text);
-/// From the line "FiniteElementSpace" on.
+/// Reads from the line "FiniteElementSpace" on.
 GridFunction read_grid_function(TextCursor& text);
 
 }  // namespace hiac::formats::mfem
