@@ -35,7 +35,7 @@ class WordLines {
     skip_comments();
     return cursor_.count(what, cursor_.left());
   }
-  /// A count at the end of a file's first line, which some leave out: none.
+  /// A count at the end of a file's first line; 0 when it is omitted.
   std::size_t count_in_line(std::string_view what) {
     const std::string_view rest = trimmed(cursor_.peek_line());
     return rest.empty() || rest.starts_with('#') ? 0 : count(what);

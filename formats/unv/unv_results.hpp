@@ -23,9 +23,9 @@ struct UnvResult {
   std::size_t end = 0;
 };
 
-/// Reads the head of dataset 55 (data at nodes) or 2414 (analysis data); the cursor stands behind
-/// the dataset's number, `end` is the offset of its last line. None, with a note, where its values
-/// are of a kind that is not read.
+/// Reads the head of dataset 55 (data at nodes) or 2414 (analysis data); the cursor is after the
+/// dataset's number, `end` is the offset of its last line. None, with a note, when its values are
+/// of a kind that is not supported.
 std::optional<UnvResult> read_result_head(TextCursor cursor, std::int64_t dataset, std::size_t end,
                                           std::vector<std::string>& notes);
 
