@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::int64_t kMostSteps = 1'000'000;
 
-/// The first word of a variable's line.
+/// A sort of variable, with the keyword at the beginning of its line.
 struct VariableSort {
   std::string_view key;
   FieldLocation location;

@@ -211,7 +211,7 @@ Division division_of(const std::string& type, const TextCursor& text) {
   text.fail(fmt::format("type hex, tet, wedge or pyramid expected ({} found)", shown(type)));
 }
 
-/// The mesh of a box whose file gives only the numbers of cells.
+/// The mesh of a box: the file gives its numbers of cells and side lengths, and no elements.
 MeshFile read_inline_mesh(TextCursor& text) {
   const Box box = read_box(text);
   const Division division = division_of(box.type, text);

@@ -8,8 +8,8 @@
 
 namespace hiac::formats {
 
-/// A prism in the zoo's order (ShapeTopology: the other way round), whose nodes 0 1 2 in nearly
-/// every format turn right-handed about the direction to 3 4 5.
+/// The zoo's order (ShapeTopology) of the nodes of a prism whose nodes 0 1 2 turn right-handed
+/// about the direction to 3 4 5, as in nearly every format; the zoo's prism turns the other way.
 inline constexpr std::uint8_t kRightHandedPrism[] = {0, 2, 1, 3, 5, 4};
 
 /// The permutation (CellConversion::permutation) to `kind` from a format that has the corners in
