@@ -106,7 +106,7 @@ std::span<const Format> all_formats() {
 const Format& format_named(const std::string& name) {
   for (const Format& format : all_formats())
     if (format.name == name) return format;
-  throw UsageError(fmt::format("--format {}: there is no such format (expected one of {})", name,
+  throw UsageError(fmt::format("format {}: there is no such format (expected one of {})", name,
                                joined_names([](const Format&) { return true; })));
 }
 
@@ -147,7 +147,7 @@ const Format& format_to_write(const std::string& path) {
   for (const Format& format : all_formats())
     if (format.write && has_extension(format, extension)) return format;
   throw UsageError(
-      fmt::format("-o {}: no format with the extension '{}' can be written (expected "
+      fmt::format("{}: no format with the extension '{}' can be written (expected "
                   "one of {})",
                   path, extension, joined_names([](const Format& f) { return bool(f.write); })));
 }

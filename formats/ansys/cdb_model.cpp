@@ -1,5 +1,9 @@
 #include "formats/ansys/cdb_model.hpp"
 
+#include <algorithm>
+#include <array>
+#include <span>
+
 #include "formats/ansys/cdb_elements.hpp"
 
 namespace hiac::formats::ansys {
@@ -15,6 +19,15 @@ std::int64_t CdbModel::shape_of(std::int64_t type) const {
 }
 
 void CdbModel::add_element(std::int64_t type, std::int64_t number, std::span<std::int64_t> nodes) {
+  // an element ends with its last node: mid-side nodes that are missing behind it are not counted
+  std::array<std::int64_t, 20> whole{};
+  const std::size_t own = library_nodes(routine_of(type), shape_of(type));
+  const std::size_t corners = own == 10 ? 4 : 8;
+  if ((own == 10 || own == 20) && nodes.size() > corners && nodes.size() < own) {
+    const auto end = std::ranges::copy(nodes, whole.begin()).out;
+    std::fill(end, whole.end(), kLeftOutNode);
+    nodes = std::span(whole).first(own);
+  }
   const auto key = std::pair(type, nodes.size());
   auto found = places.find(key);
   if (found == places.end()) {

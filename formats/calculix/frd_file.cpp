@@ -279,6 +279,12 @@ class FrdReader {
     if (blocks_.empty()) return;
     const auto index = std::make_shared<NumberIndex>(mesh_.node_numbers);
     const std::size_t points = mesh_.point_count();
+    for (const auto& [step, block] : blocks_) look_for_strays(*index, block);
+    if (!strays_.empty())
+      mesh_.notes.push_back(
+          fmt::format("left out values of {} nodes that the file does not have, "
+                      "the first of them is node {}",
+                      strays_.size(), *strays_.begin()));
     for (const auto& [step, block] : blocks_) {
       ForeignField field;
       field.name = block.name;
@@ -291,6 +297,31 @@ class FrdReader {
     }
   }
 
+  /// Collects the numbers of a block's nodes that there are not. Numbers that are not well-formed
+  /// are refused when the values are read.
+  void look_for_strays(const NumberIndex& index, const ResultBlock& block) {
+    const auto look_at = [&](std::int64_t number) {
+      if (index.find(number) == NumberIndex::kNone) strays_.insert(number);
+    };
+    TextCursor cursor(text_->text(), text_->path());
+    cursor.move_to(block.offset);
+    if (is_text(block.encoding)) {
+      const std::size_t width = block.encoding == Encoding::short_text ? 5 : 10;
+      for (std::string_view line = cursor.line(); trimmed(columns(line, 0, 3)) != "-3";
+           line = cursor.line()) {
+        const auto number = to_integer(columns(line, 3, width));
+        if (trimmed(columns(line, 0, 3)) == "-1" && number) look_at(*number);
+      }
+      return;
+    }
+    const std::size_t bytes = Records(cursor, block.encoding).binary_bytes(block.components);
+    for (std::size_t i = 0; i < block.records; ++i) {
+      std::int32_t number = 0;
+      std::memcpy(&number, cursor.bytes(bytes, "a value").data(), sizeof number);
+      look_at(number);
+    }
+  }
+
   static std::vector<double> read_values(const InputText& text, const NumberIndex& index,
                                          std::size_t points, const ResultBlock& block) {
     TextCursor cursor(text.text(), text.path());
@@ -299,11 +330,9 @@ class FrdReader {
     std::vector<double> values(points * block.components, std::numeric_limits<double>::quiet_NaN());
     std::vector<double> tuple(block.components);
     const auto read = [&] {
-      const std::size_t start = cursor.offset();
       const std::int64_t number = records.read(block.components, tuple.data());
       const std::size_t place = index.find(number);
-      if (place == NumberIndex::kNone)
-        cursor.fail_at(start, fmt::format("a value for node {}, which there is not", number));
+      if (place == NumberIndex::kNone) return;  // a note tells of it
       std::copy(tuple.begin(), tuple.end(),
                 values.begin() + static_cast<std::ptrdiff_t>(place * block.components));
     };
@@ -324,6 +353,7 @@ class FrdReader {
   std::vector<std::pair<std::size_t, ResultBlock>> blocks_;  ///< with their steps
   std::vector<std::pair<double, std::int64_t>> steps_;
   std::set<std::pair<std::size_t, std::string>> seen_;
+  std::set<std::int64_t> strays_;  ///< nodes that have values and no place
 };
 
 }  // namespace

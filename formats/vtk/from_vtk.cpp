@@ -78,15 +78,15 @@ Inventory inventory_from_vtk(vtkDataSet& dataset, const std::string& subject) {
 void check_step(const ReadOptions& options, const std::vector<double>& times,
                 const std::string& subject) {
   if (options.block)
-    throw UsageError(fmt::format("--block {}: {} has no named blocks", *options.block, subject));
+    throw UsageError(fmt::format("block {}: {} has no named blocks", *options.block, subject));
   if (options.step && *options.step > 0)
     throw UsageError(
-        fmt::format("--step {}: {} holds one step (0 expected)", *options.step, subject));
+        fmt::format("step {}: {} holds one step (0 expected)", *options.step, subject));
   if (!options.time) return;
   if (times.empty())
-    throw UsageError(fmt::format("--time {}: {} tells no time", *options.time, subject));
+    throw UsageError(fmt::format("time {}: {} tells no time", *options.time, subject));
   if (times.size() != 1 || times.front() != *options.time)
-    throw UsageError(fmt::format("--time {}: {} holds another time ({} found)", *options.time,
+    throw UsageError(fmt::format("time {}: {} holds another time ({} found)", *options.time,
                                  subject, fmt::join(times, " ")));
 }
 

@@ -7,22 +7,11 @@
 #include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/mesh/location_name.hpp"
 #include "hiac/mesh/zoo_layout.hpp"
 
 namespace hiac::formats {
 namespace {
-
-std::string_view location_name(FieldLocation location) {
-  switch (location) {
-    case FieldLocation::node:
-      return "node";
-    case FieldLocation::cell:
-      return "cell";
-    case FieldLocation::corner:
-      return "corner";
-  }
-  return "";
-}
 
 Reading read_zoo(const std::string& path, const ReadOptions& options) {
   return reading_of(read_zoo_file(path), options, path);
@@ -39,10 +28,11 @@ std::vector<std::string> write_zoo(const std::string& path, const ZooMesh& mesh)
 
 Reading reading_of(ZooFile&& file, const ReadOptions& options, const std::string& subject) {
   if (options.block || options.time || options.step.value_or(0) != 0)
-    throw UsageError(
-        fmt::format("{} is a zoo container, which holds one mesh at one time (no "
-                    "--block, --time or --step expected)",
-                    subject));
+    throw UsageError(fmt::format("{}: {} is a zoo container, which holds one mesh at one time",
+                                 options.block  ? "block"
+                                 : options.time ? "time"
+                                                : "step",
+                                 subject));
   Reading reading{std::move(file.mesh), {}};
   for (const ExtraChunk& chunk : file.extras)
     reading.notes.push_back(

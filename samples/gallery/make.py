@@ -4,7 +4,8 @@
     samples/gallery/make.py [FOLDER]        pictures and errors.md into FOLDER (build/gallery)
     samples/gallery/make.py --docs          the pictures and the table of docs/gallery.md
 
-    HIAC_BUILD_DIR   where hiac is built (build/release): hiac-convert, hiac-render, hiac-compare
+    HIAC_BUILD_DIR   where hiac is built (build/release): hiac-convert, hiac-render, hiac-preview,
+                     hiac-compare
 
 Needs python3-numpy, for the mesh that vortices.py makes.
 """
@@ -39,6 +40,8 @@ FIGURES = {
     "figure-15": ("vortices", "vortices", [f"render.integration={EXACT}", SPLATTED]),
     "figure-16": ("vortices", "vortices", [f"render.integration={APPROXIMATE}"]),
 }
+# the same by graphics hardware: mesh, specification, method
+PREVIEWS = {"figure-11": ("pool-corners", "pool", "M3")}
 # mesh: its specification
 VIEWS = {"pool": "pool", "pool-corners": "pool", "vortices": "vortices"}
 
@@ -69,11 +72,20 @@ def render(mesh, view, settings, output, *arguments):
     run("render", mesh, "--view", HERE / f"{view}.toml", *sets, "-o", output, *arguments)
 
 
+def preview(mesh, view, method, output, *arguments):
+    run("preview", mesh, "--view", HERE / f"{view}.toml", "--method", method, "-o", output,
+        *arguments)
+
+
 def make_pictures(meshes, folder, size):
     folder.mkdir(parents=True, exist_ok=True)
     for name, (mesh, view, settings) in FIGURES.items():
         arguments = ["--size", size] if size else []
         render(meshes[mesh], view, settings, folder / f"{name}.png", *arguments)
+        print(f"made {folder / name}.png")
+    for name, (mesh, view, method) in PREVIEWS.items():
+        arguments = ["--size", size] if size else []
+        preview(meshes[mesh], view, method, folder / f"{name}.png", *arguments)
         print(f"made {folder / name}.png")
 
 

@@ -6,8 +6,8 @@
 #include <benchmark/benchmark.h>
 
 #include "hiac/optics/linear_piece.hpp"
-#include "hiac/optics/linear_piece_simd.hpp"
 #include "hiac/optics/polynomial_piece.hpp"
+#include "tests/support/linear_piece_vectors.hpp"
 
 namespace hiac {
 namespace {

@@ -199,7 +199,7 @@ ForeignMesh hexagonal_columns() {
 
 TEST(ReduceCells, PolyhedraAreDividedConformingly) {
   EXPECT_THAT(refusal_of(hexagonal_columns()), HasSubstr("2 hexagonal"));
-  EXPECT_THAT(refusal_of(hexagonal_columns()), HasSubstr("--approximate"));
+  EXPECT_THAT(refusal_of(hexagonal_columns()), HasSubstr("(ReadOptions::approximate divides"));
   const Reading reading = assemble(hexagonal_columns(), approximate(), "m");
   // each: six pyramids, and six tetrahedra over both hexagons
   EXPECT_EQ(reading.mesh.cell_count(), 2U * 18U);

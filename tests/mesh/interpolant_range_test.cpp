@@ -83,7 +83,7 @@ TEST(InterpolantRange, BoundsHoldAndAreNotFarOff) {
   for (const CellKind kind : all_kinds())
     for (int cell = 0; cell < 20; ++cell) {
       const auto values = random_values(kind, random);
-      const InterpolantRange range = interpolant_range(kind, values);
+      const ValueRange range = interpolant_range(kind, values);
       double least = 1e9, most = -1e9;
       for (int trial = 0; trial < 300; ++trial) {
         const double value = interpolated(
@@ -124,7 +124,7 @@ TEST(InterpolantRange, ConstantsAndLinearKindsAreExact) {
 TEST(InterpolantRange, LargeOffsetsCostNoMoreThanTheirRounding) {
   std::vector<double> values(node_count(CellKind::brick32), 1e8);
   values[5] = 1e8 + 1e-6;
-  const InterpolantRange range = interpolant_range(CellKind::brick32, values);
+  const ValueRange range = interpolant_range(CellKind::brick32, values);
   EXPECT_LE(range.most - range.least, 1e-4);
 }
 

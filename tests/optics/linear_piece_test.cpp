@@ -13,8 +13,8 @@
 
 #include "arb_oracle.hpp"
 #include "hiac/optics/extended_piece.hpp"
-#include "hiac/optics/linear_piece_simd.hpp"
 #include "tests/support/instruction_sets.hpp"
+#include "tests/support/linear_piece_vectors.hpp"
 
 namespace hiac {
 namespace {

@@ -19,11 +19,12 @@ std::vector<CellId> back_to_front(const ZooMesh& mesh, const Scene& scene) {
   return {cells.rbegin(), cells.rend()};
 }
 
-Drawn drawn(const ZooMesh& mesh, const Scene& scene, preview::Method method) {
+Drawn drawn(const ZooMesh& mesh, const Scene& scene, preview::Method method,
+            std::optional<PixelRect> part) {
   static const preview::Context context;
   const Projector projector(scene.camera, scene.image);
   const Frame frame(mesh, scene, projector);
-  const PixelRect all = whole_picture(scene.image);
+  const PixelRect all = part.value_or(whole_picture(scene.image));
   preview::FloatTarget target(context, all.width, all.height);
   target.begin(all);
   preview::MethodPainter painter(context, frame, method);

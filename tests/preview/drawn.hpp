@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "hiac/frame/crop.hpp"
 #include "hiac/image/image.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/preview/methods/method.hpp"
@@ -16,7 +18,8 @@ struct Drawn {
   Image image;
   preview::RegionCounts counts;
 };
-Drawn drawn(const ZooMesh& mesh, const Scene& scene, preview::Method method);
+Drawn drawn(const ZooMesh& mesh, const Scene& scene, preview::Method method,
+            std::optional<PixelRect> part = std::nullopt);
 
 /// The same by the accurate engine.
 Image accurate(const ZooMesh& mesh, const Scene& scene);

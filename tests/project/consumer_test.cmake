@@ -1,6 +1,7 @@
 # Installs what is built into a prefix of its own and there configures, builds and runs a project
 # that knows hiac by find_package(hiac) alone. Builds nothing of hiac again.
-#   cmake -D BUILD=... -D SOURCE=... -D WORK=... -D GENERATOR=... -D COMPILER=... -P consumer_test.cmake
+#   cmake -D BUILD=... -D SOURCE=... -D WORK=... -D GENERATOR=... -D COMPILER=...
+#         -D FORMATS=ON|OFF -P consumer_test.cmake
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE out ERROR_VARIABLE out)
   if(NOT result EQUAL 0)
@@ -40,6 +41,37 @@ endfunction()
 build_project(${CMAKE_CURRENT_LIST_DIR}/consumer ${WORK}/build
               -D HIAC_HEADERS=${WORK}/moved/include)
 run(${WORK}/build/consumer ${WORK}/mesh.zoo)
+
+# a program that reads foreign files knows the component formats, where it was built
+file(GLOB formats_package ${WORK}/moved/lib*/cmake/hiac/hiacFormats.cmake
+     ${WORK}/moved/lib*/*/cmake/hiac/hiacFormats.cmake)
+if(FORMATS)
+  if(NOT formats_package)
+    message(FATAL_ERROR "the component formats is not installed")
+  endif()
+  build_project(${CMAKE_CURRENT_LIST_DIR}/formats_consumer ${WORK}/formats_build)
+  file(WRITE ${WORK}/cell.vtk "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+       "POINTS 4 double\n0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n"
+       "POINT_DATA 4\nSCALARS s double\nLOOKUP_TABLE default\n0 1 2 3\n")
+  run(${WORK}/formats_build/formats_consumer ${WORK}/cell.vtk ${WORK}/cell.zoo)
+  run(${WORK}/moved/bin/hiac-info ${WORK}/cell.zoo)
+  # as many formats as the installed tool lists
+  execute_process(COMMAND ${WORK}/formats_build/formats_consumer OUTPUT_VARIABLE named)
+  execute_process(COMMAND ${WORK}/moved/bin/hiac-convert --list-formats OUTPUT_VARIABLE listed)
+  string(STRIP "${named}" named)
+  string(REPLACE "\n" ";" named "${named}")
+  foreach(format IN LISTS named)
+    if(NOT listed MATCHES "(^|\n)${format} ")
+      message(FATAL_ERROR "hiac-convert does not list the format ${format} of the library")
+    endif()
+  endforeach()
+  list(LENGTH named count)
+  if(count LESS 20)
+    message(FATAL_ERROR "the installed library knows ${count} formats alone: ${named}")
+  endif()
+elseif(formats_package)
+  message(FATAL_ERROR "the component formats is installed, and was not built")
+endif()
 
 # the sample is a program that a newcomer reads at a glance
 file(STRINGS ${SOURCE}/samples/program/main.cpp lines REGEX "^")

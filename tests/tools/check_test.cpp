@@ -110,6 +110,22 @@ TEST_F(CheckTool, RepairDropsOrders) {
   }
 }
 
+TEST_F(CheckTool, TheMeshsConvexityIsToldWithWhatRefutesIt) {
+  write("box.zoo", structured(2, Cut::bricks));
+  ASSERT_EQ(check("box.zoo -o out.zoo --cycles --json facts.json"), 0) << complaint();
+  EXPECT_THAT(complaint(), HasSubstr("the mesh is convex"));
+  EXPECT_EQ(facts()["convexity"]["verdict"], "convex");
+  EXPECT_TRUE(facts().contains("acyclic"));  // a proof needs no view
+  write("l.zoo", keep_cells(structured(2, Cut::bricks),
+                            [](const Position& p, CellId) { return p[0] < 0.5 || p[1] < 0.5; }));
+  ASSERT_EQ(check("l.zoo -o out.zoo --json facts.json"), 0) << complaint();
+  EXPECT_THAT(complaint(), HasSubstr("not convex: 2 edges of its boundary bend inwards: "));
+  EXPECT_EQ(facts()["convexity"]["verdict"], "not convex");
+  EXPECT_EQ(facts()["convexity"]["edges"].size(), 2U);
+  ASSERT_EQ(check("l.zoo -o out.zoo --picture p.npy --size 40x30"), 0) << complaint();
+  EXPECT_EQ(read_image(file("p.npy")).image.width(), 40U);
+}
+
 TEST_F(CheckTool, FactsThatCannotBeWrittenAreAnInputError) {
   write("m.zoo", structured(1, Cut::bricks));
   EXPECT_EQ(check("m.zoo -o out.zoo --json nowhere/facts.json"), 3);
@@ -164,8 +180,8 @@ TEST_F(CheckTool, ThePictureShowsTheOffenders) {
 TEST_F(CheckTool, OptionsThatDoNotFitAreUsageErrors) {
   write("m.zoo", structured(1, Cut::bricks));
   for (const char* options :
-       {"--cycles", "--directions 3", "--view view.toml", "--planarity -1",
-        "--cycles --directions 3 --set a=1", "--picture x.txt", "-o - --json -"})
+       {"--size 8x6", "--picture x.png --size 8", "--directions 3", "--view view.toml",
+        "--planarity -1", "--cycles --directions 3 --set a=1", "--picture x.txt", "-o - --json -"})
     EXPECT_EQ(check(std::string("m.zoo ") + options), 2) << options;
 }
 

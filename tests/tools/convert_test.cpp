@@ -156,6 +156,37 @@ TEST_F(Convert, WrongUsageIsExit2) {
   EXPECT_THAT(run("$CONVERT in.vtk --json -").err, HasSubstr("stdout carries the mesh"));
 }
 
+// The readers know nothing of options: their messages speak of what was asked for, and the tool
+// names its options.
+TEST_F(Convert, MessagesNameTheOptionsThatTheyAreAbout) {
+  const std::vector<std::pair<std::string, std::string>> rows{
+      {"in.vtk -o a.xyz", "-o a.xyz: no format with the extension '.xyz' can be written"},
+      {"in.vtk --format nonsense -o a.zoo", "--format nonsense: there is no such format"},
+      {"in.vtk --block b -o a.zoo", "--block b: in.vtk has no named blocks"},
+      {"in.vtk --step 3 -o a.zoo", "--step 3: in.vtk holds one step"},
+      {"in.vtk --time 1 -o a.zoo", "--time 1: in.vtk tells no time"},
+      {"in.vtk --field q -o a.zoo", "--field q: there is no such field"},
+      {"in.vtk --derive q -o a.zoo", "--derive q: not understood"},
+      {"in.zoo --time 1 -o a.zoo", "--time: in.zoo is a zoo container"},
+      {"--format zoo --block b -o a.zoo < in.zoo", "--block: stdin is a zoo container"}};
+  ASSERT_EQ(run("$CONVERT -q in.vtk -o in.zoo").code, 0);
+  for (const auto& [arguments, message] : rows) {
+    const Outcome outcome = run("$CONVERT " + arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_THAT(outcome.err, HasSubstr("hiac-convert: " + message)) << arguments;
+  }
+  std::ofstream(file("rich.msh"))
+      << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n12\n1 0 0 0\n2 1 0 0\n3 2 1 0\n4 1 2 0\n"
+         "5 0 2 0\n6 0 0 1\n7 1 0 1\n8 2 1 1\n9 1 2 1\n10 0 2 1\n11 0 1 0\n12 0 1 1\n$EndNodes\n"
+         "$Elements\n1\n1 79 2 1 1 1 2 3 4 5 6 7 8 9 10 11 12 1 2 3 4 5 6 7 8 9 10 11 12 1 2 3 4 5 "
+         "6 7 "
+         "8 9 10\n$EndElements\n";
+  const Outcome rich = run("$CONVERT rich.msh -o a.zoo");
+  EXPECT_EQ(rich.code, 3);
+  EXPECT_THAT(rich.err, HasSubstr("(--skip-unsupported leaves them out"));
+  EXPECT_EQ(rich.err.find("ReadOptions"), std::string::npos) << rich.err;
+}
+
 TEST_F(Convert, UnreadableInputIsExit3WithOneLine) {
   std::ofstream(file("bad.vtk")) << std::string(kQuadratic).substr(0, 200);
   std::ofstream(file("text.txt")) << "not a mesh";

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -6,6 +7,7 @@
 #include <iterator>
 #include <string>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -15,7 +17,9 @@
 namespace hiac {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 class Tetrahedralize : public testing::Test {
  protected:
@@ -130,6 +134,81 @@ TEST_F(Tetrahedralize, NamesWhatASurfaceLacks) {
   EXPECT_FALSE(std::filesystem::exists(path("no.zoo")));
   const auto facts = nlohmann::json::parse(text_of(path("facts.json")));
   EXPECT_FALSE(facts["surface_defects"]["intersecting_triangles"].empty());
+}
+
+/// A cube of that corner and edge, of twelve triangles oriented outwards, or inwards.
+std::string cube_stl(double low, double edge, bool inwards) {
+  std::string text;
+  const std::array<std::array<int, 4>, 6> faces{
+      {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+  for (const auto& q : faces)
+    for (const auto& t : {std::array{q[0], q[1], q[2]}, {q[0], q[2], q[3]}}) {
+      text += "facet normal 0 0 0\nouter loop\n";
+      for (std::size_t k = 0; k < 3; ++k) {
+        const int c = t[inwards ? 2 - k : k];
+        text += fmt::format("vertex {} {} {}\n", low + edge * (c % 2), low + edge * (c / 2 % 2),
+                            low + edge * (c / 4));
+      }
+      text += "endloop\nendfacet\n";
+    }
+  return text;
+}
+
+TEST_F(Tetrahedralize, CavitiesAreToldAndLeftEmptyWhereAsked) {
+  for (const bool inwards : {true, false}) {
+    write("hollow.stl",
+          "solid a\n" + cube_stl(0, 3, false) + cube_stl(1, 1, inwards) + "endsolid a\n");
+    ASSERT_EQ(run("$T hollow.stl -o full.zoo"), 0) << errors();
+    EXPECT_EQ(errors().find("oriented as cavities are") != std::string::npos, inwards);
+    EXPECT_NEAR(volume_of(mesh("full.zoo")), 27, 1e-12);
+    ASSERT_EQ(run("$T hollow.stl --hole 1.5,1.5,1.5 -o hollow.zoo"), 0) << errors();
+    EXPECT_THAT(errors(), Not(HasSubstr("oriented as cavities are")));
+    EXPECT_NEAR(volume_of(mesh("hollow.zoo")), 26, 1e-12);
+  }
+  EXPECT_EQ(run("$T hollow.stl --hole 1,2 -o no.zoo"), 2);
+  EXPECT_EQ(run("$T hollow.stl --hole 1,2,3x -o no.zoo"), 2);
+}
+
+TEST_F(Tetrahedralize, DoubledPointsAreWeldedWhereAsked) {
+  // every triangle has corners of its own, as CAD programs write them, some of them a little off
+  std::string points, triangles;
+  const auto add = [&](std::array<double, 3> p) {
+    points += fmt::format("{} {} {}\n", p[0], p[1], p[2]);
+  };
+  const std::array<std::array<double, 3>, 4> corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  const std::array<std::array<int, 3>, 4> faces{{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+  int number = 0;
+  for (const auto& face : faces) {
+    for (const int c : face) {
+      auto p = corners[static_cast<std::size_t>(c)];
+      p[0] += 1e-7 * (number % 3);
+      add(p);
+      ++number;
+    }
+    triangles += fmt::format("3 {} {} {}\n", number - 3, number - 2, number - 1);
+  }
+  write("seam.off", "OFF\n12 4 0\n" + points + triangles);
+  EXPECT_EQ(run("$T seam.off -o no.zoo"), 1);
+  EXPECT_THAT(errors(), AllOf(HasSubstr("12 open edges, "), HasSubstr("--weld TOL joins points")));
+  ASSERT_EQ(run("$T seam.off --weld 1e-6 --json facts.json -o seam.zoo"), 0) << errors();
+  EXPECT_THAT(errors(), HasSubstr("8 points became others"));
+  EXPECT_NEAR(volume_of(mesh("seam.zoo")), 1.0 / 6, 1e-6);
+  EXPECT_EQ(nlohmann::json::parse(text_of(path("facts.json")))["weld"]["points"], 8);
+  EXPECT_EQ(run("$T seam.off --weld 1e-9 -o no.zoo"), 1);
+}
+
+TEST_F(Tetrahedralize, PointsInAPlaneButForRoundingAreWarnedOf) {
+  std::string points;
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j)
+      points += fmt::format("{} {} {}\n", i, j, (i * 7 + j * 3) % 5 * 1e-16);
+  write("flat.xyz", points);
+  ASSERT_EQ(run("$T flat.xyz --delaunay -o flat.zoo"), 0) << errors();
+  EXPECT_THAT(errors(), HasSubstr("tetrahedra are nearly flat"));
+  write("solid.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n");
+  ASSERT_EQ(run("$T solid.xyz --delaunay -o solid.zoo"), 0) << errors();
+  EXPECT_THAT(errors(), Not(HasSubstr("nearly flat")));
+  ASSERT_EQ(run("$T --version"), 0);
 }
 
 TEST_F(Tetrahedralize, JoinsPoints) {

@@ -1,7 +1,9 @@
 // hiac-check: whether a mesh is valid, and what is wrong with it.
 
 #include <cstdint>
+#include <cstdio>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +15,7 @@
 #include "hiac/check/cells.hpp"
 #include "hiac/check/conformity.hpp"
 #include "hiac/check/cycles.hpp"
+#include "hiac/check/mesh_convexity.hpp"
 #include "hiac/check/numbers.hpp"
 #include "hiac/check/overlap.hpp"
 #include "hiac/check/regularity.hpp"
@@ -35,7 +38,7 @@ using namespace hiac;
 using namespace hiac::tools;
 
 struct Options {
-  std::string input, output, view, picture;
+  std::string input, output, view, picture, size;
   std::vector<std::string> overrides;
   std::uint32_t directions = 0;
   std::size_t max_ids = 20;
@@ -87,8 +90,15 @@ class Judge {
     auto fit = tool_.timed("conformity", [&] {
       return judge_conformity(mesh, adjacency_, shapes, options_.planarity);
     });
-    bool folded = false;
-    for (const Finding& f : fit) folded = folded || f.defect == Defect::folded_face;
+    bool folded = false, interfaces = false;
+    for (const Finding& f : fit) {
+      folded = folded || f.defect == Defect::folded_face;
+      interfaces = interfaces || f.defect == Defect::torn_interface ||
+                   f.defect == Defect::hanging_interface || f.defect == Defect::sliding_interface ||
+                   f.defect == Defect::folded_face;
+    }
+    judgement_.convexity =
+        tool_.timed("convexity", [&] { return judge_convexity(mesh, adjacency_, interfaces); });
     add(std::exchange(shapes.findings, {}));
     add(std::move(fit));
     if (options_.overlap) overlaps(mesh, shapes, folded);
@@ -117,12 +127,14 @@ class Judge {
     judgement_.certificate =
         tool_.timed("certificate", [&] { return certify_acyclic(basis, shapes); });
     std::vector<Offender> cells;
+    std::set<CellId> known;  // a cell counts once, whatever the number of views
     tool_.frames().begin("views", views_.size());
     for (std::uint64_t v = 0; v < views_.size(); ++v) {
       auto groups = tool_.timed(
           "cycles", [&] { return find_cycles(basis, views_[v].view, views_[v].planarity); });
       for (const VisibilityGroup& group : groups)
-        for (const CellId cell : group.cells) cells.push_back({cell, v});
+        for (const CellId cell : group.cells)
+          if (known.insert(cell).second) cells.push_back({cell, v});
       judgement_.views.push_back({views_[v].name, std::move(groups)});
       tool_.frames().advance();
     }
@@ -159,14 +171,32 @@ void repair_file(Tool& tool, ZooFile& file, Judge& judge) {
   if (orders > 0) tool.note("the file's orders do not fit the repaired mesh and are left out");
 }
 
+// WxH, or the size that is usual.
+ImageSize picture_size(const Options& options) {
+  if (options.size.empty()) return {1024, 768};
+  unsigned width = 0, height = 0;
+  int length = 0;
+  constexpr unsigned kMost = 16384;
+  // NOLINTNEXTLINE(cert-err34-c): what does not fit is out of range below
+  if (std::sscanf(options.size.c_str(), "%5ux%5u%n", &width, &height, &length) != 2 ||
+      static_cast<std::size_t>(length) != options.size.size() || width < 1 || height < 1 ||
+      width > kMost || height > kMost)
+    throw UsageError(
+        fmt::format("--size: expected WIDTHxHEIGHT of 1 to {} each, as 1024x768 "
+                    "(found {})",
+                    kMost, options.size));
+  return {width, height};
+}
+
 void check_options(const Options& options) {
   const bool views = !options.view.empty() || options.directions > 0;
-  if (options.cycles && !views)
-    throw UsageError("--cycles: no views are given (--view SPEC or --directions N expected)");
   if (!options.cycles && views) throw UsageError("--view, --directions: only for --cycles");
   if (!options.overrides.empty() && options.view.empty())
     throw UsageError("--set: no specification to override (--view SPEC)");
   if (!options.picture.empty()) require_known_image_extension(options.picture);
+  if (options.picture.empty() && !options.size.empty())
+    throw UsageError("--size: only for --picture");
+  picture_size(options);
 }
 
 void claim_files(Tool& tool, const Options& options) {
@@ -197,7 +227,8 @@ void check(Tool& tool, const Options& options) {
   if (!tool.common().quiet) tool.print(judgement_table(file.mesh, judgement, options.max_ids));
   if (!options.picture.empty() && sound && file.mesh.cell_count() > 0)
     tool.timed("picture", [&] {
-      write_defect_picture(tool, file.mesh, judge.adjacency(), judgement.findings, options.picture);
+      write_defect_picture(tool, file.mesh, judge.adjacency(), judgement.findings,
+                           picture_size(options), options.picture);
     });
   tool.facts()["bytes_per_cell"] =
       peak_memory_bytes() / std::max<std::uint64_t>(file.mesh.cell_count(), 1);
@@ -239,7 +270,8 @@ int main(int argc, char** argv) {
       ->type_name("FILE");
   app.add_flag("--overlap", options.overlap, "Look for cells whose interiors overlap");
   app.add_flag("--cycles", options.cycles,
-               "Look for visibility cycles in the views, and for a proof that no view has any");
+               "Look for a proof that no view has a visibility cycle, and for cycles in the views "
+               "of --view and --directions");
   app.add_option("--view", options.view,
                  "For --cycles: the camera of this image specification (TOML), or all its frames")
       ->type_name("SPEC");
@@ -264,5 +296,7 @@ int main(int argc, char** argv) {
   app.add_option("--picture", options.picture,
                  "Draw the mesh's outline and the defective cells (" + image_extensions() + ")")
       ->type_name("FILE");
+  app.add_option("--size", options.size, "Size of --picture in pixels (default: 1024x768)")
+      ->type_name("WxH");
   return tool.run(argc, argv, [&] { check(tool, options); });
 }

@@ -212,18 +212,19 @@ double distance_for(const ZooMesh& drawn, const Vector& centre, const Vector& to
   return distance;
 }
 
-Scene scene_around(const Ball& ball, const ZooMesh& drawn) {
+Scene scene_around(const Ball& ball, const ZooMesh& drawn, ImageSize size) {
   const Vector towards_eye = unit(Vector{0.55, -0.75, 0.45});
   constexpr double kFov = 30, kTangentOfHalf = 0.2679491924311227;
   Scene scene;
-  scene.image = {1024, 768};
+  scene.image = size;
   scene.camera.look_at = ball.centre;
   scene.camera.up = {0, 0, 1};
   scene.camera.fov = kFov;
-  scene.camera.eye = moved(
-      ball.centre,
-      distance_for(drawn, ball.centre, towards_eye, scene.camera.up, kTangentOfHalf, 1024.0 / 768),
-      towards_eye);
+  scene.camera.eye =
+      moved(ball.centre,
+            distance_for(drawn, ball.centre, towards_eye, scene.camera.up, kTangentOfHalf,
+                         static_cast<double>(size.width) / size.height),
+            towards_eye);
   const double skin = 0.12 / (kSkin * ball.radius), solid = 4 / (kThread * ball.radius);
   scene.volume.color = ColorTransfer{"paint",
                                      {{0, {0.05, 0.12, 0.25}},
@@ -239,7 +240,8 @@ Scene scene_around(const Ball& ball, const ZooMesh& drawn) {
 }  // namespace
 
 void write_defect_picture(Tool& tool, const ZooMesh& mesh, const FaceAdjacency& adjacency,
-                          const std::vector<Finding>& findings, const std::string& path) {
+                          const std::vector<Finding>& findings, ImageSize size,
+                          const std::string& path) {
   const Ball ball = ball_around(mesh);
   Drawing drawing(ball.radius);
   const bool invalid = any_invalid(findings);
@@ -249,7 +251,7 @@ void write_defect_picture(Tool& tool, const ZooMesh& mesh, const FaceAdjacency& 
              drawing);
   add_boundary(mesh, adjacency, drawing);
   const ZooMesh drawn = std::move(drawing).mesh();
-  const Scene scene = scene_around(ball, drawn);
+  const Scene scene = scene_around(ball, drawn, size);
   const OrderResult order = exact_order(drawn, build_face_adjacency(drawn), view_of(scene.camera),
                                         scene.render.planarity);
   const RenderResult result = render(drawn, order.order, scene, true, &tool.progress());

@@ -5,6 +5,7 @@
 
 #include "hiac/check/defect.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
+#include "hiac/scene/scene.hpp"
 #include "tools/common/tool.hpp"
 
 namespace hiac::tools {
@@ -15,6 +16,7 @@ namespace hiac::tools {
 /// without volume are seen as well. Curved cells are drawn straight between their corners.
 /// `path`: as write_image takes it.
 void write_defect_picture(Tool& tool, const ZooMesh& mesh, const FaceAdjacency& adjacency,
-                          const std::vector<Finding>& findings, const std::string& path);
+                          const std::vector<Finding>& findings, ImageSize size,
+                          const std::string& path);
 
 }  // namespace hiac::tools

@@ -106,6 +106,42 @@ std::string_view name_of(Acyclicity acyclicity) {
   return kNames[static_cast<std::size_t>(acyclicity)];
 }
 
+std::string_view name_of(Convexity convexity) {
+  constexpr std::array<std::string_view, 3> kNames{"convex", "not convex", "unknown"};
+  return kNames[static_cast<std::size_t>(convexity)];
+}
+
+std::string convexity_text(const MeshConvexity& found, std::size_t max_ids) {
+  if (found.verdict == Convexity::convex) return "  the mesh is convex\n";
+  if (found.verdict == Convexity::unknown)
+    return fmt::format("  whether the mesh is convex is not known: {}\n", found.reason);
+  std::vector<std::string> names;
+  for (const ReentrantEdge& edge : first_of(found.edges, max_ids))
+    names.push_back(fmt::format("{}-{}", edge.low, edge.high));
+  if (found.edges.size() > max_ids) names.emplace_back("...");
+  const std::string edges = found.edges.empty()
+                                ? ""
+                                : fmt::format("{} edges of its boundary bend inwards: {}",
+                                              found.edges.size(), fmt::join(names, " "));
+  const std::string gaps =
+      found.surfaces < 2 ? ""
+                         : fmt::format("{} boundary surfaces (gaps or cavities)", found.surfaces);
+  return fmt::format("  the mesh is not convex: {}{}{}\n", gaps,
+                     edges.empty() || gaps.empty() ? "" : "; ", edges);
+}
+
+Json convexity_json(const MeshConvexity& found, std::size_t max_ids) {
+  Json json{{"verdict", name_of(found.verdict)},
+            {"boundary_surfaces", found.surfaces},
+            {"reentrant_edges", found.edges.size()}};
+  json["edges"] = Json::array();
+  for (const ReentrantEdge& edge : first_of(found.edges, max_ids))
+    json["edges"].push_back(
+        {{"nodes", {edge.low, edge.high}}, {"cells", {edge.first, edge.second}}});
+  if (!found.reason.empty()) json["reason"] = found.reason;
+  return json;
+}
+
 std::string certificate_text(const Certificate& certificate) {
   if (certificate.acyclicity == Acyclicity::unknown)
     return fmt::format("  not proven free of cycles from everywhere: {}\n", certificate.reason);
@@ -174,6 +210,7 @@ std::string judgement_table(const ZooMesh& mesh, const Judgement& judgement, std
   std::string text = fmt::format("  {}; {} nodes\n", cells_by_kind(mesh), mesh.node_count());
   if (judgement.repair) text += repair_text(*judgement.repair);
   for (const Finding* finding : sorted(judgement.findings)) text += row(*finding, max_ids);
+  if (judgement.convexity) text += convexity_text(*judgement.convexity, max_ids);
   if (!judgement.views.empty()) text += cycles_text(judgement, max_ids);
   if (judgement.certificate) text += certificate_text(*judgement.certificate);
   const bool valid = !any_invalid(judgement.findings);
@@ -186,6 +223,7 @@ nlohmann::ordered_json judgement_facts(const Judgement& judgement, std::size_t m
   Json facts{{"valid", !any_invalid(judgement.findings)}, {"findings", Json::array()}};
   for (const Finding* finding : sorted(judgement.findings))
     facts["findings"].push_back(finding_json(*finding, max_ids));
+  if (judgement.convexity) facts["convexity"] = convexity_json(*judgement.convexity, max_ids);
   if (!judgement.views.empty()) facts["views"] = views_json(judgement, max_ids);
   if (judgement.certificate) {
     facts["acyclic"] = name_of(judgement.certificate->acyclicity);

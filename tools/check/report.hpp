@@ -9,6 +9,7 @@
 
 #include "hiac/check/cycles.hpp"
 #include "hiac/check/defect.hpp"
+#include "hiac/check/mesh_convexity.hpp"
 #include "hiac/check/regularity.hpp"
 #include "hiac/check/repair.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
@@ -25,6 +26,7 @@ struct ViewCycles {
 struct Judgement {  // NOLINT(bugprone-exception-escape): the standard library's moves say so
   std::vector<Finding> findings;
   std::vector<ViewCycles> views;  ///< those asked about
+  std::optional<MeshConvexity> convexity;
   std::optional<Certificate> certificate;
   std::optional<RepairCounts> repair;
   bool overlaps_asked = false;

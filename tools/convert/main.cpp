@@ -21,11 +21,13 @@
 #include "hiac/mesh/face_adjacency.hpp"
 #include "hiac/mesh/file_descriptor.hpp"
 #include "hiac/mesh/zoo_container.hpp"
+#include "tools/common/as_option.hpp"
 #include "tools/common/mesh_io.hpp"
 #include "tools/common/plain_text.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/common/version.hpp"
 #include "tools/convert/listing.hpp"
+#include "tools/convert/option_names.hpp"
 #include "tools/convert/spooled_input.hpp"
 
 namespace hiac::tools {
@@ -133,8 +135,9 @@ formats::ReadOptions read_options(const Options& options) {
 }
 
 const formats::Format& format_of(const Options& options, const std::string& path) {
-  return options.format.empty() ? formats::format_to_read(path)
-                                : formats::format_named(options.format);
+  return options.format.empty()
+             ? formats::format_to_read(path)
+             : *as_option("--", [&] { return &formats::format_named(options.format); });
 }
 
 /// stdin, or a pipe that INPUT names.
@@ -180,12 +183,25 @@ bool is_zoo_stream(const Options& options) {
   return options.from_stdin() && (options.format.empty() || options.format == "zoo");
 }
 
+/// What `work` returns. The readers' messages name members of ReadOptions; the user knows options.
+template <typename Work>
+auto with_options_named(const Work& work) try {
+  return work();
+} catch (const InputError& error) {
+  throw InputError(with_option_names(error.what()));
+} catch (const UsageError& error) {
+  throw UsageError(with_option_names(error.what()));
+}
+
+/// The readers' messages on wrong usage begin with what was asked for: an option without dashes.
 formats::Reading read_input(const Options& options) {
   const formats::ReadOptions wanted = read_options(options);
-  if (is_zoo_stream(options))
-    return formats::reading_of(read_zoo_stream(STDIN_FILENO, "stdin"), wanted, "stdin");
+  if (is_zoo_stream(options)) {
+    ZooFile stream = read_zoo_stream(STDIN_FILENO, "stdin");
+    return as_option("--", [&] { return formats::reading_of(std::move(stream), wanted, "stdin"); });
+  }
   return with_input(options, [&](const auto& format, const std::string& path, const auto& told) {
-    formats::Reading reading = format.read(path, wanted);
+    formats::Reading reading = as_option("--", [&] { return format.read(path, wanted); });
     for (std::string& note : reading.notes) note = told(std::move(note));
     for (auto& [key, text] : reading.mesh.metadata) text = told(std::move(text));
     return reading;
@@ -193,7 +209,7 @@ formats::Reading read_input(const Options& options) {
 }
 
 void list_input(Tool& tool, const Options& options) {
-  const formats::Inventory inventory =
+  formats::Inventory inventory =
       is_zoo_stream(options)
           ? formats::inventory_of(read_zoo_stream(STDIN_FILENO, "stdin").mesh)
           : with_input(options, [](const auto& format, const std::string& path, const auto& told) {
@@ -201,6 +217,7 @@ void list_input(Tool& tool, const Options& options) {
               for (std::string& note : found.notes) note = told(std::move(note));
               return found;
             });
+  for (std::string& note : inventory.notes) note = with_option_names(std::move(note));
   if (tool.common().json != "-") std::cout << plain_text(inventory_text(inventory));
   tool.facts()["inventory"] = inventory_facts(inventory);
 }
@@ -208,7 +225,7 @@ void list_input(Tool& tool, const Options& options) {
 /// Refuses a destination that cannot be written before anything is read.
 void check_output(const Tool& tool, const Options& options) {
   if (!options.to_stdout()) {
-    formats::format_to_write(options.output);
+    as_option("-o ", [&] { formats::format_to_write(options.output); });
     return;
   }
   if (isatty(STDOUT_FILENO) != 0)
@@ -237,7 +254,8 @@ void claim_files(Tool& tool, const Options& options) {
 }
 
 void note_all(Tool& tool, const std::vector<std::string>& notes) {
-  for (const std::string& note : notes) {
+  for (const std::string& told : notes) {
+    const std::string note = with_option_names(told);
     tool.note(note);
     tool.facts()["notes"].push_back(note);
   }
@@ -276,12 +294,14 @@ void convert(Tool& tool, const Options& options) {
   }
   claim_files(tool, options);
   require_input(options);
-  if (options.list) return list_input(tool, options);
+  if (options.list) return with_options_named([&] { list_input(tool, options); });
   check_output(tool, options);
-  formats::Reading reading = tool.timed("read", [&] { return read_input(options); });
+  formats::Reading reading =
+      tool.timed("read", [&] { return with_options_named([&] { return read_input(options); }); });
   ZooMesh& mesh = reading.mesh;
   if (options.corners_only) formats::keep_corners(mesh, reading.notes);
-  mesh.fields = formats::select_fields(mesh, options.fields, options.derivations);
+  mesh.fields = as_option(
+      "--", [&] { return formats::select_fields(mesh, options.fields, options.derivations); });
   note_all(tool, reading.notes);
   const bool to_zoo = options.to_stdout() || formats::format_to_write(options.output).name == "zoo";
   if (!options.adjacency)

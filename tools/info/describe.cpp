@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "hiac/mesh/location_name.hpp"
 #include "hiac/mesh/mesh_hash.hpp"
 
 namespace hiac::tools {
@@ -44,17 +45,6 @@ struct Extent {
 
 std::string line(std::string_view label, const std::string& value) {
   return fmt::format("  {:<12} {}\n", label, value);
-}
-
-const char* location_name(FieldLocation location) {
-  switch (location) {
-    case FieldLocation::node:
-      return "node";
-    case FieldLocation::cell:
-      return "cell";
-    default:
-      return "corner";
-  }
 }
 
 void describe_cells(const ZooMesh& mesh, Description& description) {

@@ -23,6 +23,7 @@
 #include "hiac/scene/scene_writer.hpp"
 #include "hiac/session/ordering.hpp"
 #include "hiac/tetrahedralize/subdivide_cells.hpp"
+#include "tools/common/as_option.hpp"
 #include "tools/common/frames.hpp"
 #include "tools/common/mesh_io.hpp"
 #include "tools/common/order_by.hpp"
@@ -111,6 +112,20 @@ class Orders {
   bool overlap_ = false, looked_ = false;
 };
 
+// Of one of the paper's methods.
+Json region_facts(const PreviewStatistics& statistics) {
+  const preview::RegionCounts& r = statistics.regions;
+  return {{"cells", r.cells},
+          {"whole_tetrahedra", r.whole},
+          {"slabs", r.slabs},
+          {"regions", r.regions},
+          {"triangles", statistics.triangles},
+          {"surface_polygons", r.surfaces},
+          {"vertices", r.vertices},
+          {"reverted_to_M1", r.reverted},
+          {"left_uncut", r.uncut}};
+}
+
 // Draws the frames of one scene.
 class Previewer {
  public:
@@ -120,8 +135,10 @@ class Previewer {
         options_(options),
         scene_(scene),
         orders_(orders),
-        context_(options.device),
-        preview_(context_, mesh, scene, {.fine = options.precision == "double"}),
+        context_(as_option("--device: ", [&] { return Context(options.device); })),
+        preview_(
+            context_, mesh, scene,
+            {.method = preview::method_of(options.method), .fine = options.precision == "double"}),
         mesh_hash_(content_hash(mesh)) {
     tool.facts()["device"] = context_.device().name;
     tool.detail(
@@ -166,6 +183,9 @@ class Previewer {
           fmt::format("{} cells are in {} visibility cycles and are drawn in the order of "
                       "their centroids: the picture may be wrong there",
                       s.cells_in_groups, s.groups));
+    if (s.regions.reverted > 0)
+      tool_.note(fmt::format("M2 fell back to M1 at {} of {} vertices: beyond its tables",
+                             s.regions.reverted, s.regions.vertices));
     tool_.timed("write", [&] {
       write_image(picture_path(path), result.image,
                   {.linear = options_.linear,
@@ -176,7 +196,9 @@ class Previewer {
                    .depth = options_.depth,
                    .format = options_.format});
     });
-    return {{"order", order_facts(order)}, {"parts", s.parts}};
+    Json facts{{"order", order_facts(order)}, {"parts", s.parts}};
+    if (options_.method != "exact") facts["regions"] = region_facts(s);
+    return facts;
   }
 
   Tool& tool_;
@@ -211,8 +233,11 @@ std::vector<CellId> invalid_ones(Tool& tool, const Options& options, const ZooMe
   return skipped;
 }
 
-void note_what_is_not_drawn(Tool& tool, const Scene& scene) {
-  if (scene.render.integration != Integration::exact)
+void note_what_is_not_drawn(Tool& tool, const Options& options, const Scene& scene) {
+  const Integration integration = scene.render.integration;
+  if (options.method != "exact" && integration == Integration::approximate_unsliced)
+    tool.note("cells are not sliced at breakpoints (render.integration)");
+  else if (integration != Integration::exact)
     tool.note("render.integration is the accurate engine's: --method says how previews integrate");
   if (scene.render.splat_below > 0)
     tool.note("render.splat_below is the accurate engine's: previews splat no cells");
@@ -226,6 +251,8 @@ void claim_files(Tool& tool, const Options& options, const Scene* scene) {
 
 void draw(Tool& tool, Options options) {
   if (options.view.empty()) throw UsageError("--view is required");
+  if (options.method != "exact" && options.precision != "single")
+    throw UsageError("--precision " + options.precision + ": for --method exact alone");
   claim_files(tool, options, nullptr);
   check_picture_output(tool, options);
   const ParsedScene parsed = specification_of(tool, options);
@@ -233,7 +260,7 @@ void draw(Tool& tool, Options options) {
   if (!options.crop.empty()) require_inside(parse_crop(options.crop), scene.image);
   check_frame_options(options, scene);
   if (options.all_frames) claim_files(tool, options, &scene);
-  note_what_is_not_drawn(tool, scene);
+  note_what_is_not_drawn(tool, options, scene);
   const ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
   const ZooMesh mesh = drawn_mesh(tool, file.mesh, options.levels);
   tool.facts()["cells"] = mesh.cell_count();
@@ -289,8 +316,9 @@ int main(int argc, char** argv) {
   app.get_option("--view")->required(false);
   app.add_option("--method", options.method,
                  "exact: every ray is cut at the cells' faces and at breakpoints and integrated "
-                 "pixel by pixel")
-      ->check(CLI::IsMember({"exact"}))
+                 "pixel by pixel; M0 to M3: the methods of Williams, Max and Stein's section 7, "
+                 "cells as homogeneous regions")
+      ->check(CLI::IsMember({"exact", "M0", "M1", "M2", "M3"}))
       ->capture_default_str()
       ->type_name("METHOD");
   auto* algorithm =

@@ -1,7 +1,9 @@
 // hiac-tetrahedralize: tetrahedra from a closed surface, from points, or from cells of any kind.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,6 +21,8 @@
 #include "hiac/tetrahedralize/meshing/surface_defects.hpp"
 #include "hiac/tetrahedralize/meshing/surface_meshing.hpp"
 #include "hiac/tetrahedralize/subdivide_cells.hpp"
+#include "hiac/tetrahedralize/surface_parts.hpp"
+#include "hiac/tetrahedralize/weld_surface.hpp"
 #include "tools/common/mesh_io.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/common/version.hpp"
@@ -33,6 +37,8 @@ struct Options {
   std::string input, output;
   bool cells = false, delaunay = false;
   SurfaceMeshing surface;
+  std::optional<double> weld;
+  std::vector<std::string> holes;
   Subdivision subdivision;
   std::size_t max_ids = 20;
 };
@@ -63,8 +69,10 @@ Source source_of(const Options& options) {
 
 void require_fitting_options(const Options& options, Source source) {
   const SurfaceMeshing& s = options.surface;
-  if (source != Source::surface && (s.quality || s.max_volume || s.preserve_surface))
-    throw UsageError("--quality, --max-volume, --preserve-surface: only for surfaces");
+  if (source != Source::surface &&
+      (s.quality || s.max_volume || s.preserve_surface || options.weld || !options.holes.empty()))
+    throw UsageError(
+        "--quality, --max-volume, --preserve-surface, --weld, --hole: only for surfaces");
   if (source != Source::cells && (options.subdivision.linearize || options.subdivision.levels > 0))
     throw UsageError("--linearize, --levels: only with --cells");
   if (options.subdivision.levels > 0 && !options.subdivision.linearize)
@@ -106,14 +114,55 @@ void judge(Tool& tool, const Options& options, const SurfaceDefects& defects) {
        [](const auto& pair) { return fmt::format("{} and {}", pair.first, pair.second); });
   tell("triangles without area", defects.degenerate,
        [](std::uint32_t triangle) { return fmt::format("{}", triangle); });
-  throw JudgementError(fmt::format("{}: the surface is not closed and free of intersections ({})",
-                                   input_name(options.input), fmt::join(kinds, ", ")));
+  const char* const help =
+      defects.open.empty() || options.weld ? "" : "; --weld TOL joins points that are doubled";
+  throw JudgementError(fmt::format("{}: the surface is not closed and free of intersections ({}{})",
+                                   input_name(options.input), fmt::join(kinds, ", "), help));
+}
+
+// X,Y,Z
+std::array<double, 3> point_of(const std::string& text) {
+  std::array<double, 3> point{};
+  int length = 0;
+  // NOLINTNEXTLINE(cert-err34-c): what is no number, or too large a one, is refused below
+  const int found =
+      std::sscanf(text.c_str(), "%lf,%lf,%lf%n", &point[0], &point[1], &point[2], &length);
+  const bool whole = found == 3 && static_cast<std::size_t>(length) == text.size();
+  if (!whole || !std::ranges::all_of(point, [](double x) { return std::isfinite(x); }))
+    throw UsageError(fmt::format("--hole: expected X,Y,Z (found {})", text));
+  return point;
+}
+
+// TetGen fills all that any surface encloses, whichever way that is oriented.
+void warn_of_cavities(Tool& tool, const Surface& surface) {
+  if (!surface.triangulated() || !surface.holes.empty()) return;
+  const std::vector<double> volumes = enclosed_volumes(surface);
+  const auto inwards = std::ranges::count_if(volumes, [](double v) { return v < 0; });
+  const auto outwards = std::ranges::count_if(volumes, [](double v) { return v > 0; });
+  if (inwards > 0 && outwards > 0)
+    tool.warn(
+        fmt::format("{} of {} parts of the surface are oriented as cavities are, and are "
+                    "filled: --hole X,Y,Z leaves the part around a point empty",
+                    inwards, volumes.size()));
+}
+
+void weld(Tool& tool, double tolerance, Surface& surface) {
+  const WeldCounts counts = tool.timed("weld", [&] { return weld_surface(surface, tolerance); });
+  tool.facts()["weld"] = {{"tolerance", tolerance},
+                          {"points", counts.points},
+                          {"facets", counts.facets},
+                          {"farthest", counts.farthest}};
+  tool.note(fmt::format("{} points became others, at most {:.3g} away; {} facets are gone by that",
+                        counts.points, counts.farthest, counts.facets));
 }
 
 ZooFile mesh_of_surface(Tool& tool, const Options& options) {
-  const formats::SurfaceReading reading =
+  formats::SurfaceReading reading =
       tool.timed("read", [&] { return formats::read_surface(options.input); });
   for (const std::string& note : reading.notes) tool.note(note);
+  if (options.weld) weld(tool, *options.weld, reading.surface);
+  for (const std::string& hole : options.holes) reading.surface.holes.push_back(point_of(hole));
+  warn_of_cavities(tool, reading.surface);
   const Surface& surface = reading.surface;
   tool.facts()["surface"] = {{"points", surface.points.size()}, {"facets", surface.facets.size()}};
   // of facets with several polygons and holes TetGen itself tells
@@ -131,6 +180,32 @@ ZooFile mesh_of_surface(Tool& tool, const Options& options) {
 
 // Points ------------------------------------------------------------------------------------------
 
+// Points that lie nearly in planes give tetrahedra of nearly no volume.
+void warn_of_flat(Tool& tool, const std::vector<std::array<double, 3>>& points,
+                  const std::vector<std::array<std::uint32_t, 4>>& tetrahedra) {
+  constexpr double kFlat = 1e-12;  // of the cube of the longest edge; of a regular one it is 0.118
+  const auto is_flat = [&](const std::array<std::uint32_t, 4>& t) {
+    std::array<std::array<double, 3>, 3> edges{};
+    double longest = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t c = 0; c < 3; ++c) edges[k][c] = points[t[k + 1]][c] - points[t[0]][c];
+    for (const auto& a : t)
+      for (const auto& b : t)
+        longest =
+            std::max(longest, std::hypot(points[a][0] - points[b][0], points[a][1] - points[b][1],
+                                         points[a][2] - points[b][2]));
+    const auto& [u, v, w] = edges;
+    const double six = u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2]) +
+                       u[2] * (v[0] * w[1] - v[1] * w[0]);
+    return std::abs(six) / 6 < kFlat * longest * longest * longest;
+  };
+  if (const auto flat = std::ranges::count_if(tetrahedra, is_flat); flat > 0)
+    tool.warn(
+        fmt::format("{} of {} tetrahedra are nearly flat (volume below {:g} of the cube of the "
+                    "longest edge): points lie in one plane but for rounding",
+                    flat, tetrahedra.size(), kFlat));
+}
+
 ZooFile mesh_of_points(Tool& tool, const Options& options) {
   ZooMesh mesh = tool.timed("read", [&] {
     return formats::is_point_file(options.input) ? formats::read_points(options.input)
@@ -140,6 +215,7 @@ ZooFile mesh_of_points(Tool& tool, const Options& options) {
   for (NodeId node = 0; node < points.size(); ++node)
     std::ranges::copy(mesh.position(node), points[node].begin());
   const auto tetrahedra = tool.timed("mesh", [&] { return delaunay_tetrahedra(points); });
+  warn_of_flat(tool, points, tetrahedra);
   if (tetrahedra.empty())
     throw JudgementError(fmt::format("{}: its {} points lie in one plane (four in space expected)",
                                      input_name(options.input), points.size()));
@@ -254,6 +330,16 @@ int main(int argc, char** argv) {
       ->type_name("V");
   app.add_flag("--preserve-surface", options.surface.preserve_surface,
                "Surfaces: put no new points on the surface");
+  app.add_option(
+         "--weld", options.weld,
+         "Surfaces: join points that are at most TOL apart, in the units of the file (0: at "
+         "the same place)")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("TOL");
+  app.add_option("--hole", options.holes,
+                 "Surfaces: leave the part around this point empty; repeatable")
+      ->type_name("X,Y,Z")
+      ->allow_extra_args(false);
   app.add_option("--max-ids", options.max_ids, "How many surface defects of each kind to list")
       ->default_val(20)
       ->type_name("N");

@@ -108,10 +108,11 @@ ConvertedCells CellCollector::finish(std::size_t total, std::vector<std::string>
   if (any_unsupported && !options_.skip_unsupported)
     throw InputError(
         subject_,
-        fmt::format("holds volume cells that cannot be converted: {}{}{} "
-                    "(--skip-unsupported leaves them out{})",
-                    listed_unsupported(), first_problem_, reason_.empty() ? "" : "; " + reason_,
-                    any_reducible_ ? ", --corners-only takes their corners" : ""));
+        fmt::format(
+            "holds volume cells that cannot be converted: {}{}{} "
+            "(ReadOptions::skip_unsupported leaves them out{})",
+            listed_unsupported(), first_problem_, reason_.empty() ? "" : "; " + reason_,
+            any_reducible_ ? ", ReadOptions::corners_of_unsupported takes their corners" : ""));
   write_notes(notes);
   if (result_.all_kept && result_.kinds.size() != total) start_kept();
   return std::move(result_);

@@ -179,12 +179,12 @@ class Reducer {
       rich.turned = options_.approximate || (exact && !high);
       if (!rich.turned) {
         reasons_.push_back(
-            high ? fmt::format("{} are of order {} (--approximate makes them cubic: {})", what,
-                               rich.cell->order, errors_of(rich))
-                 : fmt::format(
-                       "{} need their nodes in faces or inside (--approximate makes them {}: "
-                       "{})",
-                       what, kind_name(rich.cell->kind), errors_of(rich)));
+            high ? fmt::format("{} are of order {} (ReadOptions::approximate makes them cubic: {})",
+                               what, rich.cell->order, errors_of(rich))
+                 : fmt::format("{} need their nodes in faces or inside (ReadOptions::approximate "
+                               "makes them {}: "
+                               "{})",
+                               what, kind_name(rich.cell->kind), errors_of(rich)));
         continue;
       }
       mesh_.notes.push_back(
@@ -252,7 +252,8 @@ class Reducer {
     }
     if (!options_.approximate)
       return leave_polyhedron(
-          "have faces that no kind has (--approximate divides them into tetrahedra and pyramids)");
+          "have faces that no kind has (ReadOptions::approximate divides them into tetrahedra and "
+          "pyramids)");
     divide(cell, *faces);
   }
 

@@ -54,7 +54,7 @@ void require_local(const std::string& path, const std::string& named) {
   const auto last = std::prev(folders.end());
   if (std::mismatch(folders.begin(), last, wanted.begin(), wanted.end()).first != last)
     throw InputError(path, fmt::format("names {}, which lies outside the input's folder "
-                                       "(--allow-external reads it)",
+                                       "(NamedFiles::outside_too reads it)",
                                        printable(wanted.string())));
 }
 

@@ -15,6 +15,7 @@
 #include "formats/common/mesh/node_resolver.hpp"
 #include "formats/common/mesh/steps.hpp"
 #include "hiac/base/error.hpp"
+#include "hiac/mesh/location_name.hpp"
 
 namespace hiac::formats {
 namespace {
@@ -237,11 +238,6 @@ std::vector<CellCount> count_cells(const ForeignMesh& foreign, const std::string
   std::vector<CellCount> result;
   for (const auto& [key, count] : counts) result.push_back({key.first, count, key.second});
   return result;
-}
-
-std::string_view location_name(FieldLocation location) {
-  constexpr std::array<std::string_view, 3> kNames{"node", "cell", "corner"};
-  return kNames[static_cast<std::size_t>(location)];
 }
 
 }  // namespace

@@ -68,7 +68,7 @@ std::vector<Field> requested(const ZooMesh& mesh, const std::string& request) {
   std::vector<Field> found = fields_for(mesh, request);
   if (!found.empty()) return found;
   const std::size_t equals = request.rfind('=');
-  const std::string option = fmt::format("--field {}", request);
+  const std::string option = fmt::format("field {}", request);
   if (equals == std::string::npos) refuse(mesh, option);
   found = fields_for(mesh, request.substr(0, equals));
   if (found.empty()) refuse(mesh, option);
@@ -84,7 +84,7 @@ std::vector<Field> requested(const ZooMesh& mesh, const std::string& request) {
 
 Field derived(const ZooMesh& mesh, const std::string& derivation) {
   constexpr std::string_view kFunction = "magnitude(";
-  const std::string option = fmt::format("--derive {}", derivation);
+  const std::string option = fmt::format("derive {}", derivation);
   const std::size_t equals = derivation.find('=');
   const std::string_view formula = equals == std::string::npos
                                        ? std::string_view()

@@ -29,15 +29,15 @@ std::size_t step_of_time(const ReadOptions& options, std::span<const double> tim
                          const std::string& subject) {
   const double time = *options.time;
   if (times.empty())
-    throw UsageError(fmt::format("--time {}: {} tells no time", time_text(time), subject));
+    throw UsageError(fmt::format("time {}: {} tells no time", time_text(time), subject));
   const auto nearest = std::min_element(times.begin(), times.end(), [time](double a, double b) {
     return std::abs(a - time) < std::abs(b - time);
   });
   const double slack = kSameTime * std::max(std::abs(time), std::abs(*nearest));
   if (!options.nearest_time && !(std::abs(*nearest - time) <= slack))
     throw UsageError(
-        fmt::format("--time {0}: {1} has no such time (its neighbours are {2}; --time "
-                    "nearest:{0} takes the nearest, --list shows all)",
+        fmt::format("time {}: {} has no such time (its neighbours are {}; "
+                    "ReadOptions::nearest_time takes the nearest)",
                     time_text(time), subject, neighbours(time, times)));
   return static_cast<std::size_t>(nearest - times.begin());
 }
@@ -51,14 +51,16 @@ std::optional<std::size_t> requested_step(const ReadOptions& options, std::span<
   // a file without times holds one step
   const std::size_t steps = std::max<std::size_t>(times.size(), 1);
   if (*options.step >= steps)
-    throw UsageError(fmt::format("--step {}: {} has no such step (0 to {} expected)", *options.step,
+    throw UsageError(fmt::format("step {}: {} has no such step (0 to {} expected)", *options.step,
                                  subject, steps - 1));
   return options.step;
 }
 
 std::string last_step_note(std::size_t steps, double time) {
-  return fmt::format("took the last of {} steps, time {} (--step and --time take another)", steps,
-                     time_text(time));
+  return fmt::format(
+      "took the last of {} steps, time {} (ReadOptions::step and "
+      "ReadOptions::time take another)",
+      steps, time_text(time));
 }
 
 std::string time_text(double time) {

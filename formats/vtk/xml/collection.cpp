@@ -295,7 +295,7 @@ Format vtm_format() {
   format.read = [](const std::string& path, const ReadOptions& options) {
     // only the named files can state a time
     if (options.step.value_or(0) > 0 || options.time)
-      throw UsageError(fmt::format("--step, --time: {} holds one step", path));
+      throw UsageError(fmt::format("{}: {} holds one step", options.time ? "time" : "step", path));
     return Members(tree(path), options, path).read();
   };
   format.inspect = [](const std::string& path) {

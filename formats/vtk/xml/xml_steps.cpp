@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -42,15 +43,16 @@ class Steps {
     const std::optional<Tag> primary = find_primary();
     if (!primary) return std::nullopt;
     const auto values = attribute(*primary, "TimeValues");
-    if (!values) return std::nullopt;
     XmlStep result;
-    result.times = numbers<double>(values->value, "TimeValues");
+    result.times =
+        values ? numbers<double>(values->value, "TimeValues") : counted_steps(primary->whole.end);
+    if (!values && result.times.size() < 2) return std::nullopt;
     if (result.times.empty()) fail("TimeValues tells no time");
     for (const double time : result.times)
       if (!std::isfinite(time)) fail(fmt::format("TimeValues: a time is not finite ({})", time));
     const auto step = requested_step(options, result.times, subject_);
     result.step = step.value_or(result.times.size() - 1);
-    blanked_.push_back(values->whole);
+    if (values) blanked_.push_back(values->whole);
     sort_arrays(primary->whole.end, result);
     result.text = text_;
     for (const Span& span : blanked_)
@@ -150,6 +152,21 @@ class Steps {
     for (auto next = next_tag(tag.whole.end); next; next = next_tag(next->whole.end))
       if (next->name.starts_with('/') && next->name.substr(1) == tag.name) return next->whole.end;
     fail(fmt::format("is not well-formed: a {} is not closed", tag.name));
+  }
+
+  /// The times of a file that does not state them: the numbers of its steps, if these go from 0 on
+  /// without a gap.
+  [[nodiscard]] std::vector<double> counted_steps(std::size_t at) const {
+    std::set<std::size_t> steps;
+    for (auto tag = next_tag(at); tag && tag->name != "AppendedData"; tag = next_tag(at)) {
+      at = tag->whole.end;
+      if (tag->name != "DataArray" && tag->name != "Array") continue;
+      if (const auto mark = attribute(*tag, "TimeStep"))
+        for (const std::size_t step : numbers<std::size_t>(mark->value, "TimeStep"))
+          steps.insert(step);
+    }
+    if (steps.empty() || *steps.rbegin() != steps.size() - 1) return {};
+    return {steps.begin(), steps.end()};
   }
 
   /// Records what must be blanked so that only the arrays of the chosen step remain.

@@ -8,7 +8,7 @@ namespace hiac {
 /// Exit codes of every tool.
 enum class ExitCode : int {
   done = 0,       ///< the work was done
-  judgement = 1,  ///< the input was read and judged, and fails the judgement
+  judgement = 1,  ///< the input was read and checked, and fails the check
   usage = 2,      ///< wrong options or arguments
   input = 3,      ///< unreadable or malformed input, or output that cannot be written
   internal = 4    ///< anything else (out of memory, a defect)
@@ -39,7 +39,7 @@ class InputError : public Error {
       : Error(ExitCode::input, subject + ": " + message) {}
 };
 
-/// The input was understood, judged, and fails the judgement.
+/// The input was understood and checked, and fails the check.
 class JudgementError : public Error {
  public:
   explicit JudgementError(const std::string& message) : Error(ExitCode::judgement, message) {}

@@ -14,10 +14,10 @@ namespace hiac {
 /// A piecewise-linear function of a scalar with `N` channels, constant outside its points: the form
 /// of every transfer function (Williams, Max, Stein 1998, section 4).
 ///
-/// The points are sorted by scalar (not decreasing). Two points at one scalar make a step; of three
-/// or more points at one scalar, only the first and the last have an effect. The function is
-/// continuous from the right at a step.
-/// Points between which the slope is beyond the largest number make a step at the second one.
+/// The points are sorted by scalar (not decreasing). Two points at the same scalar make a step; of
+/// three or more points at the same scalar, only the first and the last have an effect. The
+/// function is continuous from the right at a step. Points between which the slope would overflow
+/// make a step at the second one.
 ///
 /// Intervals: with breakpoints s_0 < s_1 < ... < s_{m-1} (the distinct scalars), interval 0 is
 /// (-inf, s_0), interval k is [s_{k-1}, s_k), interval m is [s_{m-1}, inf). On each interval the
@@ -70,7 +70,7 @@ class PiecewiseLinear {
   [[nodiscard]] std::size_t intervals() const { return pieces_.size(); }
   [[nodiscard]] const Piece& piece(std::size_t interval) const { return pieces_[interval]; }
 
-  /// The interval that holds s.
+  /// Returns the interval that contains s.
   [[nodiscard]] std::size_t interval_of(double s) const {
     return static_cast<std::size_t>(std::upper_bound(breakpoints_.begin(), breakpoints_.end(), s) -
                                     breakpoints_.begin());
@@ -89,7 +89,7 @@ class PiecewiseLinear {
     Piece p{a.scalar, a.value, {}};
     for (std::size_t c = 0; c < N; ++c) {
       p.slope[c] = (b.value[c] - a.value[c]) / (b.scalar - a.scalar);
-      // too close together for a number to hold the slope: a step
+      // the slope overflows, as the scalars are too close together: a step
       if (!(std::abs(p.slope[c]) <= std::numeric_limits<double>::max())) p.slope[c] = 0;
     }
     return p;

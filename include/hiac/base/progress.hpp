@@ -9,11 +9,11 @@
 
 namespace hiac {
 
-/// The progress of a long computation. The threads that work report it; another thread may read it
-/// at any time. A report costs one relaxed addition: report once a tile or so, not in inner loops.
+/// The progress of a long computation. The working threads report it; another thread may read it at
+/// any time. A report costs one relaxed addition: report about once per tile, not in inner loops.
 class Progress {
  public:
-  /// Begins a stage of `total` units of about the same cost; 0: the number is unknown.
+  /// Begins a stage of `total` units of about equal cost; 0 if the number is unknown.
   void begin(std::string stage, std::uint64_t total = 0);
   /// Reports that more units of the stage are done. Any thread may call it.
   void advance(std::uint64_t units = 1) { done_.fetch_add(units, std::memory_order_relaxed); }
@@ -34,30 +34,30 @@ class Progress {
   std::atomic<std::uint64_t> done_{0};
 };
 
-/// Asks a long piece of work to stop. Any thread may ask, and so may a signal handler. The work
-/// ends soon after by throwing Cancelled, and leaves its inputs as they were: it may be started
-/// again.
+/// A request to stop a long computation. Any thread may make it, and so may a signal handler. The
+/// computation soon ends by throwing Cancelled, and leaves its inputs as they were, so that it may
+/// be started again.
 class Cancellation {
  public:
   void request() { requested_.store(true, std::memory_order_relaxed); }
   [[nodiscard]] bool requested() const { return requested_.load(std::memory_order_relaxed); }
-  /// Before work is started again.
+  /// Withdraws the request, before the computation is started again.
   void reset() { requested_.store(false, std::memory_order_relaxed); }
 
  private:
   std::atomic<bool> requested_{false};
 };
 
-/// Thrown by work that was asked to stop. It is no Error: nothing is wrong.
+/// Thrown by a computation that was asked to stop. It is not an Error, as nothing is wrong.
 class Cancelled : public std::runtime_error {
  public:
   Cancelled() : std::runtime_error("cancelled") {}
 };
 
-/// The seconds that remain when `done` of `total` took `seconds`; none when that is unknown.
+/// Returns the seconds that remain if `done` of `total` took `seconds`; none if that is unknown.
 std::optional<double> seconds_left(double done, double total, double seconds);
 
-/// A length of time for people, rounded: "4 s", "1 min 20 s", "3 h 5 min".
+/// Formats a duration for people, rounded: "4 s", "1 min 20 s", "3 h 5 min".
 std::string duration_text(double seconds);
 
 }  // namespace hiac

@@ -9,7 +9,7 @@
 namespace hiac {
 
 /// An immutable array that shares its storage: the elements of a vector moved into it, or a part of
-/// a file mapped into memory. Copying the array copies no element. The storage lives as long as the
+/// a memory-mapped file. Copying the array copies no elements. The storage lives as long as the
 /// last SharedArray that refers to it.
 template <typename T>
 class SharedArray {

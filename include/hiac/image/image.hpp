@@ -20,10 +20,11 @@ class Image {
  public:
   Image() = default;
 
-  /// All values 0. Channel names are not empty and distinct; throws std::invalid_argument.
+  /// Sets all values to 0. Throws std::invalid_argument unless channel names are distinct and not
+  /// empty.
   Image(std::size_t width, std::size_t height, std::vector<std::string> channels);
 
-  /// Takes the values over; throws std::invalid_argument also when their number does not fit.
+  /// Takes over the values; also throws std::invalid_argument if their number is wrong.
   Image(std::size_t width, std::size_t height, std::vector<std::string> channels,
         std::vector<double> values);
 
@@ -56,14 +57,14 @@ class Image {
   std::vector<double> values_;
 };
 
-/// The indices of R, G and B, or that of Y three times; none where an image has neither.
+/// Returns the indices of R, G and B, or that of Y three times; none if an image has neither.
 std::optional<std::array<std::size_t, 3>> color_channels(const Image& image);
 
-/// Throws Error (ExitCode::internal), with the first pixel and its channel, when a value is not a
-/// number: such a picture must not be written.
+/// Throws Error (ExitCode::internal), with the first pixel and its channel, if a value is NaN: such
+/// a picture must not be written.
 void require_numbers(const Image& image);
 
-/// The channels of a rendered image, in this order, before any further ones.
+/// Returns the channels of a rendered image, in this order, before any others.
 std::vector<std::string> rgba_channels();
 
 }  // namespace hiac

@@ -18,21 +18,21 @@ struct ImageFile {
 struct WriteOptions {
   /// Integer formats: store linear values instead of sRGB-encoded ones.
   bool linear = false;
-  /// R G B already hold what lies behind, with A still 1 - transparency: formats of straight alpha
-  /// are then written opaque, from R G B as they are.
+  /// R G B already contain the background, while A is still 1 - transparency: formats with straight
+  /// alpha then store R G B unchanged and opaque.
   bool background_included = false;
-  /// Texts for the header, where the format has room for them.
+  /// Texts for the header, if the format supports them.
   std::vector<std::pair<std::string, std::string>> attributes{};
-  /// Bits a sample, where the format leaves a choice; 0: the first that it has.
+  /// Bits per sample, if the format offers a choice; 0: its first.
   int depth = 0;
   /// The format's extension, with the dot, for a name that does not tell it; empty: the name's.
   std::string format{};
 };
 
 struct ReadOptions {
-  /// Pixels a row of a `.f32` image, whose files do not hold it.
+  /// Pixels per row of a `.f32` image, which its files do not store.
   std::size_t width = 0;
-  /// Integer samples of a file that does not tell their encoding are linear, not sRGB-encoded.
+  /// Integer samples are linear, not sRGB-encoded, if the file does not specify their encoding.
   bool linear = false;
 };
 
@@ -48,10 +48,10 @@ struct ReadOptions {
 ///     .pfm   float32, no alpha
 ///     .hdr   Radiance's format: 8 bits a colour with a common exponent, no alpha
 ///
-/// The last five hold R G B or Y (.hdr: grey as equal R G B) and, where they have room for it and
-/// it is there, A; further channels are left out. Integer samples are straight alpha and
+/// The last five store R G B or Y (.hdr: grey as equal R G B) and, if the image has it and the
+/// format supports it, A; other channels are omitted. Integer samples have straight alpha and are
 /// sRGB-encoded unless options.linear; values outside [0, 1] and colours without alpha, which they
-/// cannot hold, are clamped; NaN becomes 0. Formats without alpha get R G B unchanged.
+/// cannot represent, are clamped; NaN becomes 0. Formats without alpha get R G B unchanged.
 ///
 /// The file is complete or unchanged: it is written under a temporary name, then renamed; a device
 /// or a pipe is written to (see OutputFile). Throws UsageError for an extension that is not known,
@@ -59,7 +59,7 @@ struct ReadOptions {
 /// cannot be written.
 void write_image(const std::string& path, const Image& image, const WriteOptions& options = {});
 
-/// Throws UsageError when write_image would refuse the name or the depth; call it before a long
+/// Throws UsageError if write_image would reject the name or the depth; call it before a long
 /// computation.
 void require_known_image_extension(const std::string& path, int depth = 0);
 
@@ -71,18 +71,17 @@ std::vector<std::string> files_of_image(const std::string& path,
 /// Whether the name's extension is one that write_image knows.
 bool has_image_extension(const std::string& path);
 
-/// The extensions that write_image knows, a space between them.
+/// Returns the extensions that write_image knows, separated by spaces.
 std::string image_extensions();
 
 /// Reads an image that write_image wrote, and those that other programs write in these formats:
 /// numpy: two or three axes of floating-point or integer numbers; PNG and SGI: grey or colour, 8 or
-/// 16 bits; TIFF: the same or float32, in strips, plain or packed by PackBits, LZW or Deflate;
+/// 16 bits; TIFF: the same or float32, in strips, plain or compressed by PackBits, LZW or Deflate;
 /// OpenEXR: flat images of any compression; PFM and Radiance HDR: the usual orientation. All become
 /// premultiplied linear values. A `.f32` image is named by its base; its R G B A are read, as many
-/// as there are, and since no file holds its size, options.width must be given and divide the
-/// number of pixels (UsageError when it is 0).
-/// Throws InputError naming the file; memory grows with the data present, not with a size
-/// announced.
+/// as exist, and since no file stores its size, options.width must be given and divide the number
+/// of pixels (UsageError if it is 0). Throws InputError with the file's name; memory grows with the
+/// data present, not with announced sizes.
 ImageFile read_image(const std::string& path, const ReadOptions& options = {});
 
 }  // namespace hiac

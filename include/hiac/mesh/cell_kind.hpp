@@ -62,7 +62,7 @@ struct ShapeFace {
 /// One edge of a shape: the two conventional nodes that it joins.
 using ShapeEdge = std::array<std::uint8_t, 2>;
 
-/// Topology of a shape; conventional nodes in VTK's order (the wedge's: see below).
+/// The topology of a shape; conventional nodes are in VTK's order (for the wedge, see below).
 ///
 ///     tetrahedron   0 1 2 the base, 3 the apex
 ///     pyramid       0 1 2 3 the base, 4 the apex
@@ -158,15 +158,15 @@ constexpr std::size_t node_count(CellKind kind) {
   return corner_count(kind) + per_edge * edge_count(kind) + on_faces;
 }
 
-/// Whether `value` is the number of a kind. Check this for every byte from outside.
+/// Returns whether `value` is the number of a kind. Check this for every byte from outside.
 constexpr bool is_kind(std::uint8_t value) { return value < kKindCount; }
 
 /// "tetrahedron4", "brick20", ...
 std::string_view kind_name(CellKind kind);
 std::optional<CellKind> kind_from_name(std::string_view name);
 
-/// The VTK cell type that has exactly this kind's nodes in this order, or none: the wedge (VTK has
-/// no such cell) and the cubic serendipity kinds; the cubic tetrahedron is a Lagrange tetrahedron.
+/// Returns the VTK cell type with exactly this kind's nodes in this order. The wedge and the cubic
+/// serendipity kinds have none; the cubic tetrahedron is a Lagrange tetrahedron.
 std::optional<int> vtk_cell_type(CellKind kind);
 
 }  // namespace hiac

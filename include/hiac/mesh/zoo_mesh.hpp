@@ -18,17 +18,17 @@ using NodeId = std::uint32_t;
 using CellId = std::uint32_t;
 inline constexpr CellId kNoCell = std::numeric_limits<CellId>::max();
 
-/// Where a field's values live.
+/// What a field's values belong to.
 enum class FieldLocation : std::uint8_t {
-  node,   ///< one tuple a node: continuous
-  cell,   ///< one tuple a cell: constant in the cell
-  corner  ///< one tuple an entry of ZooMesh::nodes: discontinuous across faces
+  node,   ///< one tuple per node: continuous
+  cell,   ///< one tuple per cell: constant in the cell
+  corner  ///< one tuple per entry of ZooMesh::nodes: discontinuous across faces
 };
 
 /// A field of scalars, vectors or tensors over the mesh.
 struct Field {
   std::string name;
-  std::string unit;  ///< empty when the source names none
+  std::string unit;  ///< empty if the source names none
   FieldLocation location = FieldLocation::node;
   std::uint32_t components = 1;
   SharedArray<double> values;  ///< tuple count x components, component fastest
@@ -37,8 +37,8 @@ struct Field {
 /// For every face of every cell, the cell on its other side.
 /// Faces are numbered cell by cell in the order of their shape's table (ZooMesh::face_offset).
 struct FaceAdjacency {
-  /// One entry a face: the neighbour, or kNoCell where no other cell has a face with the same
-  /// conventional nodes. Faces shared by more than two cells count as unmatched.
+  /// One entry per face: the neighbour, or kNoCell if no other cell has a face with the same
+  /// conventional nodes. Faces that more than two cells share count as unmatched.
   SharedArray<CellId> neighbors;
   /// Number of distinct faces that more than two cells share.
   std::uint64_t overshared = 0;
@@ -54,7 +54,7 @@ struct ZooMesh {
   /// Cumulative node counts: cell i has nodes[elems[i]] ... nodes[elems[i+1] - 1].
   SharedArray<std::uint64_t> elems;
   SharedArray<NodeId> nodes;
-  SharedArray<double> xyz;  ///< x y z a node, world units
+  SharedArray<double> xyz;  ///< x y z per node, world units
   SharedArray<CellKind> kinds;
   std::vector<Field> fields;
   /// Free text by key, in order: source file, time, units ...
@@ -77,27 +77,27 @@ struct ZooMesh {
 /// Throws InputError(subject, ...) naming the first broken invariant, with the cell or node.
 void validate(const ZooMesh& mesh, const std::string& subject);
 
-/// Index of the first face of every cell, and after the last the number of faces: the numbering of
-/// FaceAdjacency. (cell_count() + 1 entries.)
+/// Returns the index of the first face of every cell, and last the number of faces (cell_count() +
+/// 1 entries): the numbering of FaceAdjacency.
 std::vector<std::uint64_t> face_offsets(const ZooMesh& mesh);
 
-/// A hash of 128 bits of the mesh: kinds, nodes, coordinates and fields, but not the metadata and
-/// not data that can be recomputed. Written as 32 hexadecimal digits.
+/// Returns a 128-bit hash of the mesh's kinds, nodes, coordinates and fields, without metadata and
+/// data that can be recomputed, as 32 hexadecimal digits.
 std::string content_hash(const ZooMesh& mesh);
 
-/// The name by which scalar_field knows a field of the mesh (before any `:`): the field's own name,
-/// followed by its location when several fields share the name.
+/// Returns the name by which scalar_field knows a field of the mesh (before any `:`): the field's
+/// own name, followed by its location if several fields share the name.
 std::string distinct_name(const ZooMesh& mesh, const Field& field);
 
-/// A scalar field picked out by name. Accepts NAME for a field of one component, NAME:x (y, z; xx,
-/// yy, zz, xy, yz, xz for six components; 0, 1, 2 ... always), and NAME:magnitude, the Euclidean
-/// length of every tuple. Where a node, a cell and a corner field share a name, NAME@node,
-/// NAME@cell and NAME@corner distinguish them (before any `:`). Throws UsageError, which names the
-/// existing fields, when there is no such field, or more than one.
-/// Copies nothing when the field is a scalar.
+/// Returns a scalar field by name. Accepts NAME for a field of one component, NAME:x (y, z; xx, yy,
+/// zz, xy, yz, xz for six components; 0, 1, 2 ... always), and NAME:magnitude, the Euclidean length
+/// of every tuple. If a node, a cell and a corner field share a name, NAME@node, NAME@cell and
+/// NAME@corner distinguish them (before any `:`). Throws UsageError, which names the existing
+/// fields, if no field or more than one matches. A field that is a scalar is not copied.
 Field scalar_field(const ZooMesh& mesh, const std::string& reference);
 
-/// The names that scalar_field accepts, components and magnitudes included, in the mesh's order.
+/// Returns the names that scalar_field accepts, components and magnitudes included, in the mesh's
+/// order.
 std::vector<std::string> scalar_field_names(const ZooMesh& mesh);
 
 }  // namespace hiac

@@ -22,10 +22,10 @@ namespace hiac {
 
 using Color = std::array<double, 3>;
 
-/// Largest component of a colour: pictures are files of 32-bit numbers.
+/// Largest component of a colour: image files store 32-bit numbers.
 inline constexpr double kLargestColor = 1e30;
-/// Largest magnitude of other numbers, but for extinctions, which may have any; the least of those
-/// that are positive is its reciprocal. Differences and products of such have no overflow.
+/// Largest magnitude of other numbers except extinctions, which have no limit; its reciprocal is
+/// the smallest positive number. Differences and products of such numbers do not overflow.
 inline constexpr double kLargestNumber = 1e100;
 /// Narrowest vertical angle of an image, degrees.
 inline constexpr double kLeastFov = 1e-9;
@@ -44,7 +44,7 @@ struct ImageSize {
 
 enum class Projection : std::uint8_t { perspective, orthographic };
 
-/// A right-handed camera: at the image's centre one looks from `eye` to `look_at`, `up` points up.
+/// A right-handed camera: it looks from `eye` to `look_at`, the image's centre, and `up` points up.
 struct Camera {
   Projection projection = Projection::perspective;
   std::array<double, 3> eye{};
@@ -84,7 +84,7 @@ struct KeyframePath {
   bool operator==(const KeyframePath&) const = default;
 };
 
-/// A camera that circles its look_at and looks there.
+/// A camera that circles its look_at and always looks at it.
 struct Turntable {
   std::uint32_t frames = 1;
   double degrees = 360;  ///< from frame 0 to the frame after the last: 360 makes a seamless loop
@@ -168,7 +168,7 @@ struct Background {
 enum class Integration : std::uint8_t { exact, gauss5, approximate, approximate_unsliced };
 
 /// How a field is interpolated in cells: by the finite element's shape functions, or by polynomials
-/// in world coordinates, the paper's (section 3) where it has them.
+/// in world coordinates, which are those of the paper (section 3) where it defines them.
 enum class Interpolation : std::uint8_t { isoparametric, polynomial };
 
 struct RenderSettings {
@@ -187,23 +187,23 @@ struct RenderSettings {
 /// One image specification.
 struct Scene {
   ImageSize image;
-  Camera camera;                   ///< that of frame 0 where there is a path
+  Camera camera;                   ///< if there is a path, that of frame 0
   std::optional<CameraPath> path;  ///< none: one view, not an animation
   Volume volume;
   std::vector<Isosurface> isosurfaces;
-  std::vector<Light> lights{Light{}};  ///< a white headlight where a file names none
+  std::vector<Light> lights{Light{}};  ///< a white headlight if a file specifies none
   Background background;
   RenderSettings render;
 
   bool operator==(const Scene&) const = default;
 };
 
-/// look_at - eye, each component rounded once, not normalised: the one view direction that ordering
-/// and rendering share.
+/// Returns look_at - eye, each component rounded once, not normalised: the only view direction that
+/// ordering and rendering use.
 std::array<double, 3> view_direction(const Camera& camera);
 
-/// A hash (128 bits, 32 hexadecimal digits) of everything that decides the visibility order of a
-/// mesh: the projection; the eye (perspective) or the view direction without its length
+/// Returns a hash (128 bits, 32 hexadecimal digits) of everything that decides the visibility order
+/// of a mesh: the projection; the eye (perspective) or the view direction without its length
 /// (orthographic); and the deviation below which a face counts as planar. Two scenes with the same
 /// hash order every mesh alike.
 std::string view_hash(const Scene& scene);

@@ -8,9 +8,9 @@ namespace hiac {
 
 enum class Comments : bool { none, explain };
 
-/// The specification as TOML text: complete, self-contained (colour maps as points), numbers to the
-/// last bit, so that parsing it gives an equal scene. With `Comments::explain` a short comment
-/// explains every key.
+/// Returns the specification as TOML text: complete and self-contained (colour maps as points),
+/// with numbers exact to the last bit, so that parsing it gives an equal scene. With
+/// `Comments::explain`, a short comment explains every key.
 std::string to_toml(const Scene& scene, Comments comments = Comments::none);
 
 }  // namespace hiac

@@ -4,7 +4,7 @@
 
 namespace hiac {
 
-/// n over k; exact when the result is below 2^53.
+/// Returns n over k; exact if the result is below 2^53.
 inline double binomial(std::size_t n, std::size_t k) {
   double value = 1;
   for (std::size_t i = 1; i <= k; ++i)

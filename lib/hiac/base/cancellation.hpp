@@ -4,8 +4,8 @@
 
 namespace hiac {
 
-/// What may stop the work of this thread; none: nothing. parallel_for hands it on to its threads
-/// and throws Cancelled before any further range when it is requested.
+/// Returns the object that may cancel the work of this thread, or null. parallel_for passes it to
+/// its threads, and throws Cancelled before it starts another range once cancellation is requested.
 const Cancellation* current_cancellation();
 
 /// Makes `cancellation` (which may be null) the current one of this thread while the object lives.
@@ -20,11 +20,11 @@ class CancellationScope {
   const Cancellation* before_;
 };
 
-/// Throws Cancelled when the current cancellation is requested. It costs a few loads: a long
-/// sequential loop asks every few thousand cheap steps, or before each costly one.
+/// Throws Cancelled if the current cancellation is requested. It costs a few loads: call it every
+/// few thousand cheap steps of a long sequential loop, or before each costly step.
 void check_cancelled();
 
-/// Asks for a loop of cheap steps: check_cancelled() once in 4096 calls.
+/// Tests for cancellation in a loop of cheap steps: calls check_cancelled() once in 4096 calls.
 class CancellationCheck {
  public:
   void operator()() {

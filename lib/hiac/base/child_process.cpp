@@ -76,7 +76,7 @@ void follow(pid_t parent) {
   try {
     if (write_all(pipe, work())) code = 0;
   } catch (...) {
-    code = 1;  // told to the parent by the missing bytes
+    code = 1;  // the parent notices the missing bytes
   }
   _exit(code);
 }

@@ -7,14 +7,14 @@
 
 namespace hiac {
 
-/// Asks the system to back this memory with large pages (2 MiB on x86) when it is first touched.
-/// An array that is read in no particular order then costs fewer searches of page tables, and one
-/// page fault instead of 512. Does nothing for memory below a few large pages, or where the system
-/// has no such pages. Contents do not change.
+/// Asks the system to back this memory with large pages (2 MiB on x86) when it is first touched. An
+/// array that is read in random order then costs fewer page-table walks, and one page fault instead
+/// of 512. Does nothing for memory below a few large pages, or if the system has none. Contents do
+/// not change.
 void advise_large_pages(void* memory, std::size_t bytes);
 
-/// `count` zeros of T, in large pages where there are many. For arrays with an entry a cell or a
-/// node.
+/// Returns `count` zeros of T, in large pages if there are enough. For arrays with an entry per
+/// cell or node.
 template <typename T>
 std::vector<T> large_vector(std::size_t count) {
   std::vector<T> elements;
@@ -24,7 +24,7 @@ std::vector<T> large_vector(std::size_t count) {
   return elements;
 }
 
-/// Working memory in large pages that nobody has set: the threads that fill it touch it first.
+/// Returns uninitialized working memory in large pages: the threads that fill it touch it first.
 template <typename T>
 requires std::is_trivially_default_constructible_v<T> std::unique_ptr<T[]> unset_array(
     std::size_t count) {

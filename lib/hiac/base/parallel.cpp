@@ -16,7 +16,7 @@ void parallel_for(std::size_t count, std::size_t grain,
   if (count == 0) return;
   const std::size_t step = std::max<std::size_t>(grain, 1);
   const std::size_t chunks = (count + step - 1) / step;
-  // a thread that waits here may take a range of another loop, with another cancellation, over
+  // every chunk sets it: a thread that waits in another loop may run a chunk of this one
   const Cancellation* const cancellation = current_cancellation();
   oneapi::tbb::parallel_for(std::size_t{0}, chunks, [&](std::size_t chunk) {
     const CancellationScope scope(cancellation);

@@ -11,9 +11,9 @@ struct IndexRange {
   std::size_t end;
 };
 
-/// Calls `body` on disjoint ranges that together cover [0, count), from any number of threads.
-/// The length of every range but the last is a multiple of `grain`; results must not depend on
-/// which thread gets which range. An exception thrown by `body` is rethrown here.
+/// Calls `body` on disjoint ranges that together cover [0, count), from any number of threads. The
+/// length of every range but the last is a multiple of `grain`; results must not depend on which
+/// thread gets which range. An exception that `body` throws is rethrown here.
 void parallel_for(std::size_t count, std::size_t grain,
                   const std::function<void(IndexRange)>& body);
 
@@ -31,7 +31,7 @@ class ThreadLimit {
   Control* control_;
 };
 
-/// Number of threads that parallel_for may use now.
+/// Returns the number of threads that parallel_for may use now.
 unsigned thread_count();
 
 }  // namespace hiac

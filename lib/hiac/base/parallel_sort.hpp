@@ -8,9 +8,9 @@
 
 namespace hiac {
 
-/// Sorts by `less`, with any number of threads. `less` must be a total order: then the result does
-/// not depend on the number of threads. Throws Cancelled, with the elements in any order, when the
-/// current cancellation is requested.
+/// Sorts by `less`, with any number of threads. `less` must be a total order, so that the result
+/// does not depend on the number of threads. Throws Cancelled, with the elements in arbitrary
+/// order, if the current cancellation is requested.
 template <typename T, typename Less>
 void parallel_sort(std::vector<T>& elements, const Less& less) {
   const Cancellation* const cancellation = current_cancellation();

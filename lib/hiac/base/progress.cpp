@@ -31,7 +31,7 @@ std::optional<double> seconds_left(double done, double total, double seconds) {
 }
 
 std::string duration_text(double seconds) {
-  constexpr double kMost = 1e9;  // a lifetime: beyond it nobody counts
+  constexpr double kMost = 1e9;  // longer than a lifetime
   const auto whole = static_cast<std::uint64_t>(std::llround(std::clamp(seconds, 0.0, kMost)));
   if (whole < 60) return fmt::format("{} s", whole);
   if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);

@@ -11,12 +11,12 @@ inline constexpr double kUnit = std::numeric_limits<double>::epsilon() / 2;
 static_assert(std::numeric_limits<double>::is_iec559 && kUnit == 0x1p-53,
               "all bounds of errors are derived for the binary64 format of IEEE 754");
 
-/// Whether long double has mantissas of at least 64 bits, as x87 has. Where it is double itself
-/// (or nearly so), nothing that is computed with it says what rounding did to doubles: pixels are
-/// not computed again (pixel_refinement.hpp), and bounds count its rounding as that of doubles.
+/// Whether long double has mantissas of at least 64 bits, as on x87. If it is no longer than double
+/// (or nearly so), computing with it says nothing about the rounding errors of doubles: pixels are
+/// not recomputed (pixel_refinement.hpp), and bounds count its rounding as that of double.
 inline constexpr bool kExtendedIsFiner = std::numeric_limits<long double>::digits >= 64;
 
-/// Unit roundoff of long double, not too small: where mantissas are longer than 64 bits, that of
+/// Unit roundoff of long double, or a larger number: if mantissas are longer than 64 bits, that of
 /// 64 bits, for which the counts of roundings and the truncation of series are chosen.
 inline constexpr double kExtendedUnit = kExtendedIsFiner ? 0x1p-64 : kUnit;
 

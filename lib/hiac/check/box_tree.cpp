@@ -17,7 +17,7 @@ Box Box::empty() {
 BoxTree::BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
   if (boxes_.empty()) return;
   std::iota(order_.begin(), order_.end(), 0U);
-  // halving rounds up on one side: a level holds runs of ceil(n / 2^level) boxes at most
+  // one half is rounded up: a level holds runs of at most ceil(n / 2^level) boxes
   std::size_t nodes = 1;
   for (std::size_t run = boxes_.size(); run > kLeaf; run = (run + 1) / 2) nodes = 2 * nodes + 1;
   around_.resize(nodes, Box::empty());

@@ -30,14 +30,13 @@ struct Box {
   }
 };
 
-/// Finds the boxes that meet a given one: a balanced tree, halved at the median of the centres
-/// along the widest axis, built in parallel. About 32 bytes a box besides the boxes.
+/// Finds the boxes that meet a given one with a balanced tree, divided at the median of the centres
+/// along the widest axis and built in parallel. About 32 bytes per box besides the boxes.
 class BoxTree {
  public:
   explicit BoxTree(std::vector<Box> boxes);
 
-  /// Calls visit(i) for every box i that meets `box`, in an order that depends on nothing but the
-  /// boxes.
+  /// Calls visit(i) for every box i that meets `box`, in an order that depends only on the boxes.
   template <typename Visit>
   void for_each_meeting(const Box& box, const Visit& visit) const {
     if (!boxes_.empty()) descend({0, static_cast<std::uint32_t>(boxes_.size()), 0}, box, visit);
@@ -73,7 +72,7 @@ class BoxTree {
 
   std::vector<Box> boxes_;
   std::vector<std::uint32_t> order_;
-  std::vector<Box> around_;  // of every node
+  std::vector<Box> around_;  // the bounding box of every node
 };
 
 }  // namespace hiac

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kGrain = 1 << 13;
 
-// One cell's nodes by their numbers in it.
+// One cell's node positions, by node number within the cell.
 class Nodes {
  public:
   Nodes(const ZooMesh& mesh, CellId cell) : mesh_(mesh), nodes_(mesh.cell_nodes(cell)) {}
@@ -44,8 +44,9 @@ bool lie_in_one_plane(const Nodes& n, std::size_t count) {
   return true;
 }
 
-// What the signs at the corners where three edges meet tell of a linear cell: times a constant they
-// are those of its map's Jacobian (at a pyramid's or a wedge's in the limit along the edges).
+// Returns a linear cell's orientation from the signs at the corners where three edges meet. Up to a
+// positive factor these are the signs of the map's Jacobian there (in a pyramid or a wedge, of its
+// limit along the edges).
 Turn turn_at_corners(const Nodes& n, CellShape shape) {
   bool positive = false, negative = false;
   for (std::size_t corner = 0; corner < topology_of(shape).corner_count; ++corner) {
@@ -62,7 +63,7 @@ Turn turn_at_corners(const Nodes& n, CellShape shape) {
 }
 
 Turn turn_inside(const ZooMesh& mesh, CellId cell) {
-  // what a determinant of so little is by rounding alone
+  // determinants below this are rounding errors
   constexpr double kRounding = 1e-13;
   std::array<std::array<double, 3>, kMaxNodesPerCell> at{};
   const auto nodes = mesh.cell_nodes(cell);
@@ -91,13 +92,13 @@ Turn turn_of(const ZooMesh& mesh, CellId cell) {
   const Turn at_corners = turn_at_corners(n, shape_of(kind));
   if (at_corners == Turn::flat || at_corners == Turn::mixed) return at_corners;
   const Turn inside = turn_inside(mesh, cell);
-  // of too little volume to tell otherwise than at the corners
+  // the volume is too small to decide anything that the corners do not
   return inside == Turn::mixed || inside == at_corners ? inside : Turn::undecided;
 }
 
 // Faces and convexity -----------------------------------------------------------------------------
 
-// How far q is from the plane of a, b, c; 0 just where it is on it.
+// Returns the distance of q from the plane of a, b, c; 0 exactly if q lies in it.
 double distance_from_plane(Point3 a, Point3 b, Point3 c, Point3 q) {
   if (orientation(a, b, c, q) == 0) return 0;
   const Vector normal = cross(minus(b, a), minus(c, a));
@@ -136,8 +137,8 @@ double deviation_of_face(const Nodes& n, CellKind kind, std::size_t number) {
   return deviation;
 }
 
-// Whether some corner that is not on the face lies outside of three of its corners' plane, for a
-// cell that turns as `side` says.
+// Returns whether a corner off the face lies outside a plane through three of the face's corners;
+// `side` is the sign of the cell's orientation.
 bool outside_of_face(const Nodes& n, const ShapeTopology& shape, const ShapeFace& face, int side,
                      double planarity) {
   const double tolerated = planarity > 0 ? planarity * size_of(n, face) : 0;
@@ -156,10 +157,9 @@ bool outside_of_face(const Nodes& n, const ShapeTopology& shape, const ShapeFace
   return false;
 }
 
-// What a pass over the cells has found
-// -------------------------------------------------------------
+// Findings of a pass over the cells ---------------------------------------------------------------
 
-// The hand of most cells; right where there are as many of either.
+// Returns the orientation of most cells; right if there are as many of either.
 Turn hand_of(const std::vector<Turn>& turns) {
   std::atomic<std::int64_t> right_over_left{0};
   parallel_for(turns.size(), kGrain, [&](IndexRange range) {
@@ -178,7 +178,8 @@ std::vector<Offender> cells_that(const std::vector<Turn>& turns, const Which& wh
   });
 }
 
-// Which cells turn otherwise than the mesh; none, or all those that turn left, to be told apart.
+// Adds the findings about orientations: cells that differ from the mesh, or all left cells of a
+// left mesh.
 void judge_turns(CellShapes& shapes) {
   const auto& turns = shapes.turns;
   const auto all = [&](Defect defect, Turn turn) {
@@ -205,8 +206,8 @@ double face_deviation(const ZooMesh& mesh, CellId cell) {
 bool is_convex(const ZooMesh& mesh, CellId cell, Turn turn, double planarity) {
   const ShapeTopology& shape = topology_of(mesh.kinds[cell]);
   const Nodes n(mesh, cell);
-  // faces turn counter-clockwise as seen from outside of a right cell: what is on the positive side
-  // of them is outside
+  // the faces of a right cell run counter-clockwise as seen from outside, so that their positive
+  // side is outside
   const int side = turn == Turn::right ? 1 : -1;
   return std::ranges::none_of(shape.faces, [&](const ShapeFace& face) {
     return outside_of_face(n, shape, face, side, planarity);

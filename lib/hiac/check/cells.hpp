@@ -8,47 +8,49 @@
 
 namespace hiac {
 
-/// How a cell's map turns space.
+/// The orientation of a cell's map.
 enum class Turn : std::uint8_t {
-  right,     ///< its Jacobian is positive inside, and at no place of the cell negative
-  left,      ///< the same of a cell whose nodes are numbered in the mirror
+  right,     ///< its Jacobian is positive inside and nowhere in the cell negative
+  left,      ///< the same for a cell whose nodes are numbered in mirror image
   flat,      ///< the corners lie in one plane
-  mixed,     ///< the Jacobian is positive here and negative there, or zero inside
-  undecided  ///< the proof was given up
+  mixed,     ///< the Jacobian has both signs, or is zero inside
+  undecided  ///< the proof was abandoned
 };
 
-/// What the cells of a mesh are, each for itself.
+/// The orientation and the defects of a mesh's cells, each considered by itself.
 struct CellShapes {
   std::vector<Turn> turns;  ///< of every cell
-  /// How most of the cells turn that turn at all: the mesh's handedness. A whole mesh of left cells
-  /// is a convention; a cell that turns otherwise than the mesh is inverted.
+  /// The mesh's handedness: the orientation of most of its right and left cells. That all cells of
+  /// a mesh are left is a convention; a cell whose orientation differs from the mesh's is inverted.
   Turn hand = Turn::right;
-  /// Every cell turns as the mesh does.
+  /// True if all cells have the mesh's orientation.
   bool uniform = true;
   std::vector<Finding> findings;
 };
 
-/// Judges every cell by itself: zero_volume, inverted, jacobian, jacobian_undecided, left_handed,
-/// nonplanar_face, nonconvex_cell. The mesh's numbers have to be right.
+/// Checks every cell by itself for zero_volume, inverted, jacobian, jacobian_undecided,
+/// left_handed, nonplanar_face and nonconvex_cell. The mesh's numbers must be valid
+/// (judge_numbers).
 ///
-/// A tetrahedron's sign is that of one exact determinant. Those of other linear cells are asked
-/// exactly at the corners where three edges meet; what the corners leave open, and all of curved
-/// cells, is proven by Bernstein coefficients (jacobian_sign), in which rounding counts as zero.
+/// One exact determinant decides the sign of a tetrahedron. For other linear cells, exact
+/// determinants decide at the corners where three edges meet; for what these leave open, and for
+/// curved cells, Bernstein coefficients are the proof (jacobian_sign), in which values within
+/// rounding count as zero.
 ///
-/// Of faces and convexity: a face counts as planar when its nodes deviate from a plane by no more
-/// than `planarity` times its size; a linear cell is convex when no corner lies outside of a plane
-/// through three corners of a face that it is not on, exactly, by more than that. A cell with a
-/// face that is not planar is named for that alone where nothing else is wrong with it. With
-/// planarity = 0 nothing is rounded away: the quadrilaterals then are planar or not by an exact
-/// determinant. Convexity is not asked of curved cells.
+/// Faces and convexity: a face counts as planar if its nodes deviate from a plane by at most
+/// `planarity` times its size. A linear cell is convex if, for three corners of each face, no
+/// corner off the face lies outside their plane, exactly, by more than that. A cell whose only
+/// defect is a face that is not planar gets no other finding. With planarity = 0 nothing is
+/// tolerated: an exact determinant decides whether a quadrilateral is planar. Convexity is not
+/// tested for curved cells.
 CellShapes judge_cells(const ZooMesh& mesh, double planarity);
 
-/// The largest deviation of a cell's faces from planes, relative to their sizes: that of the
-/// diagonals of linear quadrilaterals (quadrilateral_deviation), and that of nodes between corners
-/// from the plane of the corners. Exactly 0 where, and only where, all determinants vanish.
+/// Returns the largest deviation of a cell's faces from planes, relative to their sizes: that of
+/// the diagonals of linear quadrilaterals (quadrilateral_deviation), and that of nodes between
+/// corners from the plane of the corners. Exactly 0 if and only if all determinants vanish.
 double face_deviation(const ZooMesh& mesh, CellId cell);
 
-/// Whether a linear cell is convex, in the sense of judge_cells.
+/// Returns whether a linear cell is convex, as defined at judge_cells.
 bool is_convex(const ZooMesh& mesh, CellId cell, Turn turn, double planarity);
 
 }  // namespace hiac

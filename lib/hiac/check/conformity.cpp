@@ -34,7 +34,7 @@ Key key_of(const FreeFace& face) {
   return key;
 }
 
-// Free faces that three or more cells have.
+// Returns the free faces that three or more cells have.
 std::vector<Offender> overshared(const std::vector<FreeFace>& faces) {
   using Entry = std::pair<Key, std::uint32_t>;
   std::vector<Entry> entries(faces.size());
@@ -54,8 +54,8 @@ std::vector<Offender> overshared(const std::vector<FreeFace>& faces) {
   return found;
 }
 
-// How two faces with the same corners go around them: +1 the same way, -1 the opposite way, 0 in
-// another order.
+// Compares how two faces with the same corners run around them: +1 the same way, -1 the opposite
+// way, 0 in a different order.
 int same_way(std::span<const NodeId> a, std::span<const NodeId> b) {
   const std::size_t n = a.size();
   const auto at = static_cast<std::size_t>(std::ranges::find(b, a[0]) - b.begin());
@@ -82,7 +82,7 @@ Corners corners_of(const ZooMesh& mesh, CellId cell, std::size_t face) {
   return corners;
 }
 
-// 0 for a cell of which nobody can tell.
+// The sign of an orientation; 0 if it is unknown.
 int sign_of(Turn turn) { return turn == Turn::right ? 1 : turn == Turn::left ? -1 : 0; }
 
 std::vector<Offender> folded(const ZooMesh& mesh, const FaceAdjacency& adjacency,

@@ -11,29 +11,31 @@
 
 namespace hiac {
 
-/// How the cells of a mesh fit together, across their faces:
+/// Checks how the cells of a mesh fit together across their faces:
 ///
-/// - adjacency: the mesh brings neighbours other than `adjacency`, which build_face_adjacency made;
-/// - overshared_face: three cells or more have a face with the same corners (named by cell);
-/// - folded_face: two cells lie on the same side of their common face, as far as their turns tell,
-///   or have its four corners in different order around it: their interiors overlap next to it;
-/// - torn_interface, hanging_interface, sliding_interface: a face without neighbour that lies on
-///   others of other cells, which are on its other side: on one with its corners' places (but other
-///   nodes), on parts of it or within a larger one, or neither. A face has the first of these that
-///   fits.
+/// - adjacency: the mesh stores neighbours that differ from `adjacency`, which build_face_adjacency
+///   computed;
+/// - overshared_face: three or more cells have a face with the same corners (listed by cell);
+/// - folded_face: two cells lie on the same side of their common face, according to their
+///   orientations, or have its four corners in a different order around it: their interiors overlap
+///   next to it;
+/// - torn_interface, hanging_interface, sliding_interface: a face without neighbour lies on those
+///   of other cells, which are on its other side: on a face with corners at the same places (but
+///   other nodes), on smaller faces or within a larger one, or neither. A face gets the first of
+///   these that applies.
 ///
-/// Faces lie on one another when they do so to within `planarity` times their size, and their own
-/// deviations from planes; with planarity = 0 by exact determinants.
+/// Faces lie on one another if they do so to within `planarity` times their size plus their own
+/// deviations from planes; with planarity = 0, exact determinants decide.
 std::vector<Finding> judge_conformity(const ZooMesh& mesh, const FaceAdjacency& adjacency,
                                       const CellShapes& shapes, double planarity);
 
-/// Whether two cells are folded (folded_face) along a face of `cell`; false where `other` has no
-/// face with corners at the same places, or the turn of either tells nothing.
+/// Returns whether two cells are folded (folded_face) along a face of `cell`; false if `other` has
+/// no face with corners at the same places, or the orientation of either is unknown.
 bool is_folded(const ZooMesh& mesh, const CellShapes& shapes, CellId cell, std::size_t face,
                CellId other);
 
-/// A face without neighbour, its corners counter-clockwise as seen from outside its cell (as far as
-/// the cell's turn tells).
+/// A face without neighbour, its corners counter-clockwise as seen from outside its cell (if the
+/// cell's orientation is known).
 struct FreeFace {
   CellId cell;
   std::uint8_t face;
@@ -41,7 +43,7 @@ struct FreeFace {
   std::array<NodeId, 4> nodes;
 };
 
-/// All faces without neighbour, by cell, then face.
+/// Returns all faces without neighbour, by cell, then face.
 std::vector<FreeFace> free_faces(const ZooMesh& mesh, const FaceAdjacency& adjacency,
                                  const FaceNumbering& numbering, const CellShapes& shapes);
 

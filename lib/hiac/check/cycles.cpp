@@ -25,7 +25,7 @@ class GroupGraph {
     for (std::uint32_t i = 0; i < cells.size(); ++i) place_.emplace(cells[i], i);
   }
 
-  // A shortest way from the first cell back to it, by breadth first.
+  // Returns a shortest path from the first cell back to itself, by breadth-first search.
   [[nodiscard]] std::vector<CycleCell> cycle() const {
     constexpr std::uint32_t kNone = ~std::uint32_t{0};
     std::vector<std::uint32_t> from(cells_.size(), kNone), queue{0};

@@ -8,14 +8,14 @@
 
 namespace hiac {
 
-/// What a finding means for a picture of the mesh.
+/// The effect of a finding on a picture of the mesh.
 enum class Severity : std::uint8_t {
-  note,     ///< worth knowing, nothing more
-  warning,  ///< drawn as it is; often not what was meant
+  note,     ///< for information only
+  warning,  ///< drawn as it is, but often not what was intended
   invalid   ///< a picture would be wrong, or cannot be made
 };
 
-/// What can be wrong with a mesh.
+/// The defects that a mesh can have.
 enum class Defect : std::uint8_t {
   node_index,
   coordinate,
@@ -42,9 +42,9 @@ enum class Defect : std::uint8_t {
 };
 inline constexpr std::size_t kDefectCount = static_cast<std::size_t>(Defect::left_handed) + 1;
 
-/// What the numbers of a defect's offenders are.
+/// The meaning of the numbers of a defect's offenders.
 enum class Offence : std::uint8_t {
-  node,       ///< a node; where there is another number: the node that it is a copy of
+  node,       ///< a node; `other`, if there is one: the node that it is a copy of
   cell,       ///< a cell
   cell_pair,  ///< two cells
   face,       ///< a cell and the number of its face in its shape's table
@@ -56,15 +56,15 @@ struct DefectDescription {
   std::string_view title;  ///< for people: "cells without volume"
   Severity severity;
   Offence offence;
-  std::string_view measure;  ///< what Offender::measure is; empty where it is nothing
+  std::string_view measure;  ///< the meaning of Offender::measure; empty if it is unused
 };
 
-/// A table; throws nothing.
+/// Returns the description of a defect, from a table; does not throw.
 const DefectDescription& description_of(Defect defect);
 
 inline constexpr std::uint64_t kNobody = std::numeric_limits<std::uint64_t>::max();
 
-/// One place where a defect was met. What the numbers are says Offence.
+/// One place where a mesh has a defect. Offence tells what the numbers mean.
 struct Offender {
   std::uint64_t id;
   std::uint64_t other = kNobody;
@@ -82,10 +82,10 @@ struct Finding {
   [[nodiscard]] double largest() const;
 };
 
-/// Appends a finding unless there is nobody to name.
+/// Appends a finding unless there are no offenders.
 void add_finding(std::vector<Finding>& findings, Defect defect, std::vector<Offender> offenders);
 
-/// Whether any of the findings makes the mesh invalid.
+/// Returns whether any of the findings makes the mesh invalid.
 bool any_invalid(std::span<const Finding> findings);
 
 }  // namespace hiac

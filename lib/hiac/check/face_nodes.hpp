@@ -8,14 +8,14 @@
 
 namespace hiac {
 
-/// The nodes (numbers in their cell) between the corners of a face: those of its edges, from corner
-/// to corner around it, then its centre where the kind has one.
+/// The nodes (numbers within the cell) between the corners of a face: those of its edges, in order
+/// around it, then its centre if the kind has one.
 struct BetweenNodes {
   std::size_t count = 0;
   std::array<std::uint8_t, 9> nodes{};
 };
 
-/// The nodes between the corners of face number `face` of a kind.
+/// Returns the nodes between the corners of face number `face` of a kind.
 constexpr BetweenNodes nodes_between(CellKind kind, std::size_t face) {
   const ShapeTopology& shape = topology_of(kind);
   const std::size_t per_edge = static_cast<std::size_t>(order_of(kind)) - 1;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "hiac/geometry/interval.hpp"
 #include "hiac/geometry/vector.hpp"
 
 namespace hiac {
@@ -16,7 +17,7 @@ using Pair = std::array<std::uint8_t, 2>;
 // Tables of shapes and of faces -------------------------------------------------------------------
 
 struct Spanning {
-  std::vector<Triple> triples;  // counter-clockwise as seen from outside of a right cell
+  std::vector<Triple> triples;  // counter-clockwise as seen from outside a right cell
   std::vector<Pair> pairs;
 };
 
@@ -59,8 +60,8 @@ const Spanning& spanning_of(CellShape shape) {
 
 // Separating planes -------------------------------------------------------------------------------
 
-// The side of a plane on which a hull's corners off it lie: -1, 1; 0 when all are on it; 2 when it
-// has some on either side.
+// Returns the side of a plane on which a hull's corners off the plane lie: -1 or 1; 0 if all are on
+// it; 2 if they are on both sides.
 int side_of(const Hull& hull, Point3 a, Point3 b, Point3 c) {
   int side = 0;
   for (std::size_t k = 0; k < hull.count; ++k) {
@@ -74,7 +75,7 @@ int side_of(const Hull& hull, Point3 a, Point3 b, Point3 c) {
   return side;
 }
 
-// `first` is the hull that the plane is likelier to cut. A hull that lies in the plane is on
+// `first` is the hull that the plane is more likely to cut. A hull that lies in the plane is on
 // neither side of it.
 bool separates(Point3 a, Point3 b, Point3 c, const Hull& first, const Hull& second) {
   const int s = side_of(first, a, b, c);
@@ -99,21 +100,15 @@ bool separated_by_an_edge(const Hull& p, const Hull& q) {
 
 // Depth -------------------------------------------------------------------------------------------
 
-struct Interval {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-};
-
 Interval along(const Hull& hull, const Vector& n, Point3 from) {
   Interval interval;
   for (std::size_t k = 0; k < hull.count; ++k) {
-    const double x = dot(n, minus(hull.at(k), from));
-    interval.low = std::min(interval.low, x);
-    interval.high = std::max(interval.high, x);
+    interval.include(dot(n, minus(hull.at(k), from)));
   }
   return interval;
 }
 
-// What lies between the hulls across u and v; without end below 0 where these are parallel.
+// Returns the gap between the hulls along u x v; minus infinity if u and v are parallel.
 double gap_across(const Hull& p, const Hull& q, const Vector& u, const Vector& v) {
   constexpr double kNearlyParallel = 1e-6;
   const Vector normal = cross(u, v);
@@ -131,7 +126,7 @@ struct Plane {
   double away;
 };
 
-// False when a face has no area.
+// Returns false if a face has no area.
 bool add_planes(const Hull& hull, int turn, double away, std::vector<Plane>& planes) {
   for (const Triple& t : hull.triples) {
     const Point3 a = hull.at(t[0]);
@@ -207,7 +202,7 @@ std::optional<Vector> common_point(const Hull& p, int turn_p, double away_p, con
   std::vector<Plane> planes;
   if (!add_planes(p, turn_p, away_p, planes) || !add_planes(q, turn_q, away_q, planes))
     return std::nullopt;
-  // a step across the plane that is hurt most, as long as its default, and then some
+  // each step crosses the most violated plane, by its violation and a margin that shrinks
   constexpr int kSteps = 200;
   const Vector from = middle_of(p), to = middle_of(q);
   Vector x;

@@ -18,10 +18,11 @@ namespace {
 
 constexpr std::size_t kGrain = 1 << 9;
 
-// How faces lie on others, the closest fit first.
+// How a face lies on another, the closest fit first.
 enum class Fit : std::uint8_t { torn, hanging, sliding, none };
 
-// A free face as a polygon of the world, and a corner of its cell that is off its plane.
+// A free face as a polygon in world coordinates, with the corner of its cell farthest from its
+// plane.
 struct Polygon {
   std::array<const double*, 4> corners{};
   std::size_t count = 0;
@@ -33,7 +34,7 @@ struct Polygon {
   [[nodiscard]] Point3 inside() const { return Point3(inner, 3); }
 };
 
-// None for a face without area, or of a cell without volume: neither is on anything.
+// Returns none for a face without area or of a cell without volume, as neither lies on anything.
 std::optional<Polygon> polygon_of(const ZooMesh& mesh, const FreeFace& face) {
   Polygon p;
   p.count = face.corner_count;
@@ -49,7 +50,9 @@ std::optional<Polygon> polygon_of(const ZooMesh& mesh, const FreeFace& face) {
   double deepest = 0;
   for (const NodeId node : nodes) {
     const double depth = std::abs(dot(p.normal, minus(mesh.position(node), p.at(0))));
-    if (depth <= deepest || std::ranges::find(face.nodes, node) != face.nodes.end()) continue;
+    // a triangle's fourth node is none
+    const auto corners = std::span(face.nodes).first(p.count);
+    if (depth <= deepest || std::ranges::find(corners, node) != corners.end()) continue;
     deepest = depth;
     p.inner = mesh.position(node).data();
   }
@@ -67,7 +70,7 @@ bool same_places(const Polygon& f, const Polygon& g) {
   return true;
 }
 
-// Distances below `tolerated` are none; with 0, determinants alone decide.
+// Compares two polygons. Distances below `tolerated` are negligible; with 0, determinants decide.
 class Lying {
  public:
   Lying(const Polygon& f, const Polygon& g, double planarity)
@@ -76,7 +79,7 @@ class Lying {
         tolerated_(planarity == 0 ? 0 : planarity * std::max(f.size, g.size)),
         off_plane_(planarity == 0 ? 0 : tolerated_ + f.deviation * f.size + g.deviation * g.size) {}
 
-  // How f lies on g, whose cell is on the other side of it.
+  // Returns how f lies on g, whose cell must be on the other side of it.
   [[nodiscard]] Fit fit() const {
     if (!opposite_sides()) return Fit::none;
     if (same_places(f_, g_)) return Fit::torn;
@@ -85,7 +88,7 @@ class Lying {
   }
 
  private:
-  // The inner corners lie on different sides of f's plane.
+  // Returns whether the inner corners lie on different sides of f's plane.
   [[nodiscard]] bool opposite_sides() const {
     const int own = orientation(f_.at(0), f_.at(1), f_.at(2), f_.inside());
     const int other = orientation(f_.at(0), f_.at(1), f_.at(2), g_.inside());
@@ -102,8 +105,9 @@ class Lying {
     return true;
   }
 
-  // On which side of an edge of a polygon a point of its plane lies: +1 inside, 0 on the edge's
-  // line, -1. Asked of the plane through the edge and the cell's inner corner.
+  // Returns the side of a polygon's edge on which a point of its plane lies: +1 inside, 0 on the
+  // edge's line, -1 outside. It is the side of the plane through the edge and the cell's inner
+  // corner.
   [[nodiscard]] int side_of_edge(const Polygon& p, std::size_t edge, Point3 q) const {
     const Point3 a = p.at(edge), b = p.at(edge + 1);
     const int side = orientation(a, b, p.inside(), q);
@@ -114,7 +118,7 @@ class Lying {
     return distance <= tolerated_ * length(across) && tolerated_ > 0 ? 0 : side * inwards;
   }
 
-  // An edge of p has all of q on its outer side.
+  // Returns whether an edge of p has all of q on its outer side.
   [[nodiscard]] bool apart(const Polygon& p, const Polygon& q) const {
     for (std::size_t e = 0; e < p.count; ++e) {
       bool reached = false;
@@ -137,7 +141,7 @@ class Lying {
   double tolerated_, off_plane_;
 };
 
-// Around all that counts as lying on a polygon.
+// Returns a box that contains every face that counts as lying on the polygon.
 Box box_of(const std::optional<Polygon>& polygon, double planarity) {
   Box box = Box::empty();
   if (!polygon) return box;
@@ -157,7 +161,7 @@ bool same_nodes(const FreeFace& f, const FreeFace& g) {
   return f.corner_count == g.corner_count && std::ranges::is_permutation(of(f), of(g));
 }
 
-// How the polygons lie on those of other cells.
+// Returns the closest fit of every polygon with those of other cells.
 std::vector<Fit> fits_of(const std::vector<FreeFace>& faces,
                          const std::vector<std::optional<Polygon>>& polygons, double planarity) {
   std::vector<Box> boxes(faces.size());
@@ -169,7 +173,7 @@ std::vector<Fit> fits_of(const std::vector<FreeFace>& faces,
       if (!polygons[i]) continue;
       tree.for_each_meeting(tree.box(static_cast<std::uint32_t>(i)), [&](std::uint32_t j) {
         if (faces[j].cell == faces[i].cell || fits[i] == Fit::torn) return;
-        if (same_nodes(faces[i], faces[j])) return;  // overshared: not an interface
+        if (same_nodes(faces[i], faces[j])) return;  // overshared, not an interface
         fits[i] = std::min(fits[i], Lying(*polygons[i], *polygons[j], planarity).fit());
       });
     }

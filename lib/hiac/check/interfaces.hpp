@@ -6,7 +6,7 @@
 
 namespace hiac {
 
-/// The part of judge_conformity that is about faces on one another: torn_interface,
+/// Finds the faces that lie on one another, for judge_conformity: torn_interface,
 /// hanging_interface, sliding_interface.
 std::vector<Finding> find_interfaces(const ZooMesh& mesh, const std::vector<FreeFace>& faces,
                                      double planarity);

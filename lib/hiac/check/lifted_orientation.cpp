@@ -25,7 +25,7 @@ Number minor_of(const Row<Number>& u, const Row<Number>& v) {
   return u[0] * v[1] - v[0] * u[1];
 }
 
-// det[u, v, w] of the first three columns, expanded along the third.
+// Returns det[u, v, w] of the first three columns, expanded along the third.
 template <typename Number>
 Number determinant3(const Row<Number>& u, const Row<Number>& v, const Row<Number>& w) {
   return u[2] * minor_of(v, w) - v[2] * minor_of(u, w) + w[2] * minor_of(u, v);
@@ -37,7 +37,7 @@ Number determinant4(const Rows<Number>& r) {
          r[1][3] * determinant3(r[0], r[2], r[3]) - r[0][3] * determinant3(r[1], r[2], r[3]);
 }
 
-// The same sums of absolute values.
+// The same sums with absolute values.
 double permanent3(const Row<double>& u, const Row<double>& v, const Row<double>& w) {
   const auto pair = [](const Row<double>& a, const Row<double>& b) {
     return std::abs(a[0] * b[1]) + std::abs(b[0] * a[1]);
@@ -52,7 +52,7 @@ double permanent4(const Rows<double>& r) {
          std::abs(r[0][3]) * permanent3(r[1], r[2], r[3]);
 }
 
-// The sign, or 2 when rounding, underflow or overflow leave it open.
+// Returns the sign, or 2 if rounding, underflow or overflow leaves it open.
 int filtered_sign(const Rows<double>& r) {
   constexpr double kEpsilon = kUnit;
   constexpr double kErrorBound = (16 + 224 * kEpsilon) * kEpsilon;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kGrain = 1 << 14;
 
-// A node with a fingerprint of its place.
+// A node with a fingerprint of its position.
 struct Placed {
   std::uint64_t hash;
   NodeId node;
@@ -30,7 +30,7 @@ struct Placed {
 std::uint64_t hash_of(std::span<const double, 3> p) {
   constexpr std::uint64_t kMix = 0x9e3779b97f4a7c15;  // 2^64 over the golden ratio
   std::uint64_t hash = 0;
-  // + 0.0 makes one number of both zeros
+  // + 0.0 turns both zeros into the same number
   for (const double x : p)
     hash = (hash ^ (hash >> 29) ^ std::bit_cast<std::uint64_t>(x + 0.0)) * kMix;
   return hash ^ (hash >> 32);

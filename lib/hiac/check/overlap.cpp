@@ -18,7 +18,8 @@ namespace {
 constexpr std::size_t kGrain = 1 << 10;
 
 // Bounds of the sums of the absolute values of the shape functions of the nodes between corners
-// (tests sample them): tetrahedra at their middle, bricks at theirs, the others in between.
+// (tests sample them): tetrahedra attain them at their middle, and so do bricks; the other shapes
+// lie in between.
 constexpr std::array<double, kKindCount> kBetweenSums{0, 1.5, 3.4, 0, 3, 5, 0,  3,
                                                       5, 0,   3,   6, 0, 3, 5.5};
 
@@ -36,7 +37,7 @@ bool share_a_node(const ZooMesh& mesh, CellId a, CellId b) {
       mesh.cell_nodes(a), [&](NodeId node) { return std::ranges::find(of_b, node) != of_b.end(); });
 }
 
-// Whether a cell has all corners of another one's face, or nodes at their places.
+// Returns whether a cell has all corners of another one's face, or nodes at their places.
 bool has_corners_of(const ZooMesh& mesh, CellId cell, const ShapeFace& face, CellId other) {
   const auto nodes = mesh.cell_nodes(cell);
   const auto others = mesh.cell_nodes(other).first(corner_count(mesh.kinds[other]));
@@ -47,7 +48,7 @@ bool has_corners_of(const ZooMesh& mesh, CellId cell, const ShapeFace& face, Cel
   });
 }
 
-// One cell's part in the question.
+// One of the two cells that are tested.
 struct Asked {
   CellId cell;
   Hull hull;
@@ -101,7 +102,7 @@ class Question {
     return {Overlap::certain, overlap_depth(a.hull, b.hull) / std::min(a.size, b.size)};
   }
 
-  // Two cells on either side of all faces that they share, and of one at least.
+  // Returns whether two cells share a face and lie on different sides of all faces that they share.
   [[nodiscard]] bool are_neighbors(const Asked& a, const Asked& b) const {
     bool any = false;
     const auto faces = topology_of(mesh_.kinds[a.cell]).faces;
@@ -113,7 +114,7 @@ class Question {
     return any;
   }
 
-  // The faces of `a` that are not shared with `b` are separated from it.
+  // Returns whether the faces of `a` that it does not share with `b` are separated from `b`.
   [[nodiscard]] bool faces_are_separated(const Asked& a, const Asked& b) const {
     const auto faces = topology_of(mesh_.kinds[a.cell]).faces;
     for (std::size_t f = 0; f < faces.size(); ++f)
@@ -173,13 +174,13 @@ struct Pair {
   bool operator<(const Pair& other) const { return std::pair(a, b) < std::pair(other.a, other.b); }
 };
 
-// What becomes of a pair that was asked about.
+// Tests a pair and stores it unless the cells do not overlap.
 void keep(const Question& question, CellId a, CellId b, std::vector<Pair>& found) {
   const CellOverlap answer = question.answer(a, b);
   if (answer.overlap != Overlap::none) found.push_back({a, b, answer});
 }
 
-// Cells with a face without neighbour, and those that this face may reach.
+// Tests the cells with a face without neighbour, with the cells that this face may reach.
 std::vector<Pair> overlaps_at_boundary(const ZooMesh& mesh, const std::vector<FreeFace>& faces,
                                        const Question& question, std::uint64_t& asked) {
   std::vector<Box> boxes(faces.size());
@@ -288,7 +289,7 @@ OverlapReport find_overlaps(const ZooMesh& mesh, const FaceAdjacency& adjacency,
 }
 
 std::vector<std::array<CellId, 2>> overlapping_cells(const OrderBasis& basis, double planarity) {
-  // cells on one side of a face that they share are not settled
+  // two cells on the same side of a face that they share have not been settled
   const bool folded = !basis.unsettled.empty();
   const OverlapReport report = find_overlaps(
       *basis.mesh, basis.adjacency, judge_cells(*basis.mesh, planarity), folded, planarity);

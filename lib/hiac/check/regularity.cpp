@@ -26,7 +26,7 @@ bool all_cells(const ZooMesh& mesh, const auto& holds) {
   return all;
 }
 
-// Four corners of a cell that span space, so that they are positive.
+// Four corners of a cell that are not in one plane, in positive orientation.
 struct Simplex {
   bool found = false;
   std::array<NodeId, 4> nodes{};
@@ -51,7 +51,7 @@ int outside_sphere_of(const ZooMesh& mesh, const std::array<NodeId, 4>& s, NodeI
                         mesh.position(s[3]), mesh.position(node));
 }
 
-// The cell's corners on one sphere, those of its neighbours that are not its own outside of it.
+// Returns whether the cell's corners lie on a sphere with its neighbours' other corners outside.
 bool is_delaunay(const OrderBasis& basis, CellId cell) {
   const ZooMesh& mesh = *basis.mesh;
   const auto own = mesh.cell_nodes(cell).first(corner_count(mesh.kinds[cell]));
@@ -61,7 +61,7 @@ bool is_delaunay(const OrderBasis& basis, CellId cell) {
     if (outside_sphere_of(mesh, simplex.nodes, node) != 0) return false;
   for (std::uint32_t f = 0; f < basis.faces.count(cell); ++f) {
     const CellId other = basis.adjacency.neighbors[basis.faces.first(cell) + f];
-    // asked once a face: the other side says the same
+    // once per face, as the other side gives the same answer
     if (other == kNoCell || other < cell) continue;
     for (const NodeId node : mesh.cell_nodes(other).first(corner_count(mesh.kinds[other])))
       if (std::ranges::find(own, node) == own.end() &&
@@ -71,7 +71,8 @@ bool is_delaunay(const OrderBasis& basis, CellId cell) {
   return true;
 }
 
-// Two tetrahedra at a face: the nodes of a positive one, then the far one of the other.
+// Two tetrahedra that share a face: the nodes of one in positive orientation, then the other's far
+// one.
 using Hinge = std::array<NodeId, 5>;
 
 std::vector<Hinge> hinges_of(const OrderBasis& basis) {
@@ -90,8 +91,8 @@ std::vector<Hinge> hinges_of(const OrderBasis& basis) {
   });
 }
 
-// How the far node's height above the tetrahedron's affine function depends on the five heights:
-// minus the far node's barycentric coordinates, and 1.
+// Derivatives, by the five heights, of the far node's height above the tetrahedron's affine
+// function: minus the far node's barycentric coordinates, and 1.
 std::array<double, 5> slopes_of(const ZooMesh& mesh, const Hinge& hinge) {
   std::array<Vector, 4> at;
   for (std::size_t k = 0; k < 4; ++k)
@@ -105,10 +106,10 @@ std::array<double, 5> slopes_of(const ZooMesh& mesh, const Hinge& hinge) {
   return {-(1 - b - c - d), -b, -c, -d, 1};
 }
 
-// Heights that lift every hinge, as far as rounding tells; none where the search gave up.
+// Returns heights that lift every hinge, up to rounding; none if the search fails.
 std::vector<double> search_heights(const ZooMesh& mesh, const std::vector<Hinge>& hinges) {
   constexpr int kSweeps = 300;
-  constexpr double kMargin = 1e-3;  // of the mean, in units in which the mesh's size is 1
+  constexpr double kMargin = 1e-3;  // of the mean, in units of the mesh's size
   Vector low{}, high{};
   for (std::size_t c = 0; c < 3; ++c) {
     low[c] = high[c] = mesh.xyz[c];

@@ -8,30 +8,31 @@
 
 namespace hiac {
 
-/// Whether a mesh is proven to have no visibility cycle from anywhere, and by what.
+/// Whether it is proven that a mesh has no visibility cycle from anywhere, and how.
 enum class Acyclicity : std::uint8_t {
-  delaunay,  ///< every cell's corners lie on a sphere, and its neighbours' others outside of it
-  regular,   ///< heights of the nodes were found that make the mesh the lower side of a polytope
-  unknown    ///< neither: cycles are possible, not certain
+  delaunay,  ///< a cell's corners lie on a sphere, those of its neighbours outside
+  regular,   ///< for some heights of the nodes, the mesh is the lower side of a polytope
+  unknown    ///< not proven: cycles are possible, not certain
 };
 
 struct Certificate {
   Acyclicity acyclicity = Acyclicity::unknown;
-  std::string_view reason;  ///< unknown: what is missing
+  std::string_view reason;  ///< if unknown: what is missing
 };
 
-/// The certificate of H. Edelsbrunner, "An acyclicity theorem for cell complexes in d dimensions",
-/// Combinatorica 10, 1990: where heights of the nodes are, cell by cell, an affine function, and
-/// across every shared face the next cell's function is the greater one on its side, the functions'
-/// values at the eye decrease along every ray from cell to cell; so no ray, and no chain of rays,
-/// comes back. (Parallel views: their slopes along the rays.) It needs a mesh that no ray leaves
-/// and enters again: `basis.convex`; and linear cells that all turn alike.
+/// Returns the certificate of H. Edelsbrunner, "An acyclicity theorem for cell complexes in d
+/// dimensions", Combinatorica 10, 1990. Let heights of the nodes be an affine function in every
+/// cell, such that across every shared face the next cell's function is greater on its side. Then
+/// the functions' values at the eye decrease along every ray from cell to cell, so that no ray, and
+/// no chain of rays, returns. (In a parallel view, their slopes along the rays decrease.) The mesh
+/// must be one that no ray leaves and enters again (`basis.convex`), with linear cells of the same
+/// orientation.
 ///
 /// Squared distances from the origin are heights whose functions belong to the circumspheres
-/// (delaunay), asked exactly, faces between cells on one sphere not allowed. For tetrahedra others
-/// are looked for where these fail, from them, by S. Kaczmarz' projections onto the inequalities
-/// (1937); what is found counts only when exact determinants say so for every face. The search has
-/// an end: unknown does not mean that there are none.
+/// (delaunay); exact predicates test them, and two neighbours must not have a common circumsphere.
+/// If they fail for tetrahedra, they are the start of a search for other heights, by S. Kaczmarz'
+/// projections onto the inequalities (1937); heights count only if exact determinants confirm them
+/// for every face. The search is limited: unknown does not mean that there are none.
 Certificate certify_acyclic(const OrderBasis& basis, const CellShapes& shapes);
 
 }  // namespace hiac

@@ -12,7 +12,7 @@
 namespace hiac {
 namespace {
 
-// Mirror images of the shapes onto themselves: pairs of opposite corners change places.
+// Reflections of the shapes onto themselves, which swap opposite corners.
 constexpr std::array<std::array<std::uint8_t, 8>, kShapeCount> kMirroredCorners{
     {{0, 2, 1, 3},
      {0, 3, 2, 1, 4},
@@ -20,7 +20,7 @@ constexpr std::array<std::array<std::uint8_t, 8>, kShapeCount> kMirroredCorners{
      {1, 0, 3, 2, 5, 4, 6},
      {0, 3, 2, 1, 4, 7, 6, 5}}};
 
-// The edge that joins two corners, and whether it does so in this direction.
+// Returns the edge that joins two corners, and whether it runs in this direction.
 std::pair<std::size_t, bool> edge_between(const ShapeTopology& shape, std::uint8_t from,
                                           std::uint8_t to) {
   std::size_t e = 0;
@@ -34,7 +34,7 @@ std::size_t face_with(const ShapeTopology& shape, const std::array<std::uint8_t,
   return f;
 }
 
-// Whether two nodes have the same values in all fields of nodes, bit for bit.
+// Returns whether two nodes have the same values in all node fields, bit for bit.
 bool same_values(const ZooMesh& mesh, NodeId a, NodeId b) {
   return std::ranges::all_of(mesh.fields, [&](const Field& field) {
     if (field.location != FieldLocation::node) return true;
@@ -46,7 +46,7 @@ bool same_values(const ZooMesh& mesh, NodeId a, NodeId b) {
   });
 }
 
-// The node that stands for each; nodes that must not be merged stand for themselves.
+// Returns the node that replaces each node; nodes that must not be merged represent themselves.
 std::vector<NodeId> representatives(const ZooMesh& mesh, RepairCounts& counts) {
   std::vector<NodeId> of = first_at_place(mesh);
   std::vector<bool> kept(of.size(), false);
@@ -67,7 +67,7 @@ std::vector<NodeId> representatives(const ZooMesh& mesh, RepairCounts& counts) {
   return of;
 }
 
-// Which of the mesh's cells and entries of nodes the repaired mesh has, in its order.
+// The mesh's cells and node entries that the repaired mesh keeps, in its order.
 struct Selection {
   std::vector<CellId> cells;
   std::vector<std::uint64_t> entries;

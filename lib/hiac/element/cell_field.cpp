@@ -31,7 +31,7 @@ CellField cell_field(const ZooMesh& mesh, CellId cell, const FieldValues& field,
     result.most = result.polynomial ? result.polynomial->most() : low;
     return result;
   }
-  const InterpolantRange range = interpolant_range(mesh.kinds[cell], result.values);
+  const ValueRange range = interpolant_range(mesh.kinds[cell], result.values);
   result.least = range.least;
   result.most = range.most;
   return result;

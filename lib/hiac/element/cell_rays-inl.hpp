@@ -13,6 +13,7 @@
 #  include "hiac/base/rounding.hpp"
 #  include "hiac/element/cell_polynomials.hpp"
 #  include "hiac/element/chebyshev_points.hpp"
+#  include "hiac/element/collapsed_cell-inl.hpp"
 #  include "hiac/element/cube_polynomial-inl.hpp"
 #  include "hiac/element/inverse_series-inl.hpp"
 #  include "hiac/element/ray_rounding.hpp"
@@ -43,6 +44,7 @@ class CellRays {
         front_(front),
         back_(back),
         starts_(starts),
+        collapsed_(d, cell),
         by_series_(!cell.affine && !cell.twisted_pyramid && cell.position[0].degree == 1) {
     for (std::size_t a = 0; a < 3; ++a) {
       origin_[a] = origin[a];
@@ -87,7 +89,8 @@ class CellRays {
     }
     find_at(0.5, middle, active);
     starts_ = {middle, middle};
-    outcome_ = series_.expand(d_, cell_.position, middle, widths(middle), step, accuracy_, active);
+    outcome_ = series_.expand(d_, cell_.position, middle, collapsed_.widths(middle), step,
+                              accuracy_, active);
     return outcome_ != Outcome::hopeless;
   }
 
@@ -109,8 +112,9 @@ class CellRays {
 
   // In affine cells, the width to which the cell tapers at both ends of the part.
   [[nodiscard]] HWY_INLINE EndWidths<V> end_widths() const {
-    const auto width = [&](double part)
-                           HWY_ATTR { return hn::Max(width_of(on_line(part)), hn::Zero(d_)); };
+    const auto width = [&](double part) HWY_ATTR {
+      return hn::Max(collapsed_.width_of(on_line(part)), hn::Zero(d_));
+    };
     return {width(0), width(1)};
   }
 
@@ -131,18 +135,8 @@ class CellRays {
   // A field's values at the points of sample(), front to back, in its bounds.
   HWY_NOINLINE void values(const CellPolynomials::Field& field, std::size_t degree,
                            V* value) const {
-    switch (cell_.shape) {
-      case CellShape::tetrahedron:
-        return values_of_shape<CellShape::tetrahedron>(field, degree, value);
-      case CellShape::pyramid:
-        return values_of_shape<CellShape::pyramid>(field, degree, value);
-      case CellShape::prism:
-        return values_of_shape<CellShape::prism>(field, degree, value);
-      case CellShape::wedge:
-        return values_of_shape<CellShape::wedge>(field, degree, value);
-      case CellShape::brick:
-        return values_of_shape<CellShape::brick>(field, degree, value);
-    }
+    with_shape(cell_.shape,
+               [&]<CellShape kShape>() HWY_ATTR { values_of_shape<kShape>(field, degree, value); });
   }
 
   // What of a field's values is rounding (FieldAlongRay::rounding).
@@ -179,11 +173,6 @@ class CellRays {
 
   using Outcome = typename InverseSeries<D>::Outcome;
 
-  static constexpr double kMargin = 1e-3;  // outside the cell roots belong to other branches
-  static constexpr int kMostSteps = 10;
-  // the next step would be as short as this one squared
-  static constexpr double kLastStep = 0x1p26;  // its inverse
-
   // Reference coordinates at a point of the part, by `inverse` alone.
   [[nodiscard]] HWY_INLINE LanePoint<V> on_line(double part) const {
     const V at = hn::Set(d_, begin_ + (end_ - begin_) * part);
@@ -194,23 +183,10 @@ class CellRays {
 
   // sample() in affine cells.
   HWY_INLINE void sample_line(const ChebyshevPoints& points) {
-    switch (cell_.shape) {
-      case CellShape::tetrahedron:
-        return sample_line_in<CellShape::tetrahedron>(points);
-      case CellShape::pyramid:
-        return sample_line_in<CellShape::pyramid>(points);
-      case CellShape::prism:
-        return sample_line_in<CellShape::prism>(points);
-      case CellShape::wedge:
-        return sample_line_in<CellShape::wedge>(points);
-      case CellShape::brick:
-        return sample_line_in<CellShape::brick>(points);
-    }
-  }
-  template <CellShape kShape>
-  HWY_INLINE void sample_line_in(const ChebyshevPoints& points) {
-    for (std::size_t j = 0; j <= points.degree(); ++j)
-      at_[j] = collapsed_in<kShape>(on_line(points.place(j)));
+    with_shape(cell_.shape, [&]<CellShape kShape>() HWY_ATTR {
+      for (std::size_t j = 0; j <= points.degree(); ++j)
+        at_[j] = collapsed_.template collapsed<kShape>(on_line(points.place(j)));
+    });
   }
 
   // In twisted pyramids: with p what `inverse` gives, xi = p - twist q makes q (1 - z) = x y
@@ -236,8 +212,8 @@ class CellRays {
       const V q = hn::Div(hn::IfThenElse(plus, product, hn::Sub(root, beta)),
                           hn::IfThenElse(plus, hn::Add(root, beta), two_alpha));
       for (std::size_t a = 0; a < 3; ++a) xi.c[a] = hn::NegMulAdd(t[a], q, xi.c[a]);
-      at_[j] = collapsed_in<CellShape::pyramid>(xi);
-      active = hn::And(active, inside(at_[j]));
+      at_[j] = collapsed_.template collapsed<CellShape::pyramid>(xi);
+      active = hn::And(active, collapsed_.inside(at_[j]));
     }
   }
 
@@ -247,11 +223,12 @@ class CellRays {
     for (std::size_t j = 0; 2 * j <= degree; ++j)
       series_.at(d_, 1 - 2 * points.place(j), at_[j], at_[degree - j]);
     if (outcome_ == Outcome::converged)
-      active = hn::And(active, hn::And(inside(at_[0]), inside(at_[degree])));
+      active = hn::And(active, hn::And(collapsed_.inside(at_[0]), collapsed_.inside(at_[degree])));
     else
       for (std::size_t j = 0; j <= degree; ++j) find_at(points.place(j), at_[j], active);
     if (cell_.of_reference)
-      for (std::size_t j = 0; j <= degree; ++j) at_[j].c[0] = quotient(at_[j].c[0], at_[j].c[1]);
+      for (std::size_t j = 0; j <= degree; ++j)
+        at_[j].c[0] = collapsed_.quotient(at_[j].c[0], at_[j].c[1]);
   }
 
   HWY_INLINE void sample_map(const ChebyshevPoints& points, M& active) {
@@ -279,62 +256,17 @@ class CellRays {
     }
   }
 
-  // In the cell to within kMargin.
-  [[nodiscard]] HWY_INLINE M inside(const LanePoint<V>& at) const {
-    const V low = hn::Set(d_, -kMargin), high = hn::Set(d_, 1 + kMargin);
-    const auto holds = [&](V x) { return hn::And(hn::Ge(x, low), hn::Le(x, high)); };
-    return hn::And(holds(at.c[0]), hn::And(holds(at.c[1]), holds(at.c[2])));
-  }
-
   // `part`: of the part at hand.
   HWY_INLINE void find_at(double part, LanePoint<V>& at, M& active) const {
     const double u = begin_ + (end_ - begin_) * part;
     const V t = hn::MulAdd(hn::Set(d_, u), hn::Sub(back_, front_), front_);
-    active = hn::And(active, find(place(t), at, active));
+    active = hn::And(active, collapsed_.find(place(t), at, active));
   }
 
   [[nodiscard]] HWY_INLINE LanePoint<V> place(V t) const {
     LanePoint<V> p;
     for (std::size_t a = 0; a < 3; ++a) p.c[a] = hn::MulAdd(t, direction_[a], origin_[a]);
     return p;
-  }
-
-  // In the reference cell quotients are in [0, 1].
-  [[nodiscard]] HWY_INLINE V quotient(V a, V b) const {
-    return near_cell(hn::Div(a, at_least_tiny(b)));
-  }
-  [[nodiscard]] HWY_INLINE V at_least_tiny(V b) const { return hn::Max(b, hn::Set(d_, 1e-300)); }
-  [[nodiscard]] HWY_INLINE V near_cell(V q) const {
-    return hn::Min(hn::Max(q, hn::Set(d_, -kMargin)), hn::Set(d_, 1 + kMargin));
-  }
-
-  // What x is divided by in collapsed(), and y in pyramids, in cells that taper to an edge or a
-  // tip.
-  [[nodiscard]] HWY_INLINE V width_of(const LanePoint<V>& xi) const {
-    const V one = hn::Set(d_, 1.0), width = hn::Sub(one, xi.c[2]);
-    return cell_.shape == CellShape::wedge ? hn::Add(width, hn::Sub(one, xi.c[1])) : width;
-  }
-
-  // collapsed() of cell_polynomials.hpp.
-  template <CellShape kShape>
-  [[nodiscard]] HWY_INLINE LanePoint<V> collapsed_in(const LanePoint<V>& xi) const {
-    const auto& [x, y, z] = xi.c;
-    const V one = hn::Set(d_, 1.0);
-    if constexpr (kShape == CellShape::tetrahedron) {
-      const V w = hn::Sub(one, z), rest = hn::Sub(w, y);
-      return {{quotient(x, rest), quotient(rest, w), w}};
-    } else if constexpr (kShape == CellShape::pyramid) {
-      const V w = hn::Sub(one, z), inverse = hn::Div(one, at_least_tiny(w));
-      return {{near_cell(hn::Mul(x, inverse)), near_cell(hn::Mul(y, inverse)), w}};
-    } else if constexpr (kShape == CellShape::prism) {
-      const V v = hn::Sub(one, y);
-      return {{quotient(x, v), v, z}};
-    } else if constexpr (kShape == CellShape::wedge) {
-      const V v = hn::Sub(one, y), w = hn::Sub(one, z);
-      return {{quotient(x, hn::Add(v, w)), v, w}};
-    } else {
-      return xi;
-    }
   }
 
   [[nodiscard]] HWY_INLINE LanePoint<V> predicted(const PointPrediction& prediction,
@@ -348,71 +280,12 @@ class CellRays {
     return p;
   }
 
-  // Newton's iteration from `at` for the point that the map takes to `target`. True where it
-  // converges to one in the cell; the others are put into the middle.
-  HWY_INLINE M find(const LanePoint<V>& target, LanePoint<V>& at, M active) const {
-    const std::size_t degree = cell_.position[0].degree;
-    if (degree == 1) return find_by<1>(target, at, active);
-    return degree == 2 ? find_by<2>(target, at, active) : find_by<3>(target, at, active);
-  }
-
-  template <std::size_t P>
-  HWY_NOINLINE M find_by(const LanePoint<V>& target, LanePoint<V>& at, M active) const {
-    M found = hn::Lt(hn::Set(d_, 1.0), hn::Zero(d_));
-    for (int step = 0; step < kMostSteps; ++step) {
-      JacobianSolver<V> jacobian;
-      V off[3];
-      for (std::size_t a = 0; a < 3; ++a) {
-        V value;
-        value_and_gradient<P>(d_, cell_.position[a], at, value, jacobian.row[a]);
-        off[a] = hn::Sub(target.c[a], value);
-      }
-      jacobian.prepare(d_);
-      const LanePoint<V> change = jacobian.solve(off);
-      V largest = hn::Zero(d_);
-      for (std::size_t a = 0; a < 3; ++a) {
-        at.c[a] = hn::Add(at.c[a], change.c[a]);
-        largest = hn::Max(largest, hn::Abs(change.c[a]));
-      }
-      found = hn::Le(hn::Mul(largest, hn::Set(d_, kLastStep)), nearness(at));
-      if (hn::AllTrue(d_, hn::Or(hn::Not(active), found))) break;
-    }
-    found = hn::And(found, inside(at));
-    for (std::size_t a = 0; a < 3; ++a)
-      at.c[a] = hn::IfThenElse(found, at.c[a], hn::Set(d_, cell_.middle[a]));
-    return found;
-  }
-
-  // Over what distance the Jacobian changes: it vanishes where the cell tapers.
-  [[nodiscard]] HWY_INLINE V nearness(const LanePoint<V>& at) const {
-    return hn::Min(hn::Abs(widths(at).c[0]), hn::Set(d_, 1.0));
-  }
-
-  // How wide the reference cell is along collapsed coordinates.
-  [[nodiscard]] HWY_INLINE LanePoint<V> widths(const LanePoint<V>& at) const {
-    const V one = hn::Set(d_, 1.0);
-    if (cell_.of_reference) return {{one, one, one}};
-    const V v = at.c[1], w = at.c[2];
-    switch (cell_.shape) {
-      case CellShape::tetrahedron:
-        return {{hn::Mul(v, w), w, one}};
-      case CellShape::pyramid:
-        return {{w, w, one}};
-      case CellShape::prism:
-        return {{v, one, one}};
-      case CellShape::wedge:
-        return {{hn::Add(v, w), one, one}};
-      case CellShape::brick:
-        break;
-    }
-    return {{one, one, one}};
-  }
-
   D d_;
   const CellPolynomials& cell_;
   V front_, back_;
   RayStarts<V>& starts_;
   V origin_[3], direction_[3];
+  CollapsedCell<D> collapsed_;
   LanePoint<V> xi_front_, xi_change_;  // by `inverse`: of affine cells, twisted pyramids
   InverseSeries<D> series_;            // of cells with straight edges
   Outcome outcome_ = Outcome::hopeless;

@@ -92,7 +92,7 @@ double on_higher_order(const FaceOffsets& face,
 }
 
 // Of the face's interpolant.
-InterpolantRange range_of(const FaceOffsets& face) {
+ValueRange range_of(const FaceOffsets& face) {
   const auto [least, most] = std::ranges::minmax(std::span(face.offsets).first(face.node_count()));
   if (face.order == CellOrder::linear || least == most) return {least, most};
   const Carrier carrier(face);

@@ -79,7 +79,7 @@ bool WorldPolynomial::set_paper(CellKind kind, std::span<const Vector> nodes,
   for (std::size_t c = 0; c < 3; ++c) {
     std::array<double, kMostEquations> coordinate;
     for (std::size_t k = 0; k < n; ++k) coordinate[k] = nodes[k][c];
-    const InterpolantRange range = interpolant_range(kind, coordinate);
+    const ValueRange range = interpolant_range(kind, coordinate);
     const double half = 0.5 * (range.most - range.least);
     if (!(half > 0)) return false;
     origin_[c] = 0.5 * (range.least + range.most);
@@ -114,7 +114,7 @@ bool WorldPolynomial::set_least(CellKind kind, std::span<const Vector> nodes,
     std::array<double, kMaxNodesPerCell> coordinate;
     for (std::size_t k = 0; k < nodes.size(); ++k)
       coordinate[k] = dot(found->rows[c], minus(nodes[k], origin_));
-    const InterpolantRange range = interpolant_range(kind, coordinate);
+    const ValueRange range = interpolant_range(kind, coordinate);
     reach[c] = std::max(-range.least, range.most);
     for (std::size_t a = 0; a < 3; ++a) to_box_[c][a] = found->rows[c][a] / reach[c];
   }

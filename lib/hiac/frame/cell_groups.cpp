@@ -4,26 +4,21 @@
 #include <limits>
 
 namespace hiac {
-namespace {
 
-// The first group that begins after a rank.
-auto group_after(const VisibilityOrder& order, std::uint32_t rank) {
-  return std::upper_bound(order.groups.begin(), order.groups.end(), rank,
-                          [](std::uint32_t r, const CellGroup& g) { return r < g.first; });
-}
-
-}  // namespace
-
-const CellGroup* group_of(const VisibilityOrder& order, std::uint32_t rank) {
-  const auto after = group_after(order, rank);
-  if (after == order.groups.begin()) return nullptr;
-  const CellGroup& group = *(after - 1);
-  return rank < group.first + group.count ? &group : nullptr;
-}
-
-std::uint32_t next_group_first(const VisibilityOrder& order, std::uint32_t rank) {
-  const auto after = group_after(order, rank);
-  return after == order.groups.end() ? std::numeric_limits<std::uint32_t>::max() : after->first;
+CellRun first_run(const VisibilityOrder& order, std::span<const std::uint32_t> ranks,
+                  std::size_t most) {
+  const std::uint32_t first = ranks.front();
+  const auto after = std::ranges::upper_bound(order.groups, first, {}, &CellGroup::first);
+  const auto before = after == order.groups.begin() ? after : after - 1;
+  const bool is_group = before != after && first < before->first + before->count;
+  std::uint32_t stop = std::numeric_limits<std::uint32_t>::max();
+  if (is_group)
+    stop = before->first + before->count;
+  else if (after != order.groups.end())
+    stop = after->first;
+  std::size_t count = 1;
+  while (count < ranks.size() && ranks[count] < stop && (is_group || count < most)) ++count;
+  return {is_group, ranks.first(count)};
 }
 
 }  // namespace hiac

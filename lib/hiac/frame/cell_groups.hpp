@@ -1,16 +1,23 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "hiac/order/visibility_order.hpp"
 
 namespace hiac {
 
-/// The group of several cells that a position in VisibilityOrder::cells lies in; null where it lies
-/// in none.
-const CellGroup* group_of(const VisibilityOrder& order, std::uint32_t rank);
+/// Positions in VisibilityOrder::cells that are drawn together: those of one group, whose order is
+/// found pixel by pixel, or some in no group, which are in order.
+struct CellRun {
+  bool is_group;
+  std::span<const std::uint32_t> ranks;
+};
 
-/// Where the first group begins that begins after a position; the largest number where none does.
-std::uint32_t next_group_first(const VisibilityOrder& order, std::uint32_t rank);
+/// The run that ascending positions begin with; of cells in no group `most` at most. There must be
+/// a position.
+CellRun first_run(const VisibilityOrder& order, std::span<const std::uint32_t> ranks,
+                  std::size_t most);
 
 }  // namespace hiac

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/image/image.hpp"
 
 namespace hiac {
 namespace {
@@ -16,6 +17,12 @@ constexpr std::array<std::string_view, 6> kNames{"depth", "mean_depth", "transpa
 }  // namespace
 
 std::string_view channel_name(Channel channel) { return kNames[static_cast<std::size_t>(channel)]; }
+
+std::vector<std::string> image_channels(std::span<const Channel> channels) {
+  std::vector<std::string> names = rgba_channels();
+  for (const Channel channel : channels) names.emplace_back(channel_name(channel));
+  return names;
+}
 
 std::string channel_names() { return fmt::format("{}", fmt::join(kNames, ", ")); }
 

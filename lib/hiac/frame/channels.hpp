@@ -26,6 +26,9 @@ enum class Channel : std::uint8_t {
 /// "depth", "mean_depth", "transparency", "cells", "witness", "error".
 std::string_view channel_name(Channel channel);
 
+/// The names of the image's channels: "R" "G" "B" "A", and these.
+std::vector<std::string> image_channels(std::span<const Channel> channels);
+
 /// The channels' names, with commas between, for messages and help.
 std::string channel_names();
 

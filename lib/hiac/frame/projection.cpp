@@ -7,6 +7,7 @@
 #include "hiac/base/large_pages.hpp"
 #include "hiac/base/parallel.hpp"
 #include "hiac/frame/screen_rounding.hpp"
+#include "hiac/frame/tiles/tile.hpp"
 #include "hiac/geometry/extended_vector.hpp"
 #include "hiac/geometry/vector.hpp"
 
@@ -20,7 +21,7 @@ constexpr double kFarthestPixel = 131072;
 
 double at_center(long double extended) {
   const auto coordinate = static_cast<double>(extended);
-  const double center = std::floor(coordinate) + 0.5;
+  const double center = pixel_center(std::floor(coordinate));
   return std::abs(coordinate - center) <= kSnapToCenter ? center : coordinate;
 }
 

@@ -27,8 +27,8 @@ Determinant determinant(const std::array<PatchValue, 3>& p) {
   return {x.value + y.value + z.value, x.size + y.size + z.size};
 }
 
-// The domain that gives the determinant's Bernstein coefficients: on a quadrilateral of degree 3 n
-// - 1 in u and in v, on a triangle of total degree 3 n - 2.
+// The domain that gives the determinant's Bernstein coefficients: of degree 3 n - 1 in u and in v
+// on a quadrilateral, of total degree 3 n - 2 on a triangle.
 const BernsteinDomain& domain_of(const PatchShape& shape) {
   static const std::array<BernsteinDomain, 5> kDomains{
       BernsteinDomain(std::array{Factor{1, 1}, Factor{1, 1}}),

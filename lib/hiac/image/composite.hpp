@@ -7,12 +7,12 @@
 
 namespace hiac {
 
-/// Puts `back` behind `front`: R, G, B and A of each pixel become front + (1 - front's A) back, in
-/// linear values premultiplied by alpha (Porter and Duff's over, "Compositing Digital Images",
-/// SIGGRAPH 1984). A `back` without A is opaque, one with Y alone is grey. Further channels of
-/// `front` stay as they are.
+/// Composites `front` over `back`: R, G, B and A of each pixel become front + (1 - front's A) back,
+/// in linear values premultiplied by alpha (Porter and Duff's over, "Compositing Digital Images",
+/// SIGGRAPH 1984). A `back` without A is opaque; one with only Y is grey. Other channels of `front`
+/// stay as they are.
 ///
-/// Throws std::invalid_argument when the sizes differ, `front` has not R G B A, or `back` has no
+/// Throws std::invalid_argument if the sizes differ, `front` lacks one of R G B A, or `back` has no
 /// colour.
 void composite_over(Image& front, const Image& back);
 

@@ -16,7 +16,7 @@ void require_one_size(const Image& image, const Image& reference) {
     throw std::invalid_argument("images of different sizes");
 }
 
-/// The channels of that name in both images.
+/// The indices of a channel in both images.
 using ChannelPair = std::pair<std::size_t, std::size_t>;
 
 std::vector<ChannelPair> common_channels(const Image& image, const Image& reference) {
@@ -32,7 +32,7 @@ Difference channel_difference(const Image& image, const Image& reference,
   constexpr double kDarkest = 0.01;
   Difference d{.channel = image.channels()[channels.first]};
   double squares = 0, relative = 0, sum = 0;
-  d.largest = -1;  // so that the first pixel is the place of a largest difference of 0
+  d.largest = -1;  // so that the first pixel attains a largest difference of 0
   for (std::size_t y = 0; y < image.height(); ++y)
     for (std::size_t x = 0; x < image.width(); ++x) {
       const double b = reference.at(x, y, channels.second);

@@ -18,14 +18,14 @@
 namespace hiac::image_files {
 namespace {
 
-/// Lines converted at a time, as many as make a block of ZIP compression.
+/// Number of lines that are converted at a time: one block of ZIP compression.
 constexpr std::size_t kBlockLines = 16;
 
-/// Up to here memory is taken without asking what the file's length makes likely.
+/// Up to this size, memory is allocated whatever the file's length.
 constexpr std::uint64_t kHarmlessBytes = std::uint64_t{64} << 20;
 
-/// OpenEXR's output through a FileWriter. Its own stream would lose errors of the last bytes, which
-/// are written by a destructor; here they stay with the file and FileWriter::close throws.
+/// OpenEXR's output through a FileWriter. Its own stream would lose errors in the last bytes, which
+/// a destructor writes; here the file remembers them and FileWriter::close throws.
 class ExrStream : public Imf::OStream {
  public:
   ExrStream(FileWriter& file, const std::string& path) : Imf::OStream(path.c_str()), file_(file) {}
@@ -52,14 +52,14 @@ Imf::Header header_of(const Image& image, const WriteOptions& options) {
   return header;
 }
 
-/// Interleaved floats of lines first_line ... as OpenEXR's frame buffer.
+/// Describes interleaved floats of the lines from first_line on as OpenEXR's frame buffer.
 Imf::FrameBuffer frame_buffer(std::vector<float>& lines, std::span<const std::string> channels,
                               std::size_t width, const Imath::V2i& first_pixel) {
   Imf::FrameBuffer buffer;
   const std::size_t pixel_bytes = channels.size() * sizeof(float);
   const std::size_t line_bytes = width * pixel_bytes;
   for (std::size_t c = 0; c < channels.size(); ++c) {
-    // the slice's base is where pixel (0, 0) would be; it may lie outside of the lines
+    // the slice's base is the place of pixel (0, 0), which may lie outside the lines
     char* const base = reinterpret_cast<char*>(lines.data() + c) -
                        static_cast<std::ptrdiff_t>(pixel_bytes) * first_pixel.x -
                        static_cast<std::ptrdiff_t>(line_bytes) * first_pixel.y;
@@ -87,7 +87,7 @@ void write_lines(Imf::OutputFile& file, const Image& image) {
 constexpr int kMaxSide = 65536;
 constexpr int kMaxTileSide = 4096;
 
-/// A text of at most 255 characters that a zero ends.
+/// Reads a zero-terminated text of at most 255 characters.
 std::string read_name(std::FILE* file, const std::string& path) {
   std::string name;
   for (char c = 0; name.size() < 256; name += c) {
@@ -97,8 +97,8 @@ std::string read_name(std::FILE* file, const std::string& path) {
   throw InputError(path, "malformed OpenEXR header (a name longer than 255 characters)");
 }
 
-/// Walks over the attributes of the headers, because OpenEXR takes the memory that an attribute
-/// announces before it reads it. Returns the file's length.
+/// Walks through the headers' attributes, because OpenEXR allocates the memory that an attribute
+/// announces before reading it. Returns the file's length.
 std::uint64_t require_sane_headers(const std::string& path) {
   const FileHandle file = open_image_file(path);
   const std::uint64_t file_bytes = remaining_bytes(file.get(), path);
@@ -123,7 +123,7 @@ std::uint64_t require_sane_headers(const std::string& path) {
   }
 }
 
-/// R G B A first, then the others as the file has them (sorted).
+/// Returns R G B A first, then the others in the file's (sorted) order.
 std::vector<std::string> channel_names(const Imf::ChannelList& channels) {
   std::vector<std::string> names;
   for (const std::string& name : rgba_channels())
@@ -135,7 +135,7 @@ std::vector<std::string> channel_names(const Imf::ChannelList& channels) {
   return names;
 }
 
-/// Memory grows as lines are decoded: a header that announces more than there is costs nothing.
+/// Memory grows as lines are decoded: a header that announces too much costs nothing.
 Image read_lines(Imf::InputFile& file, std::uint64_t file_bytes, const std::string& path) {
   const Imath::Box2i window = file.header().dataWindow();
   const auto width = std::int64_t{window.max.x} - window.min.x + 1;

@@ -14,7 +14,7 @@ namespace hiac {
 namespace {
 
 using Triple = std::array<double, 3>;
-/// The three components of an image, in whatever colour space.
+/// The three components of an image in some colour space.
 using Planes = std::array<Plane, 3>;
 
 // Colour spaces. The matrices and the white point (D65) are those of the authors' code. ----------
@@ -32,7 +32,7 @@ Triple xyz_to_rgb(const Triple& xyz) {
           0.055639423 * xyz[0] - 0.204011202 * xyz[1] + 1.057148933 * xyz[2]};
 }
 
-/// The opponent space that is linear in light: achromatic, red-green, blue-yellow.
+/// Converts to the opponent space that is linear in light: achromatic, red-green, blue-yellow.
 Triple xyz_to_ycxcz(const Triple& xyz) {
   const double x = xyz[0] / kWhite[0], y = xyz[1] / kWhite[1], z = xyz[2] / kWhite[2];
   return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
@@ -42,8 +42,8 @@ Triple ycxcz_to_xyz(const Triple& color) {
   return {kWhite[0] * (y + color[1] / 500), kWhite[1] * y, kWhite[2] * (y - color[2] / 200)};
 }
 
-/// CIELAB with the chroma that the Hunt effect leaves at that lightness (the perceptually uniform
-/// colour space of section 4).
+/// Converts to CIELAB with chroma reduced by the Hunt effect according to lightness (the
+/// perceptually uniform colour space of section 4).
 Triple hunt_adjusted_lab(const Triple& rgb) {
   constexpr double kDelta = 6.0 / 29.0;
   const auto f = [](double t) {
@@ -55,7 +55,7 @@ Triple hunt_adjusted_lab(const Triple& rgb) {
   return {lightness, 0.01 * lightness * 500 * (x - y), 0.01 * lightness * 200 * (y - z)};
 }
 
-/// City-block distance in lightness, Euclidean in chroma.
+/// Returns the HyAB distance: city-block in lightness, Euclidean in chroma.
 double hyab(const Triple& a, const Triple& b) {
   return std::fabs(a[0] - b[0]) + std::hypot(a[1] - b[1], a[2] - b[2]);
 }
@@ -74,7 +74,8 @@ void convert(Planes& planes, const Convert& convert_color) {
   }
 }
 
-/// What a display shows; none where the image has no colour, or one that is not finite.
+/// Returns the colours that a display shows; none if the image has no colour or one that is not
+/// finite.
 std::optional<Planes> displayed(const Image& image) {
   const auto channels = color_channels(image);
   if (!channels) return std::nullopt;
@@ -93,7 +94,7 @@ std::optional<Planes> displayed(const Image& image) {
 // The colour pipeline: filtering in space, distance, redistribution -------------------------------
 
 /// A contrast sensitivity function in space: the sum of a sqrt(pi / b) exp(-pi^2 d^2 / b) over its
-/// terms, d the distance in degrees.
+/// terms, where d is the distance in degrees.
 struct SensitivityTerm {
   double a, b;
 };
@@ -110,7 +111,7 @@ Plane sensed(const Plane& plane, const std::vector<SensitivityTerm>& terms, doub
   for (const auto& [a, b] : terms) {
     std::vector<double>& kernel =
         kernels.emplace_back(gaussian(radius, std::sqrt(b / (2 * pi * pi)) * ppd));
-    // the term's weight, shared between the two directions
+    // the term's weight, divided between the two directions
     for (double& weight : kernel) weight *= std::sqrt(a * std::sqrt(pi / b));
     total += std::pow(std::accumulate(kernel.begin(), kernel.end(), 0.0), 2);
   }
@@ -122,7 +123,7 @@ Plane sensed(const Plane& plane, const std::vector<SensitivityTerm>& terms, doub
   return sum;
 }
 
-/// From YCxCz to what the eye makes of it, in Hunt-adjusted CIELAB.
+/// Converts YCxCz to the colours that the eye perceives, in Hunt-adjusted CIELAB.
 Planes perceived(const Planes& opponent, double ppd) {
   Planes planes;
   for (std::size_t c = 0; c < 3; ++c) planes[c] = sensed(opponent[c], kSensitivity[c], ppd);
@@ -134,7 +135,7 @@ Planes perceived(const Planes& opponent, double ppd) {
   return planes;
 }
 
-/// HyAB distances redistributed to [0, 1].
+/// Returns the HyAB distance, redistributed to [0, 1].
 double color_error(const Triple& a, const Triple& b) {
   constexpr double kQc = 0.7, kPc = 0.4, kPt = 0.95;
   static const double largest =
@@ -146,14 +147,14 @@ double color_error(const Triple& a, const Triple& b) {
 
 // The feature pipeline: edges and points ----------------------------------------------------------
 
-/// Scales the positive values to the sum 1 and the negative ones to the sum -1.
+/// Scales the positive values to a sum of 1 and the negative ones to a sum of -1.
 void balance(std::vector<double>& kernel) {
   double positive = 0, negative = 0;
   for (const double weight : kernel) (weight > 0 ? positive : negative) += std::fabs(weight);
   for (double& weight : kernel) weight /= weight > 0 ? positive : negative > 0 ? negative : 1;
 }
 
-/// The lengths of the first derivatives (edges) and of the second ones (points).
+/// The magnitudes of the first derivatives (edges) and of the second ones (points).
 struct Features {
   std::vector<double> edges, points;
 };
@@ -209,7 +210,7 @@ std::optional<Image> flip_map(const Image& image, const Image& reference,
         std::max(std::fabs(features_a.edges[i] - features_b.edges[i]),
                  std::fabs(features_a.points[i] - features_b.points[i]));
     const double feature_error = std::pow(feature_difference / std::numbers::sqrt2, kQf);
-    // the final error: features let a difference in colour count for more
+    // the final error: differing features amplify a difference in colour
     map.values()[i] = std::pow(color_error(at(seen_a, i), at(seen_b, i)), 1 - feature_error);
   }
   return map;

@@ -1,7 +1,7 @@
-// Radiance's picture format: red, green and blue with a common exponent, 32 bits a pixel.
-// Based on: G. Ward, "Real Pixels", Graphics Gems II, 1991, II.5, and Radiance's "Picture File
-// Format" (filefmts). Mantissas are rounded to the nearest and read back as they are, without the
-// half that Radiance adds to what it has cut off: as most programs do today.
+// Radiance's picture format: red, green and blue with a common exponent, 32 bits per pixel. Based
+// on: G. Ward, "Real Pixels", Graphics Gems II, 1991, II.5, and Radiance's "Picture File Format"
+// (filefmts). Mantissas are rounded to nearest when written and used unchanged when read. Radiance
+// truncates them and adds a half; most programs today do as this one does.
 
 #include <algorithm>
 #include <array>
@@ -29,7 +29,7 @@ constexpr std::size_t kLongestRun = 127, kLongestDump = 128;
 
 // Writing -----------------------------------------------------------------------------------------
 
-/// What has no place here: negative values and NaN become 0, larger values the largest.
+/// Negative values and NaN become 0, values above the largest that fits become the largest.
 Rgbe to_rgbe(const std::array<double, 3>& color) {
   const double kLargest = std::ldexp(255.0, 127 - kMantissaBits);
   std::array<double, 3> clamped{};
@@ -37,7 +37,7 @@ Rgbe to_rgbe(const std::array<double, 3>& color) {
   int exponent = 0;
   const double largest = *std::max_element(clamped.begin(), clamped.end());
   if (std::frexp(largest, &exponent) == 0) return {};
-  // rounding may carry the largest mantissa from 255.5 to 256
+  // rounding may increase the largest mantissa from 255.5 to 256
   if (std::floor(std::ldexp(largest, kMantissaBits - exponent) + 0.5) > 255) ++exponent;
   if (exponent <= -kExponentBias) return {};
   Rgbe pixel{};
@@ -48,8 +48,8 @@ Rgbe to_rgbe(const std::array<double, 3>& color) {
   return pixel;
 }
 
-/// One component of a scanline: runs of four and more as 128 + count and the byte, what is between
-/// them as a count and the bytes.
+/// Appends one component of a scanline: runs of four or more as 128 + count and the byte, other
+/// bytes as a count and the bytes.
 void append_component(std::vector<std::uint8_t>& bytes, std::span<const Rgbe> row, std::size_t c) {
   constexpr std::size_t kWorthwhileRun = 4;
   const auto run_at = [&](std::size_t x) {
@@ -92,7 +92,7 @@ struct HdrHeader {
   std::size_t height = 0;
 };
 
-/// The bytes of a file, front to back.
+/// Reads the bytes of a file from front to back.
 class HdrBytes {
  public:
   HdrBytes(std::span<const std::byte> bytes, const std::string& path) : rest_(bytes), path_(path) {}
@@ -110,7 +110,7 @@ class HdrBytes {
     for (std::uint8_t& byte : pixel) byte = next();
     return pixel;
   }
-  /// The text up to the next end of line.
+  /// Returns the text up to the next end of line.
   std::string_view next_line() {
     const std::string_view text(reinterpret_cast<const char*>(rest_.data()), rest_.size());
     const std::size_t length = text.find('\n');
@@ -125,7 +125,7 @@ class HdrBytes {
   const std::string& path_;
 };
 
-/// "-Y HEIGHT +X WIDTH": rows from the top, pixels from the left.
+/// Reads "-Y HEIGHT +X WIDTH": rows from the top, pixels from the left.
 void read_resolution(std::string_view line, HdrHeader& header, const std::string& path) {
   const auto number_after = [&](std::string_view key, std::size_t& number) {
     const std::size_t at = line.find(key);
@@ -178,8 +178,8 @@ void read_component(HdrBytes& bytes, std::span<Rgbe> row, std::size_t c, const s
   }
 }
 
-/// A scanline of single pixels; 1 1 1 n repeats the one before n times, n more digits in the base
-/// 256 where such pixels follow each other.
+/// Reads a scanline of single pixels; 1 1 1 n repeats the previous one n times, and consecutive
+/// such pixels are the digits of n in base 256.
 void read_old_row(HdrBytes& bytes, const Rgbe& first, std::span<Rgbe> row,
                   const std::string& path) {
   Rgbe pixel = first;
@@ -245,7 +245,7 @@ Image read_hdr(const std::string& path) {
   const std::vector<std::byte> content = read_whole(path);
   HdrBytes bytes(content, path);
   const HdrHeader header = read_header(bytes, path);
-  // a run of 127 bytes takes two; longer repetitions than that are no picture
+  // a run of 127 bytes takes two; no picture repeats more than that
   require_possible_size(4 * header.width, header.height, (kLongestRun + 1) / 2, bytes.size(), path);
   Image image(header.width, header.height, {"R", "G", "B"});
   std::vector<Rgbe> row(header.width);

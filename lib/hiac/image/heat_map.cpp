@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::array<double, 3> kNotFinite{1, 0, 0};
 
-/// kViridis at t in [0, 1], linear in its sRGB values in between.
+/// Returns kViridis at t in [0, 1], interpolated linearly in sRGB values.
 std::array<double, 3> viridis(double t) {
   constexpr std::size_t kLast = kViridis.size() - 1;
   const auto first = std::min(static_cast<std::size_t>(t * kLast), kLast - 1);

@@ -6,7 +6,8 @@
 
 namespace hiac {
 
-/// Dark blue over green to yellow, equally spaced: seven colours of matplotlib's viridis, sRGB.
+/// Seven equally spaced colours of matplotlib's viridis in sRGB, from dark blue over green to
+/// yellow.
 inline constexpr std::array<std::array<int, 3>, 7> kViridis{{{0x44, 0x01, 0x54},
                                                              {0x44, 0x39, 0x83},
                                                              {0x31, 0x68, 0x8e},
@@ -15,8 +16,8 @@ inline constexpr std::array<std::array<int, 3>, 7> kViridis{{{0x44, 0x01, 0x54},
                                                              {0x90, 0xd7, 0x43},
                                                              {0xfd, 0xe7, 0x25}}};
 
-/// A map of errors (its first channel) as colours: kViridis from 0 to `largest`, the last one
-/// beyond; red where a value is not finite. Channels R G B, linear.
+/// Converts a map of errors (its first channel) into colours: kViridis from 0 to `largest`, its
+/// last colour beyond; red for values that are not finite. Channels R G B, linear.
 Image heat_map(const Image& map, double largest);
 
 }  // namespace hiac

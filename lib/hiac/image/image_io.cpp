@@ -20,12 +20,12 @@ using Reader = ImageFile (*)(const std::string&, const ReadOptions&);
 
 struct Format {
   const char* extension;
-  std::array<int, 3> depths;  ///< bits a sample that write_image can be asked for, then zeros
+  std::array<int, 3> depths;  ///< bits per sample that write_image accepts, then zeros
   Writer write;
   Reader read;
 };
 
-// Formats without a choice write without options; formats without texts are read as images alone.
+// Adapters for formats without options, and for formats without texts.
 template <void (*write)(const std::string&, const Image&)>
 void write_plain(const std::string& path, const Image& image, const WriteOptions&) {
   write(path, image);
@@ -80,7 +80,7 @@ const Format& format_of(const std::string& path) {
                   image_extensions(), extension.empty() ? "no extension" : extension));
 }
 
-/// The depth to write with: the one that was asked for, or the format's first.
+/// Returns the requested depth, or the format's first.
 int depth_of(const Format& format, const std::string& path, int depth) {
   if (depth == 0) return format.depths.front();
   std::string known;

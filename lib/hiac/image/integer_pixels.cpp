@@ -16,7 +16,7 @@ std::uint16_t to_integer(double value, double largest, bool linear) {
       std::floor((linear ? clamped : srgb_encode(clamped)) * largest + 0.5));
 }
 
-/// Sample to linear value.
+/// Converts a sample into a linear value.
 double decode(double sample, double gamma) {
   return gamma == 0 ? srgb_decode(sample) : std::pow(sample, 1 / gamma);
 }

@@ -21,15 +21,14 @@ constexpr std::string_view kMagic = "\x93NUMPY";
 constexpr std::size_t kAlignment = 64;
 constexpr std::size_t kMaxHeaderBytes = 65536;
 
-/// What the header's dictionary says.
+/// The content of the header's dictionary.
 struct NpyHeader {
   std::string descriptor;  ///< "<f8"
   bool column_major = false;
   std::vector<std::uint64_t> shape;
 };
 
-/// The text of the value that follows 'key': in the dictionary, up to the comma or brace that ends
-/// it.
+/// Returns the text of the value of 'key' in the dictionary, up to the comma or brace that ends it.
 std::string_view value_of(std::string_view dictionary, std::string_view key,
                           const std::string& path) {
   const std::size_t at = dictionary.find(fmt::format("'{}'", key));
@@ -89,7 +88,7 @@ double from_bytes(const std::byte* bytes) {
 
 using Decode = double (*)(const std::byte*);
 
-/// How to read one number of a type, without its byte order: "f8".
+/// Returns the function that reads a number of a type, which is given without its byte order: "f8".
 Decode decoder_of(std::string_view type) {
   constexpr std::pair<std::string_view, Decode> kDecoders[] = {
       {"f8", from_bytes<double>},        {"f4", from_bytes<float>},
@@ -102,7 +101,7 @@ Decode decoder_of(std::string_view type) {
   return nullptr;
 }
 
-/// The numbers of the file in its own order.
+/// Returns the numbers of the file in the file's order.
 std::vector<double> read_numbers(std::FILE* file, const std::string& descriptor, std::size_t count,
                                  const std::string& path) {
   const Decode decode = descriptor.size() == 3 ? decoder_of(descriptor.substr(1)) : nullptr;

@@ -21,7 +21,7 @@ struct PfmHeader {
   std::size_t width = 0;
   std::size_t height = 0;
   std::size_t channels = 0;
-  double scale = 0;        ///< negative: little-endian; numbers are multiplied by its size
+  double scale = 0;        ///< negative: little-endian; numbers are multiplied by its magnitude
   std::size_t length = 0;  ///< bytes
 };
 

@@ -8,7 +8,7 @@
 namespace hiac {
 namespace {
 
-/// Positions before 0 are 0, those from `count` on the last.
+/// Clamps positions before 0 to 0 and those from `count` on to the last.
 std::size_t clamped(std::size_t position, std::size_t radius, std::size_t count) {
   return std::min(position < radius ? 0 : position - radius, count - 1);
 }

@@ -13,12 +13,12 @@ struct Plane {
   std::vector<double> values;
 };
 
-/// Correlates a plane with the separable kernel along_x(i) along_y(j), each of odd length with its
-/// middle at 0; the nearest value continues beyond the borders.
+/// Correlates a plane with the separable kernel along_x(i) along_y(j); both have odd length and
+/// their middle at 0. Values beyond the borders are the nearest ones inside.
 Plane filtered(const Plane& plane, std::span<const double> along_x,
                std::span<const double> along_y);
 
-/// exp(-x^2 / (2 sigma^2)) at x = -radius ... radius, not normalised.
+/// Returns exp(-x^2 / (2 sigma^2)) at x = -radius ... radius, not normalised.
 std::vector<double> gaussian(std::size_t radius, double sigma);
 
 }  // namespace hiac

@@ -13,8 +13,8 @@
 namespace hiac::image_files {
 namespace {
 
-// libpng reports errors by longjmp. Every function here that calls it holds nothing that a jump
-// would have to destroy; messages travel in this buffer.
+// libpng reports errors by longjmp. Functions here that call it own nothing that a jump would have
+// to destroy; they return messages in this buffer.
 struct Complaint {
   std::array<char, 256> text{};
 };
@@ -27,13 +27,13 @@ void complain(png_structp png, png_const_charp message) {
 
 void ignore_warning(png_structp, png_const_charp) {}
 
-/// The rows of a file: samples of one or two bytes, the higher one first.
+/// The rows of a file: samples of one or two bytes, most significant byte first.
 struct PngRows {
   png_uint_32 width = 0;
   png_uint_32 height = 0;
   int bit_depth = 8;  ///< 8 or 16
   int color_type = PNG_COLOR_TYPE_RGB;
-  double gamma = 0;  ///< the exponent that the file names; 0: sRGB
+  double gamma = 0;  ///< the exponent in the file; 0: sRGB
   std::vector<png_byte> bytes;
 
   [[nodiscard]] std::size_t channels() const {
@@ -96,7 +96,7 @@ bool write_rows(png_structp png, png_infop info, std::FILE* file, const PngRows&
 
 // Reading -----------------------------------------------------------------------------------------
 
-/// Reads up to the pixels, has them expanded to grey or colour of 8 or 16 bits.
+/// Reads up to the pixels, and requests their expansion to grey or colour of 8 or 16 bits.
 bool read_info(png_structp png, png_infop info, std::FILE* file, PngRows& rows) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
   png_init_io(png, file);
@@ -108,7 +108,7 @@ bool read_info(png_structp png, png_infop info, std::FILE* file, PngRows& rows) 
   int intent = 0;
   const bool says_srgb = png_get_sRGB(png, info, &intent) != 0;
   double gamma = 0;
-  constexpr double kSrgbGamma = 0.45455;  // how files that are sRGB name it in their gAMA chunk
+  constexpr double kSrgbGamma = 0.45455;  // the gAMA value of sRGB files
   if (!says_srgb && png_get_gAMA(png, info, &gamma) != 0 && std::fabs(gamma - kSrgbGamma) > 1e-4)
     rows.gamma = gamma;
   png_set_interlace_handling(png);
@@ -143,7 +143,7 @@ IntegerPixels to_pixels(const PngRows& rows) {
   return pixels;
 }
 
-/// libpng's two structures for one file, freed whatever happens.
+/// libpng's two structures for one file, which the destructor frees.
 class PngHandle {
  public:
   enum class Mode { read, write };

@@ -1,4 +1,4 @@
-// SGI's image format, 8 or 16 bits a sample, run-length encoded.
+// SGI's image format, 8 or 16 bits per sample, run-length encoded.
 // Based on: P. Haeberli, "The SGI Image File Format, Version 1.00", Silicon Graphics.
 
 #include <algorithm>
@@ -35,14 +35,14 @@ void append_sample(std::vector<std::uint8_t>& bytes, int depth, std::size_t valu
     append(bytes, static_cast<std::uint8_t>(value));
 }
 
-/// How many samples from `at` on are the same, at most the longest run.
+/// Returns how many samples from `at` on are equal, up to the longest run.
 std::size_t run_length(std::span<const std::uint16_t> row, std::size_t at) {
   std::size_t length = 1;
   while (at + length < row.size() && length < kLongestRun && row[at + length] == row[at]) ++length;
   return length;
 }
 
-/// Runs of three and more as a count and the sample, what is between them as a count with the bit
+/// Appends runs of three or more as a count and the sample, other samples as a count with the bit
 /// 0x80 and the samples; 0 ends the row.
 void append_row(std::vector<std::uint8_t>& bytes, std::span<const std::uint16_t> row, int depth) {
   constexpr std::size_t kWorthwhileRun = 3;
@@ -79,7 +79,7 @@ std::vector<std::uint8_t> header_of(const IntegerPixels& pixels) {
 
 // Reading -----------------------------------------------------------------------------------------
 
-/// The bytes of a file whose numbers are big-endian; every access is checked.
+/// The bytes of a file with big-endian numbers; every access is checked.
 class SgiBytes {
  public:
   SgiBytes(std::span<const std::byte> bytes, const std::string& path)
@@ -133,7 +133,7 @@ SgiHeader read_header(const SgiBytes& bytes, const std::string& path) {
   return header;
 }
 
-/// One row of one channel, from its place in the file.
+/// Reads one row of one channel at its position in the file.
 void read_row(const SgiBytes& bytes, std::uint64_t at, int depth, std::span<std::uint16_t> row,
               const std::string& path) {
   const std::size_t step = depth == 16 ? 2 : 1;
@@ -162,8 +162,8 @@ void read_samples(const SgiBytes& bytes, SgiHeader& header, const std::string& p
   IntegerPixels& pixels = header.pixels;
   const std::size_t rows = pixels.height * pixels.channels;
   const std::size_t step = pixels.depth == 16 ? 2 : 1;
-  // a run of 127 samples takes two units of the file; rows could share their bytes, but an image
-  // of that kind is not worth the memory that a malformed file could ask for
+  // a run of 127 samples takes two units of the file. Rows might share their bytes, but such an
+  // image is not worth the memory that a malformed file could demand
   require_possible_size(pixels.width * step, rows,
                         header.is_run_length_encoded ? (kLongestRun + 1) / 2 : 1,
                         bytes.size() - kHeaderBytes, path);

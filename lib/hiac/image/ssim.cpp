@@ -16,7 +16,7 @@ constexpr double kSigma = 1.5;
 constexpr double kC1 = 0.01 * 0.01;  // (K1 L)^2
 constexpr double kC2 = 0.03 * 0.03;  // (K2 L)^2
 
-/// None where the image has no colour, or one that is not finite.
+/// Returns the luma; none if the image has no colour or one that is not finite.
 std::optional<Plane> luma(const Image& image) {
   constexpr double kWeights[] = {0.299, 0.587, 0.114};
   const auto channels = color_channels(image);

@@ -16,9 +16,9 @@
 namespace hiac::image_files {
 namespace {
 
-// libtiff's way to files and to messages --------------------------------------------------------
+// libtiff's access to files, and its messages ---------------------------------------------------
 
-/// The first error that libtiff has told.
+/// The first error that libtiff reports.
 struct Complaint {
   std::array<char, 256> text{};
 };
@@ -54,7 +54,7 @@ toff_t size_of(thandle_t handle) {
   return static_cast<toff_t>(size);
 }
 
-/// An open TIFF; the file stays its owner's.
+/// An open TIFF; its owner closes the file.
 class Tiff {
  public:
   Tiff(std::FILE* file, const std::string& path, const char* mode, std::uint64_t largest_memory) {
@@ -71,7 +71,7 @@ class Tiff {
   [[nodiscard]] TIFF* get() const { return tiff_.get(); }
   [[nodiscard]] const char* complaint() const { return complaint_.text.data(); }
 
-  /// The value of a tag of 16 bits, its default where the file is silent.
+  /// Returns the value of a 16-bit tag, or its default if the file lacks it.
   [[nodiscard]] std::uint16_t tag(std::uint32_t tag) const {
     std::uint16_t value = 0;
     TIFFGetFieldDefaulted(get(), tag, &value);
@@ -83,7 +83,7 @@ class Tiff {
   std::unique_ptr<TIFF, void (*)(TIFF*)> tiff_{nullptr, TIFFClose};
 };
 
-/// What decides how samples are stored.
+/// The properties that determine how samples are stored.
 struct Layout {
   std::size_t width = 0;
   std::size_t height = 0;
@@ -99,7 +99,7 @@ struct Layout {
 
 // Writing -----------------------------------------------------------------------------------------
 
-/// Files of more bytes than this before compression become BigTIFF.
+/// Files larger than this before compression become BigTIFF.
 constexpr std::uint64_t kMaxClassicBytes = std::uint64_t{1} << 31;
 
 void set_tags(TIFF* tiff, const Layout& layout) {
@@ -123,7 +123,7 @@ void set_tags(TIFF* tiff, const Layout& layout) {
   TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, 1, &alpha);
 }
 
-/// `fill(y, row)` puts the bytes of row y, from the top.
+/// Calls `fill(y, row)` to store the bytes of row y, from the top.
 template <typename Fill>
 void write_rows(const std::string& path, const Layout& layout, const Fill& fill) {
   FileWriter writer(path);
@@ -157,13 +157,13 @@ void write_floats(const std::string& path, const Image& image) {
 
 // Reading -----------------------------------------------------------------------------------------
 
-/// LZW's longest codes stand for that many times their own size.
+/// LZW's longest codes represent this many times their own size.
 constexpr std::uint64_t kLargestRatio = 4096;
-/// Up to here libtiff may take memory whatever the file's length.
+/// Up to this size, libtiff may allocate memory whatever the file's length.
 constexpr std::uint64_t kHarmlessBytes = std::uint64_t{64} << 20;
 
-/// Compressions whose decoders take no more memory than a strip; the others are seldom used for
-/// pictures that are data.
+/// Returns whether a compression's decoder needs no more memory than a strip; other compressions
+/// are rarely used for pictures that are data.
 bool is_known_compression(std::uint16_t compression) {
   return compression == COMPRESSION_NONE || compression == COMPRESSION_LZW ||
          compression == COMPRESSION_PACKBITS || compression == COMPRESSION_DEFLATE ||
@@ -207,7 +207,7 @@ Layout read_layout(const Tiff& tiff, const std::string& path) {
   Layout layout{width, height, tiff.tag(TIFFTAG_SAMPLESPERPIXEL), tiff.tag(TIFFTAG_BITSPERSAMPLE),
                 false};
   require_sane_size(width, height, layout.channels, path);
-  layout.premultiplied = layout.depth == 32;  // where the file does not say: as it is written here
+  layout.premultiplied = layout.depth == 32;  // if the file does not say: as this file writes it
   std::uint16_t count = 0;
   const std::uint16_t* kinds = nullptr;
   TIFFGetFieldDefaulted(tiff.get(), TIFFTAG_EXTRASAMPLES, &count, &kinds);
@@ -216,7 +216,7 @@ Layout read_layout(const Tiff& tiff, const std::string& path) {
   return layout;
 }
 
-/// The file's rows one after another, channels interleaved: memory grows as they are decoded.
+/// Returns the file's rows in order, channels interleaved; memory grows as they are decoded.
 std::vector<std::byte> read_rows(const Tiff& tiff, const Layout& layout, const std::string& path) {
   const bool is_planar = tiff.tag(TIFFTAG_PLANARCONFIG) == PLANARCONFIG_SEPARATE;
   const auto sample_bytes = static_cast<std::size_t>(layout.depth) / 8;

@@ -8,7 +8,7 @@
 
 namespace hiac {
 
-/// For a corner of a shape, the corners at the other ends of its edges, in turn around it:
+/// For a corner of a shape, the corners at the other ends of its edges, in order around it:
 /// counter-clockwise as seen from outside a positively oriented cell.
 struct CornerFan {
   std::size_t count = 0;
@@ -21,7 +21,7 @@ using ShapeFans = std::array<CornerFan, 8>;
 constexpr ShapeFans make_fans(CellShape shape) {
   ShapeFans fans{};
   for (std::size_t corner = 0; corner < topology_of(shape).corner_count; ++corner) {
-    // every face at the corner leads from the neighbour after it to the one before it
+    // each face at the corner leads from the neighbour after the corner to the one before it
     std::array<std::uint8_t, 8> next{};
     std::uint8_t start = 0;
     for (const ShapeFace& face : topology_of(shape).faces)

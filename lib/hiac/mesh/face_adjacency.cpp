@@ -20,7 +20,7 @@ constexpr std::uint64_t kNoFourth = ~std::uint64_t{0};
 FaceKey key_of(const ShapeFace& face, std::span<const NodeId> nodes) {
   FaceKey key{nodes[face.corners[0]], nodes[face.corners[1]], nodes[face.corners[2]],
               face.corner_count == 4 ? nodes[face.corners[3]] : kNoFourth};
-  // a sorting network of four; it leaves kNoFourth last
+  // a sorting network for four entries; kNoFourth ends up last
   const auto order = [&](std::size_t i, std::size_t j) {
     const std::uint64_t low = std::min(key[i], key[j]);
     key[j] = std::max(key[i], key[j]);
@@ -30,8 +30,8 @@ FaceKey key_of(const ShapeFace& face, std::span<const NodeId> nodes) {
   return key;
 }
 
-/// A face in a bucket, packed into 64 bits so that sorting a bucket brings equal faces together:
-/// the fingerprint of the key's last three nodes (29 bits), the cell (32), its face (3).
+/// A face in a bucket, packed into 64 bits so that sorting a bucket makes equal faces adjacent: the
+/// fingerprint of the key's last three nodes (29 bits), the cell (32), its face (3).
 using Entry = std::uint64_t;
 
 Entry entry_of(const FaceKey& key, CellId cell, std::size_t face) {
@@ -64,8 +64,8 @@ void for_each_face(const ZooMesh& mesh, const Visit& visit) {
   });
 }
 
-/// Every face, in the bucket of its smallest node: a counting sort. Bucket n ends at ends[n] and
-/// begins where bucket n - 1 ends.
+/// All faces, in the buckets of their smallest nodes, by a counting sort. Bucket n ends at ends[n]
+/// and begins where bucket n - 1 ends.
 struct Buckets {
   std::vector<Entry> entries;
   std::vector<std::uint64_t> ends;
@@ -91,7 +91,7 @@ Buckets fill_buckets(const ZooMesh& mesh, std::uint64_t faces) {
   return buckets;
 }
 
-/// Matches the faces of one bucket and writes the neighbours found.
+/// Matches the faces of one bucket and stores the neighbours.
 class BucketMatcher {
  public:
   BucketMatcher(const ZooMesh& mesh, std::span<const std::uint64_t> offsets,
@@ -112,7 +112,7 @@ class BucketMatcher {
   }
 
  private:
-  /// Entries with one fingerprint: nearly always one face or the two sides of one.
+  /// Matches entries with the same fingerprint: nearly always one face, or the two sides of one.
   std::uint64_t match_alike(std::span<const Entry> alike) {
     if (alike.size() == 1) return 0;
     if (alike.size() == 2) {
@@ -133,7 +133,7 @@ class BucketMatcher {
   }
 
   void pair(Entry a, Entry b) {
-    // a cell folded onto itself has no other cell there
+    // a cell that is folded onto itself has no neighbour there
     if (cell_of(a) == cell_of(b)) return;
     neighbors_[offsets_[cell_of(a)] + face_of(a)] = cell_of(b);
     neighbors_[offsets_[cell_of(b)] + face_of(b)] = cell_of(a);

@@ -14,12 +14,12 @@
 namespace hiac {
 namespace {
 
-/// A system call moves at most about 2 GiB; and a smaller step shows an interrupt sooner.
+/// A system call transfers at most about 2 GiB; smaller steps respond to an interrupt sooner.
 constexpr std::size_t kLargestStep = std::size_t{1} << 26;
 
 std::string reason(int error) { return std::generic_category().message(error); }
 
-/// Whether a failed transfer is to be tried again; waits where the descriptor does not block.
+/// Returns whether to retry a failed transfer; waits if the descriptor is non-blocking.
 bool may_retry(int error, int descriptor, short events) {
   if (error == EINTR) return true;
   if (error != EAGAIN && error != EWOULDBLOCK) return false;

@@ -18,7 +18,7 @@ class FileDescriptor {
   FileDescriptor& operator=(const FileDescriptor&) = delete;
 
   [[nodiscard]] int number() const { return number_; }
-  /// Closes the file now. Throws InputError when the system reports that data was lost.
+  /// Closes the file now. Throws InputError if the system reports lost data.
   void close(const std::string& subject);
 
  private:
@@ -34,7 +34,7 @@ FileDescriptor open_to_write(const std::string& path);
 /// Reads until `buffer` is full or the stream ends; returns the number of bytes. Throws InputError.
 std::size_t read_fully(int descriptor, std::span<std::uint8_t> buffer, const std::string& subject);
 
-/// Writes all of `bytes`. Throws InputError, also when the reader of a pipe has closed it.
+/// Writes all of `bytes`. Throws InputError, also if the reader of a pipe has closed it.
 void write_fully(int descriptor, std::span<const std::uint8_t> bytes, const std::string& subject);
 
 }  // namespace hiac

@@ -29,21 +29,21 @@ std::array<Real, 3> uncollapsed(CellShape shape, const std::array<Real, 3>& cube
   return cube;
 }
 
-// From the values at 0, 1/p, ..., 1 to the Bernstein coefficients, of degree p.
+// Matrices that give the Bernstein coefficients of degree p from the values at 0, 1/p, ..., 1.
 constexpr std::array<std::array<std::array<Real, 4>, 4>, 4> kFromValues{
     {{},
      {{{1}, {0, 1}}},
      {{{1}, {-0.5L, 2, -0.5L}, {0, 0, 1}}},
      {{{1}, {-5.0L / 6, 3, -1.5L, 1.0L / 3}, {1.0L / 3, -1.5L, 3, -5.0L / 6}, {0, 0, 0, 1}}}}};
 
-// The coefficients of every shape function of a kind.
+// The Bernstein coefficients of all shape functions of a kind.
 struct KindTable {
-  // What every coefficient has of a node, the first one's left out.
+  // A node's weight in every coefficient; the first node's weights are omitted.
   using Shares = std::array<double, InterpolantCoefficients::kMost>;
 
   std::size_t nodes = 0, count = 0;
   std::vector<Shares> of_node;
-  double largest_sum = 0;  // of a coefficient's shares, without signs
+  double largest_sum = 0;  // of the absolute weights in a coefficient
 
   explicit KindTable(CellKind kind) : nodes(node_count(kind)), of_node(nodes) {
     const auto p = static_cast<std::size_t>(order_of(kind));
@@ -68,7 +68,7 @@ struct KindTable {
   }
 
  private:
-  static constexpr double kZero = 1e-16;  // what rounding of extended precision leaves is below
+  static constexpr double kZero = 1e-16;  // smaller weights are rounding errors
 
   template <typename Values>
   void transform(std::size_t p, std::size_t stride, Values& values) const {
@@ -121,7 +121,7 @@ InterpolantCoefficients interpolant_coefficients(CellKind kind, std::span<const 
   return result;
 }
 
-InterpolantRange interpolant_range(CellKind kind, std::span<const double> values) {
+ValueRange interpolant_range(CellKind kind, std::span<const double> values) {
   const auto nodal = std::ranges::minmax(values.first(node_count(kind)));
   if (order_of(kind) == CellOrder::linear || nodal.min == nodal.max) return {nodal.min, nodal.max};
   const InterpolantCoefficients b = interpolant_coefficients(kind, values);

@@ -10,7 +10,7 @@ namespace hiac {
 
 /// Bernstein coefficients of a kind's interpolant on the unit cube.
 ///
-/// The cube's coordinates u, v, w give the reference cell's coordinates, collapsed where it tapers:
+/// The cube's coordinates u, v, w determine the reference cell's, collapsed where the cell tapers:
 ///
 ///     tetrahedron   x = u (1-v) (1-w),  y = v (1-w),  z = w
 ///     pyramid       x = u (1-w),        y = v (1-w),  z = w
@@ -27,16 +27,16 @@ struct InterpolantCoefficients {
   static constexpr std::size_t kMost = 64;
   std::array<double, kMost> c;
   std::size_t count = 0;  ///< (p+1)^3
-  double rounding = 0;    ///< bound of the error of each coefficient
+  double rounding = 0;    ///< error bound of each coefficient
 };
 
-/// Adds to `sums` (`count` sums, padded by up to 7) the contributions of every node but the first:
-/// shares_of(k) points to the contribution of one unit of the value at node k.
+/// Adds to `sums` (`count` sums, padded by up to 7) the contributions of all nodes but the first:
+/// shares_of(k) points to the contribution of a unit value at node k.
 template <class SharesOf>
 void add_shares(std::size_t nodes, std::size_t count, const SharesOf& shares_of,
                 std::span<const double> values,
                 std::array<double, InterpolantCoefficients::kMost>& sums) {
-  // as many sums at a time as stay in registers
+  // as many sums at a time as fit into registers
   constexpr std::size_t kTogether = 8;
   for (std::size_t first = 0; first < count; first += kTogether) {
     std::array<double, kTogether> sum{};
@@ -48,17 +48,17 @@ void add_shares(std::size_t nodes, std::size_t count, const SharesOf& shares_of,
   }
 }
 
-/// `values`: of the kind's nodes.
+/// Returns the coefficients; `values` are those at the kind's nodes.
 InterpolantCoefficients interpolant_coefficients(CellKind kind, std::span<const double> values);
 
-/// Bounds of an interpolant in the whole cell.
-struct InterpolantRange {
+/// Bounds of a field in a cell, or in part of it.
+struct ValueRange {
   double least, most;
 };
 
 /// Bounds of the interpolant of `values` (at the kind's nodes): the extreme values for linear
 /// kinds; for the others, whose interpolants overshoot, the extreme coefficients widened by their
 /// rounding. Both bounds of a constant are the constant.
-InterpolantRange interpolant_range(CellKind kind, std::span<const double> values);
+ValueRange interpolant_range(CellKind kind, std::span<const double> values);
 
 }  // namespace hiac

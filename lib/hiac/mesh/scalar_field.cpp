@@ -7,6 +7,7 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
+#include "hiac/mesh/location_name.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 
 namespace hiac {
@@ -15,7 +16,7 @@ namespace {
 constexpr std::size_t kGrain = 1 << 14;
 constexpr std::string_view kMagnitude = "magnitude";
 
-/// The names of a vector's or a symmetric tensor's components; none for other counts.
+/// Returns the names of a vector's or a symmetric tensor's components; none for other counts.
 std::span<const std::string_view> component_names(std::uint32_t components) {
   static constexpr std::array<std::string_view, 3> kVector{"x", "y", "z"};
   static constexpr std::array<std::string_view, 6> kTensor{"xx", "yy", "zz", "xy", "yz", "xz"};
@@ -24,7 +25,7 @@ std::span<const std::string_view> component_names(std::uint32_t components) {
   return {};
 }
 
-/// The component that `suffix` names, by letter or by number.
+/// Returns the component that `suffix` names, by letter or by number.
 std::optional<std::uint32_t> component_of(std::string_view suffix, std::uint32_t components) {
   const auto names = component_names(components);
   for (std::uint32_t c = 0; c < names.size(); ++c)
@@ -36,7 +37,7 @@ std::optional<std::uint32_t> component_of(std::string_view suffix, std::uint32_t
   return number;
 }
 
-/// One number a tuple of `field`: `reduce(tuple)`.
+/// Returns a field with one number per tuple of `field`: `reduce(tuple)`.
 template <typename Reduce>
 Field reduced(const Field& field, const std::string& name, const Reduce& reduce) {
   const auto values = field.values.view();
@@ -52,22 +53,10 @@ Field reduced(const Field& field, const std::string& name, const Reduce& reduce)
 Field magnitude(const Field& field, const std::string& name) {
   return reduced(field, name, [](std::span<const double> tuple) {
     double length = std::abs(tuple[0]);
-    // hypot: squares of large and of tiny values would overflow and vanish
+    // hypot: squares of large values would overflow, those of tiny ones vanish
     for (std::size_t c = 1; c < tuple.size(); ++c) length = std::hypot(length, tuple[c]);
     return length;
   });
-}
-
-std::string_view location_name(FieldLocation location) {
-  switch (location) {
-    case FieldLocation::node:
-      return "node";
-    case FieldLocation::cell:
-      return "cell";
-    case FieldLocation::corner:
-      return "corner";
-  }
-  return "";
 }
 
 /// A field's name with its location: what tells fields of one name apart.
@@ -75,7 +64,7 @@ std::string located_name(const Field& field) {
   return fmt::format("{}@{}", field.name, location_name(field.location));
 }
 
-/// The field that is called exactly `name`, with its location or without, or none.
+/// Returns the field with exactly this name, with its location or without; null if there is none.
 const Field* find_field(const ZooMesh& mesh, std::string_view name) {
   const Field* found = nullptr;
   for (const Field& field : mesh.fields) {
@@ -125,7 +114,7 @@ std::vector<std::string> scalar_field_names(const ZooMesh& mesh) {
 }
 
 Field scalar_field(const ZooMesh& mesh, const std::string& reference) {
-  // a whole name first: names may hold colons
+  // the whole name is tried first, as names may contain colons
   if (const Field* field = find_field(mesh, reference); field != nullptr && field->components == 1)
     return *field;
   const std::size_t colon = reference.rfind(':');

@@ -1,4 +1,4 @@
-// Every kind is built in the same three steps.
+// Every kind is built in the same three steps:
 //
 //   1. The linear functions n_c of the corners: barycentric, trilinear, or rational (Bedrosian 1992
 //      for the pyramid; the wedge is the trilinear brick in collapsed coordinates).
@@ -9,8 +9,9 @@
 //          9/4 B_e (1 + 3 D_e),  9/4 B_e (1 - 3 D_e)   (cubic: the node nearer to a, to b).
 //   3. A corner's function is n_c minus its edges' functions, each times n_c at that edge's node.
 //
-// A function that vanishes on the faces without its edge and has the right traces on those with it
-// has the nodal property; step 3 carries the sum to 1 and linear fields over from the n_c.
+// A function has the nodal property if it vanishes on the faces without its edge and has the right
+// traces on those with it; by step 3, the functions inherit from the n_c that they sum to 1 and
+// reproduce linear fields.
 // For the brick these are the serendipity functions, for the tetrahedron and the prism those of
 // Zienkiewicz and Taylor, The Finite Element Method, vol. 1, ch. 8, for the quadratic pyramid
 // Bedrosian's; (15) of Williams, Max, Stein 1998 is the cubic tetrahedron's space, written below
@@ -29,13 +30,13 @@
 namespace hiac {
 namespace {
 
-/// A number with its gradient: forward differentiation.
+/// A number with its gradient, for forward differentiation.
 template <typename Real>
 struct Dual {
   Real value;
   std::array<Real, 3> gradient;
 
-  Dual() = default;  // leaves it unset: arrays of these are filled at once
+  Dual() = default;  // uninitialized, as arrays of these are filled at once
   Dual(Real v, const std::array<Real, 3>& g) : value(v), gradient(g) {}
 
   friend Dual operator+(const Dual& a, const Dual& b) {
@@ -82,14 +83,14 @@ Dual<Real> chain(Real value, const Dual<Real>& a, Real by_a, const Dual<Real>& b
   return {value, Dual<Real>::combine(1, ab, by_c, c.gradient)};
 }
 
-/// numerator / denominator, or a half where both are zero: the middle of the 0 ... 1 that the
-/// quotient of a collapsed coordinate can be there.
+/// Returns numerator / denominator, or a half if both are zero: the middle of the range 0 ... 1 of
+/// a collapsed coordinate's quotient there.
 template <typename Real>
 Real collapsed_quotient(Real numerator, Real denominator) {
   return denominator == 0 ? Real(0.5) : numerator / denominator;
 }
 
-/// x y / w, where x and y vanish with w.
+/// Returns x y / w, where x and y vanish with w.
 template <typename Real>
 Real product_over(Real x, Real y, Real w) {
   return collapsed_quotient(x, w) * y;
@@ -101,7 +102,7 @@ Dual<Real> product_over(const Dual<Real>& x, const Dual<Real>& y, const Dual<Rea
   return chain<Real>(u * y.value, x, v, y, u, w, -u * v);
 }
 
-/// x p / (p + q), where x vanishes with p + q.
+/// Returns x p / (p + q), where x vanishes with p + q.
 template <typename Real>
 Real share_of(Real x, Real p, Real q) {
   return x * collapsed_quotient(p, p + q);
@@ -121,8 +122,8 @@ struct EdgeBubble {
   T difference;
 };
 
-/// What steps 1 and 2 give for one shape. Edges in the shape's order; left unset when not asked
-/// for.
+/// The result of steps 1 and 2 for a shape, edges in the shape's order. The edges are uninitialized
+/// unless they are requested.
 template <typename T, std::size_t Corners, std::size_t Edges>
 struct Basis {
   std::array<T, Corners> corners;
@@ -189,8 +190,8 @@ Basis<T, 6, 9> prism_basis(const Point<T>& r, bool with_edges) {
   return basis;
 }
 
-/// With w = 2 - y - z and xi = x / w the coordinate of the brick: t = xi (1-y), s = xi (1-z), and
-/// everything is a polynomial of x, y, z and t.
+/// Let w = 2 - y - z, and let xi = x / w be the coordinate of the brick. With t = xi (1-y) and
+/// s = xi (1-z), everything is a polynomial of x, y, z and t.
 template <typename T>
 Basis<T, 7, 11> wedge_basis(const Point<T>& r, bool with_edges) {
   const auto& [x, y, z] = r;
@@ -265,7 +266,7 @@ void assemble(const Basis<T, Corners, Edges>& basis, CellOrder order,
       b = b - half;
       values[Corners + e] = half + half;
     } else {
-      // 9/4 B (1 +- 3 D); two thirds of the one and one third of the other: 9/4 B (1 +- D)
+      // 9/4 B (1 +- 3 D); two thirds of one plus one third of the other: 9/4 B (1 +- D)
       const T even = Constant<T>(2.25) * bubble;
       const T odd = even * difference;
       a = a - even - odd;

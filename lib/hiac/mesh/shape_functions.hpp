@@ -44,7 +44,7 @@ std::span<const std::array<double, 3>> reference_nodes(CellKind kind);
 template <typename Real>
 void shape_functions(CellKind kind, const std::array<Real, 3>& xi, std::span<Real> values);
 
-/// Their gradients in reference coordinates: gradients[i][j] is dN_i / dxi_j.
+/// The gradients of the shape functions in reference coordinates: gradients[i][j] is dN_i / dxi_j.
 ///
 /// At a pyramid's apex and a wedge's node 6 the gradient depends on the direction of approach; the
 /// result is the limit along the direction through the middle of the opposite faces.

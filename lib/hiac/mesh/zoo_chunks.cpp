@@ -25,7 +25,7 @@ std::string hexadecimal(std::span<const std::uint8_t> bytes) {
   return text;
 }
 
-/// A payload, taken apart from front to back; every step checks that the bytes are there.
+/// Takes a payload apart from front to back; every step checks that the bytes exist.
 class PayloadReader {
  public:
   PayloadReader(const RawChunk& chunk, const std::string& subject)
@@ -46,7 +46,7 @@ class PayloadReader {
   void require_zero(std::span<const std::uint8_t> bytes) const {
     if (!all_zero(bytes)) refuse("bytes that must be zero are not");
   }
-  /// All that is left, as an array that shares the payload's storage.
+  /// Takes all remaining bytes, as an array that shares the payload's storage.
   template <typename T>
   SharedArray<T> take_array() {
     const auto rest = take(chunk_.payload.size() - position_, "values");
@@ -95,7 +95,7 @@ void check_payloads(const std::vector<RawChunk>& chunks, const std::string& subj
                                             i, chunks[i].type, chunks[i].checksum, found[i]));
 }
 
-/// The one chunk of the type, or null where `required` is false and there is none.
+/// Returns the only chunk of the type, or null if there is none and `required` is false.
 const RawChunk* single(const std::vector<RawChunk>& chunks, std::string_view type, bool required,
                        const std::string& subject) {
   const RawChunk* found = nullptr;

@@ -8,17 +8,17 @@
 
 namespace hiac::zoo_layout {
 
-// The container's layout as bytes; zoo-container.md beside this file explains it. Little-endian.
+// The container's layout in bytes, which zoo-container.md beside this file explains. Little-endian.
 static_assert(std::endian::native == std::endian::little, "hiac needs a little-endian machine");
 
-/// Payloads, and every array that is used in place, begin at a multiple of this.
+/// Payloads, and all arrays that are used in place, start at a multiple of this.
 inline constexpr std::uint64_t kAlignment = 64;
 
-/// Not text, and changed by every transfer that treats it as text (like PNG's signature).
+/// No text starts like this, and every transfer as text changes it (like PNG's signature).
 inline constexpr std::array<std::uint8_t, 8> kMagic{0x89, 'Z', 'O', 'O', '\r', '\n', 0x1a, '\n'};
 inline constexpr std::uint32_t kVersion = 1;
 
-/// Begins every container.
+/// The start of every container.
 struct FileHeader {
   std::array<std::uint8_t, 8> magic;
   std::uint32_t version;
@@ -26,20 +26,20 @@ struct FileHeader {
 };
 static_assert(sizeof(FileHeader) == kAlignment);
 
-/// Begins every chunk. The payload follows, then zeros up to a multiple of kAlignment.
+/// The start of every chunk. The payload follows, then zeros up to a multiple of kAlignment.
 struct ChunkHeader {
   std::array<char, 8> type;        ///< printable ASCII, then zeros
   std::uint64_t payload_bytes;     ///< without the zeros that follow it
   std::uint64_t payload_checksum;  ///< XXH3, 64 bits, seed 0, of the payload
-  std::uint64_t header_checksum;   ///< the same of the three members above
+  std::uint64_t header_checksum;   ///< the same for the three members above
   std::array<std::uint8_t, 32> zeros;
 };
 static_assert(sizeof(ChunkHeader) == kAlignment);
 /// Number of a chunk header's bytes that its own checksum covers.
 inline constexpr std::size_t kCheckedHeaderBytes = offsetof(ChunkHeader, header_checksum);
 
-/// Begins a FIELD chunk. Name and unit follow, then zeros up to a multiple of kAlignment, counted
-/// from the payload's beginning, then the values.
+/// The start of a FIELD chunk. Name and unit follow, then zeros up to a multiple of kAlignment from
+/// the payload's start, then the values.
 struct FieldHeader {
   std::uint32_t location;  ///< FieldLocation
   std::uint32_t components;
@@ -48,7 +48,7 @@ struct FieldHeader {
 };
 static_assert(sizeof(FieldHeader) == 16);
 
-/// Begins a FACEADJ chunk; the neighbours follow.
+/// The start of a FACEADJ chunk; the neighbours follow.
 struct AdjacencyHeader {
   std::uint64_t overshared;
   std::array<std::uint8_t, 56> zeros;
@@ -64,7 +64,7 @@ inline constexpr std::string_view kField = "FIELD";
 inline constexpr std::string_view kFaceAdjacency = "FACEADJ";
 inline constexpr std::string_view kEnd = "END";
 
-/// Whether this library's mesh part interprets chunks of the type.
+/// Returns whether the mesh reader interprets chunks of this type.
 constexpr bool is_known(std::string_view type) {
   for (const std::string_view known :
        {kMeta, kKinds, kElems, kNodes, kXyz, kField, kFaceAdjacency, kEnd})
@@ -72,7 +72,7 @@ constexpr bool is_known(std::string_view type) {
   return false;
 }
 
-/// Whether `type` can name a chunk: 1 to 8 printable ASCII characters without blanks.
+/// Returns whether `type` can name a chunk: 1 to 8 printable ASCII characters without blanks.
 constexpr bool is_type(std::string_view type) {
   if (type.empty() || type.size() > 8) return false;
   for (const char c : type)

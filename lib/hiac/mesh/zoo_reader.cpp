@@ -22,8 +22,8 @@ using namespace zoo_layout;
                                         within, expected, found));
 }
 
-/// Memory of whole pages from the system, which unmaps it at the end: aligned, not touched before
-/// it is filled, and grown without copying.
+/// Whole pages of memory from the system: aligned, not touched before they are filled, and grown
+/// without copying. The destructor unmaps them.
 class PageBuffer {
  public:
   PageBuffer() = default;
@@ -50,8 +50,8 @@ class PageBuffer {
   std::size_t size_ = 0;
 };
 
-/// Reads `size` bytes into memory that never exceeds twice what has arrived (or kFirstStep).
-/// Returns less when the stream ends.
+/// Reads `size` bytes into memory that never exceeds twice the size that has arrived (or
+/// kFirstStep). Returns fewer bytes if the stream ends.
 SharedArray<std::uint8_t> read_growing(int descriptor, std::uint64_t size,
                                        const std::string& subject) {
   constexpr std::uint64_t kFirstStep = std::uint64_t{1} << 20;
@@ -82,7 +82,7 @@ void check_padding(std::span<const std::uint8_t> padding, const std::string& typ
                      fmt::format("chunk {}: the padding is damaged (zeros expected)", type));
 }
 
-/// The size of the payload and its padding. Throws InputError where 64 bits cannot hold it.
+/// Returns the size of the payload with its padding. Throws InputError if 64 bits cannot hold it.
 std::uint64_t padded_size(const ChunkHeader& header, const std::string& type,
                           const std::string& subject) {
   const std::uint64_t padding = padding_after(header.payload_bytes);
@@ -96,7 +96,7 @@ std::string the_rest_of(const std::string& type, std::size_t number) {
   return fmt::format("the end of chunk {} ({})", number, type);
 }
 
-/// A whole file, mapped.
+/// A memory-mapped file.
 class FileMapping {
  public:
   FileMapping(int descriptor, std::size_t size, const std::string& path) : size_(size) {
@@ -167,7 +167,7 @@ std::vector<RawChunk> chunks_of_stream(int descriptor, const std::string& subjec
   return chunks;
 }
 
-/// The chunks of a container in a file, or of whatever else the path opens (a pipe, a device).
+/// Reads the chunks of a container from a file, a pipe or a device.
 std::vector<RawChunk> chunks_of_path(const std::string& path) {
   const FileDescriptor file = open_to_read(path);
   struct stat status {};

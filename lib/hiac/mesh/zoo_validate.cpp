@@ -15,8 +15,8 @@ namespace {
 constexpr std::size_t kGrain = 1 << 16;
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-/// The smallest index below `count` for which `is_broken(index)` holds, or kNone; the same whatever
-/// the number of threads. `any_broken(range)` is the loop's fast form.
+/// Returns the smallest index below `count` for which `is_broken(index)` holds, or kNone, whatever
+/// the number of threads. `any_broken(range)` is the fast form of the loop.
 template <typename AnyBroken, typename IsBroken>
 std::size_t first_broken(std::size_t count, const AnyBroken& any_broken,
                          const IsBroken& is_broken) {
@@ -35,7 +35,7 @@ std::size_t first_broken(std::size_t count, const AnyBroken& any_broken,
 template <typename IsBroken>
 std::size_t first_broken(std::size_t count, const IsBroken& is_broken) {
   const auto any_broken = [&](IndexRange range) {
-    // without an early exit, so that the loop runs in vector lanes
+    // without an early exit, so that the compiler vectorizes the loop
     bool any = false;
     for (std::size_t i = range.begin; i < range.end; ++i) any |= is_broken(i);
     return any;
@@ -134,7 +134,7 @@ void validate_field(const ZooMesh& mesh, const Field& field, const std::string& 
     throw InputError(subject, fmt::format("field {:?}: no components (1 or more expected, 0 found)",
                                           field.name));
   const std::size_t values = field.values.size();
-  // by division, since a product could overflow
+  // by division, as a product could overflow
   if (values % field.components != 0 || values / field.components != tuples)
     throw InputError(subject, fmt::format("field {:?}: wrong number of values ({} x {} expected, "
                                           "{} found)",

@@ -52,7 +52,7 @@ class ChunkWriter {
     write_fully(descriptor_, bytes_of_value(header), subject_);
   }
 
-  /// A chunk whose payload is `front`, then `back`.
+  /// Writes a chunk whose payload is `front`, then `back`.
   void write(std::string_view type, Bytes front, Bytes back = {}) {
     ChunkHeader header{};
     std::memcpy(header.type.data(), type.data(), type.size());

@@ -82,8 +82,8 @@ ExtendedBernstein bernstein_from_chebyshev(std::span<const long double> coeffici
 /// kMaxFieldDegree + 1.
 BernsteinPolynomial bernstein_from_powers(std::span<const double> coefficients);
 
-/// Returns the polynomial of degree n < `values`' size with these values at the Chebyshev points x
-/// = cos(pi j / n), j = 0..n.
+/// Returns the polynomial of degree n < `values`' size with these values at the Chebyshev points
+/// x = cos(pi j / n), j = 0..n.
 template <class Real>
 BasicChebyshev<Real> chebyshev_interpolant(const BasicCoefficients<Real>& values, std::size_t n);
 /// Returns the Chebyshev point j as t = (1 + cos(pi j / n)) / 2.

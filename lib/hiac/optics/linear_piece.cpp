@@ -1,10 +1,10 @@
 // Based on: P. L. Williams, N. L. Max, C. M. Stein, "A High Accuracy Volume Renderer for
 // Unstructured Data", IEEE TVCG 4(1), 1998, equation (8) and appendix B.
 //
-// Pieces of optical depth up to 4 use the series of linear_piece_series.hpp. For thicker ones zeta
-// < 0.02, and the closed forms do not cancel: with q = |a - b|, r = sqrt(2 q), x_b = b / r, x_a = a
-// / r, an integral over [0, 1] is the one over [0, inf) minus zeta times the one that starts at the
-// back.
+// Pieces of optical depth up to 4 use the series of linear_piece_series.hpp. Thicker ones have
+// zeta < 0.02, and the closed forms do not cancel: with q = |a - b|, r = sqrt(2 q), x_b = b / r and
+// x_a = a / r, an integral over [0, 1] is the one over [0, inf) minus zeta times the one that
+// starts at the back.
 #include "hiac/optics/linear_piece.hpp"
 
 #include <algorithm>

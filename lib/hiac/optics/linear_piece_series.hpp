@@ -8,9 +8,9 @@
 ///
 /// With b, a the optical densities at the front and the back (linear_piece.hpp), let
 ///     sigma = (a + b) / 4,   delta = (a - b) / 4,   h = sqrt(zeta) = exp(-sigma)
-/// and move the origin of u to the middle of the piece, u = 1/2 + s. Then A(u) = sigma + 2 sigma s
-/// - 2 delta (1/4 - s^2), so that everything but the factor h is even or odd in s, and all results
-/// follow from one function of two variables:
+/// and move the origin of u to the middle of the piece, u = 1/2 + s. Then
+/// A(u) = sigma + 2 sigma s - 2 delta (1/4 - s^2), so that everything but the factor h is even or
+/// odd in s, and all results follow from one function of two variables:
 ///
 ///     rho(delta, sigma^2) = 4 int_{-1/2}^{1/2} s sinh(2 sigma s) exp(2 delta (1/4 - s^2)) ds
 ///                           / (2 sigma)

@@ -112,7 +112,7 @@ std::array<Ellipse, 9> build_ellipses() {
   return ellipses;
 }
 
-/// Chooses the ellipse that needs the fewest nodes. `allowed` > 0. As rho changes, the number falls
+/// Chooses the ellipse that needs the fewest nodes. `allowed` > 0. As rho grows, the number falls
 /// and then rises: the logarithm of the integrand's bound is convex in log(rho).
 template <class Real>
 Rule<Real> choose_rule(const Piece<Real>& piece, Glow glow, Real allowed) {

@@ -9,8 +9,8 @@ namespace hiac {
 /// The scaled complementary error function exp(x^2) erfc(x).
 double erfcx(double x);
 
-/// The integral of erfc from x to infinity, scaled: exp(x^2) int_x^inf erfc(t) dt = 1/sqrt(pi) - x
-/// erfcx(x), without the cancellation of that difference.
+/// The integral of erfc from x to infinity, scaled: exp(x^2) int_x^inf erfc(t) dt
+/// = 1/sqrt(pi) - x erfcx(x), without the cancellation of that difference.
 double ierfcx(double x);
 
 /// Dawson's function D(x) = exp(-x^2) int_0^x exp(t^2) dt.

@@ -10,7 +10,7 @@ namespace hiac {
 /// The algorithms that find a visibility order, by their names in hiac-sort.
 enum class OrderAlgorithm : std::uint8_t {
   exact,       ///< visibility_order.hpp: right for every mesh; cycles become groups
-  stein,       ///< stein.hpp: asks pairs of cells and needs no adjacency
+  stein,       ///< stein.hpp: tests pairs of cells and needs no adjacency
   multitiled,  ///< multitiled.hpp: the same order, found tile by tile
   mpvo,        ///< mpvo.hpp: across shared faces; a heuristic for meshes that are not convex
   centroid     ///< centroid.hpp: by the depth of centroids; a heuristic

@@ -103,7 +103,7 @@ class Current {
     if (display_ == EGL_NO_DISPLAY) return;
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
-    eglTerminate(display_);
+    // the display itself stays: other contexts of the process may be of it
     display_ = EGL_NO_DISPLAY;
     context_ = EGL_NO_CONTEXT;
   }
@@ -218,7 +218,7 @@ Context::Context(const std::string& wanted) : state_(std::make_unique<State>()) 
     state_->current.release();
   }
   if (!names.empty())
-    throw UsageError(fmt::format("--device: there is no such device (expected one of {}; found {})",
+    throw UsageError(fmt::format("there is no such device (expected one of {}; found {})",
                                  fmt::join(names, ", "), wanted));
   if (tried.empty())
     tried.emplace_back("EGL offers neither devices nor Mesa's surfaceless platform");

@@ -23,6 +23,7 @@ struct Device {
 
 /// The devices that give an OpenGL 4.5 context, in the order in which they are tried: EGL's device
 /// platform, hardware before software, then Mesa's surfaceless platform. Needs no display server.
+/// Afterwards no context is current in this thread.
 std::vector<Device> list_devices();
 
 /// What a driver allows.

@@ -5,7 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include <fmt/format.h>
+
+#include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
+#include "hiac/preview/exact_shaders.hpp"
 
 namespace hiac::preview {
 namespace {
@@ -62,6 +66,11 @@ void scale(DrawnField& field, std::span<const double> values, Marks marks) {
 
 DrawnScene drawn_scene(const ZooMesh& mesh, const Scene& scene) {
   DrawnScene drawn;
+  if (scene.isosurfaces.size() > kMostSurfaces)
+    throw UsageError(fmt::format("isosurface: previews draw at most {} (found {})", kMostSurfaces,
+                                 scene.isosurfaces.size()));
+  drawn.lights = scene.lights;
+  drawn.isosurfaces = make_isosurfaces(mesh, scene, Projector(scene.camera, scene.image));
   const double longest = diagonal(mesh);
   drawn.optics = make_optics_tables(scene.volume, Integration::exact,
                                     kThickestMesh / std::max(longest, 1 / kThickestMesh));

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "hiac/frame/isosurfaces.hpp"
 #include "hiac/frame/transfer_table.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/scene/scene.hpp"
@@ -28,10 +29,13 @@ struct DrawnScene {
   std::size_t extinction = 0, color = 0;  ///< numbers of fields
   std::vector<std::size_t> surfaces;      ///< of the isosurfaces' fields
   OpticsTables optics;                    ///< in the mesh's scalars
+  Isosurfaces isosurfaces;                ///< their lights' directions depend on the view
+  std::vector<Light> lights;
   [[nodiscard]] bool same_field() const { return optics.same_field; }
 };
 
-/// Throws UsageError, as scalar_field does, when a field does not exist.
+/// Throws UsageError, as scalar_field does, when a field does not exist, or when there are more
+/// isosurfaces than shaders draw (kMostSurfaces).
 DrawnScene drawn_scene(const ZooMesh& mesh, const Scene& scene);
 
 }  // namespace hiac::preview

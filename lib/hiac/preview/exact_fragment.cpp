@@ -14,6 +14,9 @@ const float kFarAlong = 1e30;
 
 struct Segment {
   real length;  // world units
+#if SURFACES > 0
+  real crossed[SURFACES];  // the share of the segment where a surface is met; 2: nowhere
+#endif
   real front[FIELDS], back[FIELDS];
 };
 
@@ -37,6 +40,9 @@ void limit(int kind, real v, inout real entry, inout real exit) {
   if (kind == 2 && v <= real(0)) entry = real(kFarAlong);
 }
 
+)";
+
+constexpr const char* kMeetSegment = R"(
 bool meet(out Segment segment) {
   vec2 at = gl_FragCoord.xy - 0.5 + (vec2(part.xy) - data[0].xy);
   real v[4];
@@ -52,11 +58,20 @@ bool meet(out Segment segment) {
 #endif
   limit(kinds % 3, v[1], entry, exit);
   limit(kinds / 3, v[2], entry, exit);
+#if SURFACES > 0
+  real whole_entry = entry, whole_exit = exit;
+  int all = int(data[0].w);
+  int first = slot_of(v, all, entry, 0), last = slot_of(v, all, -exit, 1);
+#endif
 #if CLIPPED
   entry = max(entry, real(data[1].x));
   exit = min(exit, real(data[1].y));
 #endif
   if (!(entry < exit)) return false;
+#if SURFACES > 0
+  meet_surfaces(at, max(whole_entry, real(-1e9)), whole_exit, entry, exit, first, last,
+                segment.crossed);
+#endif
   segment.length = exit - entry;
 #if PERSPECTIVE
   real front = real(1) / (real(1) - entry), back = real(1) / (real(1) - exit);
@@ -140,18 +155,29 @@ void main() {
   real share = real(0);
   float whole = float(segment.length);
   for (int step = 0; step < 16384; ++step) {
+#if SURFACES > 0
+    Nearest nearest = nearest_of(segment.crossed);
+#endif
     Extinction tau = extinction_at(w.interval);
     look_ahead(w, tau.low, tau.high);
 #if SEPARATE
     Color kappa = color_at(c.interval);
     look_ahead(c, kappa.low, kappa.high);
     real until = min(w.until, c.until);
+#if SURFACES > 0
+    until = min(until, nearest.share);
+#endif
     real tau_end = until < w.until ? w.from + (w.to - w.from) * until : w.next;
     real kappa_here = c.here;
     real kappa_end = until < c.until ? c.from + (c.to - c.from) * until : c.next;
 #else
     real until = w.until;
-    real tau_end = w.next, kappa_here = w.here, kappa_end = w.next;
+    real tau_end = w.next, kappa_here = w.here;
+#if SURFACES > 0
+    until = min(until, nearest.share);
+    if (until < w.until) tau_end = w.from + (w.to - w.from) * until;
+#endif
+    real kappa_end = tau_end;
 #define kappa tau
 #endif
     float length = max(float(until - share), 0.0) * whole;
@@ -174,8 +200,21 @@ void main() {
 #endif
     sum += behind * shine;
     behind *= weights.root * weights.root;
+#if SURFACES > 0
+    if (f >= 1.0 && nearest.share <= until) {
+      vec4 lit = surface_light(nearest.which);
+      sum += behind * lit.rgb;
+      alpha += behind * lit.a;
+      behind *= 1.0 - lit.a;
+      segment.crossed[nearest.which] = real(2);
+      nearest = nearest_of(segment.crossed);
+    }
+    bool more = nearest.share <= real(1);
+#else
+    const bool more = false;
+#endif
     share = f < 1.0 ? share + (until - share) * real(f) : until;
-    if (share >= real(1) || behind < 1e-12) break;
+    if ((share >= real(1) && !more) || behind < 1e-12) break;
     advance(w, share);
 #if SEPARATE
     advance(c, share);
@@ -192,8 +231,8 @@ std::string exact_fragment_source(const ExactVariant& variant, const DrawnScene&
          (variant.fine ? "#define real double\n" : "#define real float\n") +
          (scene.optics.emission ? "#define EMISSION 1\n" : "#define EMISSION 0\n") +
          "#define EXTINCTION " + std::to_string(scene.extinction) + "\n#define COLOR " +
-         std::to_string(scene.color) + "\n" + kMeet + exact_integral_source() +
-         transfer_source(variant, scene) + kWalk + kMain;
+         std::to_string(scene.color) + "\n" + kMeet + surface_fragment_source(variant, scene) +
+         kMeetSegment + exact_integral_source() + transfer_source(variant, scene) + kWalk + kMain;
 }
 
 }  // namespace hiac::preview

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "hiac/base/parallel.hpp"
+#include "hiac/element/face_interpolant.hpp"
+#include "hiac/geometry/vector.hpp"
 
 namespace hiac::preview {
 namespace {
@@ -69,8 +71,17 @@ std::vector<DeviceNode> device_nodes(const ZooMesh& mesh, const Projector& proje
 ExactPainter::ExactPainter(const Context& context, const ZooMesh& mesh, const DrawnScene& scene,
                            bool fine)
     : context_(context), mesh_(mesh), scene_(scene), layout_(empty_layout(indices_.get())) {
-  variant_.fine = fine;
+  variant_.surfaces = scene.surfaces.size();
+  // which cell an isosurface at a face belongs to is decided alike in both
+  variant_.fine = fine || variant_.surfaces > 0;
   variant_.fields = scene.fields.size();
+  GLint components = 0;
+  glGetIntegerv(GL_MAX_FRAGMENT_INPUT_COMPONENTS, &components);
+  if (4 * (variant_.record() - 2) > static_cast<std::size_t>(components))
+    throw DriverError(fmt::format(
+        "{}: {} fields and isosurfaces need {} numbers a pixel, and the driver hands on {} at most",
+        context.device().name, variant_.fields + variant_.surfaces, 4 * (variant_.record() - 2),
+        components));
   std::vector<double> values;
   for (const DrawnField& field : scene.fields) {
     field_layouts_.push_back(static_cast<std::uint32_t>(values.size()));
@@ -93,7 +104,7 @@ ExactPainter::ExactPainter(const Context& context, const ZooMesh& mesh, const Dr
 
 void ExactPainter::compile() {
   if (compiled_ == variant_) return;
-  setup_ = compute_program(exact_setup_source(variant_));
+  setup_ = compute_program(exact_setup_source(variant_, scene_));
   program_ = draw_program(exact_vertex_source(variant_), exact_fragment_source(variant_, scene_));
   compiled_ = variant_;
 }
@@ -116,6 +127,15 @@ void ExactPainter::set_view(const Projector& projector) {
                        static_cast<GLsizei>(variant_.fields), field_layouts_.data());
   glProgramUniform4f(program_.get(), place_of(program_, "rays"), static_cast<float>(axes.center_x),
                      static_cast<float>(axes.center_y), static_cast<float>(1 / scale), 0);
+  std::vector<float> lights;
+  for (const Light& light : scene_.lights) {
+    std::array<double, 3> direction{};
+    if (light.direction) direction = projector.camera_vector(unit(*light.direction));
+    for (const double component : direction) lights.push_back(static_cast<float>(component));
+  }
+  if (const GLint place = place_of(program_, "lights"); place >= 0)
+    glProgramUniform3fv(program_.get(), place, static_cast<GLsizei>(scene_.lights.size()),
+                        lights.data());
   context_.check("setting the view");
 }
 
@@ -129,6 +149,17 @@ void ExactPainter::draw(const PixelRect& part, std::span<const CellId> back_to_f
   context_.check("drawing cells");
 }
 
+// A bit for every face that a surface is closed at: of surface s, the face without corner k.
+void ExactPainter::set_closed_faces(std::span<const CellId> cells) {
+  std::vector<std::uint32_t> closed(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    for (const IsosurfaceCut& cut : scene_.isosurfaces.in(cells[i]))
+      for (std::uint32_t k = 0; cut.closed_faces != 0 && k < 4; ++k)
+        if ((cut.closed_faces & (1U << tetrahedron_face_without(k))) != 0)
+          closed[i] |= 1U << (4 * cut.surface + k);
+  closed_.set(std::span<const std::uint32_t>(closed));
+}
+
 void ExactPainter::draw_chunk(std::span<const CellId> cells) {
   chunk_corners_.resize(4 * cells.size());
   parallel_for(cells.size(), std::size_t{1} << 12, [&](IndexRange range) {
@@ -137,8 +168,9 @@ void ExactPainter::draw_chunk(std::span<const CellId> cells) {
   });
   corners_.set(std::span<const NodeId>(chunk_corners_));
   numbers_.set(cells);
-  const std::array<GLuint, 5> buffers{nodes_.get(), corners_.get(), numbers_.get(), values_.get(),
-                                      records_.get()};
+  if (variant_.surfaces > 0) set_closed_faces(cells);
+  const std::array<GLuint, 6> buffers{nodes_.get(),  corners_.get(), numbers_.get(),
+                                      values_.get(), records_.get(), closed_.get()};
   for (GLuint k = 0; k < buffers.size(); ++k)
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, k, buffers[k]);
   const auto count = static_cast<GLuint>(cells.size());

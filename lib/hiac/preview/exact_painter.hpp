@@ -35,6 +35,7 @@ class ExactPainter {
 
  private:
   void compile();
+  void set_closed_faces(std::span<const CellId> cells);
   void draw_chunk(std::span<const CellId> cells);
 
   const Context& context_;
@@ -43,7 +44,7 @@ class ExactPainter {
   ExactVariant variant_;
   std::optional<ExactVariant> compiled_;
   ProgramName setup_, program_;
-  Buffer nodes_, values_, corners_, numbers_, records_, indices_;
+  Buffer nodes_, values_, corners_, numbers_, records_, closed_, indices_;
   VertexArrayName layout_;                    // refers to the indices
   std::vector<std::uint32_t> field_layouts_;  // two a field: first value, location
   std::size_t chunk_ = 0;                     // cells

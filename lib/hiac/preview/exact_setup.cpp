@@ -9,7 +9,7 @@ namespace hiac::preview {
 // Places on the screen count from the centre of the cell's anchor pixel, (X, Y); places along the
 // ray by d: orthographic d = t - t_ref, perspective d = 1 - t_ref / t, both affine over the screen
 // on every plane. Fields times t_ref / t, that is 1 - d, are affine in (X, Y, d) in perspective.
-std::string exact_setup_source(const ExactVariant& variant) {
+std::string exact_setup_source(const ExactVariant& variant, const DrawnScene& scene) {
   return "#version 450 core\n" + defines_of(variant) + R"(
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Nodes { dvec4 nodes[]; };
@@ -44,6 +44,7 @@ double along[4];  // d
 double area[4];   // twice, of the face without corner k; canonical sign
 double lambda[4];
 double thickness;
+bool flat_cell;  // to rounding: no ray has a length in it
 double t_ref;
 ivec2 anchor;
 
@@ -204,7 +205,13 @@ void measure() {
     area[k] = area_of(screen[f.x].xy, screen[f.y].xy, screen[f.z].xy);
     lambda[k] = kTurn[k] * area[k];
   }
-  for (int k = 1; k < 4; ++k) thickness += lambda[k] * (along[k] - along[0]);
+  double most = 0.0lf;
+  for (int k = 1; k < 4; ++k) {
+    double part = lambda[k] * (along[k] - along[0]);
+    thickness += part;
+    most = max(most, abs(part));
+  }
+  flat_cell = !(abs(thickness) > 1e-11lf * most);
 }
 
 // Planes and lines; their kinds. False when no ray meets the cell.
@@ -231,7 +238,7 @@ bool bound(out dvec3 plane[4], out int kind[4]) {
     }
     any = any || kind[k] == kLeft;
   }
-  return any && !(whole && thickness == 0.0lf);
+  return any && !(whole && flat_cell);
 }
 
 double value_of(int field, uint i, int k) {
@@ -293,6 +300,7 @@ float grain_of(dvec3 plane, double reach) {
   return uintBitsToFloat(uint(e - 22 + 127) << 23);
 }
 )" + exact_outline_source() +
+         surface_setup_source(variant, scene) +
          R"(
 void main() {
   uint i = gl_GlobalInvocationID.x;
@@ -317,6 +325,7 @@ void main() {
   vec4 high[3], low[3];
   int kinds = 0, slot = 0;
   int power[4] = int[](9, 1, 3, 0);
+  int slots[4];
   for (int wanted = 0; wanted < 3; ++wanted)
     for (int k = 0; k < 4; ++k) {
       int order = wanted == 0 ? kEntered : (wanted == 1 ? kBeside : kLeft);
@@ -328,6 +337,7 @@ void main() {
         high[c][slot] = both.x;
         low[c][slot] = both.y;
       }
+      slots[k] = slot;
       kinds += power[slot] * order;
       ++slot;
     }
@@ -356,6 +366,9 @@ void main() {
     records[to + 1u] = vec4(q - dvec4(vec4(q)));
 #endif
   }
+#if SURFACES > 0
+  set_surfaces(i, base, slots);
+#endif
 }
 )";
 }

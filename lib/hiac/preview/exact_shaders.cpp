@@ -7,11 +7,12 @@ namespace hiac::preview {
 std::string defines_of(const ExactVariant& variant) {
   return fmt::format(
       "#define PERSPECTIVE {}\n#define NEAR {}\n#define CLIPPED {}\n#define DOUBLE {}\n"
-      "#define FIELDS {}\n#define RECORD {}\n"
-      "#define FIELD_AT(f) (10 + (f) * (DOUBLE == 1 ? 3 : 2) - ((f) > 0 ? 1 : 0))\n",
+      "#define FIELDS {}\n#define RECORD {}\n#define SURFACES {}\n"
+      "#define FIELD_AT(f) (10 + (f) * (DOUBLE == 1 ? 3 : 2) - ((f) > 0 ? 1 : 0))\n"
+      "#define SURFACE_AT(s) (FIELD_AT(FIELDS) + 1 + (s))\n",
       static_cast<int>(variant.perspective), static_cast<int>(variant.near),
       static_cast<int>(variant.clipped || variant.near), static_cast<int>(variant.fine),
-      variant.fields, variant.record());
+      variant.fields, variant.record(), variant.surfaces);
 }
 
 // Four vertices a cell. The first one's data are those of both triangles (0, 1, 2) and (0, 2, 3).

@@ -6,11 +6,13 @@
 
 #include "hiac/base/seconds.hpp"
 #include "hiac/frame/background.hpp"
+#include "hiac/frame/frame.hpp"
 #include "hiac/frame/projection.hpp"
 #include "hiac/preview/drawing_order.hpp"
 #include "hiac/preview/drawn_fields.hpp"
 #include "hiac/preview/exact_painter.hpp"
 #include "hiac/preview/float_target.hpp"
+#include "hiac/preview/methods/method_painter.hpp"
 
 namespace hiac::preview {
 namespace {
@@ -37,9 +39,10 @@ struct Preview::State {
         scene(of_scene),
         options(of_options),
         started(seconds_now()),
-        drawn(drawn_scene(mesh, scene)),
-        painter(context, mesh, drawn, options.fine),
-        upload_seconds(seconds_now() - started) {}
+        drawn(drawn_scene(mesh, scene)) {
+    if (!options.method) exact = std::make_unique<ExactPainter>(context, mesh, drawn, options.fine);
+    upload_seconds = seconds_now() - started;
+  }
 
   [[nodiscard]] std::uint32_t part_side() const {
     const std::uint32_t wanted = options.part_side > 0 ? options.part_side : kPartSide;
@@ -54,9 +57,31 @@ struct Preview::State {
   PreviewOptions options;
   double started;
   DrawnScene drawn;
-  ExactPainter painter;
-  double upload_seconds;
+  std::unique_ptr<ExactPainter> exact;  // null with one of the paper's methods
+  double upload_seconds = 0;
 };
+
+namespace {
+
+// The paper's methods, for one view.
+class MethodView {
+ public:
+  MethodView(const Context& context, const ZooMesh& mesh, const Scene& scene,
+             const Projector& projector, Method method)
+      : frame_(mesh, scene, projector), painter_(context, frame_, method) {}
+
+  void draw(const PixelRect& rect, std::span<const CellId> cells, PreviewStatistics& statistics) {
+    statistics.regions.add(painter_.draw(rect, cells));
+    statistics.regions_seconds = painter_.region_seconds();
+    statistics.triangles = painter_.triangles();
+  }
+
+ private:
+  Frame frame_;
+  MethodPainter painter_;
+};
+
+}  // namespace
 
 Preview::Preview(const Context& context, const ZooMesh& mesh, const Scene& scene,
                  const PreviewOptions& options)
@@ -78,7 +103,11 @@ PreviewResult Preview::draw(const Camera& camera, const VisibilityOrder& order,
   const std::vector<CellId> cells = back_to_front(s.mesh, order, projector);
   statistics.groups = order.groups.size();
   for (const CellGroup& group : order.groups) statistics.cells_in_groups += group.count;
-  s.painter.set_view(projector);
+  std::optional<MethodView> method;
+  if (s.options.method)
+    method.emplace(s.context, s.mesh, s.scene, projector, *s.options.method);
+  else
+    s.exact->set_view(projector);
   const std::vector<PixelRect> parts = parts_of(whole, s.part_side());
   statistics.parts = parts.size();
   FloatTarget target(s.context, std::min(whole.width, s.part_side()),
@@ -86,14 +115,17 @@ PreviewResult Preview::draw(const Camera& camera, const VisibilityOrder& order,
   double reading = 0;
   for (const PixelRect& rect : parts) {
     target.begin(rect);
-    s.painter.draw(rect, cells);
+    if (method)
+      method->draw(rect, cells, statistics);
+    else
+      s.exact->draw(rect, cells);
     glFinish();
     s.context.check("drawing");
     const double drawn = seconds_now();
     target.read(rect, whole, result.image);
     reading += seconds_now() - drawn;
   }
-  statistics.draw_seconds = seconds_now() - start - reading;
+  statistics.draw_seconds = seconds_now() - start - reading - statistics.regions_seconds;
   statistics.read_seconds = reading;
   if (with_background) add_background(s.scene, whole, result.image);
   return result;

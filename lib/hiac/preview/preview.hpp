@@ -10,13 +10,16 @@
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/order/visibility_order.hpp"
 #include "hiac/preview/context.hpp"
+#include "hiac/preview/methods/method.hpp"
+#include "hiac/preview/methods/region_filler.hpp"
 #include "hiac/scene/scene.hpp"
 
 namespace hiac::preview {
 
 /// How a preview is drawn.
 struct PreviewOptions {
-  bool fine = false;  ///< double precision along rays
+  std::optional<Method> method;  ///< of the paper; none: exact
+  bool fine = false;             ///< double precision along rays
   /// Pixels of a part's side; larger pictures are drawn in parts. 0: what suits the driver.
   std::uint32_t part_side = 0;
 };
@@ -24,9 +27,11 @@ struct PreviewOptions {
 /// What a picture took, and what was met.
 struct PreviewStatistics {
   double upload_seconds = 0;   ///< mesh and fields to the device, shaders compiled: once
-  double regions_seconds = 0;  ///< homogeneous regions on the host
+  double regions_seconds = 0;  ///< homogeneous regions on the host, with one of the paper's methods
   double draw_seconds = 0;  ///< a view: nodes projected, cells prepared and drawn, and waited for
   double read_seconds = 0;
+  RegionCounts regions;         ///< with one of the paper's methods
+  std::uint64_t triangles = 0;  ///< of the regions
   std::uint64_t parts = 0;
   std::uint64_t groups = 0;           ///< visibility cycles, drawn by centroids
   std::uint64_t cells_in_groups = 0;  ///< cells in them

@@ -7,9 +7,8 @@
 
 namespace hiac {
 
-/// Draws cells into a tile, or into a group's list where there is one.
-using DrawCells = void (*)(const Frame& frame, std::span<const CellId> cells, const TileRect& tile,
-                           TileBuffer& buffer, SegmentList* group, TileCounts& counts);
+/// Draws cells in a tile, in the order given.
+using DrawCells = void (*)(const TileTarget& to, std::span<const CellId> cells);
 
 /// What draws a cell: a kernel, or render_general_cells. It does not depend on the channels that
 /// are asked for.

@@ -1,37 +1,17 @@
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <span>
 
 #include "hiac/base/progress.hpp"
 #include "hiac/frame/channels.hpp"
 #include "hiac/frame/crop.hpp"
-#include "hiac/image/image.hpp"
+#include "hiac/frame/tiles/picture.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/order/visibility_order.hpp"
 #include "hiac/scene/scene.hpp"
 
 namespace hiac {
-
-struct RenderStatistics {
-  std::uint64_t segments = 0;    ///< ray segments integrated, one for each cell that a ray meets
-  std::uint64_t violations = 0;  ///< segments that the order had in the wrong place (section 4)
-  double mean_optical_depth = 0,
-         largest_optical_depth = 0;  ///< over the pixels that the mesh covers
-  std::uint64_t covered_pixels = 0;
-  std::uint64_t splatted_cells = 0;  ///< in the whole picture, also where a part is rendered
-  double prepare_seconds = 0, tile_seconds = 0;
-
-  /// Those of two parts of a picture together.
-  RenderStatistics& operator+=(const RenderStatistics& other);
-};
-
-struct RenderResult {
-  /// "R" "G" "B" "A", premultiplied, linear; A is 1 - transparency; then the channels asked for.
-  Image image;
-  RenderStatistics statistics;
-};
 
 /// The accurate engine (Williams, Max, Stein 1998, sections 4 and 5): cells are projected tile by
 /// tile in visibility order, front to back; every pixel centre that a cell covers yields one ray

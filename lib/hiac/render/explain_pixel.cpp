@@ -12,14 +12,14 @@
 #include "hiac/element/field_along_ray.hpp"
 #include "hiac/frame/background.hpp"
 #include "hiac/frame/cell_groups.hpp"
+#include "hiac/frame/tiles/tile_bins.hpp"
 #include "hiac/optics/polynomial_piece.hpp"
 #include "hiac/render/bounds/error_bound.hpp"
 #include "hiac/render/cells/cell_scan.hpp"
 #include "hiac/render/cells/cuts_along_ray.hpp"
+#include "hiac/render/cells/planar_crossing.hpp"
 #include "hiac/render/draw_cells.hpp"
-#include "hiac/render/pixels/tile_bins.hpp"
 #include "hiac/render/refine/pixel_refinement.hpp"
-#include "hiac/render/splatting.hpp"
 
 namespace hiac {
 namespace {
@@ -57,8 +57,7 @@ double mean_transparency(const OpticsTables& optics, std::span<const FieldAlongR
 }
 
 void append(const SegmentList& all, std::size_t i, SegmentList& list) {
-  list.append(all.pixel[i], all.front[i], all.back[i], all.red[i], all.green[i], all.blue[i],
-              all.transparency[i]);
+  list.segments.push_back(all.segments[i]);
   list.details.push_back(all.details[i]);
 }
 
@@ -70,11 +69,8 @@ class RayFollower {
         tile_(tile),
         x_(x),
         y_(y),
-        at_(static_cast<std::size_t>(y - tile.y0) * kTileStride +
-            static_cast<std::size_t>(x - tile.x0)),
+        at_(tile.index(x, y)),
         background_(background),
-        origin_(frame.projector.relative_origin(x + 0.5, y + 0.5)),
-        direction_(frame.projector.direction(x + 0.5, y + 0.5)),
         cuts_(frame) {
     buffer_.reset(tile, frame.projector, frame.with_details);
   }
@@ -83,14 +79,15 @@ class RayFollower {
   void follow(CellId cell) {
     SegmentList found, others;
     collect(cell, found, others);
-    if (found.size() == 0) return draw(cell, nullptr);
-    if (found.size() > 1) {
+    if (found.segments.size() == 0) return draw(cell, nullptr);
+    if (found.segments.size() > 1) {
       TileBuffer so_far = buffer_;
-      for (std::size_t i = 0; i + 1 < found.size(); ++i) composite(cell, found, i, so_far);
+      for (std::size_t i = 0; i + 1 < found.segments.size(); ++i) composite(cell, found, i, so_far);
     }
     const std::uint32_t violations = buffer_.details[at_].violations;
     draw(cell, nullptr);
-    add_row(cell, found, found.size() - 1, buffer_, buffer_.details[at_].violations > violations);
+    add_row(cell, found, found.segments.size() - 1, buffer_,
+            buffer_.details[at_].violations > violations);
   }
 
   // Cells that the engine puts in order along the ray.
@@ -99,9 +96,9 @@ class RayFollower {
     std::vector<CellId> owners;
     for (const CellId cell : cells) {
       collect(cell, found, others);
-      owners.resize(found.size(), cell);
+      owners.resize(found.segments.size(), cell);
     }
-    std::vector<std::uint32_t> sorted(found.size());
+    std::vector<std::uint32_t> sorted(found.segments.size());
     std::iota(sorted.begin(), sorted.end(), 0U);
     std::ranges::sort(sorted, [&](std::uint32_t a, std::uint32_t b) { return found.nearer(a, b); });
     for (const std::uint32_t i : sorted) {
@@ -117,21 +114,21 @@ class RayFollower {
   // Of the finished pixel, as the picture's channel has it.
   [[nodiscard]] std::optional<double> error(PixelRefinement& refinement) const {
     if (!frame_.with_error) return std::nullopt;
-    return refinement.error({x_, y_, color(), transparency(), &buffer_.details[at_]}, background_);
+    return refinement.error(buffer_, at_, background_);
   }
 
  private:
   // In the whole tile, as the engine does: what the tile's pixels share is the same, too.
   void draw(CellId cell, SegmentList* group) {
-    draw_for(frame_, cell)(frame_, {&cell, 1}, tile_, buffer_, group, counts_);
+    draw_for(frame_, cell)({frame_, tile_, buffer_, group, counts_}, {&cell, 1});
   }
 
   // Appends a cell's segments in the pixel, and those in the tile's other pixels.
   void collect(CellId cell, SegmentList& found, SegmentList& others) {
     SegmentList all;
     draw(cell, &all);
-    for (std::size_t i = 0; i < all.size(); ++i)
-      append(all, i, all.pixel[i] == at_ ? found : others);
+    for (std::size_t i = 0; i < all.segments.size(); ++i)
+      append(all, i, all.segments[i].pixel == at_ ? found : others);
   }
 
   // One segment of a list, noted behind what a buffer holds.
@@ -153,10 +150,6 @@ class RayFollower {
                        transparency <= frame_.least_transparency, background_);
   }
 
-  [[nodiscard]] RayStretch stretch(double front, double back) const {
-    return {origin_, direction_, front, back};
-  }
-
   // `after`: the pixel behind the segment.
   void add_row(CellId cell, const SegmentList& found, std::size_t i, const TileBuffer& after,
                bool out_of_order) {
@@ -164,16 +157,17 @@ class RayFollower {
     row.cell = cell;
     row.kind = frame_.mesh.kinds[cell];
     row.out_of_order = out_of_order;
-    row.length = (found.back[i] - found.front[i]) * after.ray_scale[at_];
+    const double front = found.segments[i].front, back = found.segments[i].back;
+    row.length = (back - front) * after.ray_scale[at_];
     row.transparency = after.transparency[at_];
     row.color = color_of(after);
     row.error = error_of(after);
     const CellMap map(row.kind, relative_positions(frame_.mesh, cell, frame_.projector),
                       frame_.straightness);
-    const CellCrossing* crossing = crossing_of(cell, found.front[i]);
-    RayStretch part = stretch(found.front[i], found.back[i]);
-    if (crossing != nullptr) part.known = place_of(*crossing);
-    set_fields(row, map, part);
+    const CellCrossing* crossing = crossing_of(cell, front);
+    CellCrossing part = planar_crossing(frame_.projector, x_, y_, front, back);
+    if (crossing != nullptr) part.front_reference = place_of(*crossing);
+    set_fields(row, map, stretch_of(frame_.projector, part));
     if (crossing != nullptr) find_surfaces(row, map, *crossing);
     rows_.push_back(std::move(row));
   }
@@ -184,15 +178,9 @@ class RayFollower {
     scan_cell(frame_, cell, tile_, crossings_);
     std::erase_if(crossings_, [&](const CellCrossing& c) { return c.x != x_ || c.y != y_; });
     if (crossings_.empty()) return nullptr;
-    return &*std::ranges::min_element(
-        crossings_, {}, [&](const CellCrossing& c) { return std::abs(clipped(c).front - front); });
-  }
-
-  [[nodiscard]] RayStretch clipped(const CellCrossing& c) const {
-    RayStretch part = stretch(std::max(c.front, frame_.projector.near()),
-                              std::min(c.back, frame_.projector.far()));
-    part.known = place_of(c);
-    return part;
+    return &*std::ranges::min_element(crossings_, {}, [&](const CellCrossing& c) {
+      return std::abs(std::max(c.front, frame_.projector.near()) - front);
+    });
   }
 
   void set_fields(PixelSegment& row, const CellMap& map, const RayStretch& part) {
@@ -218,7 +206,7 @@ class RayFollower {
     if (!cuts_.enter(row.cell,
                      frame_.with_error ? ray_displacement(frame_, row.cell) : RayDisplacement{}))
       return;
-    cuts_.find(map, crossing, clipped(crossing), {}, surfaces_);
+    cuts_.find(map, crossing, stretch_of(frame_.projector, crossing), {}, surfaces_);
     for (const IsosurfaceCrossing& met : surfaces_)
       row.surfaces.push_back(
           {static_cast<std::size_t>(met.surface - frame_.isosurfaces.surfaces.data()),
@@ -230,7 +218,6 @@ class RayFollower {
   int x_, y_;
   std::size_t at_;  // of the pixel in the tile's planes
   double background_;
-  std::array<double, 3> origin_, direction_;
   TileBuffer buffer_;
   TileCounts counts_;
   std::vector<PixelSegment> rows_;
@@ -256,21 +243,19 @@ PixelExplanation explain_pixel(const ZooMesh& mesh, const VisibilityOrder& order
   result.x = x;
   result.y = y;
   if (with_background) result.background = background_at(scene.background, scene.image, x, y);
-  const TileBins bins =
-      bin_cells(frame, SplattedCells(frame, scene.image, 0), order, scene.image, {x, y, 1, 1});
+  const TileBins bins = bin_cells(frame, order, scene.image, {x, y, 1, 1});
+  const auto ranks = bins.cells_of(0);
   RayFollower ray(frame, bins.tiles.front(), static_cast<int>(x), static_cast<int>(y),
                   std::ranges::max(result.background));
-  const auto ranks = bins.cells_of(0);
-  for (std::size_t i = 0; i < ranks.size();) {
-    const CellGroup* group = group_of(order, ranks[i]);
-    if (group == nullptr) {
-      ray.follow(order.cells[ranks[i++]]);
-      continue;
-    }
+  for (auto left = ranks; !left.empty();) {
+    const CellRun run = first_run(order, left, 1);
     std::vector<CellId> cells;
-    for (; i < ranks.size() && ranks[i] < group->first + group->count; ++i)
-      cells.push_back(order.cells[ranks[i]]);
-    ray.follow_group(cells);
+    for (const std::uint32_t rank : run.ranks) cells.push_back(order.cells[rank]);
+    if (run.is_group)
+      ray.follow_group(cells);
+    else
+      ray.follow(cells.front());
+    left = left.subspan(cells.size());
   }
 
   result.transparency = ray.transparency();

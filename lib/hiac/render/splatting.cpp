@@ -23,13 +23,13 @@ namespace {
 
 // Pixel centres farther than this from the picture's first are not counted: beyond, projected
 // coordinates have lost digits that matter, and parallel views have no end.
-constexpr double kFarthestCount = 262144;
+constexpr int kFarthestCount = 262144;
 
 // More than on_crossing may put a pixel centre left of an edge that it counts as lying on.
 constexpr double kLeftOfEdge = kBesideCrossing;
 
-int first_center(double coordinate) {
-  return static_cast<int>(std::ceil(std::clamp(coordinate - 0.5, -kFarthestCount, kFarthestCount)));
+int first_counted(double coordinate) {
+  return first_center(coordinate, -kFarthestCount, kFarthestCount);
 }
 
 // Six times the volume of the tetrahedron with these edges from one corner.
@@ -143,34 +143,14 @@ class SplatChoice {
 
   bool operator()(CellId cell) {
     if (!frame_.isosurfaces.in(cell).empty()) return false;
-    const auto nodes = frame_.mesh.cell_nodes(cell).first(corner_count(frame_.mesh.kinds[cell]));
-    const Projector& projector = frame_.projector;
-    double left = std::numeric_limits<double>::infinity(), top = left, right = -left,
-           bottom = -left;
-    for (const NodeId node : nodes) {
-      const ProjectedNode& p = frame_.nodes[node];
-      const double t = projector.perspective() ? -1 / p.depth : p.depth;
-      // which excludes NaN, beside the eye
-      if (!(t >= projector.near() && t <= projector.far())) return false;
-      left = std::min(left, p.x);
-      right = std::max(right, p.x);
-      top = std::min(top, p.y);
-      bottom = std::max(bottom, p.y);
-    }
-    if (frame_.is_curved(cell)) {
-      const ScreenBounds bounds = bounds_of_curved_cell(frame_, cell);
-      if (!bounds.in_front || bounds.nearest < projector.near() ||
-          bounds.farthest > projector.far())
-        return false;
-      left = bounds.x0;
-      right = bounds.x1;
-      top = bounds.y0;
-      bottom = bounds.y1;
-    }
-    const bool may_be_seen = right > -kBsplineReach && left < width_ + kBsplineReach &&
-                             bottom > -kBsplineReach && top < height_ + kBsplineReach;
-    return may_be_seen && !covers_enough(cell, {first_center(left - kLeftOfEdge), first_center(top),
-                                                first_center(right), first_center(bottom)});
+    const ScreenBounds b = screen_bounds(frame_, cell);
+    if (!b.in_front || b.nearest < frame_.projector.near() || b.farthest > frame_.projector.far())
+      return false;
+    const bool may_be_seen = b.x1 > -kBsplineReach && b.x0 < width_ + kBsplineReach &&
+                             b.y1 > -kBsplineReach && b.y0 < height_ + kBsplineReach;
+    return may_be_seen &&
+           !covers_enough(cell, {first_counted(b.x0 - kLeftOfEdge), first_counted(b.y0),
+                                 first_counted(b.x1), first_counted(b.y1)});
   }
 
  private:
@@ -233,6 +213,22 @@ std::uint64_t SplattedCells::count() const {
   return static_cast<std::uint64_t>(std::ranges::count(is_splatted_, 1));
 }
 
+BoundsOfCell splat_bounds(const Frame& frame, const SplattedCells& splatted) {
+  if (splatted.none()) return {};
+  return [&](CellId cell) -> std::optional<ScreenBounds> {
+    if (!splatted.holds(cell)) return std::nullopt;
+    const Splat splat = splat_of(frame, cell);
+    // what the view clips is not splatted
+    return ScreenBounds{splat.x - kBsplineReach,
+                        splat.y - kBsplineReach,
+                        splat.x + kBsplineReach,
+                        splat.y + kBsplineReach,
+                        frame.projector.near(),
+                        frame.projector.far(),
+                        true};
+  };
+}
+
 Splat splat_of(const Frame& frame, CellId cell) {
   const Projector& projector = frame.projector;
   const Gravity gravity =
@@ -280,8 +276,7 @@ void TileSplats::for_each_pixel(const Glowing& splat, const Visit& visit) const 
   const int left = first_reached(splat.x), top = first_reached(splat.y);
   for (int y = std::max(top, tile_.y0); y < std::min(top + 3, tile_.y1); ++y)
     for (int x = std::max(left, tile_.x0); x < std::min(left + 3, tile_.x1); ++x)
-      visit(static_cast<std::size_t>(y - tile_.y0) * kTileStride +
-            static_cast<std::size_t>(x - tile_.x0));
+      visit(tile_.index(x, y));
 }
 
 // Counting sort by pixel.
@@ -301,12 +296,11 @@ void TileSplats::deal_out() {
 }
 
 void TileSplats::append(std::size_t at, double before, const TileBuffer& buffer,
-                        SegmentList& segments) {
+                        SegmentList& list) {
   // A splat has no end that segments behind it would have to respect.
   constexpr double kNoEnd = std::numeric_limits<double>::lowest();
   const bool emission = frame_.optics.emission;
-  const double x = static_cast<double>(at % kTileStride) + tile_.x0 + 0.5;
-  const double y = static_cast<double>(at / kTileStride) + tile_.y0 + 0.5;
+  const double x = pixel_center(tile_.column(at)), y = pixel_center(tile_.row(at));
   const bool seen = buffer.transparency[at] > frame_.least_transparency;
   for (; next_[at] < end_[at] && splats_[of_pixel_[next_[at]]].t < before; ++next_[at]) {
     if (!seen) continue;
@@ -317,28 +311,32 @@ void TileSplats::append(std::size_t at, double before, const TileBuffer& buffer,
     const LinearPieceWeights weights =
         emission ? linear_piece_emission(depth, depth) : linear_piece_weights(depth, depth);
     const double light = (weights.front + weights.back) * (emission ? length : 1);
-    segments.append(static_cast<std::uint32_t>(at), splat.t, kNoEnd, light * splat.color[0],
-                    light * splat.color[1], light * splat.color[2], weights.transparency);
+    list.segments.push_back(
+        {at,
+         splat.t,
+         kNoEnd,
+         {{light * splat.color[0], light * splat.color[1], light * splat.color[2]},
+          weights.transparency}});
     if (!frame_.with_details) continue;
     SegmentDetails details;
     details.front = details.back = details.first = details.mean = splat.t;
     details.light = light * *std::ranges::max_element(splat.color);
     details.transparency = weights.transparency;
-    segments.details.push_back(details);
+    list.details.push_back(details);
   }
 }
 
-void TileSplats::append_before(const TileBuffer& buffer, SegmentList& segments) {
+void TileSplats::append_before(const TileBuffer& buffer, SegmentList& list) {
   if (empty()) return;
   std::vector<double> farthest(next_.size(), -std::numeric_limits<double>::infinity());
-  for (std::size_t s = 0; s < segments.size(); ++s)
-    farthest[segments.pixel[s]] = std::max(farthest[segments.pixel[s]], segments.front[s]);
-  for (std::size_t at = 0; at < farthest.size(); ++at) append(at, farthest[at], buffer, segments);
+  for (const ListedSegment& s : list.segments)
+    farthest[s.pixel] = std::max(farthest[s.pixel], s.front);
+  for (std::size_t at = 0; at < farthest.size(); ++at) append(at, farthest[at], buffer, list);
 }
 
-void TileSplats::append_rest(const TileBuffer& buffer, SegmentList& segments) {
+void TileSplats::append_rest(const TileBuffer& buffer, SegmentList& list) {
   for (std::size_t at = 0; at < next_.size(); ++at)
-    append(at, std::numeric_limits<double>::infinity(), buffer, segments);
+    append(at, std::numeric_limits<double>::infinity(), buffer, list);
 }
 
 }  // namespace hiac

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hiac/frame/frame.hpp"
+#include "hiac/frame/tiles/tile_bins.hpp"
 #include "hiac/render/pixels/tile.hpp"
 #include "hiac/scene/scene.hpp"
 
@@ -66,6 +67,9 @@ struct Splat {
 };
 Splat splat_of(const Frame& frame, CellId cell);
 
+/// Where the kernels of splats reach, for the tiles' bins. The arguments must outlive it.
+BoundsOfCell splat_bounds(const Frame& frame, const SplattedCells& splatted);
+
 /// The splats of one tile, on their way into its pixels: front to back, after the ray segments that
 /// begin before them.
 class TileSplats {
@@ -78,9 +82,9 @@ class TileSplats {
 
   /// Appends the pixels' shares of splats that are not yet there and lie before some segment of
   /// theirs in the list.
-  void append_before(const TileBuffer& buffer, SegmentList& segments);
+  void append_before(const TileBuffer& buffer, SegmentList& list);
   /// Appends all that are left.
-  void append_rest(const TileBuffer& buffer, SegmentList& segments);
+  void append_rest(const TileBuffer& buffer, SegmentList& list);
 
  private:
   struct Glowing {
@@ -92,7 +96,7 @@ class TileSplats {
   void deal_out();
   template <typename Visit>
   void for_each_pixel(const Glowing& splat, const Visit& visit) const;
-  void append(std::size_t at, double before, const TileBuffer& buffer, SegmentList& segments);
+  void append(std::size_t at, double before, const TileBuffer& buffer, SegmentList& list);
 
   const Frame& frame_;
   TileRect tile_;

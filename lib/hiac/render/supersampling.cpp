@@ -12,7 +12,7 @@
 #include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
 #include "hiac/frame/background.hpp"
-#include "hiac/render/pixels/tile.hpp"
+#include "hiac/frame/tiles/tile.hpp"
 #include "hiac/render/quadratic_bspline.hpp"
 
 namespace hiac {
@@ -55,8 +55,7 @@ bool is_depth(Channel channel) {
 }
 
 std::vector<std::string> sum_channels(std::span<const Channel> channels) {
-  std::vector<std::string> names = rgba_channels();
-  for (const Channel channel : channels) names.emplace_back(channel_name(channel));
+  std::vector<std::string> names = image_channels(channels);
   for (const Channel channel : channels)
     if (is_depth(channel)) names.push_back(std::string(channel_name(channel)) + " weight");
   return names;
@@ -126,9 +125,7 @@ class SampleSum {
 
  private:
   [[nodiscard]] Image with_channels() const {
-    std::vector<std::string> names = rgba_channels();
-    for (const Channel channel : channels_) names.emplace_back(channel_name(channel));
-    Image result(sum_.width(), sum_.height(), std::move(names));
+    Image result(sum_.width(), sum_.height(), image_channels(channels_));
     for (std::size_t y = 0; y < sum_.height(); ++y)
       for (std::size_t x = 0; x < sum_.width(); ++x) {
         const auto from = sum_.pixel(x, y);

@@ -101,8 +101,8 @@ constexpr SpecKey<Turntable> kTurntableKeys[] = {
      }},
 };
 
-/// The vector with its largest component made 1 or -1, so that products neither over- nor
-/// underflow.
+/// Returns the vector scaled so that its largest component is 1 or -1, which prevents overflow and
+/// underflow in products.
 std::array<double, 3> scaled(std::array<double, 3> v) {
   const double largest = std::max({std::fabs(v[0]), std::fabs(v[1]), std::fabs(v[2])});
   for (double& component : v) component /= largest;
@@ -111,7 +111,7 @@ std::array<double, 3> scaled(std::array<double, 3> v) {
 
 double length(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
 
-/// What makes a camera unusable, and the key to blame.
+/// Why a camera is unusable, and the key that causes it.
 struct CameraFault {
   std::string_view key;
   std::string_view what;
@@ -123,7 +123,7 @@ std::optional<CameraFault> fault_of(const Camera& camera) {
   for (const double component : towards)
     if (!std::isfinite(component)) return CameraFault{"look_at", "too far from `eye`"};
   if (camera.up == std::array<double, 3>{}) return CameraFault{"up", "a direction cannot be zero"};
-  // below this sine the image's right has lost all but four of its digits
+  // below this sine, only four digits of the image's right vector are left
   constexpr double kSmallestSine = 1e-12;
   const auto d = scaled(towards);
   const auto u = scaled(camera.up);
@@ -134,7 +134,7 @@ std::optional<CameraFault> fault_of(const Camera& camera) {
   return std::nullopt;
 }
 
-/// Reads a table's camera keys; the table may hold others.
+/// Reads a table's camera keys; the table may have others.
 void read_camera(const SpecValue& table, Camera& camera) {
   read_known_keys(table, camera_keys(), camera);
   const bool perspective = camera.projection == Projection::perspective;
@@ -158,7 +158,7 @@ std::vector<std::string_view> camera_key_names() {
   return names;
 }
 
-/// Throws unless a keyframe goes on from the one before it.
+/// Throws unless a keyframe is a valid successor of the one before it.
 void check_succession(const SpecValue& table, const Keyframe& before, const Keyframe& keyframe) {
   if (keyframe.frame <= before.frame)
     table.fail_at("frame", fmt::format("frames must ascend (found {} after {})", keyframe.frame,
@@ -202,10 +202,10 @@ void inherit_keyframes(toml::table& document) {
   const toml::table* before = nullptr;
   for (toml::node& node : *keyframes) {
     toml::table* keyframe = node.as_table();
-    if (keyframe == nullptr) return;  // refused when it is read
+    if (keyframe == nullptr) return;  // rejected when it is read
     if (before != nullptr)
       for (const auto& [key, value] : *before)
-        if (key != "frame") keyframe->insert(key, value);  // inserts what is not there
+        if (key != "frame") keyframe->insert(key, value);  // does not replace existing keys
     before = keyframe;
   }
 }

@@ -14,7 +14,7 @@ Vector between(const Vector& a, const Vector& b, double s) {
   return {std::lerp(a[0], b[0], s), std::lerp(a[1], b[1], s), std::lerp(a[2], b[2], s)};
 }
 
-// Between two slabs, whose far planes may be infinitely far.
+// Interpolates between two slabs, whose far planes may be infinitely far.
 std::array<double, 2> slab_between(const std::array<double, 2>& a, const std::array<double, 2>& b,
                                    double s) {
   const bool endless = std::isinf(a[1]) || std::isinf(b[1]);
@@ -22,7 +22,7 @@ std::array<double, 2> slab_between(const std::array<double, 2>& a, const std::ar
           endless ? std::numeric_limits<double>::infinity() : std::lerp(a[1], b[1], s)};
 }
 
-// The velocity of a point of the camera at a keyframe, world units a frame.
+// Returns the velocity of a point of the camera at a keyframe, in world units per frame.
 Vector velocity(const std::vector<Keyframe>& keyframes, std::size_t at, Vector Camera::*point) {
   const Keyframe& before = keyframes[at == 0 ? 0 : at - 1];
   const Keyframe& after = keyframes[std::min(at + 1, keyframes.size() - 1)];
@@ -33,8 +33,8 @@ Vector velocity(const std::vector<Keyframe>& keyframes, std::size_t at, Vector C
   return result;
 }
 
-// The cubic in Hermite's form between keyframes `at` and `at` + 1, s from 0 to 1; written so that
-// what stands still does so to the last bit.
+// The cubic in Hermite's form between keyframes `at` and `at` + 1, s from 0 to 1; in this form a
+// point that does not move stays the same to the last bit.
 Vector on_spline(const std::vector<Keyframe>& keyframes, std::size_t at, double s,
                  Vector Camera::*point) {
   const Vector &p = keyframes[at].camera.*point, &q = keyframes[at + 1].camera.*point;
@@ -92,7 +92,7 @@ Turn turn_by(double degrees) {
   }
 }
 
-// O. Rodrigues' rotation of v about a unit axis.
+// Rotates v about a unit axis by O. Rodrigues' formula.
 Vector turned(const Vector& v, const Vector& axis, const Turn& turn) {
   const Vector across = cross(axis, v);
   const double along = dot(axis, v) * (1 - turn.cosine);

@@ -6,11 +6,11 @@
 
 namespace hiac {
 
-/// The number of frames of a scene: 1 without a path, else up to the last keyframe, or the
-/// turntable's `frames`.
+/// Returns the number of frames of a scene: 1 without a path, otherwise that of the last keyframe
+/// plus 1, or the turntable's `frames`.
 std::uint32_t frame_count(const Scene& scene);
 
-/// The camera at a frame below frame_count.
+/// Returns the camera at a frame below frame_count.
 ///
 /// Keyframes: at a keyframe the camera equals the keyframe's camera bit for bit. Between two
 /// keyframes eye and look_at follow a straight line, or a Catmull-Rom spline (E. Catmull, R. Rom,
@@ -24,7 +24,7 @@ std::uint32_t frame_count(const Scene& scene);
 /// the axis' tip, by degrees * frame / frames; quarter turns are exact where coordinates allow it.
 Camera camera_at(const Scene& scene, std::uint32_t frame);
 
-/// The scene of one frame: with the frame's camera and without a path.
+/// Returns the scene of one frame: with the frame's camera and without a path.
 Scene scene_of_frame(const Scene& scene, std::uint32_t frame);
 
 }  // namespace hiac

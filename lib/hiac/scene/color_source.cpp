@@ -15,7 +15,7 @@ namespace {
 
 using Text = std::optional<std::string>;
 
-/// Below this the number of points would grow beyond what a table is good for.
+/// For smaller tolerances, a table would need unreasonably many points.
 constexpr double kSmallestPresetTolerance = 1e-10;
 
 void read_range(const SpecValue& value, ColorSource& color) {
@@ -46,7 +46,8 @@ constexpr SpecKey<ColorSource> kColorKeys[] = {
      nullptr},
 };
 
-/// Where a preset lies: beside the specification; for an override, where the user is.
+/// Returns the path of a preset: relative to the specification or, for an override, to the working
+/// folder.
 std::string preset_path(const SpecValue& table, const std::string& name) {
   const SpecContext& context = table.context();
   if (context.override_of(table.path_of("preset")) != nullptr) return name;

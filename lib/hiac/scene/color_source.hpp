@@ -21,8 +21,7 @@ struct ColorSource {
 
 std::span<const SpecKey<ColorSource>> color_keys();
 
-/// Reads the table: its points, or its preset converted to points, with a note of the bound
-/// reached.
+/// Reads the table: its points, or its preset converted to points, with a note of the error bound.
 ColorTransfer read_color_transfer(const SpecValue& table);
 
 }  // namespace hiac

@@ -8,7 +8,7 @@
 
 namespace hiac::color_space {
 
-// Colour spaces as VTK defines them, so that a preset means here what it means in ParaView: sRGB
+// Colour spaces as VTK defines them, so that a preset has the same meaning as in ParaView: sRGB
 // primaries with their usual four digits, white point D65 as (0.9505, 1, 1.089), and Moreland's
 // polar form Msh of CIELAB (K. Moreland, "Diverging Color Maps for Scientific Visualization",
 // 2009). The conversions to RGB are templates: evaluated with Range they prove bounds.
@@ -19,10 +19,10 @@ Triple rgb_to_lab(const Triple& rgb);
 Triple rgb_to_hsv(const Triple& rgb);  ///< hue in [0, 1]
 Triple lab_to_msh(const Triple& lab);  ///< magnitude, saturation angle, hue angle
 
-/// X/X_white of CIELAB's f: cubic, linear near black.
+/// Returns X/X_white from CIELAB's f: cubic, linear near black.
 template <typename T>
 T lab_inverse(const T& f) {
-  // t > 0.008856, asked of t = f^3
+  // t > 0.008856, tested as f > its cube root
   constexpr double kThreshold = 0.20689170570621107;  // the cube root
   using Value = std::pair<double, double>;
   return switched(
@@ -35,7 +35,7 @@ T lab_inverse(const T& f) {
       });
 }
 
-/// sRGB's encoding of a linear component.
+/// Encodes a linear component by sRGB's function.
 template <typename T>
 T gamma_encoded(const T& linear) {
   using Value = std::pair<double, double>;
@@ -50,7 +50,8 @@ T gamma_encoded(const T& linear) {
       });
 }
 
-/// CIELAB to RGB; colours outside of RGB are scaled down to the largest component 1, then cut at 0.
+/// Converts CIELAB to RGB; colours outside RGB are scaled down to a largest component of 1, then
+/// clamped at 0.
 template <typename T>
 std::array<T, 3> lab_to_rgb(const std::array<T, 3>& lab) {
   const T fy = (lab[0] + T(16)) * T(1 / 116.0);
@@ -70,11 +71,11 @@ std::array<T, 3> msh_to_rgb(const std::array<T, 3>& msh) {
   return lab_to_rgb<T>({msh[0] * cosine(msh[1]), radius * cosine(msh[2]), radius * sine(msh[2])});
 }
 
-/// Hue in [-1, 1], where -1, 0 and 1 are the same red.
+/// Converts HSV to RGB, for hues in [-1, 1], where -1, 0 and 1 are the same red.
 template <typename T>
 std::array<T, 3> hsv_to_rgb(const std::array<T, 3>& hsv) {
   const T six_h = hsv[0] * T(6);
-  // a trapezoid around green (or blue): 1 up to a sixth of the circle from it, 0 from a third on
+  // a trapezoid around green (or blue): 1 within a sixth of the circle, 0 beyond a third
   const auto around = [&](double sixth) { return unit_clamped(T(2) - absolute(six_h - T(sixth))); };
   const std::array<T, 3> pure{unit_clamped(absolute(absolute(six_h) - T(3)) - T(1)),
                               maximum(around(2), around(-4)), maximum(around(4), around(-2))};

@@ -19,17 +19,17 @@ using namespace color_space;
 using std::numbers::pi;
 using Point = PiecewiseLinear<3>::Point;
 
-/// A stretch of a colour map: coordinates of a colour space that run straight from `from` (t = 0)
-/// to `to` (t = 1).
+/// A section of a colour map: coordinates of a colour space that are linear from `from` (t = 0) to
+/// `to` (t = 1).
 struct ColorPath {
   ColorSpace space;
-  double begin;  ///< scalars that it covers, begin < end
+  double begin;  ///< the scalars of the section, begin < end
   double end;
   Triple from;
   Triple to;
 };
 
-/// a at t = 0, b at t = 1, to the bit.
+/// Exactly a at t = 0 and b at t = 1.
 double between(double a, double b, double t) { return (1 - t) * a + t * b; }
 Range between(double a, double b, const Range& t) { return Range(a) + t * Range(b - a); }
 
@@ -52,8 +52,8 @@ std::array<T, 3> color_at(const ColorPath& path, const T& t) {
 
 // From nodes to paths ---------------------------------------------------------------------------
 
-/// The hue with which a colour without saturation should start, so that the path to a saturated one
-/// turns no further than Moreland allows.
+/// Returns the hue with which a colour without saturation should start, so that the path to a
+/// saturated one rotates no farther than Moreland allows.
 double adjusted_hue(const Triple& msh, double unsaturated_magnitude) {
   if (msh[0] >= unsaturated_magnitude - 0.1) return msh[2];
   const double spin = msh[1] *
@@ -62,7 +62,7 @@ double adjusted_hue(const Triple& msh, double unsaturated_magnitude) {
   return msh[2] > -0.3 * pi ? msh[2] + spin : msh[2] - spin;
 }
 
-/// Between 0 and pi.
+/// Returns the angle between two directions, between 0 and pi.
 double angle_between(double a, double b) {
   const double difference = std::fmod(std::fabs(a - b), 2 * pi);
   return difference > pi ? 2 * pi - difference : difference;
@@ -78,7 +78,7 @@ ColorPath diverging_path(double begin, double end, Triple from, Triple to) {
   return {ColorSpace::diverging, begin, end, from, to};
 }
 
-/// Two saturated colours of different hue get white, or a brighter grey, between them.
+/// Puts white, or a brighter grey, between two saturated colours of different hue.
 void append_diverging(const ColormapPreset::Node& a, const ColormapPreset::Node& b,
                       std::vector<ColorPath>& paths) {
   const Triple from = lab_to_msh(rgb_to_lab(a.rgb));
@@ -107,7 +107,8 @@ ColorPath hsv_path(const ColormapPreset::Node& a, const ColormapPreset::Node& b,
   return {ColorSpace::hsv, a.scalar, b.scalar, from, to};
 }
 
-/// The paths between neighbouring nodes, in order; none where two nodes make a step.
+/// Returns the paths between neighbouring nodes, in order; there is none where two nodes make a
+/// step.
 std::vector<ColorPath> paths_of(const ColormapPreset& preset) {
   std::vector<ColorPath> paths;
   for (std::size_t i = 0; i + 1 < preset.nodes.size(); ++i) {
@@ -137,7 +138,7 @@ std::vector<ColorPath> paths_of(const ColormapPreset& preset) {
   return paths;
 }
 
-// Straight lines in place of paths ----------------------------------------------------------------
+// Chords in place of paths -----------------------------------------------------------------------
 
 /// A straight line in RGB over the part [t0, t1] of a path.
 struct Chord {
@@ -147,11 +148,12 @@ struct Chord {
   Triple to;
 };
 
-/// Covers what rounding adds to bounds evaluated in double precision: some hundred operations on
-/// numbers up to 1e2 whose errors slopes of at most 13 (sRGB near black) carry on.
+/// Covers the rounding errors of bounds that are evaluated in double precision: some hundred
+/// operations on numbers up to 1e2, whose errors are multiplied by slopes of at most 13 (sRGB near
+/// black).
 constexpr double kRoundingMargin = 1e-11;
 
-/// A bound of |path - chord| over [t0, t1], a part of the chord's extent: the smaller one of plain
+/// Bounds |path - chord| over [t0, t1], a part of the chord's extent, by the smaller one of plain
 /// interval arithmetic and, where the path is continuous, the mean value form.
 double difference_bound(const ColorPath& path, const Chord& chord, double t0, double t1) {
   const std::array<Range, 3> whole = color_at(path, Range({t0, t1}, {1, 1}));
@@ -172,12 +174,12 @@ double difference_bound(const ColorPath& path, const Chord& chord, double t0, do
   return bound + kRoundingMargin;
 }
 
-/// Where the definitions of CIELAB and sRGB switch formulas they jump, by less than 2e-6: parts
-/// this short are not divided further.
+/// CIELAB and sRGB have jumps of less than 2e-6 where their definitions switch formulas: parts this
+/// short are not divided further.
 constexpr double kShortest = 1e-12;
 
-/// A bound of |path - chord| over [t0, t1], by bisection until it is within the tolerance; larger
-/// than the tolerance when the chord fails.
+/// Bounds |path - chord| over [t0, t1], by bisection until the bound is within the tolerance; the
+/// bound exceeds the tolerance if the chord fails.
 double proven_bound(const ColorPath& path, const Chord& chord, double t0, double t1,
                     double tolerance) {
   const double bound = difference_bound(path, chord, t0, t1);
@@ -194,8 +196,8 @@ double proven_bound(const ColorPath& path, const Chord& chord, double t0, double
   return std::max(left, proven_bound(path, chord, middle, t1, tolerance));
 }
 
-/// Appends the points of chords that follow the path from chord.t0 to chord.t1, the last one
-/// included, the first one not; returns the bound that they reach.
+/// Appends the points of chords that follow the path after chord.t0 up to and including chord.t1;
+/// returns the bound that they reach.
 double append_chords(const ColorPath& path, const Chord& chord, double tolerance,
                      std::vector<Point>& points) {
   const double bound = proven_bound(path, chord, chord.t0, chord.t1, tolerance);
@@ -211,7 +213,7 @@ double append_chords(const ColorPath& path, const Chord& chord, double tolerance
 }
 
 bool same_color(const Triple& a, const Triple& b) {
-  constexpr double kSame = 1e-12;  // what conversions there and back leave
+  constexpr double kSame = 1e-12;  // the rounding error of a conversion and its inverse
   for (std::size_t c = 0; c < 3; ++c)
     if (std::fabs(a[c] - b[c]) > kSame) return false;
   return true;
@@ -226,8 +228,8 @@ void append_distinct(std::vector<Point>& points, const Point& point) {
     points.push_back(point);
 }
 
-/// The colours below the first node and above the last: those of the nodes, but where a path begins
-/// or ends there, its own, which the conversions there and back make a little different.
+/// The colours below the first node and above the last: the nodes' colours or, where a path begins
+/// or ends, the path's own, which differ slightly after conversions there and back.
 std::array<Triple, 2> outer_colors(const ColormapPreset& preset,
                                    const std::vector<ColorPath>& paths) {
   const auto& first = preset.nodes.front();

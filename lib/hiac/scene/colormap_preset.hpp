@@ -27,19 +27,19 @@ struct ColormapPreset {
 
 /// Reads a preset file: JSON (one map or a list of maps; commas before a closing bracket are
 /// tolerated, as ParaView users have such files) or XML (<ColorMap> elements with <Point>
-/// elements). Of several maps it takes the one called `name`, or the first without a name. Throws
-/// InputError naming the file when it is unreadable or malformed, when there is no such map, when
-/// the map has indexed colours, or when its colour space is unknown.
+/// elements). It takes the map called `name`, or the first without a name. Throws InputError with
+/// the file's name if it is unreadable or malformed, contains no such map, or if the map has
+/// indexed colours or an unknown colour space.
 ColormapPreset read_colormap_preset(const std::string& path,
                                     const std::optional<std::string>& name = std::nullopt);
 
-/// The colour at a scalar between the nodes' first and last; constant outside.
+/// Returns the colour at a scalar between the nodes' first and last; constant outside.
 std::array<double, 3> preset_color(const ColormapPreset& preset, double scalar);
 
 /// A preset as a piecewise-linear function.
 struct LinearizedPreset {
   std::vector<PiecewiseLinear<3>::Point> points;
-  double bound;  ///< proven: no channel is further than this from the preset's colour anywhere
+  double bound;  ///< proven: no channel deviates more from the preset anywhere
 };
 
 /// Stretches the preset's scalars to [low, high] and subdivides between its nodes until the error

@@ -1,4 +1,4 @@
-// ParaView's colour-map presets: JSON as ParaView exports them, XML as they were before.
+// ParaView's colour-map presets: JSON as ParaView exports them now, and XML as in former versions.
 
 #include <algorithm>
 #include <cctype>
@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// What a file says of one map before it is judged.
+/// The content of one map in a file, not yet checked.
 struct RawMap {
   std::string name;
   std::string space;
@@ -78,13 +78,13 @@ ColormapPreset judged(const RawMap& map, const std::string& path) {
 
 // JSON --------------------------------------------------------------------------------------------
 
-/// Blanks out commas that only white space separates from a closing bracket, outside of strings;
-/// refuses brackets nested deeper than any preset's.
+/// Replaces commas that only white space separates from a closing bracket, outside strings, with
+/// blanks; rejects brackets nested deeper than any preset's.
 void blank_trailing_commas(std::string& text, const std::string& path) {
   constexpr int kMaxDepth = 64;
   bool in_string = false;
   int depth = 0;
-  std::size_t comma = std::string::npos;  // the last token, where it is a comma
+  std::size_t comma = std::string::npos;  // the position of the last token if it is a comma
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
     if (in_string) {
@@ -144,7 +144,7 @@ std::vector<RawMap> read_json(std::string text, const std::string& path) {
 
 // XML ---------------------------------------------------------------------------------------------
 
-/// An attribute that must be a number.
+/// Returns an attribute that must be a number.
 double number_in(const pugi::xml_node& node, const char* name, const std::string& path) {
   const std::string_view text = node.attribute(name).as_string();
   double value = 0;

@@ -81,7 +81,7 @@ T unit_clamped(const T& a) {
 inline double sine(double a) { return std::sin(a); }
 inline double cosine(double a) { return std::cos(a); }
 
-/// The sines of an interval: no further from the middle's sine than half the width.
+/// Bounds the sine over an interval: it differs from the middle's sine by at most half the width.
 inline Interval sine(Interval a) {
   const double middle = std::sin(0.5 * (a.low + a.high));
   const double half = 0.5 * (a.high - a.low);
@@ -99,8 +99,8 @@ inline Range cosine(const Range& a) {
   return {cosine(a.value), -(sine(a.value) * a.slope), a.continuous};
 }
 
-/// `below` up to and including the threshold, `above` beyond it; each is a pair of an increasing
-/// function and its derivative, which is monotone.
+/// Applies `below` up to and including the threshold and `above` beyond it; each is a pair of an
+/// increasing function and its derivative, which is monotone.
 template <typename Below, typename Above>
 Range switched(const Range& a, double threshold, const Below& below, const Above& above) {
   const auto image = [&](const auto& branch, Interval x) {

@@ -14,7 +14,7 @@ std::array<double, 3> view_direction(const Camera& camera) {
 
 std::string view_hash(const Scene& scene) {
   const Camera& camera = scene.camera;
-  // Five numbers, the projection first; adding 0 makes one zero of the two.
+  // Five numbers, the projection first; adding 0 turns both zeros into the same one.
   std::array<double, 5> decisive{};
   decisive[0] = static_cast<double>(camera.projection);
   if (camera.projection == Projection::perspective) {

@@ -31,7 +31,7 @@ constexpr std::pair<std::string_view, Integration> kIntegrations[] = {
 constexpr std::pair<std::string_view, Interpolation> kInterpolations[] = {
     {"isoparametric", Interpolation::isoparametric}, {"polynomial", Interpolation::polynomial}};
 
-/// Far below what any number of a picture can be right to.
+/// Far below the precision of any number of a picture.
 constexpr double kLeastTolerance = 1e-30;
 
 void read_tolerance(const SpecValue& value, RenderSettings& render) {
@@ -41,7 +41,7 @@ void read_tolerance(const SpecValue& value, RenderSettings& render) {
                            render.tolerance));
 }
 
-/// True for the patterns that are made of square fields.
+/// Returns whether a pattern consists of square fields.
 bool has_fields(BackgroundPattern pattern) {
   return pattern == BackgroundPattern::checker || pattern == BackgroundPattern::grid;
 }
@@ -167,7 +167,7 @@ constexpr SpecKey<RenderSettings> kRenderKeys[] = {
      [](const RenderSettings& r) -> Text { return toml_text(r.planarity); }},
 };
 
-// What no key alone can tell ------------------------------------------------------------------
+// Conditions on several keys ---------------------------------------------------------------------
 
 void read_image(const SpecValue& table, Scene& scene) {
   read_keys(table, image_keys(), scene.image);

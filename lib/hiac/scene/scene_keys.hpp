@@ -7,8 +7,8 @@
 
 namespace hiac {
 
-/// The keys of each table of a specification, in the order in which they are read and written;
-/// those of the camera stand in camera_keys.hpp.
+/// The keys of each table of a specification, in the order in which they are read and written; the
+/// camera's are in camera_keys.hpp.
 std::span<const SpecKey<ImageSize>> image_keys();
 std::span<const SpecKey<ExtinctionTransfer>> extinction_keys();
 std::span<const SpecKey<Volume>> volume_keys();

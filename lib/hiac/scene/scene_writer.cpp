@@ -9,12 +9,12 @@
 namespace hiac {
 namespace {
 
-/// The keys of one table; with comments also the names of those that are left out.
+/// Returns the keys of one table; with comments, also the names of the omitted ones.
 template <typename T>
 std::string keys_text(std::span<const SpecKey<T>> keys, const T& from, Comments comments) {
   std::string text;
   for (const SpecKey<T>& key : keys) {
-    if (key.meaning.empty()) continue;  // a table, written on its own
+    if (key.meaning.empty()) continue;  // a table, which is written separately
     const std::optional<std::string> value = key.write != nullptr ? key.write(from) : std::nullopt;
     const bool explain = comments == Comments::explain;
     if (!value && explain) text += fmt::format("# {} =  # {}\n", key.name, key.meaning);

@@ -10,7 +10,8 @@
 namespace hiac {
 namespace {
 
-/// Levenshtein's distance: insertions, deletions and replacements that make one word the other.
+/// Returns Levenshtein's distance: the number of insertions, deletions and replacements that turn
+/// one word into the other.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -26,7 +27,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string suggestion(std::string_view found, std::span<const std::string_view> known) {
-  // a name that is long beyond every key is no misspelling
+  // a name that is much longer than every key is no misspelling
   if (found.size() > 40) return "";
   const auto nearest = std::min_element(known.begin(), known.end(), [&](auto a, auto b) {
     return edit_distance(found, a) < edit_distance(found, b);

@@ -12,19 +12,20 @@
 
 namespace hiac {
 
-/// One key of a table of the specification whose values end up in a T. The tables of keys drive
-/// reading, the detection of unknown keys, writing, and the comments of a starter specification.
+/// One key of a table of the specification, whose values are stored in a T. The tables of keys
+/// drive reading, the detection of unknown keys, writing, and the comments of a starter
+/// specification.
 template <typename T>
 struct SpecKey {
   std::string_view name;
   std::string_view meaning;  ///< a few words, for a comment
   bool required;
   void (*read)(const SpecValue& value, T& into);
-  /// The value as TOML, nothing where it is left out; null for a key that is a table itself.
+  /// Returns the value as TOML, or nothing if it is omitted; null for a key that is a table itself.
   std::optional<std::string> (*write)(const T& from);
 };
 
-/// Throws for a key of `table` that is not among `known`, suggesting the nearest.
+/// Throws if `table` has a key that is not in `known`, and suggests the nearest.
 void refuse_unknown_keys(const SpecValue& table, std::span<const std::string_view> known);
 
 /// Reads the keys of a table; throws for missing ones.
@@ -38,7 +39,7 @@ void read_known_keys(const SpecValue& table, std::span<const SpecKey<T>> keys, T
   }
 }
 
-/// The same for a table that has no other keys; throws for unknown ones.
+/// Reads the keys of a table and throws for missing and for unknown ones.
 template <typename T>
 void read_keys(const SpecValue& table, std::span<const SpecKey<T>> keys, T& into) {
   std::vector<std::string_view> names;
@@ -47,12 +48,12 @@ void read_keys(const SpecValue& table, std::span<const SpecKey<T>> keys, T& into
   read_known_keys(table, keys, into);
 }
 
-/// Values as TOML; numbers to the last bit.
+/// Returns values as TOML; numbers are exact to the last bit.
 std::string toml_text(double value);
 std::string toml_text(std::string_view value);
 std::string toml_text(std::span<const double> values);
 
-/// The name of a value as TOML.
+/// Returns the name of a value as TOML.
 template <typename E>
 std::string name_text(std::span<const std::pair<std::string_view, E>> names, E value) {
   for (const auto& [name, entry] : names)

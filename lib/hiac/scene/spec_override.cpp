@@ -35,7 +35,8 @@ std::vector<std::string> path_parts(const std::string& path, const std::string& 
   return parts;
 }
 
-/// VALUE as TOML in a table of one key "v"; what is no TOML value is a string as it stands.
+/// Parses VALUE as TOML, into a table with the single key "v"; text that is not TOML becomes a
+/// string.
 toml::table parse_value(const std::string& value) {
   try {
     toml::table parsed = parse_toml("v = " + value, "");
@@ -55,8 +56,8 @@ std::optional<std::size_t> as_index(const std::string& part) {
   return index;
 }
 
-/// Steps into `part` of a table, adding what is not there: a list where an index follows, else a
-/// table.
+/// Steps into `part` of a table, and adds it if it does not exist: a list if an index follows,
+/// otherwise a table.
 toml::node& step_into_table(toml::table& table, const std::string& part, bool index_follows) {
   if (table.get(part) == nullptr) {
     if (index_follows)

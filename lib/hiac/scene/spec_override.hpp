@@ -9,8 +9,8 @@
 namespace hiac {
 
 /// Applies KEY=VALUE to a specification's table: replaces the value, adds it, or (empty VALUE)
-/// removes the key. Throws UsageError naming the option when it is malformed or its path leads
-/// nowhere.
+/// removes the key. Throws UsageError with the option if it is malformed or its path leads below a
+/// plain value or to an element that a list does not have.
 AppliedOverride apply_override(toml::table& document, const std::string& option);
 
 }  // namespace hiac

@@ -14,7 +14,7 @@
 namespace hiac {
 namespace {
 
-/// The position after the string that starts at `at`, or the end of the text.
+/// Returns the position after the string that starts at `at`, or the end of the text.
 std::size_t skip_string(std::string_view text, std::size_t at) {
   const char quote = text[at];
   const std::string three(3, quote);
@@ -34,8 +34,8 @@ std::size_t skip_string(std::string_view text, std::size_t at) {
   return text.size();
 }
 
-/// The parser recurses over the parts of dotted keys without a limit of its own: refuses what could
-/// exhaust the stack before it gets there.
+/// Rejects deeply dotted keys: the parser recurses over their parts without a limit, and could
+/// exhaust the stack.
 void refuse_deep_keys(std::string_view text, const std::string& subject) {
   constexpr std::size_t kMaxDots = 32;
   constexpr std::string_view kEndsRun = "=,{}[]\n";

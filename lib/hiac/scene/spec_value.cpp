@@ -172,7 +172,7 @@ SpecValue SpecValue::child(std::string_view key) const {
 
 void SpecValue::fail_at(std::string_view key, const std::string& what) const {
   const toml::node* node = find(key);
-  // the text as a whole begins at line 1, which would say nothing
+  // the text as a whole starts at line 1, which would not help the user
   const bool whole_text = node == nullptr && path_.empty();
   const toml::node& nearest = node != nullptr ? *node : *node_;
   context_->fail(path_of(key), whole_text ? 0 : nearest.source().begin.line, what);

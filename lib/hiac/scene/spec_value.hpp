@@ -26,11 +26,11 @@ struct SpecContext {
   std::vector<AppliedOverride> overrides;
   std::vector<std::string> notes;
 
-  /// The override that set the key `path`, a part of it or a table around it, or none.
+  /// Returns the override that set the key `path`, a part of it or a table around it, or null.
   [[nodiscard]] const AppliedOverride* override_of(std::string_view path) const;
 
-  /// Throws UsageError naming the option where an override is to blame, else InputError naming
-  /// file, line (where `line` is not 0) and key.
+  /// Throws UsageError with the option if an override is the cause, else InputError with the file,
+  /// the line (unless `line` is 0) and the key.
   [[noreturn]] void fail(const std::string& path, std::uint32_t line,
                          const std::string& what) const;
 };
@@ -46,7 +46,7 @@ class SpecValue {
   [[noreturn]] void fail(const std::string& what) const;
 
   /// A number, integer or float; `inf` only where allowed, never NaN.
-  [[nodiscard]] double number() const;  ///< of magnitude kLargestNumber at most
+  [[nodiscard]] double number() const;  ///< of magnitude at most kLargestNumber
   [[nodiscard]] double at_least_finite(double smallest) const;  ///< of any size
   [[noreturn]] void fail_bright(double component) const;        ///< more than kLargestColor
   [[nodiscard]] double number_or_infinity() const;

@@ -39,7 +39,7 @@ void read_points(const SpecValue& value, std::vector<typename PiecewiseLinear<N>
   }
 }
 
-/// The list as TOML, one point a line.
+/// Returns the list as TOML, one point per line.
 template <std::size_t N>
 std::string points_text(const std::vector<typename PiecewiseLinear<N>::Point>& points) {
   std::string text = "[";

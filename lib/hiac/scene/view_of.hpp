@@ -5,7 +5,7 @@
 
 namespace hiac {
 
-/// The view of a camera: the part that decides a visibility order.
+/// Returns the part of a camera that decides a visibility order.
 inline View view_of(const Camera& camera) {
   return {camera.projection == Projection::perspective, camera.eye, view_direction(camera)};
 }

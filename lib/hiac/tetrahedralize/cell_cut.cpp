@@ -10,8 +10,8 @@ std::uint8_t least_corner(CellKind kind, std::span<const NodeId> names) {
   return static_cast<std::uint8_t>(std::ranges::min_element(corners) - corners.begin());
 }
 
-// A face's corners, still counter-clockwise from outside; a quadrilateral's diagonal goes from the
-// first to the third.
+// Returns a face's corners, still counter-clockwise from outside, such that a quadrilateral's
+// diagonal runs from the first to the third.
 std::array<std::uint8_t, 4> diagonal_first(const ShapeFace& face, std::span<const NodeId> names,
                                            bool other) {
   const std::size_t count = face.corner_count;
@@ -45,7 +45,7 @@ std::optional<CellCut> cut_cell_at(std::uint8_t apex, CellKind kind, std::span<c
     if (quadrilateral && (c[1] == apex || c[3] == apex)) return std::nullopt;
     const auto corners = std::span(c).first(faces[f].corner_count);
     if (std::ranges::find(corners, apex) != corners.end()) continue;
-    // seen from the apex, inside, the triangles turn clockwise
+    // the triangles run clockwise as seen from the apex inside
     cut.tetrahedra[cut.count++] = {c[0], c[2], c[1], apex};
     if (quadrilateral) cut.tetrahedra[cut.count++] = {c[0], c[3], c[2], apex};
   }

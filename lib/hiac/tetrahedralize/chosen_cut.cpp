@@ -16,7 +16,7 @@ using Triangle = std::array<std::uint8_t, 3>;
 
 constexpr std::pair<std::size_t, std::size_t> kNoneBad{0, 0};
 
-// Where a cell's map has its centre.
+// Returns the image of the reference cell's centre.
 std::array<double, 3> center_of(const ZooMesh& mesh, CellId cell) {
   std::array<double, kMaxNodesPerCell> shape;
   shape_functions<double>(mesh.kinds[cell], reference_center(mesh.kinds[cell]), shape);
@@ -27,8 +27,8 @@ std::array<double, 3> center_of(const ZooMesh& mesh, CellId cell) {
   return position;
 }
 
-// The corners' ranks by their places, nodes at one place by their numbers: cells agree on them at
-// faces that they share, and at faces with nodes of their own at the same places.
+// Returns the corners' ranks by position, and by number for nodes at the same place: cells agree on
+// them at faces that they share, and at faces with different nodes at the same places.
 std::array<NodeId, 8> names_by_place(const ZooMesh& mesh, CellId cell) {
   const auto nodes = mesh.cell_nodes(cell).first(corner_count(mesh.kinds[cell]));
   const auto before = [&](NodeId a, NodeId b) {
@@ -43,9 +43,10 @@ std::array<NodeId, 8> names_by_place(const ZooMesh& mesh, CellId cell) {
   return names;
 }
 
-// Fills a cell with tetrahedra of its corners that all turn one way: from a triangle of its surface
-// to any corner, and on with the surface of what is left, until nothing is. Where such tetrahedra's
-// outer triangles are those of the cell, they fill it without overlap.
+// Fills a cell with tetrahedra of its corners that all have the same orientation, by backtracking:
+// joins a triangle of the surface to any corner and continues with the surface of the remainder
+// until nothing remains. Such tetrahedra, whose outer triangles are the cell's, fill it without
+// overlap.
 class Filling {
  public:
   Filling(const ZooMesh& mesh, CellId cell, int hand)
@@ -60,7 +61,7 @@ class Filling {
   }
 
  private:
-  // no more can be needed between eight corners
+  // eight corners never need more
   static constexpr std::size_t kMost = 8;
 
   bool go_on(const std::vector<Triangle>& surface) {
@@ -85,7 +86,7 @@ class Filling {
                        mesh_.position(nodes_[c]), mesh_.position(nodes_[d])) == hand_;
   }
 
-  // Adds a triangle to a surface, or takes its other side away; false where it is there already.
+  // Adds a triangle to a surface, or removes its reverse; returns false if it is there already.
   static bool exchange(std::vector<Triangle>& surface, const Triangle& triangle) {
     for (std::size_t i = 0; i < surface.size(); ++i) {
       if (!std::ranges::is_permutation(surface[i], triangle)) continue;
@@ -150,7 +151,7 @@ ChosenCut choose_cut(const ZooMesh& mesh, CellId cell, OtherDiagonals other) {
     if (best.bad() == kNoneBad) return best;
   }
   const CellCut around = *cut_cell_at(kCellCenter, kind, corners, other);
-  std::vector<Triangle> surface;  // as it is seen from outside a right-handed cell
+  std::vector<Triangle> surface;  // as seen from outside a right-handed cell
   for (const auto& [a, b, c, center] : around.all()) surface.push_back({a, c, b});
   for (const int hand : {1, -1})
     if (const auto cut = Filling(mesh, cell, hand).fill(surface))

@@ -9,21 +9,22 @@
 
 namespace hiac {
 
-/// A cell's cut, and how its tetrahedra turn, by their corners.
+/// A cell's cut, and the orientations of its tetrahedra's corners.
 struct ChosenCut {
   CellCut cut;
-  std::array<int, 12> signs{};  ///< of their volumes, exactly
+  std::array<int, 12> signs{};  ///< of their volumes, exact
 
-  /// How many tetrahedra turn otherwise than most, and how many are flat.
+  /// Returns how many tetrahedra have the less frequent orientation, and how many are flat.
   [[nodiscard]] std::pair<std::size_t, std::size_t> bad() const;
 };
 
-/// The cut of a cell whose quadrilateral faces are cut as `other` says, corners being named by
-/// their places (x, then y, then z; then the node's number): from the least one if no tetrahedron
-/// is bad then; else any that has none bad; else the better of that and the one around the centre.
+/// Returns the cut of a cell whose quadrilateral faces are cut as `other` says; corners are ordered
+/// by position (x, then y, then z; then the node's number). The cut from the least corner is
+/// preferred if it has no bad tetrahedra; then any other cut without bad ones; then the better of
+/// the first cut and the one around the centre.
 ChosenCut choose_cut(const ZooMesh& mesh, CellId cell, OtherDiagonals other);
 
-/// The centre of a cell in its reference cell: the mean of the corners.
+/// Returns the centre of a cell in its reference cell: the mean of the corners.
 std::array<double, 3> reference_center(CellKind kind);
 
 }  // namespace hiac

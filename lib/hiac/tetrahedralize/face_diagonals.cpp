@@ -11,7 +11,7 @@ namespace hiac {
 namespace {
 
 constexpr std::size_t kGrain = 1 << 12;
-// Cells that are asked for one that is bad; rows of changes are seldom longer than a few cells.
+// Limits the search for one bad cell, in cells; chains of changes are rarely longer than a few.
 constexpr std::size_t kMostAsked = 2000;
 
 bool is_sound(const ZooMesh& mesh, CellId cell, OtherDiagonals other) {
@@ -33,7 +33,7 @@ class Mender {
 
   void mend(CellId cell) {
     asked_ = 0;
-    (void)mend_behind(cell, kNoFace);  // one that cannot be mended stays as it is
+    (void)mend_behind(cell, kNoFace);  // a cell that cannot be repaired stays as it is
   }
 
   [[nodiscard]] std::vector<OtherDiagonals> diagonals() && { return std::move(other_); }
@@ -41,8 +41,8 @@ class Mender {
  private:
   static constexpr std::size_t kNoFace = 6;
 
-  // Makes a cell sound by other diagonals of its faces, but for the one through which the row of
-  // changes came; all is as it was where that fails.
+  // Makes a cell sound by changing a face's diagonal, except that of the face through which the
+  // chain of changes arrived. If that fails, everything is restored.
   [[nodiscard]] bool mend_behind(CellId cell, std::size_t came) {
     if (is_sound(mesh_, cell, other_[cell])) return true;
     for (std::size_t f = 0; f < face_count(mesh_.kinds[cell]); ++f) {
@@ -64,7 +64,7 @@ class Mender {
     if (neighbor != kNoCell) other_[neighbor].flip(its_face);
   }
 
-  // The face of `neighbor` that is face f of `cell`.
+  // Returns the number within `neighbor` of face f of `cell`.
   [[nodiscard]] std::size_t face_towards(CellId neighbor, CellId cell, std::size_t f) const {
     const auto nodes_of = [&](CellId c, std::size_t number) {
       std::array<NodeId, 4> nodes{};

@@ -7,14 +7,14 @@
 
 namespace hiac {
 
-/// Which quadrilateral faces have to be cut by their other diagonal for no cell's tetrahedra to be
-/// turned inside out, for every cell; empty where no face has to. Both cells at a face are told the
-/// same.
+/// Returns, for every cell, the quadrilateral faces that must be cut by their other diagonal so
+/// that no cell has inverted tetrahedra; empty if there are none. Both cells at a face get the same
+/// answer.
 ///
-/// Where a layer of cells is thinner than its faces are warped, opposite faces have to be cut
-/// alike: a cell whose cut (choose_cut) is bad gets another diagonal in a face that mends it, and
+/// If a layer of cells is thinner than its faces are warped, opposite faces must be cut alike: a
+/// cell whose cut (choose_cut) is bad gets another diagonal in a face that repairs it, and so do
 /// the cells behind that face in turn, until one stays sound or the mesh ends. A cell that no such
-/// row of changes mends keeps the cut it had.
+/// chain of changes repairs keeps its cut.
 std::vector<OtherDiagonals> choose_diagonals(const ZooMesh& mesh);
 
 }  // namespace hiac

@@ -22,14 +22,14 @@ namespace {
 
 constexpr NodeId kNone = std::numeric_limits<NodeId>::max();
 
-// A place in a cell: what a node's position and values are computed from.
+// A place in a cell, from which a node's position and values are computed.
 struct Place {
   CellId cell;
   std::array<double, 3> xi;
 };
 
-// A lattice point by the nodes that it lies between, ascending, and their weights; what is not
-// needed is kNone and 0. The same from all cells that share those nodes.
+// A lattice point, as the nodes between which it lies, ascending, and their weights; unused entries
+// are kNone and 0. It is the same from all cells that share those nodes.
 struct PointKey {
   std::array<NodeId, 4> nodes;
   LatticePoint weights;
@@ -45,8 +45,8 @@ struct PointHash {
   }
 };
 
-// The number in a cell of its own node at a lattice point of a tetrahedron of its corners, if it
-// has one there; kCellCenter of the centre.
+// Returns the number within a cell of the cell's node at a lattice point of a tetrahedron of its
+// corners, if it has one there; kCellCenter for the centre.
 std::optional<std::size_t> own_node(CellKind kind, const CornerTetrahedron& corner,
                                     const LatticePoint& point, unsigned n) {
   const auto order = static_cast<unsigned>(order_of(kind));
@@ -103,7 +103,7 @@ class Subdivider {
   void cut(CellId cell, OtherDiagonals other) {
     const ChosenCut chosen = choose_cut(mesh_, cell, other);
     for (std::size_t k = 0; k < chosen.cut.count; ++k) {
-      // where edges are curved, a tetrahedron has volume though its corners lie in a plane
+      // if edges are curved, a tetrahedron has volume though its corners lie in a plane
       if (chosen.signs[k] == 0 && order_of(mesh_.kinds[cell]) == CellOrder::linear)
         ++dropped_tetrahedra_;
       else
@@ -122,7 +122,7 @@ class Subdivider {
            static_cast<unsigned>(order));
   }
 
-  // One tetrahedron with its nodes at points of the lattice n of the tetrahedron t.
+  // Appends a tetrahedron with its nodes at points of the lattice n of the tetrahedron t.
   void append(CellId cell, const CornerTetrahedron& t, CellOrder order,
               std::span<const LatticePoint> points, unsigned n) {
     for (const LatticePoint& point : points) {
@@ -149,7 +149,7 @@ class Subdivider {
     return place;
   }
 
-  // A node that the mesh did not have, unless another tetrahedron has brought it.
+  // Returns a node that the mesh did not have; the same one for all tetrahedra with this key.
   NodeId new_node(const PointKey& key, const Place& place) {
     const std::size_t next = mesh_.node_count() + places_.size();
     if (next >= kNone)
@@ -159,7 +159,7 @@ class Subdivider {
     return known->second;
   }
 
-  // The centre of a cell: all four of its key's weights are 0.
+  // The centre of a cell; all four weights of its key are 0.
   NodeId center_of(CellId cell) {
     return new_node({{cell, kNone, kNone, kNone}, {}}, {cell, reference_center(mesh_.kinds[cell])});
   }
@@ -181,7 +181,7 @@ class Subdivider {
     return new_node(key, place_of(cell, t, point, n));
   }
 
-  // Interpolates `width` values a node; values_of(i) begins those of the cell's node i.
+  // Interpolates `width` values per node; values_of(i) points to those of the cell's node i.
   template <typename ValuesOf>
   static void append_interpolated(CellKind kind, const std::array<double, 3>& xi, std::size_t width,
                                   const ValuesOf& values_of, std::vector<double>& result) {
@@ -194,7 +194,7 @@ class Subdivider {
     }
   }
 
-  // Values of old nodes and new ones, of those that are used.
+  // Returns the values at those old and new nodes that are used.
   [[nodiscard]] SharedArray<double> at_nodes(std::span<const double> values,
                                              std::size_t width) const {
     std::vector<double> result;
@@ -238,7 +238,7 @@ class Subdivider {
     return result;
   }
 
-  // Numbers the nodes that are used anew, in their order.
+  // Renumbers the nodes that are used, in their order.
   void drop_unused() {
     std::vector<NodeId> number(mesh_.node_count() + places_.size(), kNone);
     for (const NodeId node : nodes_) number[node] = 0;
@@ -281,9 +281,9 @@ class Subdivider {
   // of the tetrahedra
   std::vector<CellKind> kinds_;
   std::vector<std::uint64_t> elems_{0};
-  std::vector<NodeId> nodes_;  // new ones are numbered behind the old
+  std::vector<NodeId> nodes_;  // new nodes are numbered after the old ones
   std::vector<CellId> parents_;
-  std::vector<Place> entries_;  // of nodes_, where a field lives on corners
+  std::vector<Place> entries_;  // for each entry of nodes_, if a field lives on corners
   std::unordered_map<PointKey, NodeId, PointHash> new_nodes_;
   std::vector<Place> places_;  // of the new nodes
   std::uint64_t dropped_tetrahedra_ = 0;

@@ -61,7 +61,7 @@ std::vector<LatticeTetrahedron> halved(unsigned levels) {
     for (const LatticeTetrahedron& t : tetrahedra) append_children(t, children);
     tetrahedra = std::move(children);
   }
-  // not before: the order of the corners says where the next level cuts
+  // not earlier: the order of the corners determines where the next level cuts
   for (LatticeTetrahedron& t : tetrahedra)
     if (turn(t) < 0) std::swap(t[2], t[3]);
   return tetrahedra;

@@ -185,6 +185,13 @@ TEST(VtkXml, StepsOfOneFileAreReadOneByOne) {
   EXPECT_THAT(refusal(folder.write("two.vtu", with_times("0 1"))), HasSubstr("to step 2 (0 to 1"));
   EXPECT_THAT(refusal(folder.write("four.vtu", with_times("0 1 2 3"))),
               HasSubstr("no array belongs to step 3"));
+  // where no times are told, they are the steps' numbers
+  const std::string counted = folder.write("counted.vtu", whole);
+  EXPECT_THAT(format_to_read(counted).inspect(counted).times, testing::ElementsAre(0, 1, 2));
+  options.time = 0;
+  EXPECT_EQ(read_any(counted, options).mesh.fields[0].values[7], 7);
+  options.time = 2;
+  EXPECT_EQ(read_any(counted, options).mesh.fields[0].values[0], 10);
 }
 
 TEST(VtkXml, BlocksOfFilesAreReadUnderTheirNames) {

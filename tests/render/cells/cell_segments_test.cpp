@@ -51,10 +51,7 @@ class CellSegmentsTest : public testing::Test {
     for (double& value : plane) value = number();
   }
 
-  static std::size_t index(int x, int y) {
-    return static_cast<std::size_t>(y - kTile.y0) * kTileStride +
-           static_cast<std::size_t>(x - kTile.x0);
-  }
+  TileTarget target(SegmentList* group) { return {*frame_, kTile, *buffer_, group, counts_}; }
 
   static constexpr TileRect kTile{3, 5, 33, 33};
   std::mt19937 random_{7};
@@ -63,19 +60,21 @@ class CellSegmentsTest : public testing::Test {
   Projector projector_;
   std::unique_ptr<Frame> frame_;
   std::unique_ptr<TileBuffer> buffer_ = std::make_unique<TileBuffer>();
+  TileCounts counts_;
   CrossingRuns runs_;
   CellSegments segments_;
 };
 
 TEST_F(CellSegmentsTest, AreThoseOfRunsThatAreSeen) {
+  SegmentList group;
   for (const bool by_visibility : {false, true}) {
     segments_.start(runs_.count, false);
-    collect_runs(*frame_, runs_, kTile, *buffer_, 1e-6, by_visibility, segments_);
+    collect_runs(target(by_visibility ? nullptr : &group), runs_, 1e-6, segments_);
     std::size_t k = 0;
     for (const auto& [x, y, first, count] : runs_.runs)
       for (std::size_t i = 0; i < count; ++i) {
         const int column = x + static_cast<int>(i);
-        const std::size_t at = index(column, y);
+        const std::size_t at = kTile.index(column, y);
         const double front = std::max(runs_.front[first + i], projector_.near());
         const double back = std::min(runs_.back[first + i], projector_.far());
         const double seen = buffer_->transparency[at];
@@ -98,7 +97,7 @@ TEST_F(CellSegmentsTest, AreThoseOfRunsThatAreSeen) {
 
 TEST_F(CellSegmentsTest, AreCompositedWhereTheyAreDone) {
   segments_.start(runs_.count, false);
-  collect_runs(*frame_, runs_, kTile, *buffer_, 1e-6, true, segments_);
+  collect_runs(target(nullptr), runs_, 1e-6, segments_);
   const auto before = std::make_unique<TileBuffer>(*buffer_);
   const auto expected = std::make_unique<TileBuffer>(*buffer_);
   std::uint64_t violations = 0;

@@ -144,13 +144,13 @@ class Comparison {
     CellSegments& together = crossed.segments;
     const FieldAlongRay along(kind, map, fields);
     const auto of = [](const CellField& field, const auto& table) {
-      return std::array{classify_value(field.least, table).low,
-                        classify_value(field.most, table).high};
+      return IntervalRange{classify_value(field.least, table).low,
+                           classify_value(field.most, table).high};
     };
     const auto extinction = of(fields.front(), optics.extinction);
     const auto color = of(fields.back(), optics.color);
-    integrate_cell_segments(frame_, CellPolynomials(kind, nodes, map, fields),
-                            {color[0], color[1], extinction[0], extinction[1]}, together);
+    integrate_cell_segments(frame_, CellPolynomials(kind, nodes, map, fields), color, extinction,
+                            together);
     double largest = 0;
     for (std::size_t k = 0; k < crossings.size(); ++k) {
       ++segments;

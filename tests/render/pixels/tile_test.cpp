@@ -31,7 +31,8 @@ std::vector<int> composited(const std::vector<Segment>& segments) {
   constexpr std::uint32_t kPixel = kTileStride + 5;
   SegmentList list;
   for (std::size_t k = 0; k < segments.size(); ++k)
-    list.append(kPixel, segments[k].front, segments[k].back, static_cast<double>(k + 1), 0, 0, 0.1);
+    list.segments.push_back(
+        {kPixel, segments[k].front, segments[k].back, {{static_cast<double>(k + 1), 0, 0}, 0.1}});
   const auto buffer = empty_buffer();
   TileCounts counts;
   composite_sorted(list, 1e9, *buffer, counts);
@@ -66,12 +67,13 @@ TEST(CompositeSorted, NearerIsATotalOrder) {
   std::uniform_int_distribution<int> few(0, 2);
   for (int k = 0; k < 40; ++k) {
     const double front = few(random);
-    list.append(0, front, front + few(random), 0, 0, 0, 1);
+    list.segments.push_back({0, front, front + few(random), {}});
   }
-  for (std::uint32_t a = 0; a < list.size(); ++a)
-    for (std::uint32_t b = 0; b < list.size(); ++b) {
+  for (std::uint32_t a = 0; a < list.segments.size(); ++a)
+    for (std::uint32_t b = 0; b < list.segments.size(); ++b) {
       ASSERT_EQ(list.nearer(a, b) + list.nearer(b, a), a == b ? 0 : 1);
-      if (list.front[a] == list.front[b] && list.back[a] == list.back[b]) {
+      if (list.segments[a].front == list.segments[b].front &&
+          list.segments[a].back == list.segments[b].back) {
         ASSERT_EQ(list.nearer(a, b), a < b);
       }
     }
@@ -83,7 +85,7 @@ std::uint64_t violations_of(double front, double length) {
   const auto buffer = empty_buffer();
   buffer->last[7] = 10;
   SegmentList list;
-  list.append(7, front, front + length, 0, 0, 0, 1);
+  list.segments.push_back({7, front, front + length, {}});
   TileCounts counts;
   composite_sorted(list, 0.25, *buffer, counts);
   EXPECT_EQ(buffer->last[7], std::max(10.0, front + length));
@@ -113,12 +115,13 @@ TEST(CompositeSorted, PixelsCountTheirOwn) {
   buffer->details.resize(buffer->red.size());
   SegmentList list;
   for (const std::uint32_t pixel : {3U, 9U}) {
-    list.append(pixel, 0, 4, 0, 0, 0, 1);
-    list.append(pixel, 1, 2, 0, 0, 0, 1);  // within the first
-    if (pixel == 9) list.append(pixel, 3, 5, 0, 0, 0, 1);
-    list.append(pixel, 3.5, 3.5, 0, 0, 0, 1);  // short
+    list.segments.push_back({pixel, 0, 4, {}});
+    list.segments.push_back({pixel, 1, 2, {}});  // within the first
+    if (pixel == 9) list.segments.push_back({pixel, 3, 5, {}});
+    list.segments.push_back({pixel, 3.5, 3.5, {}});  // short
   }
-  list.details.resize(list.size());
+  for (std::size_t k = 0; k < list.segments.size(); ++k)
+    list.details.push_back({.front = list.segments[k].front, .back = list.segments[k].back});
   TileCounts counts;
   composite_sorted(list, 0.25, *buffer, counts);
   EXPECT_EQ(counts.violations, 3U);
@@ -140,18 +143,20 @@ TEST(CompositeSorted, AddsUpEveryPixel) {
   for (std::size_t k = 0; k < sorted.size(); ++k) {
     const auto pixel = static_cast<std::uint32_t>(unit(random) * kTileStride * kTileHeight);
     const double front = unit(random);
-    list.append(k % 7 == 0 ? kTileStride * kTileHeight - 1 : pixel, front, front + unit(random),
-                unit(random), unit(random), unit(random), unit(random));
+    list.segments.push_back({k % 7 == 0 ? kTileStride * kTileHeight - 1 : pixel,
+                             front,
+                             front + unit(random),
+                             {{unit(random), unit(random), unit(random)}, unit(random)}});
   }
   std::iota(sorted.begin(), sorted.end(), 0U);
-  std::ranges::sort(sorted, {}, [&](std::uint32_t s) { return list.front[s]; });
+  std::ranges::sort(sorted, {}, [&](std::uint32_t s) { return list.segments[s].front; });
   for (const std::uint32_t s : sorted) {
-    const std::size_t p = list.pixel[s];
-    expected->red[p] += expected->transparency[p] * list.red[s];
-    expected->green[p] += expected->transparency[p] * list.green[s];
-    expected->blue[p] += expected->transparency[p] * list.blue[s];
-    expected->transparency[p] *= list.transparency[s];
-    expected->last[p] = std::max(expected->last[p], list.back[s]);
+    const std::size_t p = list.segments[s].pixel;
+    expected->red[p] += expected->transparency[p] * list.segments[s].light.rgb[0];
+    expected->green[p] += expected->transparency[p] * list.segments[s].light.rgb[1];
+    expected->blue[p] += expected->transparency[p] * list.segments[s].light.rgb[2];
+    expected->transparency[p] *= list.segments[s].light.transparency;
+    expected->last[p] = std::max(expected->last[p], list.segments[s].back);
   }
   TileCounts counts;
   composite_sorted(list, 1e9, *buffer, counts);

@@ -32,10 +32,9 @@ inline std::array<std::uint8_t, 4> plane_corners(const ZooMesh& mesh, CellId cel
 /// orientation of the first corner of the cell that is neither on the face nor in the plane; 0 if
 /// there is none (a cell without volume).
 int side_of_cell(const ZooMesh& mesh, CellId cell, const std::array<std::uint8_t, 4>& plane);
-/// Returns the side of every face on which a cell lies whose corners all have the same orientation,
-/// whether or not its faces are planar: -1 for positively oriented cells (cell_kind.hpp), +1 for
-/// their mirror images; 0 if corners have both orientations, or none has one. Exact for the
-/// corners.
+/// Returns the side of all its faces on which a cell lies, planar or not, if its corners have the
+/// same orientation: -1 for positively oriented cells (cell_kind.hpp), +1 for their mirror images.
+/// Returns 0 if corners have both orientations, or none has one. Exact for the corners.
 int side_of_all_faces(const ZooMesh& mesh, CellId cell);
 
 /// Returns the same for a cell of higher order, where corners alone do not decide, from the sign of

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hiac/geometry/interval.hpp"
 #include "hiac/order/faces/eye_side.hpp"
 #include "hiac/order/faces/patch_side.hpp"
 
@@ -14,16 +15,10 @@ namespace {
 // A bound of the rounding error of a product of three differences, relative to their sizes.
 constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
 
-struct Range {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-};
-
-Range range_along(const Vector& normal, std::span<const Vector> points, const Vector& from) {
-  Range range;
+Interval range_along(const Vector& normal, std::span<const Vector> points, const Vector& from) {
+  Interval range;
   for (const Vector& p : points) {
-    const double height = dot(normal, minus(p, from));
-    range.low = std::min(range.low, height);
-    range.high = std::max(range.high, height);
+    range.include(dot(normal, minus(p, from)));
   }
   return range;
 }
@@ -46,7 +41,7 @@ class Parting {
                                             : cross(view_.direction, minus(b, a));
     const double size = length(normal);
     if (!(size > 0)) return false;
-    const Range f = range_along(normal, f_, a), g = range_along(normal, g_, a);
+    const Interval f = range_along(normal, f_, a), g = range_along(normal, g_, a);
     const double zero = rounding_ * size;
     return (f.high <= zero && g.low >= -zero) || (g.high <= zero && f.low >= -zero);
   }
@@ -55,7 +50,7 @@ class Parting {
   [[nodiscard]] bool in_one_plane(const Vector& normal) const {
     const double size = length(normal);
     if (!(size > 0)) return false;
-    const Range f = range_along(normal, f_, from_), g = range_along(normal, g_, from_);
+    const Interval f = range_along(normal, f_, from_), g = range_along(normal, g_, from_);
     return std::max(f.high, g.high) - std::min(f.low, g.low) <= 2 * (slack_ + rounding_) * size;
   }
 
@@ -68,7 +63,7 @@ class Parting {
 
  private:
   [[nodiscard]] bool beyond_along(const Vector& normal, double size) const {
-    const Range f = range_along(normal, f_, from_), g = range_along(normal, g_, from_);
+    const Interval f = range_along(normal, f_, from_), g = range_along(normal, g_, from_);
     const double zero = rounding_ * size;
     if (g.high > f.low + slack_ * size + zero) return false;
     if (view_.perspective) return dot(normal, minus(view_.eye, from_)) <= f.low + zero;

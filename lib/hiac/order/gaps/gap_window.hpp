@@ -6,27 +6,13 @@
 #include <span>
 #include <vector>
 
+#include "hiac/geometry/interval.hpp"
 #include "hiac/geometry/vector.hpp"
 #include "hiac/geometry/view.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/order/gaps/face_obstruction.hpp"
 
 namespace hiac {
-
-/// A closed range, initially empty.
-struct Interval {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-
-  void include(double x) {
-    low = std::min(low, x);
-    high = std::max(high, x);
-  }
-  void widen(double by) {
-    low -= by;
-    high += by;
-  }
-};
 
 /// The place of a face in a window.
 struct Outline {

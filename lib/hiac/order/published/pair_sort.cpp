@@ -161,8 +161,8 @@ class PairSort {
   }
 
   // Adds the cells that are still in the list before a cell that was moved. They stay in their
-  // places, so that all of them must be tested: lying behind the moved cell does not mean that it
-  // does not obstruct them.
+  // places and must all be tested: their rearmost depths lie behind the moved cell's, which may
+  // therefore obstruct them.
   void add_earlier_cells(std::uint32_t rank) {
     const auto begin = static_cast<std::ptrdiff_t>(candidates_.size());
     for (const std::size_t place : tiles_.places(rank)) {
@@ -215,7 +215,7 @@ class PairSort {
   std::vector<State> states_;                 // by rank
   std::vector<std::size_t> heads_;  // by tile: the first place whose cell may still be in the list
   std::vector<Step> path_;
-  std::vector<std::uint32_t> candidates_;  // the candidates of all cells on the path, by rank
+  std::vector<std::uint32_t> candidates_;  // ranks, of all cells on the path
   std::vector<CellId> order_;
 };
 

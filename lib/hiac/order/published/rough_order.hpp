@@ -16,7 +16,7 @@ namespace hiac {
 struct RoughOrder {
   std::vector<CellId> cells;     ///< by rank
   std::vector<double> rearmost;  ///< by rank, descending
-  /// By rank: a depth beyond which a point is surely behind all points of the cell.
+  /// By rank: a lower bound of the depths of the cell's points.
   std::vector<double> frontmost;
 };
 

@@ -11,6 +11,8 @@ namespace {
 
 // Clipped cells keep this much beside the picture, pixels.
 constexpr double kMargin = 16;
+// |n.v| of isosurfaces seen edge-on, whose polygons have no area.
+constexpr double kLeastFacing = 1e-6;
 // The number of a tetrahedron's face opposite a corner (topology_of).
 constexpr std::array<unsigned, 4> kOppositeFace{1, 2, 0, 3};
 
@@ -315,34 +317,35 @@ void CellTriangles::add_surface(const Polyhedron& owner, std::span<const std::ui
   for (const std::uint16_t v : polygon) {
     const Vector ray = perspective_ ? unit(slab_.camera[v]) : Vector{0, 0, 1};
     const LitSurface lit = lit_surface(all.surfaces[surface], all.lights, normal, ray);
-    corners_.push_back(surface_corner(slab_.points[v], lit.color, lit.optical_depth));
+    corners_.push_back(surface_corner(slab_.points[v], lit, dot(normal, ray)));
   }
   for (std::size_t k = 1; k + 1 < corners_.size(); ++k)
     triangles_.add(corners_[0], corners_[k], corners_[k + 1]);
 }
 
-TriangleBuffer::Corner CellTriangles::surface_corner(const ScreenPoint& at,
-                                                     const std::array<double, 3>& color,
-                                                     double optical_depth) const {
+// In perspective |n.v| times the length of the ray to t = 1 is affine on the screen: as one of the
+// two 1 / t it makes the optical depth, the face-on one over |n.v|, right at each pixel.
+TriangleBuffer::Corner CellTriangles::surface_corner(const ScreenPoint& at, const LitSurface& lit,
+                                                     double facing) const {
   TriangleBuffer::Corner corner{at.x, at.y, {}};
   const bool emission = frame_.optics.emission;
-  const bool flat = filler_.values_ == kFlatValues;
-  const double scale = flat ? 1 : frame_.projector.ray_scale(at.x, at.y);
   double weight = 1;  // of the colour
   if (filler_.method_ == Method::interpolated_opacity) {
-    const double alpha = -std::expm1(-optical_depth);
+    const double alpha = -std::expm1(-lit.optical_depth);
     corner.values[0] = static_cast<float>(alpha);
     if (emission) weight = alpha;
+  } else if (filler_.values_ == kFlatValues) {
+    corner.values = {1, static_cast<float>(lit.optical_depth)};
+    if (emission) weight = lit.optical_depth;
   } else {
-    const auto tau = static_cast<float>(optical_depth / scale);
-    if (flat)
-      corner.values = {1, tau};
-    else
-      corner.values = {1, 1, 1, tau, tau};
-    if (emission) weight = optical_depth / scale;
+    const double w =
+        std::max(std::abs(facing) * frame_.projector.ray_scale(at.x, at.y), kLeastFacing);
+    const auto depth = static_cast<float>(lit.face_on_depth);
+    corner.values = {1, static_cast<float>(w), 1, 0, 2 * depth};
+    weight = (w + 1) / 2 * (emission ? lit.face_on_depth : 1);
   }
   for (std::size_t c = 0; c < 3; ++c)
-    corner.values[filler_.values_ - 3 + c] = static_cast<float>(weight * color[c]);
+    corner.values[filler_.values_ - 3 + c] = static_cast<float>(weight * lit.color[c]);
   return corner;
 }
 

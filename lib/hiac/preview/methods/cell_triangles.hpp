@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "hiac/preview/methods/lit_surface.hpp"
 #include "hiac/preview/methods/region_filler.hpp"
 #include "hiac/preview/regions/polyhedron.hpp"
 #include "hiac/preview/regions/projected_tetrahedron.hpp"
@@ -62,9 +63,8 @@ class CellTriangles {
                                        const SurfacePoint& point);
   [[nodiscard]] TriangleBuffer::Corner corner(const ScreenPoint& at, const Attributes& front,
                                               const Attributes& back, double thickness);
-  [[nodiscard]] TriangleBuffer::Corner surface_corner(const ScreenPoint& at,
-                                                      const std::array<double, 3>& color,
-                                                      double optical_depth) const;
+  [[nodiscard]] TriangleBuffer::Corner surface_corner(const ScreenPoint& at, const LitSurface& lit,
+                                                      double facing) const;
 
   const RegionFiller& filler_;
   const Frame& frame_;

@@ -27,6 +27,7 @@ LitSurface lit_surface(const FrameIsosurface& surface, std::span<const FrameLigh
   }
   // seen at an angle, glass of some thickness is the more opaque
   lit.optical_depth = std::min(-surface.log_transparency / std::abs(facing), kOpaqueDepth);
+  lit.face_on_depth = std::min(-surface.log_transparency, kOpaqueDepth);
   if (!(lit.optical_depth >= 0)) lit.optical_depth = 0;  // no opacity, seen edge-on
   return lit;
 }

@@ -13,6 +13,7 @@ namespace hiac::preview {
 struct LitSurface {
   std::array<double, 3> color;
   double optical_depth;
+  double face_on_depth;  ///< the same seen face-on
 };
 inline constexpr double kOpaqueDepth = 100;
 

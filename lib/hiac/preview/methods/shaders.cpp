@@ -69,11 +69,11 @@ uniform vec4 part;
 uniform vec4 eye;  // the picture's centre, pixels; one over the pixels per unit at distance 1
 out vec4 light;
 
-// (1 - exp(-x)) / x
-float opacity_ratio(float x) {
-  if (x > 0.5) return (1.0 - exp(-x)) / x;
-  return 1.0 - x * (1.0 / 2.0 - x * (1.0 / 6.0 - x * (1.0 / 24.0 - x * (1.0 / 120.0 -
-         x * (1.0 / 720.0 - x * (1.0 / 5040.0 - x * (1.0 / 40320.0)))))));
+// 1 - exp(-x), also of small x
+float opacity(float x) {
+  if (x > 0.5) return 1.0 - exp(-x);
+  return x * (1.0 - x * (1.0 / 2.0 - x * (1.0 / 6.0 - x * (1.0 / 24.0 - x * (1.0 / 120.0 -
+         x * (1.0 / 720.0 - x * (1.0 / 5040.0 - x * (1.0 / 40320.0))))))));
 }
 
 void main() {
@@ -111,9 +111,7 @@ constexpr const char* kPerspective = R"(
 )";
 
 constexpr const char* kExponential = R"(
-  depth = min(depth, 1e30);
-  float ratio = opacity_ratio(depth);
-  float alpha = depth * ratio;
+  float alpha = opacity(min(depth, 1e30));
 )";
 
 }  // namespace
@@ -134,7 +132,9 @@ Shaders shaders_of(Method method, Glow glow, bool perspective) {
   else if (interpolated)
     fragment += "  light = vec4(color, alpha);\n}\n";
   else
-    fragment += "  light = vec4(along * ratio * color, alpha);\n}\n";
+    fragment +=
+        "  float ratio = depth > 1e-30 ? alpha / min(depth, 1e30) : 1.0;\n"
+        "  light = vec4(along * ratio * color, alpha);\n}\n";
   return {head + kVertex, fragment};
 }
 

@@ -25,7 +25,7 @@ namespace hiac::preview {
 /// 1 / t at the front and the back, extinction / t there, and the colour / t, t in the mean.
 inline constexpr std::size_t kFlatValues = 5;
 inline constexpr std::size_t kPerspectiveValues = 8;
-inline constexpr double kGrowth = 0x1p-6;
+inline constexpr double kGrowth = 0x1p-7;
 inline constexpr double kCoarse = 0x1p-4, kFine = 0x1p-20;
 inline constexpr std::size_t kFirstValue = 5;
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hiac/element/gradient_bound.hpp"
+#include "hiac/element/gradient/gradient_bound.hpp"
 
 namespace hiac {
 
@@ -54,17 +54,9 @@ void CellErrors::add(const CellCrossing& crossing, const RayStretch& stretch, do
                                   .extinction = extinction,
                                   .opacity = 1 - details.transparency,
                                   .transparency = cut ? 1 : details.transparency});
-  if (cut) {
-    const double largest = frame_.isosurfaces.largest_light;
-    const ErrorBound whole = whole_bound(optics_, emission, largest, length);
-    for (const IsosurfaceCrossing& surface : cut->surfaces) {
-      const double moved = edge_bound(optics_, emission, surface.moved * scale);
-      sum.radiance += surface.shade_error.radiance + moved * (1 + largest);
-      sum.transparency += surface.shade_error.transparency;
-    }
-    if (cut->doubtful) sum = whole;
-    sum.radiance += (sum.transparency + details.transparency_error) * whole.radiance;
-  }
+  if (cut)
+    add_surfaces(frame_, optics_, cut->surfaces, cut->doubtful, length, scale,
+                 details.transparency_error, sum);
   details.radiance_error += sum.radiance;
   details.transparency_error = std::min(1.0, details.transparency_error + sum.transparency);
   add_edges(crossing, stretch, details);
@@ -88,11 +80,7 @@ void CellErrors::add_edges(const CellCrossing& crossing, const RayStretch& stret
   };
   details.front_edge = edge(doubts.front, crossing.front_doubt, stretch.front > crossing.front);
   details.back_edge = edge(doubts.back, crossing.back_doubt, stretch.back < crossing.back);
-  if (frame_.color_field().location == FieldLocation::node &&
-      frame_.extinction.location == FieldLocation::node)
-    return;
-  details.radiance_error += details.front_edge + details.back_edge;
-  details.transparency_error += details.front_edge + details.back_edge;
+  count_edges_at_jumps(frame_, details);
 }
 
 }  // namespace hiac

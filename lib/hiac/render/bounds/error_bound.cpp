@@ -284,4 +284,12 @@ double pixel_error(const Frame& frame, const PixelDetails& pixel, double transpa
          4 * kUnit * (1 + background);
 }
 
+void count_edges_at_jumps(const Frame& frame, SegmentDetails& details) {
+  if (frame.color_field().location == FieldLocation::node &&
+      frame.extinction.location == FieldLocation::node)
+    return;
+  details.radiance_error += details.front_edge + details.back_edge;
+  details.transparency_error += details.front_edge + details.back_edge;
+}
+
 }  // namespace hiac

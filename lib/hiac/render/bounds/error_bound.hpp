@@ -5,6 +5,7 @@
 #include <span>
 
 #include "hiac/frame/frame.hpp"
+#include "hiac/mesh/interpolant_range.hpp"
 #include "hiac/render/bounds/arithmetic.hpp"
 #include "hiac/render/bounds/ray_displacement.hpp"
 #include "hiac/render/pixels/pixel_details.hpp"
@@ -68,10 +69,6 @@ struct CellOptics {
   double pieces = 0;
 };
 
-/// Values of a field in a cell.
-struct ValueRange {
-  double least, most;
-};
 CellOptics cell_optics(const OpticsTables& optics, ValueRange color, ValueRange extinction,
                        const Arithmetic& numbers = kDoubles);
 
@@ -139,6 +136,29 @@ ErrorBound cut_bound(const CellOptics& cell, bool emission, double largest_light
 
 /// What a segment may be wrong by at most, whatever it is in doubt about.
 ErrorBound whole_bound(const CellOptics& cell, bool emission, double largest_light, double length);
+
+/// Counts what the ends of a segment are in doubt about at once, where fields jump from cell to
+/// cell; else it counts where nothing adjoins.
+void count_edges_at_jumps(const Frame& frame, SegmentDetails& details);
+
+/// Adds what surfaces that cross a segment are wrong by. A surface has `moved`, what its ray
+/// parameter may be wrong by, and `shade_error`. `doubtful`: there may be other surfaces; `length`:
+/// of the segment; `scale`: world length per unit of the ray parameter; `volume`: the bound of the
+/// transparency of the volume between them.
+template <class Surfaces>
+void add_surfaces(const Frame& frame, const CellOptics& cell, const Surfaces& surfaces,
+                  bool doubtful, double length, double scale, double volume, ErrorBound& sum) {
+  const bool emission = frame.optics.emission;
+  const double largest = frame.isosurfaces.largest_light;
+  const ErrorBound whole = whole_bound(cell, emission, largest, length);
+  for (const auto& surface : surfaces) {
+    const double moved = edge_bound(cell, emission, surface.moved * scale);
+    sum.radiance += surface.shade_error.radiance + moved * (1 + largest);
+    sum.transparency += surface.shade_error.transparency;
+  }
+  if (doubtful) sum = whole;
+  sum.radiance += (sum.transparency + volume) * whole.radiance;
+}
 
 /// How far along the ray the doubts about offsets move a surface that is crossed.
 double cut_doubt(const CutFacts& cut);

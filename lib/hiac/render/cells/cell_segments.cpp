@@ -18,13 +18,15 @@ using D = hn::CappedTag<double, 8>;
 using V = hn::Vec<D>;
 
 // One run. Stores whole vectors, of which the next ones overwrite what does not count.
-HWY_INLINE void collect_run(const Frame& frame, const CrossingRuns::Run& run,
-                            const CrossingRuns& runs, std::size_t at, const TileBuffer& buffer,
-                            double allowed, bool by_visibility, CellSegments& s) {
+HWY_INLINE void collect_run(const TileTarget& to, const CrossingRuns::Run& run,
+                            const CrossingRuns& runs, double allowed, CellSegments& s) {
   const D d;
+  const Frame& frame = to.frame;
+  const TileBuffer& buffer = to.buffer;
+  const std::size_t at = to.tile.index(run.x, run.y);
   const V near = hn::Set(d, frame.projector.near()), far = hn::Set(d, frame.projector.far());
   const V least = hn::Set(d, frame.least_transparency), one = hn::Set(d, 1.0);
-  const V centre = hn::Set(d, run.y + 0.5), unit = hn::Set(d, allowed);
+  const V centre = hn::Set(d, pixel_center(run.y)), unit = hn::Set(d, allowed);
   for (std::size_t i = 0; i < run.count; i += hn::Lanes(d)) {
     const V front = hn::Max(hn::LoadU(d, runs.front.data() + run.first + i), near);
     const V back = hn::Min(hn::LoadU(d, runs.back.data() + run.first + i), far);
@@ -38,9 +40,9 @@ HWY_INLINE void collect_run(const Frame& frame, const CrossingRuns::Run& run,
                           HWY_ATTR { hn::CompressBlendedStore(value, kept, d, plane.data() + k); };
     const std::size_t more = hn::CountTrue(d, kept);
     if (more == 0) continue;
-    const V x = hn::Iota(d, run.x + 0.5 + static_cast<double>(i));
+    const V x = hn::Iota(d, pixel_center(run.x) + static_cast<double>(i));
     const V length = hn::Mul(depth, hn::LoadU(d, buffer.ray_scale.data() + at + i));
-    const V error = hn::Div(hn::Mul(unit, depth), by_visibility ? seen : one);
+    const V error = hn::Div(hn::Mul(unit, depth), to.group == nullptr ? seen : one);
     if (more == pixels) {
       const auto store = [&](V value, std::vector<double>& plane)
                              HWY_ATTR { hn::StoreU(value, d, plane.data() + k); };
@@ -58,14 +60,9 @@ HWY_INLINE void collect_run(const Frame& frame, const CrossingRuns::Run& run,
   }
 }
 
-void collect_runs_here(const Frame& frame, const CrossingRuns& runs, const TileRect& tile,
-                       const TileBuffer& buffer, double allowed, bool by_visibility,
+void collect_runs_here(const TileTarget& to, const CrossingRuns& runs, double allowed,
                        CellSegments& segments) {
-  for (const CrossingRuns::Run& run : runs.runs) {
-    const std::size_t at = static_cast<std::size_t>(run.y - tile.y0) * kTileStride +
-                           static_cast<std::size_t>(run.x - tile.x0);
-    collect_run(frame, run, runs, at, buffer, allowed, by_visibility, segments);
-  }
+  for (const CrossingRuns::Run& run : runs.runs) collect_run(to, run, runs, allowed, segments);
 }
 
 // The segments from k on that are one vector's, or one.
@@ -75,22 +72,12 @@ HWY_INLINE std::uint64_t composite_from(D1 d, const Frame& frame, const CellSegm
   const std::size_t at = s.at[k];
   const auto load = [&](const std::vector<double>& plane)
                         HWY_ATTR { return hn::LoadU(d, plane.data() + k); };
-  const auto front = load(s.front), back = load(s.back);
-  const auto last = hn::LoadU(d, buffer.last.data() + at);
-  const std::uint64_t violations = count_out_of_order(
-      d, front, back, last, hn::FirstN(d, hn::Lanes(d)), frame.witness_tolerance);
-  hn::StoreU(hn::Max(last, back), d, buffer.last.data() + at);
-  const auto seen = hn::LoadU(d, buffer.transparency.data() + at);
-  // not fused, as it is not where segments are composited one by one
-  const auto add = [&](const std::vector<double>& light, TileBuffer::Plane& plane) HWY_ATTR {
-    double* to = plane.data() + at;
-    hn::StoreU(hn::Add(hn::LoadU(d, to), hn::Mul(seen, load(light))), d, to);
-  };
-  add(s.red, buffer.red);
-  add(s.green, buffer.green);
-  add(s.blue, buffer.blue);
-  hn::StoreU(hn::Mul(seen, load(s.transparency)), d, buffer.transparency.data() + at);
-  return violations;
+  const Radiance<hn::Vec<D1>> light{load(s.red), load(s.green), load(s.blue), load(s.transparency)};
+  return composite<Rounding::twice>(
+      d,
+      {at, load(s.front), load(s.back), light, hn::FirstN(d, hn::Lanes(d)),
+       hn::LoadU(d, buffer.transparency.data() + at)},
+      frame.witness_tolerance, buffer);
 }
 
 std::uint64_t composite_here(const Frame& frame, const CellSegments& s, std::size_t count,
@@ -152,11 +139,9 @@ void CellSegments::pad() {
   std::fill_n(length.begin() + last + 1, kPadding, 0.0);
 }
 
-void collect_runs(const Frame& frame, const CrossingRuns& runs, const TileRect& tile,
-                  const TileBuffer& buffer, double allowed, bool by_visibility,
+void collect_runs(const TileTarget& to, const CrossingRuns& runs, double allowed,
                   CellSegments& segments) {
-  HWY_DYNAMIC_DISPATCH(collect_runs_here)
-  (frame, runs, tile, buffer, allowed, by_visibility, segments);
+  HWY_DYNAMIC_DISPATCH(collect_runs_here)(to, runs, allowed, segments);
 }
 
 std::uint64_t composite_segments(const Frame& frame, const CellSegments& segments,

@@ -33,9 +33,8 @@ struct CellSegments {
 
 /// Appends the segments of runs (scan_projected_runs) that have depth between the view's clipping
 /// planes, and are seen. `allowed`: error for a unit of the ray parameter, which grows as less is
-/// seen of the segment where `by_visibility`.
-void collect_runs(const Frame& frame, const CrossingRuns& runs, const TileRect& tile,
-                  const TileBuffer& buffer, double allowed, bool by_visibility,
+/// seen of the segment, but for groups.
+void collect_runs(const TileTarget& to, const CrossingRuns& runs, double allowed,
                   CellSegments& segments);
 
 /// Composites those of the first `count` segments that are done; no two of them have one pixel.

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "hiac/frame/row_crossing.hpp"
 #include "hiac/frame/screen_rounding.hpp"
+#include "hiac/frame/tiles/curved_outline.hpp"
 #include "hiac/geometry/patch_facing.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 #include "hiac/render/bounds/ray_displacement.hpp"
@@ -15,56 +15,6 @@ namespace hiac {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// A node's homogeneous coordinates on the screen, and its ray parameter. Where a node is projected
-// they are made of that, so that edges and faces lie alike to pixel centres.
-struct Homogeneous {
-  double x, y, w, t;
-};
-
-Homogeneous homogeneous(const Frame& frame, NodeId node) {
-  const ProjectedNode& p = frame.nodes[node];
-  if (!frame.projector.perspective()) return {p.x, p.y, 1, p.depth};
-  if (std::isnan(p.depth)) {
-    const auto [right, up, w] = frame.projector.camera_coordinates(frame.mesh.position(node));
-    const auto [left_border, top_border] = frame.projector.slopes(0, 0);
-    const double scale = frame.projector.pixels_per_unit();
-    return {scale * (right - left_border * w), scale * (top_border * w - up), w, w};
-  }
-  const double w = -1 / p.depth;
-  return {p.x * w, p.y * w, w, w};
-}
-
-constexpr ScreenBounds kNowhere{kInfinity, kInfinity,  -kInfinity, -kInfinity,
-                                kInfinity, -kInfinity, true};
-
-void include(ScreenBounds& box, const Homogeneous& p) {
-  box.in_front = box.in_front && p.w > 0;
-  box.x0 = std::min(box.x0, p.x / p.w);
-  box.y0 = std::min(box.y0, p.y / p.w);
-  box.x1 = std::max(box.x1, p.x / p.w);
-  box.y1 = std::max(box.y1, p.y / p.w);
-  box.nearest = std::min(box.nearest, p.t);
-  box.farthest = std::max(box.farthest, p.t);
-}
-
-// The first pixel in a range whose centre lies at or after a coordinate, or before it by no more
-// than `slack`.
-int first_column(double coordinate, const TileRect& tile, double slack = 0) {
-  const double clamped =
-      std::min(std::max(coordinate - (0.5 + slack), static_cast<double>(tile.x0)),
-               static_cast<double>(tile.x1));
-  return static_cast<int>(std::ceil(clamped));
-}
-
-// Control points of a curve of degree 1, 2 or 3 through evenly spaced points.
-void to_controls(std::size_t degree, std::array<double, 4>& p) {
-  if (degree == 2) p[1] = 2 * p[1] - 0.5 * (p[0] + p[2]);
-  if (degree != 3) return;
-  const double one = p[1], two = p[2];
-  p[1] = (18 * one - 9 * two - 5 * p[0] + 2 * p[3]) / 6;
-  p[2] = (18 * two - 9 * one - 5 * p[3] + 2 * p[0]) / 6;
-}
 
 double at_place(std::size_t degree, const std::array<double, 4>& controls, double s) {
   const BernsteinValues b(degree, s);
@@ -78,54 +28,6 @@ double slope_at(std::size_t degree, const std::array<double, 4>& controls, doubl
   double sum = 0;
   for (std::size_t k = 0; k <= degree; ++k) sum += b.derivative[k] * controls[k];
   return sum;
-}
-
-// Of an edge: of its coordinates x, y, w and t.
-std::array<std::array<double, 4>, 4> controls_of(const Frame& frame, const EdgeNodes& edge) {
-  std::array<std::array<double, 4>, 4> controls{};
-  for (std::size_t k = 0; k < edge.count; ++k) {
-    const Homogeneous h = homogeneous(frame, edge.nodes[k]);
-    controls[0][k] = h.x;
-    controls[1][k] = h.y;
-    controls[2][k] = h.w;
-    controls[3][k] = h.t;
-  }
-  for (auto& coordinate : controls) to_controls(edge.count - 1, coordinate);
-  return controls;
-}
-
-// Nodes of edges that count as straight lie on these: faces around an edge have it where it says
-// itself that it is (winding numbers), to rounding.
-void straighten(const FaceForm& form, std::span<double> coordinate) {
-  const std::size_t corners = form.shape.corner_count(), n = form.shape.degree;
-  for (std::size_t k = 0; k < corners; ++k) {
-    if (form.curved_edges[k]) continue;
-    const double from = coordinate[k], to = coordinate[(k + 1) % corners];
-    for (std::size_t i = 1; i < n; ++i)
-      coordinate[corners + (n - 1) * k + i - 1] =
-          from + static_cast<double>(i) / static_cast<double>(n) * (to - from);
-  }
-}
-
-// Of a face: of its coordinates x, y, w and t.
-std::array<PatchNet<double>, 4> nets_of(const Frame& frame, CellId cell, std::size_t face,
-                                        const FaceForm& form) {
-  const auto nodes = patch_nodes(frame.mesh, cell, face, form);
-  std::array<std::array<double, kMostPatchNodes>, 4> coordinates;
-  const std::size_t count = form.shape.node_count();
-  for (std::size_t k = 0; k < count; ++k) {
-    const Homogeneous h = homogeneous(frame, nodes[k]);
-    coordinates[0][k] = h.x;
-    coordinates[1][k] = h.y;
-    coordinates[2][k] = h.w;
-    coordinates[3][k] = h.t;
-  }
-  std::array<PatchNet<double>, 4> nets;
-  for (std::size_t c = 0; c < 4; ++c) {
-    straighten(form, coordinates[c]);
-    patch_net(form.shape, std::span(coordinates[c]).first(count), nets[c]);
-  }
-  return nets;
 }
 
 // The places in (0, 1), ascending, where a curve turns, up or down: at most two.
@@ -151,27 +53,6 @@ std::size_t turning_places(std::size_t degree, const std::array<double, 4>& h,
 
 }  // namespace
 
-ScreenBounds bounds_of_curved_cell(const Frame& frame, CellId cell) {
-  const CellKind kind = frame.mesh.kinds[cell];
-  const auto nodes = frame.mesh.cell_nodes(cell);
-  ScreenBounds box = kNowhere;
-  for (std::size_t e = 0; e < edge_count(kind); ++e) {
-    const EdgeNodes edge = edge_nodes(kind, nodes, e);
-    const auto controls = controls_of(frame, edge);
-    for (std::size_t k = 0; k < edge.count; ++k)
-      include(box, {controls[0][k], controls[1][k], controls[2][k], controls[3][k]});
-  }
-  for (std::size_t f = 0; f < face_count(kind); ++f) {
-    const FaceForm form = face_form(frame.mesh, cell, f, frame.straightness);
-    // the control points of quadratic triangles are those of their edges
-    if (form.shape.degree == 1 || (form.shape.triangle && form.shape.degree == 2)) continue;
-    const auto nets = nets_of(frame, cell, f, form);
-    for (std::size_t k = 0; k < form.shape.control_count(); ++k)
-      include(box, {nets[0][k], nets[1][k], nets[2][k], nets[3][k]});
-  }
-  return box;
-}
-
 CurvedFaces::CurvedFaces(const Frame& frame, CellId cell, const CellSurface& surface)
     : surface_(surface),
       projector_(frame.projector),
@@ -193,7 +74,7 @@ void CurvedFaces::add_curves(const Frame& frame, CellId cell, const CellSurface&
         static_cast<std::uint8_t>(curve_count_);
     Curve& curve = curves_[curve_count_++];
     curve.degree = static_cast<std::uint8_t>(edge.count - 1);
-    const auto controls = controls_of(frame, edge);
+    const auto controls = edge_controls(frame, edge);
     curve.x = controls[0];
     curve.y = controls[1];
     curve.w = controls[2];
@@ -218,7 +99,7 @@ void CurvedFaces::add_face(const Frame& frame, CellId cell, const CellSurface& s
     face.edges[k] = surface.edge_between(rank, next);
     face.along[k] = rank < next;
   }
-  const auto nets = nets_of(frame, cell, number, form);
+  const auto nets = face_nets(frame, cell, number, form);
   face.x = nets[0];
   face.y = nets[1];
   face.w = nets[2];
@@ -235,10 +116,10 @@ void CurvedFaces::add_face(const Frame& frame, CellId cell, const CellSurface& s
 }
 
 ScreenBounds CurvedFaces::bounds() const {
-  ScreenBounds box = kNowhere;
-  for (std::size_t f = 0; f < count_; ++f)
-    for (std::size_t k = 0; k < faces_[f].shape.control_count(); ++k)
-      include(box, {faces_[f].x[k], faces_[f].y[k], faces_[f].w[k], faces_[f].t[k]});
+  ScreenBounds box;
+  for (const Face& face : std::span(faces_).first(count_))
+    for (std::size_t k = 0; k < face.shape.control_count(); ++k)
+      box.include(face.x[k], face.y[k], face.w[k], face.t[k]);
   return box;
 }
 
@@ -319,7 +200,7 @@ void CurvedFaces::add_cut(Curve& curve, const TileRect& tile, double s, bool com
   if (w == 0)
     cut.column = tile.x0;
   else
-    cut.column = first_column(x / w, tile, slack_at(curve, s, x / w));
+    cut.column = first_center(x / w, tile.x0, tile.x1, slack_at(curve, s, x / w));
 }
 
 // Of the pixels that its hull covers. A face with control points behind the eye may be anywhere.
@@ -362,18 +243,18 @@ void CurvedFaces::set_columns(Face& face, const TileRect& tile) const {
     const std::uint8_t c = curve_of_[face.edges[k]];
     if (c == kStraight) continue;
     for (std::size_t i = 0; i < curves_[c].cut_count; ++i) {
-      least = std::min(least, curves_[c].cuts[i].column + 0.5);
-      most = std::max(most, curves_[c].cuts[i].column + 0.5);
+      least = std::min(least, pixel_center(curves_[c].cuts[i].column));
+      most = std::max(most, pixel_center(curves_[c].cuts[i].column));
     }
   }
   if (!(least <= most)) return;
-  face.first = first_column(least - 1, tile);
-  face.last = first_column(most + 1, tile);
+  face.first = first_center(least - 1, tile.x0, tile.x1);
+  face.last = first_center(most + 1, tile.x0, tile.x1);
 }
 
 PatchZeros CurvedFaces::crossings(Face& face, int x, int winding) const {
   PatchNet<double> aside;
-  const double center = x + 0.5;
+  const double center = pixel_center(x);
   for (std::size_t k = 0; k < face.shape.control_count(); ++k)
     aside[k] = face.x[k] - center * face.w[k];
   const PatchZeros zeros = patch_zeros({.shape = face.shape,
@@ -401,7 +282,7 @@ const CurvedFaces::Face& CurvedFaces::face_of(std::size_t number) const {
 double CurvedFaces::doubt(std::size_t number, double u, double v, int x, double displaced) const {
   const Face& face = face_of(number);
   const std::size_t n = face.shape.degree, count = face.shape.control_count();
-  const double center = x + 0.5;
+  const double center = pixel_center(x);
   PatchNet<double> aside;
   for (std::size_t k = 0; k < count; ++k) aside[k] = face.x[k] - center * face.w[k];
   const BernsteinValues bu(n, u), bv(n, v);

@@ -8,21 +8,12 @@
 
 #include "hiac/element/cell_surface.hpp"
 #include "hiac/frame/frame.hpp"
+#include "hiac/frame/tiles/screen_bounds.hpp"
+#include "hiac/frame/tiles/tile.hpp"
 #include "hiac/geometry/face_form.hpp"
 #include "hiac/geometry/patch_zeros.hpp"
-#include "hiac/render/pixels/tile.hpp"
 
 namespace hiac {
-
-/// A bounding box on the screen, pixels, and of ray parameters.
-struct ScreenBounds {
-  double x0, y0, x1, y1;
-  double nearest, farthest;
-  bool in_front;  ///< all lies in front of the eye; else there are no bounds
-};
-
-/// Those of a cell with curved edges, by the control points of its edges and faces.
-ScreenBounds bounds_of_curved_cell(const Frame& frame, CellId cell);
 
 /// The faces of one cell that are not planar, and the rays that cross them.
 ///

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "hiac/base/rounding.hpp"
-#include "hiac/element/gradient_bound.hpp"
-#include "hiac/element/gradient_direction.hpp"
+#include "hiac/element/gradient/gradient_bound.hpp"
+#include "hiac/element/gradient/gradient_direction.hpp"
 #include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 #include "hiac/render/bounds/rounding_counts.hpp"
@@ -58,24 +58,14 @@ bool CutsAlongRay::below_at_face(const Cut& cut, const CellCrossing& crossing, s
   const double sign = cut.faces[face].sign(mixed);
   if (!mixed) return sign < 0;
   if (std::abs(offset) > kDoubt * std::max(-cut.offsets.least, cut.offsets.most)) return offset < 0;
-  return face_value(frame_.mesh, frame_.projector, cut.faces[face], crossing.x + 0.5,
-                    crossing.y + 0.5, t) < 0;
+  return face_value(frame_.mesh, frame_.projector, cut.faces[face], pixel_center(crossing.x),
+                    pixel_center(crossing.y), t) < 0;
 }
 
 // How far places_ move, and whether as many stay, when the offsets are wrong by `error`.
 void CutsAlongRay::add_doubts(const RayStretch& stretch, const Cut& cut, double error) {
   moved_.assign(places_.size(), 0);
-  const auto count_at = [&](double level) {
-    find_shifted_changes(pieces_, level, shifted_, roots_);
-    if (shifted_.size() != places_.size()) {
-      doubtful_ = true;
-      return;
-    }
-    for (std::size_t i = 0; i < places_.size(); ++i)
-      moved_[i] = std::max(moved_[i], 2 * std::abs(shifted_[i] - places_[i]));
-  };
-  count_at(error);
-  count_at(-error);
+  if (!as_many_when_shifted(pieces_, error, places_, moved_, shifted_, roots_)) doubtful_ = true;
   for (double& moved : moved_) moved *= stretch.back - stretch.front;
   if (pieces_.empty() && cut.offsets.least < cut.offsets.most) doubtful_ = true;
 }
@@ -146,8 +136,9 @@ IsosurfaceCrossing CutsAlongRay::crossing_at(const CellMap& map, const CellCross
   const Projector& projector = frame_.projector;
   std::array<double, 3> ray{0, 0, 1};
   if (projector.perspective()) {
-    const auto [right, up] = projector.slopes(crossing.x + 0.5, crossing.y + 0.5);
-    const double length = projector.ray_scale(crossing.x + 0.5, crossing.y + 0.5);
+    const double x = pixel_center(crossing.x), y = pixel_center(crossing.y);
+    const auto [right, up] = projector.slopes(x, y);
+    const double length = projector.ray_scale(x, y);
     ray = {right / length, up / length, 1 / length};
   }
   double angle = 0;

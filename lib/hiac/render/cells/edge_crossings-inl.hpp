@@ -18,20 +18,12 @@
 
 #  include "hiac/element/cell_surface.hpp"
 #  include "hiac/frame/row_crossing-inl.hpp"
+#  include "hiac/frame/tiles/tile.hpp"
 #  include "hiac/render/cells/surface_depth-inl.hpp"
-#  include "hiac/render/pixels/tile.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-// The first pixel in [low, high] whose centre lies at or after a coordinate, or before it by no
-// more than `slack`.
-HWY_INLINE int first_center(double coordinate, int low, int high, double slack = 0) {
-  const double clamped = std::min(std::max(coordinate - (0.5 + slack), static_cast<double>(low)),
-                                  static_cast<double>(high));
-  return static_cast<int>(std::ceil(clamped));
-}
 
 // Nodes above a row of pixel centres or on it.
 HWY_INLINE bool is_above(const ProjectedNode& node, double center) { return node.y <= center; }

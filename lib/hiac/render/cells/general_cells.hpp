@@ -10,7 +10,6 @@ namespace hiac {
 /// Renders what the tetrahedron kernel does not: cells of all kinds with straight edges and planar
 /// faces, also beside and behind the eye. Same order, same watertight scan conversion, same
 /// compositing; the field along a ray is the isoparametric interpolant.
-void render_general_cells(const Frame& frame, std::span<const CellId> cells, const TileRect& tile,
-                          TileBuffer& buffer, SegmentList* group, TileCounts& counts);
+void render_general_cells(const TileTarget& to, std::span<const CellId> cells);
 
 }  // namespace hiac

@@ -80,7 +80,7 @@ class LineScan {
   }
 
   void scan_row(int y, std::vector<CellCrossing>& crossings) {
-    const double center = y + 0.5, slope = frame_.projector.slopes(0, center)[1];
+    const double center = pixel_center(y), slope = frame_.projector.slopes(0, center)[1];
     std::array<bool, CellSurface::kMostCorners> above;
     for (std::size_t k = 0; k < surface_.corner_count; ++k) {
       const auto& [right, up, forward] = camera_[k];
@@ -99,7 +99,7 @@ class LineScan {
       for (std::size_t i = 0; i < section.triangle_count; ++i) {
         const CrossedTriangle& t = section.triangles[i];
         if (edges_[t.e].left_of_pixel != edges_[t.f].left_of_pixel)
-          ray.add(parameter(t, x + 0.5, center), surface_.triangles[t.triangle].face);
+          ray.add(parameter(t, pixel_center(x), center), surface_.triangles[t.triangle].face);
       }
       if (curved_ != nullptr)
         curved_->at_pixel(
@@ -139,7 +139,7 @@ class LineScan {
   }
 
   void set_sides(std::uint32_t crossed, int x) {
-    const double slope = frame_.projector.slopes(x + 0.5, 0)[0];
+    const double slope = frame_.projector.slopes(pixel_center(x), 0)[0];
     for (std::uint32_t rest = crossed; rest != 0; rest &= rest - 1) {
       CrossedEdge& edge = edges_[static_cast<std::size_t>(std::countr_zero(rest))];
       edge.offset = straightened(edge.right - slope * edge.forward,

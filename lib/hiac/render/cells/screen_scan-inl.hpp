@@ -56,7 +56,7 @@ class ScreenScan {
 
  private:
   void scan_row(int y, std::vector<CellCrossing>& crossings) {
-    const double center = y + 0.5;
+    const double center = pixel_center(y);
     std::array<RowCrossing, CellSurface::kMostEdges> edges;
     const std::uint32_t crossed = on_screen_.cross(center, tile_, edges);
     const RowSection section(surface_, curved_, crossed);
@@ -81,7 +81,7 @@ class ScreenScan {
       for (std::size_t i = 0; i < section.triangle_count; ++i) {
         const auto& [k, e, f] = section.triangles[i];
         if ((x >= edges[e].column) == (x >= edges[f].column)) continue;
-        const double depth = depth_.at(k, edges[e], edges[f], x + 0.5, center);
+        const double depth = depth_.at(k, edges[e], edges[f], pixel_center(x), center);
         ray.add(perspective_ ? -1 / depth : depth, surface_.triangles[k].face);
       }
       curved_->at_pixel(
@@ -136,8 +136,8 @@ class ScreenScan {
       const auto& [k, e, f] = section.triangles[i];
       const auto [from, to] = std::minmax(edges[e].column, edges[f].column);
       if (from == to) continue;
-      parts[count++] = {depth_.row(k, edges[e], edges[f], y + 0.5), static_cast<double>(from),
-                        static_cast<double>(to)};
+      parts[count++] = {depth_.row(k, edges[e], edges[f], pixel_center(y)),
+                        static_cast<double>(from), static_cast<double>(to)};
     }
     const auto infinity = hn::Set(d, std::numeric_limits<double>::infinity());
     const auto minus_one = hn::Set(d, -1.0), half = hn::Set(d, 0.5);
@@ -175,9 +175,9 @@ class ScreenScan {
       if (from == to) continue;
       const auto pixels = static_cast<std::size_t>(to - from);
       const hn::CappedTag<double, 8> d;
-      const SurfaceDepth::Row depth = depth_.row(k, edges[e], edges[f], y + 0.5);
+      const SurfaceDepth::Row depth = depth_.row(k, edges[e], edges[f], pixel_center(y));
       for (std::size_t j = 0; j < pixels; j += hn::Lanes(d))
-        hn::StoreU(depth.at(d, hn::Iota(d, from + 0.5 + static_cast<double>(j))), d,
+        hn::StoreU(depth.at(d, hn::Iota(d, pixel_center(from) + static_cast<double>(j))), d,
                    depths.data() + j);
       const auto offset = static_cast<std::size_t>(from - first);
       if (perspective_)

@@ -71,4 +71,24 @@ void find_shifted_changes(const std::vector<Piece>& pieces, Real level, std::vec
   }
 }
 
+/// Whether as many places as `places` are where an offset that is off by `level`, or by as much the
+/// other way, changes sign. Each of `moved`, where there are any, becomes not less than twice what
+/// its place moves by. `shifted`, `roots`: scratch.
+template <class Real, class Piece>
+bool as_many_when_shifted(const std::vector<Piece>& pieces, Real level,
+                          const std::vector<Real>& places, std::vector<Real>& moved,
+                          std::vector<Real>& shifted,
+                          std::vector<BasicRootEnclosure<Real>>& roots) {
+  bool as_many = true;
+  for (const Real by : {level, -level}) {
+    find_shifted_changes(pieces, by, shifted, roots);
+    if (shifted.size() != places.size())
+      as_many = false;
+    else
+      for (std::size_t i = 0; i < moved.size(); ++i)
+        moved[i] = std::max(moved[i], 2 * std::abs(shifted[i] - places[i]));
+  }
+  return as_many;
+}
+
 }  // namespace hiac

@@ -6,11 +6,11 @@
 
 #include "hiac/element/field_along_ray.hpp"
 #include "hiac/frame/frame.hpp"
+#include "hiac/frame/tiles/tile.hpp"
 #include "hiac/frame/tolerance_shares.hpp"
 #include "hiac/optics/piece_rule.hpp"
 #include "hiac/render/bounds/error_bound.hpp"
 #include "hiac/render/cells/cell_scalars.hpp"
-#include "hiac/render/pixels/tile.hpp"
 
 namespace hiac {
 

@@ -25,11 +25,10 @@ class IntegratingSink {
   using V = hn::Vec<D>;
   using M = hn::Mask<D>;
 
-  IntegratingSink(const Frame& frame, const CellPolynomials& cell, const CellIntervals& intervals)
-      : walk_(frame.optics,
-              walk_field(cell.fields[cell.field_count - 1],
-                         {intervals.color_low, intervals.color_high}),
-              walk_field(cell.fields[0], {intervals.extinction_low, intervals.extinction_high})) {}
+  IntegratingSink(const Frame& frame, const CellPolynomials& cell, IntervalRange color,
+                  IntervalRange extinction)
+      : walk_(frame.optics, walk_field(cell.fields[cell.field_count - 1], color),
+              walk_field(cell.fields[0], extinction)) {}
 
   HWY_INLINE void begin(std::size_t first, const CellSegments& s) {
     const D d;
@@ -70,18 +69,19 @@ class IntegratingSink {
 
 template <bool kEmission>
 HWY_NOINLINE void integrate_all(const Frame& frame, const CellPolynomials& cell,
-                                const CellIntervals& intervals, CellSegments& segments) {
-  IntegratingSink<kEmission> sink(frame, cell, intervals);
+                                IntervalRange color, IntervalRange extinction,
+                                CellSegments& segments) {
+  IntegratingSink<kEmission> sink(frame, cell, color, extinction);
   SegmentFields<IntegratingSink<kEmission>> fields(frame, cell, sink);
   const std::size_t lanes = hn::Lanes(hn::CappedTag<double, 8>());
   for (std::size_t first = 0; first < segments.count; first += lanes)
     sink.store(first, fields.expand(first, segments), segments);
 }
 
-void integrate_segments_here(const Frame& frame, const CellPolynomials& cell,
-                             const CellIntervals& intervals, CellSegments& segments) {
+void integrate_segments_here(const Frame& frame, const CellPolynomials& cell, IntervalRange color,
+                             IntervalRange extinction, CellSegments& segments) {
   const auto integrate = frame.optics.emission ? integrate_all<true> : integrate_all<false>;
-  integrate(frame, cell, intervals, segments);
+  integrate(frame, cell, color, extinction, segments);
 }
 
 }  // namespace hiac::HWY_NAMESPACE
@@ -92,11 +92,11 @@ namespace hiac {
 
 HWY_EXPORT(integrate_segments_here);
 
-void integrate_cell_segments(const Frame& frame, const CellPolynomials& cell,
-                             const CellIntervals& intervals, CellSegments& segments) {
+void integrate_cell_segments(const Frame& frame, const CellPolynomials& cell, IntervalRange color,
+                             IntervalRange extinction, CellSegments& segments) {
   if (segments.count == 0) return;
   segments.pad();
-  HWY_DYNAMIC_DISPATCH(integrate_segments_here)(frame, cell, intervals, segments);
+  HWY_DYNAMIC_DISPATCH(integrate_segments_here)(frame, cell, color, extinction, segments);
 }
 
 }  // namespace hiac

@@ -12,10 +12,8 @@
 
 #  include <hwy/highway.h>
 
-#  include "hiac/render/integrate/light_between_ends-inl.hpp"
 #  include "hiac/render/integrate/piece_optics-inl.hpp"
 #  include "hiac/render/integrate/polar_form-inl.hpp"
-#  include "hiac/render/integrate/rule_choice-inl.hpp"
 #  include "hiac/render/integrate/segment_cuts-inl.hpp"
 #  include "hiac/render/integrate/shading-inl.hpp"
 #  include "hiac/render/integrate/symmetric_rules.hpp"
@@ -36,19 +34,6 @@ struct HigherOrderSegments {
   V weight;  // the transparency in front over the absolute error that may be made of all that
 };
 
-// The optical depth along a piece, sum of alpha_k z^k, and at its end.
-template <class V, std::size_t kDegree>
-struct PieceDepth {
-  V alpha[kDegree + 2];
-  V total;
-};
-
-// A field in the cell at hand, as a walk sees it.
-struct HigherOrderWalkField {
-  IntervalRange intervals;  // of its transfer function, in the cell
-  double base;
-};
-
 // Integrates segments piece by piece, front to back.
 //
 // Segments are cut where a field takes a value at which its transfer function bends
@@ -60,8 +45,7 @@ struct HigherOrderWalkField {
 template <bool kEmission, std::size_t kDegree>
 class HigherOrderWalk {
  public:
-  HigherOrderWalk(const OpticsTables& optics, const HigherOrderWalkField& color,
-                  const HigherOrderWalkField& extinction)
+  HigherOrderWalk(const OpticsTables& optics, const WalkField& color, const WalkField& extinction)
       : optics_(optics),
         color_(color),
         extinction_(extinction),
@@ -129,7 +113,7 @@ class HigherOrderWalk {
     cuts_.clear();
     const auto add = [&](const BernsteinScalar<V, kDegree>& f,
                          const PowerScalar<V, kDegree>& powers, const std::vector<double>& upper,
-                         const HigherOrderWalkField& field) {
+                         const WalkField& field) {
       return cuts_.add(d, f, powers, upper, field.base, field.intervals, active);
     };
     extinction_here_ = add(s.extinction, all.extinction, optics_.extinction.upper, extinction_);
@@ -147,26 +131,6 @@ class HigherOrderWalk {
     part.weight = hn::Div(all.weight, share);
   }
 
-  // Of an extinction offset + slope f.
-  template <class D, class V>
-  static HWY_INLINE PieceDepth<V, kDegree> depth_of(D d, const PowerScalar<V, kDegree>& f, V offset,
-                                                    V slope, V length) {
-    static constexpr double kInverse[] = {1, 0.5, 1.0 / 3, 0.25};
-    PieceDepth<V, kDegree> depth;
-    const V scale = hn::Mul(hn::Set(d, 0.5), length);
-    slope = hn::Mul(slope, scale);
-    depth.alpha[1] = hn::MulAdd(slope, f.c[0], hn::Mul(offset, scale));
-    V even = hn::Zero(d), odd = depth.alpha[1];
-    for (std::size_t k = 1; k <= kDegree; ++k) {
-      depth.alpha[k + 1] = hn::Mul(hn::Mul(slope, f.c[k]), hn::Set(d, kInverse[k]));
-      (k % 2 == 0 ? odd : even) = hn::Add(k % 2 == 0 ? odd : even, depth.alpha[k + 1]);
-    }
-    // no depth at the front
-    depth.alpha[0] = hn::Sub(odd, even);
-    depth.total = hn::Max(hn::Add(odd, odd), hn::Zero(d));
-    return depth;
-  }
-
   // False when no rule meets what is allowed of the piece and it `may_refuse`.
   template <class D, class V>
   HWY_INLINE bool add_piece(D d, const Piece<V>& piece, hn::Mask<D> active, bool may_refuse,
@@ -179,7 +143,7 @@ class HigherOrderWalk {
                                                              color_.base, piece.color.c[0]);
     const PieceColor<V> channels = color_on_piece(d, optics_, color, color_.base);
     const auto [offset, slope] = extinction_on_piece(d, optics_, extinction, extinction_.base);
-    const auto depth = depth_of(d, piece.extinction, offset, slope, piece.length);
+    const auto depth = depth_of<kDegree>(d, piece.extinction.c, offset, slope, piece.length);
     // f less the anchor for emission, else f' times the length of a piece
     V factor[kFactorDegree + 1];
     if constexpr (kEmission) {
@@ -189,8 +153,10 @@ class HigherOrderWalk {
       for (std::size_t k = 1; k <= kDegree; ++k)
         factor[k - 1] = hn::Mul(hn::Set(d, 2.0 * static_cast<double>(k)), field.c[k]);
     }
-    const std::size_t nodes = nodes_for(d, depth, factor, channels, piece,
-                                        hn::Mul(sum.transparency, piece.weight), active);
+    V weight = hn::Mul(sum.transparency, piece.weight);
+    if constexpr (kEmission) weight = hn::Mul(weight, piece.length);
+    const std::size_t nodes = nodes_for<kEmission, kFactorDegree>(
+        d, ellipses_, depth, factor, channels, weight, active, ellipse_);
     if (nodes == 0 && may_refuse) return false;
     const SymmetricRule& rule = rules_[(nodes == 0 ? kMostSymmetricNodes : nodes) - 1];
     const Thickness thickness(
@@ -209,47 +175,19 @@ class HigherOrderWalk {
       linear =
           hn::Add(hn::NegMulAdd(hn::Add(even, odd), zeta, hn::Sub(even, odd)), means.of_factor);
     }
-    if (HWY_UNLIKELY(optics_.steep)) {
-      const auto channel = [&](std::size_t c) {
-        return hn::MulAdd(channels.slope[c], linear, hn::Mul(channels.value[c], constant));
-      };
-      Radiance<V> light{channel(0), channel(1), channel(2), zeta};
-      light = sound_light<kEmission>(
-          d, optics_, light,
-          PieceEnds<D>{color, extinction, end_of(d, field, -1.0, color_.base),
-                       end_of(d, field, 1.0, color_.base),
-                       end_of(d, piece.extinction, -1.0, extinction_.base),
-                       end_of(d, piece.extinction, 1.0, extinction_.base), piece.length});
-      add_behind(light, active, sum);
-    } else {
-      add_piece_behind(channels, constant, linear, zeta, active, sum);
-    }
+    const auto ends = [&]() HWY_ATTR {
+      const auto end = [&](const PowerScalar<V, kDegree>& f, double z, double base)
+                           HWY_ATTR { return end_of(d, f.c, kDegree, z, base); };
+      return PieceEnds<D>{color,
+                          extinction,
+                          end(field, -1.0, color_.base),
+                          end(field, 1.0, color_.base),
+                          end(piece.extinction, -1.0, extinction_.base),
+                          end(piece.extinction, 1.0, extinction_.base),
+                          piece.length};
+    };
+    add_piece_behind<kEmission>(d, optics_, channels, constant, linear, zeta, ends, active, sum);
     return true;
-  }
-
-  // A field at an end of a piece, z = -1 or 1.
-  template <class D, class V>
-  static HWY_INLINE V end_of(D d, const PowerScalar<V, kDegree>& f, double z, double base) {
-    V value = f.c[kDegree];
-    for (std::size_t k = kDegree; k-- > 0;) value = hn::MulAdd(value, hn::Set(d, z), f.c[k]);
-    return hn::Add(value, hn::Set(d, base));
-  }
-
-  template <class D, class V>
-  HWY_INLINE std::size_t nodes_for(D d, const PieceDepth<V, kDegree>& depth,
-                                   const V (&factor)[kFactorDegree + 1],
-                                   const PieceColor<V>& channels, const Piece<V>& piece, V weight,
-                                   hn::Mask<D> active) {
-    FactorBound<V, kFactorDegree> bound;
-    for (std::size_t k = 0; k <= kFactorDegree; ++k) bound.size[k] = hn::Abs(factor[k]);
-    bound.brightest = hn::Zero(d);
-    if constexpr (kEmission) {
-      weight = hn::Mul(weight, piece.length);
-      bound.brightest = hn::Mul(weight, largest(channels.value));
-    }
-    bound.steepness = hn::Mul(weight, largest(channels.slope));
-    return nodes_needed<kDegree + 1, kFactorDegree>(d, ellipses_, depth.alpha, bound, active,
-                                                    ellipse_);
   }
 
   template <class D, class V>
@@ -282,7 +220,7 @@ class HigherOrderWalk {
   }
 
   const OpticsTables& optics_;
-  HigherOrderWalkField color_, extinction_;         // of the cell
+  WalkField color_, extinction_;                    // of the cell
   IntervalRange color_here_{}, extinction_here_{};  // of the segments at hand
   SegmentCuts<kDegree> cuts_;
   const SymmetricRules& rules_;

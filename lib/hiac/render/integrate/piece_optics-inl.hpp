@@ -16,11 +16,21 @@
 
 #  include "hiac/frame/interval_range.hpp"
 #  include "hiac/frame/transfer_table.hpp"
+#  include "hiac/render/integrate/light_between_ends-inl.hpp"
+#  include "hiac/render/integrate/rule_choice-inl.hpp"
 #  include "hiac/render/integrate/shading-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
+
+// A field in the cell at hand, as a walk along segments sees it. Polynomials are of the field less
+// `base`.
+struct WalkField {
+  IntervalRange intervals;  // of its transfer function, in the cell
+  double base;
+  double spread = 0;  // not less than any magnitude of the field less base; where it is asked for
+};
 
 // Reads a transfer function in the intervals in which a field is in the middle of pieces; those of
 // neighbouring rays are mostly one. `range`: the intervals that may be met; `middle`: the field
@@ -83,14 +93,70 @@ struct PieceMeans {
   V of_one, of_factor;
 };
 
-// Adds a piece behind what is in `sum`; a channel is value * constant + slope * linear.
-template <class M, class V>
-HWY_INLINE void add_piece_behind(const PieceColor<V>& color, V constant, V linear, V zeta, M active,
+// The optical depth along a piece, sum of alpha_k z^k, and at its end.
+template <class V, std::size_t kDegree>
+struct PieceDepth {
+  V alpha[kDegree + 2];
+  V total;
+};
+
+// Of an extinction offset + slope f, f the polynomial of coefficients c.
+template <std::size_t kDegree, class D, class V = hn::Vec<D>>
+HWY_INLINE PieceDepth<V, kDegree> depth_of(D d, const V* c, V offset, V slope, V length) {
+  PieceDepth<V, kDegree> depth;
+  const V scale = hn::Mul(hn::Set(d, 0.5), length);
+  slope = hn::Mul(slope, scale);
+  V odd = hn::MulAdd(slope, c[0], hn::Mul(offset, scale)), even = hn::Zero(d);
+  depth.alpha[1] = odd;
+  for (std::size_t k = 1; k <= kDegree; ++k) {
+    const V alpha = hn::Mul(hn::Mul(slope, c[k]), hn::Set(d, 1 / static_cast<double>(k + 1)));
+    depth.alpha[k + 1] = alpha;
+    (k % 2 == 0 ? odd : even) = hn::Add(k % 2 == 0 ? odd : even, alpha);
+  }
+  // no depth at the front
+  depth.alpha[0] = hn::Sub(odd, even);
+  depth.total = hn::Max(hn::Add(odd, odd), hn::Zero(d));
+  return depth;
+}
+
+// How many nodes give the mean of p exp(-A) with an error of at most 1 / weight, p, the `factor`,
+// being kappa' or g: for the lane that needs most. 0: more than there are.
+template <bool kEmission, std::size_t kFactor, std::size_t kDegree, class D, class V = hn::Vec<D>>
+HWY_INLINE std::size_t nodes_for(D d, const BernsteinEllipses& ellipses,
+                                 const PieceDepth<V, kDegree>& depth, const V* factor,
+                                 const PieceColor<V>& color, V weight, hn::Mask<D> active,
+                                 EllipseChoice& ellipse) {
+  FactorBound<V, kFactor> bound;
+  for (std::size_t k = 0; k <= kFactor; ++k) bound.size[k] = hn::Abs(factor[k]);
+  bound.brightest = kEmission ? hn::Mul(weight, largest(color.value)) : hn::Zero(d);
+  bound.steepness = hn::Mul(weight, largest(color.slope));
+  return nodes_needed<kDegree + 1, kFactor>(d, ellipses, depth.alpha, bound, active, ellipse);
+}
+
+// A field of some degree at an end of a piece, z = -1 or 1.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V end_of(D d, const V* c, std::size_t degree, double z, double base) {
+  V value = c[degree];
+  for (std::size_t k = degree; k-- > 0;) value = hn::MulAdd(value, hn::Set(d, z), c[k]);
+  return hn::Add(value, hn::Set(d, base));
+}
+
+// Adds a piece behind what is in `sum`; a channel is value * constant + slope * linear. `ends`
+// gives what sound_light asks for.
+template <bool kEmission, class D, class Ends, class V = hn::Vec<D>>
+HWY_INLINE void add_piece_behind(D d, const OpticsTables& optics, const PieceColor<V>& color,
+                                 V constant, V linear, V zeta, const Ends& ends, hn::Mask<D> active,
                                  Radiance<V>& sum) {
   const auto channel = [&](std::size_t c) HWY_ATTR {
     return hn::MulAdd(color.slope[c], linear, hn::Mul(color.value[c], constant));
   };
-  add_behind(Radiance<V>{channel(0), channel(1), channel(2), zeta}, active, sum);
+  const Radiance<V> light{channel(0), channel(1), channel(2), zeta};
+  if (HWY_UNLIKELY(optics.steep)) {
+    const Radiance<V> copy = light;  // what a function takes the address of is in no register
+    add_behind(sound_light<kEmission>(d, optics, copy, ends()), active, sum);
+  } else {
+    add_behind(light, active, sum);
+  }
 }
 
 }  // namespace hiac::HWY_NAMESPACE

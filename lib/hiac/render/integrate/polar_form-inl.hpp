@@ -15,6 +15,8 @@
 
 #  include <hwy/highway.h>
 
+#  include "hiac/mesh/interpolant_range.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
@@ -23,10 +25,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 template <class V, std::size_t kDegree>
 struct BernsteinScalar {
   V c[kDegree + 1];
-};
-
-struct CoefficientRange {
-  double least, most;
 };
 
 // The polar form of a field in a tetrahedron: symmetric, and affine in each of its as many
@@ -47,14 +45,14 @@ class PolarForm<2> {
   static constexpr std::size_t kNodes = 10;
 
   // Returns between which numbers the field lies.
-  HWY_INLINE CoefficientRange set(const std::array<double, kNodes>& value,
-                                  const std::array<std::size_t, 4>& corner) {
+  HWY_INLINE ValueRange set(const std::array<double, kNodes>& value,
+                            const std::array<std::size_t, 4>& corner) {
     // the node between two corners
     static constexpr std::array<std::array<std::uint8_t, 4>, 4> kBetween{
         {{0, 4, 6, 7}, {4, 1, 5, 8}, {6, 5, 2, 9}, {7, 8, 9, 3}}};
     std::array<std::array<double, 4>, 4> b;  // by pairs of corners
     for (std::size_t i = 0; i < 4; ++i) b[i][i] = value[corner[i]];
-    CoefficientRange range{0, 0};
+    ValueRange range{0, 0};
     for (std::size_t i = 0; i < 4; ++i)
       for (std::size_t j = 0; j < i; ++j) {
         const double middle = value[kBetween[corner[i]][corner[j]]];
@@ -103,14 +101,14 @@ class PolarForm<3> {
   static constexpr std::size_t kNodes = 20;
 
   // Returns between which numbers the field lies.
-  HWY_INLINE CoefficientRange set(const std::array<double, kNodes>& value,
-                                  const std::array<std::size_t, 4>& corner) {
+  HWY_INLINE ValueRange set(const std::array<double, kNodes>& value,
+                            const std::array<std::size_t, 4>& corner) {
     // the node near the first of two corners on the edge between them, and that of the face that a
     // corner is not on
     static constexpr std::array<std::array<std::uint8_t, 4>, 4> kNear{
         {{0, 4, 9, 10}, {5, 1, 6, 12}, {8, 7, 2, 14}, {11, 13, 15, 3}}};
     static constexpr std::array<std::uint8_t, 4> kOpposite{17, 18, 16, 19};
-    CoefficientRange range{0, 0};
+    ValueRange range{0, 0};
     const auto kept = [&](double c) {
       range = {std::min(range.least, c), std::max(range.most, c)};
       return c;

@@ -9,16 +9,12 @@
 #  endif
 
 #  include <algorithm>
-#  include <array>
-#  include <cmath>
-#  include <vector>
 
 #  include <hwy/highway.h>
 
 #  include "hiac/element/lane_polynomial-inl.hpp"
-#  include "hiac/render/integrate/light_between_ends-inl.hpp"
 #  include "hiac/render/integrate/piece_optics-inl.hpp"
-#  include "hiac/render/integrate/rule_choice-inl.hpp"
+#  include "hiac/render/integrate/polynomial_cuts-inl.hpp"
 #  include "hiac/render/integrate/shading-inl.hpp"
 #  include "hiac/render/integrate/symmetric_rules.hpp"
 #  include "hiac/render/integrate/transparency-inl.hpp"
@@ -26,13 +22,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-// A field in the cell at hand, as a walk sees it. Polynomials are of the field less `base`.
-struct WalkField {
-  IntervalRange intervals;  // of its transfer function, in the cell
-  double base;
-  double spread;  // not less than any magnitude of the field less base
-};
 
 // Integrates segments piece by piece, front to back.
 //
@@ -161,92 +150,6 @@ class PolynomialWalk {
     return settled;
   }
 
-  template <class D, class V = hn::Vec<D>>
-  static HWY_NOINLINE bool cut_at(D d, const LanePolynomial<V>& f, const std::vector<double>& upper,
-                                  const WalkField& field, hn::Mask<D> wide, V& end) {
-    const auto [low, high] = field.intervals;
-    if (low == high || f.degree == 0) return true;
-    // bounds, and where the field is monotone its values at the ends
-    const V zero = hn::Zero(d);
-    V even_least = f.c[0], even_most = f.c[0], even = f.c[0];
-    V odd = f.c[1], odd_size = hn::Abs(f.c[1]), bend = zero;
-    for (std::size_t k = 2; k <= f.degree; ++k) {
-      const V size = hn::Abs(f.c[k]);
-      bend = hn::MulAdd(hn::Set(d, kTwice[k]), size, bend);
-      if (k % 2 == 0) {
-        even = hn::Add(even, f.c[k]);
-        even_least = hn::Add(even_least, hn::Min(f.c[k], zero));
-        even_most = hn::Add(even_most, hn::Max(f.c[k], zero));
-      } else {
-        odd = hn::Add(odd, f.c[k]);
-        odd_size = hn::Add(odd_size, size);
-      }
-    }
-    const V front = hn::Sub(even, odd), back = hn::Add(even, odd);
-    const auto monotone = hn::Ge(hn::Abs(hn::Add(f.c[1], f.c[1])), bend);
-    const V least = hn::IfThenElse(monotone, hn::Min(front, back), hn::Sub(even_least, odd_size));
-    const V most = hn::IfThenElse(monotone, hn::Max(front, back), hn::Add(even_most, odd_size));
-    // a piece that ends at a breakpoint does so to within rounding
-    const V doubt = hn::Set(d, 0x1p-46 * field.spread + 0x1p-51 * std::abs(field.base));
-    auto meets = hn::Lt(hn::Set(d, 1.0), zero);
-    for (std::size_t k = low; k < high; ++k) {
-      const V value = hn::Set(d, upper[k] - field.base);
-      meets = hn::Or(meets, hn::And(hn::Lt(least, hn::Sub(value, doubt)),
-                                    hn::Gt(most, hn::Add(value, doubt))));
-    }
-    meets = hn::And(meets, wide);
-    if (hn::AllFalse(d, meets)) return true;
-    const auto once = hn::And(meets, monotone);
-    if (hn::AllFalse(d, once)) {
-      end = hn::IfThenElse(meets, hn::Min(end, zero), end);
-      return false;
-    }
-    // the first that is met
-    const auto rises = hn::Gt(f.c[1], zero);
-    const V after = hn::Add(front, doubt), before = hn::Sub(front, doubt);
-    V target = front;
-    for (std::size_t k = low; k < high; ++k) {
-      const V value = hn::Set(d, upper[k] - field.base);
-      target = hn::IfThenElse(hn::AndNot(rises, hn::Lt(value, before)), value, target);
-    }
-    for (std::size_t k = high; k-- > low;) {
-      const V value = hn::Set(d, upper[k] - field.base);
-      target = hn::IfThenElse(hn::And(rises, hn::Gt(value, after)), value, target);
-    }
-    const V chord = hn::Div(hn::Sub(hn::Sub(target, front), odd), odd);
-    const V stop = hn::IfThenElseZero(once, root(d, f, target, chord, once, rises));
-    end = hn::IfThenElse(meets, hn::Min(end, stop), end);
-    return hn::AllFalse(d, hn::AndNot(once, meets));
-  }
-
-  // Where monotone polynomials take values between those at their ends: Newton's method, kept
-  // between bounds.
-  template <class D, class V = hn::Vec<D>>
-  static HWY_NOINLINE V root(D d, const LanePolynomial<V>& f, V target, V guess, hn::Mask<D> where,
-                             hn::Mask<D> rises) {
-    V low = hn::Set(d, -1.0), high = hn::Set(d, 1.0);
-    V z = hn::IfThenElseZero(where, hn::Min(hn::Max(guess, low), high));
-    for (int step = 0; step < 64; ++step) {
-      V value = f.c[f.degree], slope = hn::Zero(d);
-      for (std::size_t k = f.degree; k-- > 0;) {
-        slope = hn::MulAdd(slope, z, value);
-        value = hn::MulAdd(value, z, f.c[k]);
-      }
-      const V off = hn::Sub(value, target);
-      const auto beyond = hn::Xor(rises, hn::Lt(off, hn::Zero(d)));
-      high = hn::IfThenElse(beyond, z, high);
-      low = hn::IfThenElse(beyond, low, z);
-      V next = hn::Sub(z, hn::Div(off, slope));
-      const auto inside = hn::And(hn::Ge(next, low), hn::Le(next, high));
-      next = hn::IfThenElse(inside, next, hn::Mul(hn::Add(low, high), hn::Set(d, 0.5)));
-      const V change = hn::Abs(hn::Sub(next, z));
-      z = hn::IfThenElse(where, next, z);
-      // the next step would be as short as this one squared
-      if (hn::AllTrue(d, hn::Or(hn::Not(where), hn::Le(change, hn::Set(d, 0x1p-29))))) break;
-    }
-    return z;
-  }
-
   // Pieces are compiled for fields of some degrees, 2 top, less than which is padded with zeros:
   // the optical depth has coefficients up to that of z^(2 top + 1).
   static constexpr std::size_t kMostTop = (kMaxFieldDegree + 1) / 2;
@@ -278,33 +181,6 @@ class PolynomialWalk {
     }
   }
 
-  // The optical depth along a piece in powers of z, and at its end.
-  template <std::size_t kTop, class V>
-  struct Depth {
-    V alpha[2 * kTop + 2];
-    V total;
-  };
-
-  // Of an extinction offset + slope f.
-  template <std::size_t kTop, class D, class V = hn::Vec<D>>
-  static HWY_INLINE Depth<kTop, V> depth_of(D d, const LanePolynomial<V>& f, V offset, V slope,
-                                            V length) {
-    Depth<kTop, V> depth;
-    const V scale = hn::Mul(hn::Set(d, 0.5), length);
-    slope = hn::Mul(slope, scale);
-    V odd = hn::MulAdd(slope, f.c[0], hn::Mul(offset, scale)), even = hn::Zero(d);
-    depth.alpha[1] = odd;
-    for (std::size_t k = 1; k <= 2 * kTop; ++k) {
-      const V alpha = hn::Mul(hn::Mul(slope, f.c[k]), hn::Set(d, 1 / static_cast<double>(k + 1)));
-      depth.alpha[k + 1] = alpha;
-      (k % 2 == 0 ? odd : even) = hn::Add(k % 2 == 0 ? odd : even, alpha);
-    }
-    // no depth at the front
-    depth.alpha[0] = hn::Sub(odd, even);
-    depth.total = hn::Max(hn::Add(odd, odd), hn::Zero(d));
-    return depth;
-  }
-
   // What integrands have besides exp(-A): with emission the field less the anchor, else its
   // derivative over the length of a piece.
   template <std::size_t kTop>
@@ -324,8 +200,8 @@ class PolynomialWalk {
         color_on_piece(d, optics_, color, optics_.same_field ? extinction_.base : color_.base);
     const auto [offset, slope] = extinction_on_piece(d, optics_, extinction, extinction_.base);
     // nothing of what other lanes have may pass what numbers reach
-    const Depth<kTop, V> depth =
-        depth_of<kTop>(d, tau_field, offset, slope, hn::IfThenElseZero(active, length));
+    const PieceDepth<V, 2 * kTop> depth =
+        depth_of<2 * kTop>(d, tau_field.c, offset, slope, hn::IfThenElseZero(active, length));
     V factor[2 * kFactorTop<kTop> + 2], front = hn::Sub(field.c[0], channels.anchor), back = front;
     factor[2 * kFactorTop<kTop> + 1] = hn::Zero(d);
     if constexpr (kEmission) {
@@ -339,7 +215,7 @@ class PolynomialWalk {
       }
     }
     const V weight = hn::IfThenElseZero(active, hn::Div(sum.transparency, allowed));
-    const std::size_t nodes = nodes_for<kTop>(d, depth, factor, channels, length, weight);
+    const std::size_t nodes = nodes_of<kTop>(d, depth, factor, channels, length, weight);
     if (nodes == 0 && may_refuse) return false;
     const SymmetricRule& rule = rules_[(nodes == 0 ? kMostSymmetricNodes : nodes) - 1];
     const Thickness thickness(
@@ -354,55 +230,35 @@ class PolynomialWalk {
       constant = hn::Sub(hn::Set(d, 1.0), zeta);
       linear = hn::Add(hn::NegMulAdd(back, zeta, front), means.of_factor);
     }
-    if (HWY_UNLIKELY(optics_.steep)) {
-      const auto channel = [&](std::size_t c) {
-        return hn::MulAdd(channels.slope[c], linear, hn::Mul(channels.value[c], constant));
-      };
-      Radiance<V> light{channel(0), channel(1), channel(2), zeta};
+    const auto ends = [&]() HWY_ATTR {
+      const auto end = [&](const LanePolynomial<V>& f, double z, double base)
+                           HWY_ATTR { return end_of(d, f.c, f.degree, z, base); };
       const double color_base = optics_.same_field ? extinction_.base : color_.base;
-      light =
-          sound_light<kEmission>(d, optics_, light,
-                                 PieceEnds<D>{color, extinction, end_of(d, field, -1.0, color_base),
-                                              end_of(d, field, 1.0, color_base),
-                                              end_of(d, tau_field, -1.0, extinction_.base),
-                                              end_of(d, tau_field, 1.0, extinction_.base), length});
-      add_behind(light, active, sum);
-    } else {
-      add_piece_behind(channels, constant, linear, zeta, active, sum);
-    }
+      return PieceEnds<D>{color,
+                          extinction,
+                          end(field, -1.0, color_base),
+                          end(field, 1.0, color_base),
+                          end(tau_field, -1.0, extinction_.base),
+                          end(tau_field, 1.0, extinction_.base),
+                          length};
+    };
+    add_piece_behind<kEmission>(d, optics_, channels, constant, linear, zeta, ends, active, sum);
     return true;
   }
 
-  // A field at an end of a piece, z = -1 or 1.
-  template <class D, class V = hn::Vec<D>>
-  static HWY_INLINE V end_of(D d, const LanePolynomial<V>& f, double z, double base) {
-    V value = f.c[f.degree];
-    for (std::size_t k = f.degree; k-- > 0;) value = hn::MulAdd(value, hn::Set(d, z), f.c[k]);
-    return hn::Add(value, hn::Set(d, base));
-  }
-
-  // How many nodes give the mean of p exp(-A) with an error of at most 1 / weight, p being kappa'
-  // or g: the best of some ellipses, for the lane that needs most. 0: more than there are.
+  // nodes_for of piece_optics-inl.hpp, not inlined.
   template <std::size_t kTop, class D, class V = hn::Vec<D>>
-  HWY_NOINLINE std::size_t nodes_for(D d, const Depth<kTop, V>& depth, const V* factor,
-                                     const PieceColor<V>& channels, V length, V weight) {
-    constexpr std::size_t kDepth = 2 * kTop + 1,
-                          kFactor = 2 * kFactorTop<kTop> + (kEmission ? 0 : 1);
-    FactorBound<V, kFactor> bound;
-    for (std::size_t k = 0; k <= kFactor; ++k) bound.size[k] = hn::Abs(factor[k]);
-    bound.brightest = hn::Zero(d);
-    if constexpr (kEmission) {
-      weight = hn::Mul(weight, length);
-      bound.brightest = hn::Mul(weight, largest(channels.value));
-    }
-    bound.steepness = hn::Mul(largest(channels.slope), weight);
-    return nodes_needed<kDepth, kFactor>(d, ellipses_, depth.alpha, bound,
+  HWY_NOINLINE std::size_t nodes_of(D d, const PieceDepth<V, 2 * kTop>& depth, const V* factor,
+                                    const PieceColor<V>& channels, V length, V weight) {
+    constexpr std::size_t kFactor = 2 * kFactorTop<kTop> + (kEmission ? 0 : 1);
+    if constexpr (kEmission) weight = hn::Mul(weight, length);
+    return nodes_for<kEmission, kFactor>(d, ellipses_, depth, factor, channels, weight,
                                          hn::Gt(weight, hn::Zero(d)), ellipse_);
   }
 
   template <std::size_t kTop, class D, class V = hn::Vec<D>>
   static HWY_NOINLINE PieceMeans<V> means_of(D d, const SymmetricRule& rule,
-                                             const Depth<kTop, V>& depth,
+                                             const PieceDepth<V, 2 * kTop>& depth,
                                              const Thickness& thickness, const V* factor) {
     PieceMeans<V> means{hn::Zero(d), hn::Zero(d)};
     if (rule.middle != 0) {
@@ -424,12 +280,6 @@ class PolynomialWalk {
     }
     return means;
   }
-
-  static constexpr auto kTwice = [] {  // numbers, from memory
-    std::array<double, kMaxFieldDegree + 1> twice{};
-    for (std::size_t k = 0; k < twice.size(); ++k) twice[k] = 2 * static_cast<double>(k);
-    return twice;
-  }();
 
   const OpticsTables& optics_;
   WalkField color_, extinction_;

@@ -36,6 +36,24 @@ HWY_INLINE std::array<bool, 8> lanes_of(D d, hn::Mask<D> mask) {
   return lanes;
 }
 
+// The rays through points of the screen, relative to the cell's origin.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void set_rays(D d, const Projector& projector, const CellPolynomials& cell, V x, V y,
+                         V (&origin)[3], V (&direction)[3]) {
+  const Projector::Axes axes = projector.axes();
+  const V scale = hn::Set(d, 1 / projector.pixels_per_unit());
+  const V right = hn::Mul(hn::Sub(x, hn::Set(d, axes.center_x)), scale);
+  const V up = hn::Mul(hn::Sub(hn::Set(d, axes.center_y), y), scale);
+  for (std::size_t a = 0; a < 3; ++a) {
+    const V aside =
+        hn::MulAdd(right, hn::Set(d, axes.right[a]), hn::Mul(up, hn::Set(d, axes.up[a])));
+    const V forward = hn::Set(d, axes.forward[a]), from = hn::Set(d, -cell.origin[a]);
+    const bool perspective = projector.perspective();
+    origin[a] = perspective ? from : hn::Add(from, aside);
+    direction[a] = perspective ? hn::Add(forward, aside) : forward;
+  }
+}
+
 // One or two fields on a part of segments, less their bases.
 template <class V>
 using FieldPolynomials = std::array<LanePolynomial<V>, 2>;
@@ -69,7 +87,7 @@ class SegmentFields {
     const D d;
     const auto at = [&](const std::vector<double>& of) { return hn::LoadU(d, of.data() + first); };
     V origin[3], direction[3];
-    set_rays(d, first, s, origin, direction);
+    set_rays(d, frame_.projector, cell_, at(s.x), at(s.y), origin, direction);
     CellRays<D> rays(d, cell_, origin, direction, at(s.front), at(s.back), starts_);
     if (s.known) rays.start_at({{at(s.known_u), at(s.known_v), at(s.known_w)}});
     rays_ = &rays;
@@ -91,26 +109,9 @@ class SegmentFields {
   static constexpr std::size_t kLeastDegree = 4, kFirstDegree = 8;
   static constexpr double kLeastShare = 0.2, kOptimism = 1.002;
 
-  // Relative to the cell's origin.
-  HWY_INLINE void set_rays(D d, std::size_t first, const CellSegments& s, V (&origin)[3],
-                           V (&direction)[3]) const {
-    const Projector::Axes axes = frame_.projector.axes();
-    const V scale = hn::Set(d, 1 / frame_.projector.pixels_per_unit());
-    const V x = hn::LoadU(d, s.x.data() + first), y = hn::LoadU(d, s.y.data() + first);
-    const V right = hn::Mul(hn::Sub(x, hn::Set(d, axes.center_x)), scale);
-    const V up = hn::Mul(hn::Sub(hn::Set(d, axes.center_y), y), scale);
-    for (std::size_t a = 0; a < 3; ++a) {
-      const V aside =
-          hn::MulAdd(right, hn::Set(d, axes.right[a]), hn::Mul(up, hn::Set(d, axes.up[a])));
-      const V forward = hn::Set(d, axes.forward[a]), from = hn::Set(d, -cell_.origin[a]);
-      const bool perspective = frame_.projector.perspective();
-      origin[a] = perspective ? from : hn::Add(from, aside);
-      direction[a] = perspective ? hn::Add(forward, aside) : forward;
-    }
-  }
-
-  // What of the fields' polynomials is, and so how exact coordinates in the cell have to be where
-  // they are not a line's: of the reference cell they change a field by a few times its spread.
+  // What of the fields' polynomials is negligible, and so how exact coordinates in the cell have to
+  // be where they are not a line's: of the reference cell they change a field by a few times its
+  // spread.
   HWY_INLINE void set_negligible(CellRays<D>& rays) {
     const D d;
     V accuracy = hn::Set(d, 1.0);

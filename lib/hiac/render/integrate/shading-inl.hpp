@@ -189,13 +189,22 @@ struct AnyRule {
   }
 };
 
+// Whether a product that is added to something is rounded before that.
+enum class Rounding : bool { once, twice };
+
 // What a piece behind adds to what is there, on the lanes of a mask.
-template <class V, class M>
+template <Rounding kRounding = Rounding::once, class V, class M>
 HWY_INLINE void add_behind(const Radiance<V>& piece, M where, Radiance<V>& sum) {
   const V visible = hn::IfThenElseZero(where, sum.transparency);
-  sum.red = hn::MulAdd(visible, piece.red, sum.red);
-  sum.green = hn::MulAdd(visible, piece.green, sum.green);
-  sum.blue = hn::MulAdd(visible, piece.blue, sum.blue);
+  const auto add = [&](V light, V& to) HWY_ATTR {
+    if constexpr (kRounding == Rounding::once)
+      to = hn::MulAdd(visible, light, to);
+    else
+      to = hn::Add(to, hn::Mul(visible, light));
+  };
+  add(piece.red, sum.red);
+  add(piece.green, sum.green);
+  add(piece.blue, sum.blue);
   sum.transparency =
       hn::IfThenElse(where, hn::Mul(sum.transparency, piece.transparency), sum.transparency);
 }

@@ -1,4 +1,4 @@
-// out_of_order (compositor.hpp) of vectors of segments, compiled once for every instruction set.
+// The compositor (compositor.hpp) of vectors of segments, compiled once for every instruction set.
 // Include from a file that Highway's foreach_target.h compiles repeatedly.
 
 #if defined(HIAC_RENDER_COMPOSITOR_INL) == defined(HWY_TARGET_TOGGLE)
@@ -8,9 +8,13 @@
 #    define HIAC_RENDER_COMPOSITOR_INL
 #  endif
 
+#  include <cstddef>
 #  include <cstdint>
 
 #  include <hwy/highway.h>
+
+#  include "hiac/render/integrate/shading-inl.hpp"
+#  include "hiac/render/pixels/compositor.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
@@ -24,6 +28,37 @@ HWY_INLINE std::uint64_t count_out_of_order(D d, V front, V back, V last, hn::Ma
   const auto early = hn::And(active, hn::Lt(front, hn::Sub(last, least)));
   if (HWY_LIKELY(hn::AllFalse(d, early))) return 0;
   return hn::CountTrue(d, hn::And(early, hn::Gt(hn::Sub(back, front), least)));
+}
+
+// A vector of segments, of neighbouring pixels: `at` is the first's index into the tile's planes.
+// What lies between `front` and `back` (ray parameters) is `radiance`; `behind` is the
+// transparency of the pixels so far. Those that are not active have finite light.
+template <class D, class V = hn::Vec<D>>
+struct FinishedSegments {
+  std::size_t at;
+  V front, back;
+  const Radiance<V>& radiance;
+  hn::Mask<D> active;
+  V behind;
+};
+
+// Composites segments behind all that their pixels hold; returns how many are out of order.
+template <Rounding kRounding, class D, class V = hn::Vec<D>>
+HWY_INLINE std::uint64_t composite(D d, const FinishedSegments<D>& s, double tolerance,
+                                   TileBuffer& buffer) {
+  double* ends = buffer.last.data() + s.at;
+  const V last = hn::LoadU(d, ends);
+  const std::uint64_t violations =
+      count_out_of_order(d, s.front, s.back, last, s.active, tolerance);
+  hn::StoreU(hn::IfThenElse(s.active, hn::Max(last, s.back), last), d, ends);
+  Radiance<V> sum{hn::LoadU(d, buffer.red.data() + s.at), hn::LoadU(d, buffer.green.data() + s.at),
+                  hn::LoadU(d, buffer.blue.data() + s.at), s.behind};
+  add_behind<kRounding>(s.radiance, s.active, sum);
+  hn::StoreU(sum.red, d, buffer.red.data() + s.at);
+  hn::StoreU(sum.green, d, buffer.green.data() + s.at);
+  hn::StoreU(sum.blue, d, buffer.blue.data() + s.at);
+  hn::StoreU(sum.transparency, d, buffer.transparency.data() + s.at);
+  return violations;
 }
 
 }  // namespace hiac::HWY_NAMESPACE

@@ -8,6 +8,14 @@
 
 namespace hiac {
 
+// What becomes of segments: here one by one, in compositor-inl.hpp in vectors of neighbouring
+// pixels, and in refine/ in extended precision, which no tile holds. All put light times the
+// transparency in front of it behind what is there, and count what is out of order alike.
+//
+// The kernels of tetrahedra fuse product and sum, which rounds once. Cells of all kinds do not:
+// their segments come in vectors or one by one, as it happens, and make the same pixels either way
+// on every machine.
+
 /// Whether a segment from `front` to `back` begins before what lies in front of it had ended, at
 /// `last`, by more than the tolerance (all ray parameters). A segment shorter than the tolerance
 /// may be rounding, and lie anywhere. compositor-inl.hpp says the same of vectors.
@@ -26,6 +34,26 @@ inline void composite(std::size_t at, double front, double back, const PlainRadi
   buffer.green[at] += transparency * radiance.rgb[1];
   buffer.blue[at] += transparency * radiance.rgb[2];
   transparency *= radiance.transparency;
+}
+
+/// Tells a pixel's details of a segment that is about to be composited.
+inline void describe(std::size_t at, const SegmentDetails& segment, double tolerance,
+                     TileBuffer& buffer) {
+  PixelDetails& pixel = buffer.details[at];
+  if (out_of_order(segment.front, segment.back, buffer.last[at], tolerance)) ++pixel.violations;
+  const double light = std::max({buffer.red[at], buffer.green[at], buffer.blue[at]});
+  pixel.add(segment, buffer.transparency[at], light);
+}
+
+/// The same where cells are drawn: in a group, segments and their details join its list.
+inline void composite(const TileTarget& to, std::size_t at, double front, double back,
+                      const PlainRadiance& radiance) {
+  if (to.group != nullptr) return to.group->segments.push_back({at, front, back, radiance});
+  composite(at, front, back, radiance, to.frame.witness_tolerance, to.buffer, to.counts);
+}
+inline void describe(const TileTarget& to, std::size_t at, const SegmentDetails& segment) {
+  if (to.group != nullptr) return to.group->details.push_back(segment);
+  describe(at, segment, to.frame.witness_tolerance, to.buffer);
 }
 
 }  // namespace hiac

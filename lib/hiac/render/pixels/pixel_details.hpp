@@ -1,7 +1,8 @@
 #pragma once
 
-#include <cstdint>
 #include <limits>
+
+#include "hiac/frame/tiles/drawn_tile.hpp"
 
 namespace hiac {
 
@@ -14,19 +15,16 @@ struct SegmentDetails {
   double mean = 0;          ///< depth of its opacity
   double radiance_error = 0, transparency_error = 0;  ///< ErrorBound
   double front_edge = 0, back_edge = 0;  ///< errors more where nothing adjoins (edge_bound)
-  bool out_of_order = false;
 };
 
 /// What is known of a pixel besides its colour, segment by segment, front to back.
-struct PixelDetails {
-  double first = std::numeric_limits<double>::infinity();
-  double weight = 0, weighted_depth = 0;
+struct PixelDetails : PixelFacts {
   double radiance_error = 0, transparency_error = 0;
   double last = -std::numeric_limits<double>::infinity();  ///< where the last segment ended
   double open_edge = 0;                                    ///< its back_edge, times what is visible
-  std::uint32_t cells = 0, violations = 0;
 
-  /// `visible`: the transparency in front; `light`: the pixel's largest channel so far.
+  /// All but violations. `visible`: the transparency in front; `light`: the pixel's largest channel
+  /// so far.
   void add(const SegmentDetails& segment, double visible, double light);
 };
 

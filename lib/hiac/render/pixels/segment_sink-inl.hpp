@@ -9,89 +9,72 @@
 #  endif
 
 #  include <cstddef>
-#  include <cstdint>
 
 #  include <hwy/highway.h>
 
-#  include "hiac/frame/frame.hpp"
-#  include "hiac/render/integrate/shading-inl.hpp"
 #  include "hiac/render/pixels/compositor-inl.hpp"
-#  include "hiac/render/pixels/tile.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// A vector of segments, of neighbouring pixels: `at` is the first's index into the tile's planes.
-// What lies between `front` and `back` (ray parameters) is `radiance`; `behind` is the
-// transparency of the pixels so far.
-template <class D, class V = hn::Vec<D>>
-struct FinishedSegments {
-  std::size_t at;
-  V front, back;
-  const Radiance<V>& radiance;
-  hn::Mask<D> active;
-  V behind;
+// The segments of a vector, one by one.
+class SegmentLanes {
+ public:
+  template <class D, class V>
+  HWY_INLINE void store(D d, V front, V back, const Radiance<V>& light, hn::Mask<D> active) {
+    const V all[kCount] = {front,
+                           back,
+                           light.red,
+                           light.green,
+                           light.blue,
+                           light.transparency,
+                           hn::IfThenElseZero(active, hn::Set(d, 1.0))};
+    for (std::size_t q = 0; q < kCount; ++q) hn::Store(all[q], d, lane_[q]);
+  }
+
+  [[nodiscard]] bool is_active(std::size_t k) const { return lane_[kActive][k] != 0; }
+  [[nodiscard]] double front(std::size_t k) const { return lane_[kFront][k]; }
+  [[nodiscard]] double back(std::size_t k) const { return lane_[kBack][k]; }
+  [[nodiscard]] PlainRadiance light(std::size_t k) const {
+    return {{lane_[kRed][k], lane_[kGreen][k], lane_[kBlue][k]}, lane_[kZeta][k]};
+  }
+
+ private:
+  enum : std::size_t { kFront, kBack, kRed, kGreen, kBlue, kZeta, kActive, kCount };
+  HWY_ALIGN double lane_[kCount][8];
 };
 
 // Segments are composited over a tile's pixels, or join the list of a group whose order is yet to
 // be found.
 class SegmentSink {
  public:
-  SegmentSink(const Frame& frame, TileBuffer& buffer, SegmentList* group, TileCounts& counts)
-      : buffer_(buffer),
-        group_(group),
-        counts_(counts),
-        witness_tolerance_(frame.witness_tolerance) {}
+  explicit SegmentSink(const TileTarget& to)
+      : buffer_(to.buffer),
+        group_(to.group),
+        counts_(to.counts),
+        witness_tolerance_(to.frame.witness_tolerance) {}
 
   template <class D>
   HWY_INLINE void add(D d, const FinishedSegments<D>& s) {
     if (group_ != nullptr)
       collect(d, s);
     else
-      composite(d, s);
+      counts_.violations += composite<Rounding::once>(d, s, witness_tolerance_, buffer_);
   }
 
  private:
-  template <class D, class V = hn::Vec<D>>
-  HWY_INLINE void composite(D d, const FinishedSegments<D>& s) {
-    double* ends = buffer_.last.data() + s.at;
-    const V last = hn::LoadU(d, ends);
-    counts_.violations +=
-        count_out_of_order(d, s.front, s.back, last, s.active, witness_tolerance_);
-    hn::StoreU(hn::IfThenElse(s.active, hn::Max(last, s.back), last), d, ends);
-    // lanes that are not active have segments of no length: their light is finite
-    Radiance<V> sum{hn::LoadU(d, buffer_.red.data() + s.at),
-                    hn::LoadU(d, buffer_.green.data() + s.at),
-                    hn::LoadU(d, buffer_.blue.data() + s.at), s.behind};
-    add_behind(s.radiance, s.active, sum);
-    hn::StoreU(sum.red, d, buffer_.red.data() + s.at);
-    hn::StoreU(sum.green, d, buffer_.green.data() + s.at);
-    hn::StoreU(sum.blue, d, buffer_.blue.data() + s.at);
-    hn::StoreU(sum.transparency, d, buffer_.transparency.data() + s.at);
-  }
-
-  template <class D, class V = hn::Vec<D>>
+  template <class D>
   HWY_INLINE void collect(D d, const FinishedSegments<D>& s) {
-    const V all[kCount] = {s.front,
-                           s.back,
-                           s.radiance.red,
-                           s.radiance.green,
-                           s.radiance.blue,
-                           s.radiance.transparency,
-                           hn::IfThenElseZero(s.active, hn::Set(d, 1.0))};
-    HWY_ALIGN double lane[kCount][8];
-    for (std::size_t q = 0; q < kCount; ++q) hn::Store(all[q], d, lane[q]);
-    append(s.at, hn::Lanes(d), lane);
+    SegmentLanes lanes;
+    lanes.store(d, s.front, s.back, s.radiance, s.active);
+    append(s.at, hn::Lanes(d), lanes);
   }
 
-  enum : std::size_t { kFront, kBack, kRed, kGreen, kBlue, kZeta, kActive, kCount };
-
-  HWY_NOINLINE void append(std::size_t at, std::size_t lanes, const double (&lane)[kCount][8]) {
-    for (std::size_t k = 0; k < lanes; ++k)
-      if (lane[kActive][k] != 0)
-        group_->append(static_cast<std::uint32_t>(at + k), lane[kFront][k], lane[kBack][k],
-                       lane[kRed][k], lane[kGreen][k], lane[kBlue][k], lane[kZeta][k]);
+  HWY_NOINLINE void append(std::size_t at, std::size_t count, const SegmentLanes& lanes) {
+    for (std::size_t k = 0; k < count; ++k)
+      if (lanes.is_active(k))
+        group_->segments.push_back({at + k, lanes.front(k), lanes.back(k), lanes.light(k)});
   }
 
   TileBuffer& buffer_;

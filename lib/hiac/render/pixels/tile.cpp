@@ -18,61 +18,32 @@ void TileBuffer::reset(const TileRect& tile, const Projector& projector, bool wi
   if (!projector.perspective()) return;
   for (int y = tile.y0; y < tile.y1; ++y)
     for (int x = tile.x0; x < tile.x1; ++x)
-      ray_scale[static_cast<std::size_t>(y - tile.y0) * kTileStride +
-                static_cast<std::size_t>(x - tile.x0)] = projector.ray_scale(x + 0.5, y + 0.5);
-}
-
-void TileBuffer::describe(std::size_t at, const SegmentDetails& segment) {
-  const double light = std::max({red[at], green[at], blue[at]});
-  details[at].add(segment, transparency[at], light);
-}
-
-void SegmentList::clear() {
-  pixel.clear();
-  details.clear();
-  for (auto* array : {&front, &back, &red, &green, &blue, &transparency}) array->clear();
-}
-
-void SegmentList::append(std::uint32_t at, double t_front, double t_back, double r, double g,
-                         double b, double zeta) {
-  pixel.push_back(at);
-  front.push_back(t_front);
-  back.push_back(t_back);
-  red.push_back(r);
-  green.push_back(g);
-  blue.push_back(b);
-  transparency.push_back(zeta);
+      ray_scale[tile.index(x, y)] = projector.ray_scale(pixel_center(x), pixel_center(y));
 }
 
 bool SegmentList::nearer(std::uint32_t a, std::uint32_t b) const {
-  if (front[a] != front[b]) return front[a] < front[b];
-  return back[a] != back[b] ? back[a] < back[b] : a < b;
+  const ListedSegment &p = segments[a], &q = segments[b];
+  if (p.front != q.front) return p.front < q.front;
+  return p.back != q.back ? p.back < q.back : a < b;
 }
 
-void composite_sorted(const SegmentList& segments, double witness_tolerance, TileBuffer& buffer,
+void composite_sorted(const SegmentList& list, double witness_tolerance, TileBuffer& buffer,
                       TileCounts& counts) {
   // counting sort by pixel, then a comparison sort of each pixel's few segments by depth
   std::vector<std::uint32_t> start(kTileStride * kTileHeight + 1, 0);
-  for (const std::uint32_t p : segments.pixel) ++start[p + 1];
+  for (const ListedSegment& s : list.segments) ++start[s.pixel + 1];
   for (std::size_t p = 1; p < start.size(); ++p) start[p] += start[p - 1];
-  std::vector<std::uint32_t> sorted(segments.size());
+  std::vector<std::uint32_t> sorted(list.segments.size());
   std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-  for (std::uint32_t s = 0; s < segments.size(); ++s) sorted[next[segments.pixel[s]]++] = s;
+  for (std::uint32_t s = 0; s < sorted.size(); ++s) sorted[next[list.segments[s].pixel]++] = s;
 
-  const auto nearer = [&](std::uint32_t a, std::uint32_t b) { return segments.nearer(a, b); };
+  const auto nearer = [&](std::uint32_t a, std::uint32_t b) { return list.nearer(a, b); };
   for (std::size_t p = 0; p + 1 < start.size(); ++p) {
     std::sort(sorted.begin() + start[p], sorted.begin() + start[p + 1], nearer);
     for (std::uint32_t i = start[p]; i < start[p + 1]; ++i) {
-      const std::uint32_t s = sorted[i];
-      const double front = segments.front[s], back = segments.back[s];
-      if (!segments.details.empty()) {
-        SegmentDetails details = segments.details[s];
-        details.out_of_order = out_of_order(front, back, buffer.last[p], witness_tolerance);
-        buffer.describe(p, details);
-      }
-      composite(p, front, back,
-                {{segments.red[s], segments.green[s], segments.blue[s]}, segments.transparency[s]},
-                witness_tolerance, buffer, counts);
+      const ListedSegment& s = list.segments[sorted[i]];
+      if (!list.details.empty()) describe(p, list.details[sorted[i]], witness_tolerance, buffer);
+      composite(p, s.front, s.back, s.light, witness_tolerance, buffer, counts);
     }
   }
 }

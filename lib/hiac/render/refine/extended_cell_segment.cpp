@@ -7,7 +7,7 @@
 #include <span>
 
 #include "hiac/element/face_interpolant.hpp"
-#include "hiac/element/gradient_bound.hpp"
+#include "hiac/element/gradient/gradient_bound.hpp"
 #include "hiac/element/ray_rounding.hpp"
 #include "hiac/optics/polynomial_piece.hpp"
 #include "hiac/render/bounds/rounding_counts.hpp"
@@ -188,21 +188,13 @@ void ExtendedCellSegments::find_places(const IsosurfaceCut& cut, const CellField
   moved.assign(places_.size(), 0);
   if (pieces_.empty() && known.field.least < known.field.most) doubtful_ = true;
   // whether as many places stay where offsets are off by some level, and how far these move
-  const auto shift = [&](Real level, bool moves) {
-    std::vector<Real> shifted;
-    find_shifted_changes(pieces_, level, shifted, roots_);
-    if (shifted.size() != places_.size()) {
-      doubtful_ = true;
-      return;
-    }
-    for (std::size_t i = 0; moves && i < places_.size(); ++i)
-      moved[i] = std::max(moved[i], 2 * std::abs(shifted[i] - places_[i]));
-  };
   const Real error = known.error + 2 * known.field.negligible;
-  for (const Real sign : {-1, 1}) {
-    shift(sign * error, true);
-    if (known.at_faces > 0) shift(sign * (error + known.at_faces), false);
-  }
+  std::vector<Real> none, shifted;
+  bool as_many = as_many_when_shifted(pieces_, error, places_, moved, shifted, roots_);
+  if (known.at_faces > 0)
+    as_many &=
+        as_many_when_shifted(pieces_, error + known.at_faces, places_, none, shifted, roots_);
+  if (!as_many) doubtful_ = true;
 }
 
 bool ExtendedCellSegments::add_surface(const ExtendedCell& geometry, const ExtendedRay& ray,
@@ -321,33 +313,16 @@ bool ExtendedCellSegments::describe(const ExtendedCell& geometry, const Extended
        .opacity = opacity,
        .transparency = cut ? 1 : details.transparency},
       kExtended);
-  if (cut) add_cuts(ray, stretch, sum.quadrature, bound);
+  if (cut)
+    add_surfaces(frame_, optics_, crossed_, doubtful_, stretch.length,
+                 static_cast<double>(ray.scale), sum.quadrature.transparency, bound);
   details.radiance_error = sum.quadrature.radiance + bound.radiance;
   details.transparency_error = std::min(1.0, sum.quadrature.transparency + bound.transparency);
   const double most = frame_.depth * static_cast<double>(ray.scale);
   details.front_edge = edge_bound(optics_, emission, std::min(most, stretch.doubts.front));
   details.back_edge = edge_bound(optics_, emission, std::min(most, stretch.doubts.back));
-  if (frame_.color_field().location == FieldLocation::node &&
-      frame_.extinction.location == FieldLocation::node)
-    return true;
-  details.radiance_error += details.front_edge + details.back_edge;
-  details.transparency_error += details.front_edge + details.back_edge;
+  count_edges_at_jumps(frame_, details);
   return true;
-}
-
-void ExtendedCellSegments::add_cuts(const ExtendedRay& ray, const Stretch& stretch,
-                                    const ErrorBound& quadrature, ErrorBound& sum) const {
-  const bool emission = frame_.optics.emission;
-  const double largest = frame_.isosurfaces.largest_light;
-  const ErrorBound whole = whole_bound(optics_, emission, largest, stretch.length);
-  for (const Crossed& surface : crossed_) {
-    const double moved =
-        edge_bound(optics_, emission, surface.moved * static_cast<double>(ray.scale));
-    sum.radiance += surface.shade_error.radiance + moved * (1 + largest);
-    sum.transparency += surface.shade_error.transparency;
-  }
-  if (doubtful_) sum = whole;
-  sum.radiance += (sum.transparency + quadrature.transparency) * whole.radiance;
 }
 
 ExtendedCellSegments::Met ExtendedCellSegments::find(CellId cell, int x, int y,

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "hiac/element/gradient_bound.hpp"
+#include "hiac/element/gradient/gradient_bound.hpp"
 #include "hiac/frame/frame.hpp"
 #include "hiac/render/bounds/error_bound.hpp"
 #include "hiac/render/bounds/ray_displacement.hpp"
@@ -84,8 +84,6 @@ class ExtendedCellSegments {
                                      double jump, const Stretch& stretch) const;
   bool describe(const ExtendedCell& geometry, const ExtendedRay& ray, const Stretch& stretch,
                 const Part& sum, SegmentDetails& details);
-  void add_cuts(const ExtendedRay& ray, const Stretch& stretch, const ErrorBound& quadrature,
-                ErrorBound& sum) const;
 
   const Frame& frame_;
   // of the cell at hand

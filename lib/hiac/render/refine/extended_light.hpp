@@ -32,7 +32,9 @@ struct ExtendedEnds {
 ExtendedLight extended_volume(const OpticsTables& optics, long double length,
                               const ExtendedEnds& color, const ExtendedEnds& extinction);
 
-/// An isosurface's light (isosurface_shading.hpp). `normal`, `ray`: unit vectors, camera frame.
+/// An isosurface's light: the formula of isosurface_shading.hpp, which isosurface_shading-inl.hpp
+/// has in vectors. Those fuse operations and have powers and exponentials of their own; a common
+/// text would round one of the two otherwise. `normal`, `ray`: unit vectors, camera frame.
 ExtendedLight extended_surface(const FrameIsosurface& surface, std::span<const FrameLight> lights,
                                const std::array<long double, 3>& normal,
                                const std::array<long double, 3>& ray);

@@ -2,10 +2,12 @@
 
 #include <cmath>
 
+#include "hiac/frame/tiles/tile.hpp"
+
 namespace hiac {
 
 ExtendedRay::ExtendedRay(const Projector& projector, int x, int y) {
-  const auto [a, b] = projector.extended_slopes(x + 0.5, y + 0.5);
+  const auto [a, b] = projector.extended_slopes(pixel_center(x), pixel_center(y));
   const bool perspective = projector.perspective();
   origin = perspective ? ExtendedVector{0, 0, 0} : ExtendedVector{a, b, 0};
   direction = perspective ? ExtendedVector{a, b, 1} : ExtendedVector{0, 0, 1};

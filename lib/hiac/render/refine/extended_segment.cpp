@@ -161,7 +161,6 @@ SegmentDetails ExtendedSegments::describe(CellId cell, int x, int y, const Stret
       .transparency = static_cast<double>(light.transparency),
       .first = static_cast<double>(stretch.from),
       .mean = static_cast<double>(stretch.from),
-      .out_of_order = false,
       .cuts = offsets};
   for (std::size_t c = 0; c < 3; ++c) drawn.rgb[c] = static_cast<double>(light.rgb[c]);
   details_.enter(cell);

@@ -72,7 +72,8 @@ ExtendedTetrahedron::Place ExtendedTetrahedron::place_on(std::size_t lacking, in
   const bool swapped = reach(one) < reach(two);
   const std::size_t m = swapped ? two : one, s = swapped ? one : two;
   const std::size_t p = std::abs(from_base(m, 0)) < std::abs(from_base(m, 1)) ? 1 : 0, q = 1 - p;
-  const std::array<Real, 2> to{x + 0.5L - exact_[base][0], y + 0.5L - exact_[base][1]};
+  const std::array<Real, 2> to{pixel_center(x) - exact_[base][0],
+                               pixel_center(y) - exact_[base][1]};
   const Real l = from_base(m, q) / from_base(m, p);
   const Real of_s = (to[q] - l * to[p]) / (from_base(s, q) - l * from_base(s, p));
   const Real of_m = (to[p] - from_base(s, p) * of_s) / from_base(m, p);
@@ -89,7 +90,7 @@ ExtendedTetrahedron::Met ExtendedTetrahedron::cross(int x, int y, Crossing& cros
   std::array<Place, 2> met;
   std::size_t count = 0;
   for (std::size_t lacking = 4; lacking-- > 0 && count < 2;)
-    if (covered(lacking, x, y + 0.5)) met[count++] = place_on(lacking, x, y);
+    if (covered(lacking, x, pixel_center(y))) met[count++] = place_on(lacking, x, y);
   if (count < 2) return Met::no;
   if (met[1].depth < met[0].depth) std::swap(met[0], met[1]);
   crossing = {met[0], met[1]};

@@ -53,8 +53,9 @@ void PixelRefinement::set_boxes() {
 bool PixelRefinement::may_meet(std::size_t i, int x, int y) const {
   constexpr double kSlack = 0x1p-20;  // pixels; ample
   const Box& box = boxes_[i];
-  return x + 0.5 >= box.x0 - kSlack && x + 0.5 <= box.x1 + kSlack && y + 0.5 >= box.y0 - kSlack &&
-         y + 0.5 <= box.y1 + kSlack;
+  const double column = pixel_center(x), row = pixel_center(y);
+  return column >= box.x0 - kSlack && column <= box.x1 + kSlack && row >= box.y0 - kSlack &&
+         row <= box.y1 + kSlack;
 }
 
 PixelRefinement::Met PixelRefinement::find(CellId cell, int x, int y, ExtendedSegment& segment) {
@@ -76,36 +77,43 @@ std::optional<PixelRefinement::Again> PixelRefinement::compute_again(int x, int 
   if (boxes_.empty()) set_boxes();
   Again pixel;
   std::vector<ExtendedSegment> in_group;
-  for (std::size_t i = 0; i < ranks_.size() && !pixel.ended;) {
-    const CellGroup* group = group_of(order_, ranks_[i]);
-    const std::uint32_t stop = group != nullptr ? group->first + group->count : ranks_[i] + 1;
+  std::size_t i = 0;
+  for (auto left = ranks_; !left.empty() && !pixel.ended;) {
+    const CellRun run = first_run(order_, left, left.size());
     in_group.clear();
-    for (; i < ranks_.size() && ranks_[i] < stop; ++i) {
-      if (!may_meet(i, x, y)) continue;
+    for (const std::uint32_t rank : run.ranks) {
+      if (!may_meet(i++, x, y)) continue;
       ExtendedSegment segment;
-      const Met met = find(order_.cells[ranks_[i]], x, y, segment);
+      const Met met = find(order_.cells[rank], x, y, segment);
       if (met == Met::doubtful) return std::nullopt;
-      if (met == Met::once) in_group.push_back(segment);
+      if (met == Met::no) continue;
+      if (run.is_group)
+        in_group.push_back(segment);
+      else
+        composite(segment, pixel);
+      if (pixel.ended) break;
     }
     std::ranges::stable_sort(in_group, {},
                              [](const ExtendedSegment& s) { return std::pair(s.front, s.back); });
     for (const ExtendedSegment& segment : in_group) composite(segment, pixel);
+    left = left.subspan(run.ranks.size());
   }
   return pixel;
 }
 
-double PixelRefinement::error(const Drawn& pixel, double background) {
+double PixelRefinement::error(const TileBuffer& drawn, std::size_t at, double background) {
   check_cancelled();
-  const double bound = pixel_error(frame_, *pixel.details, pixel.transparency,
-                                   pixel.transparency <= frame_.least_transparency, background);
+  const double left = drawn.transparency[at];
+  const double bound =
+      pixel_error(frame_, drawn.details[at], left, left <= frame_.least_transparency, background);
   // numbers no finer than the engine's tell nothing of its rounding
   if (!kExtendedIsFiner || bound <= kLargeBound * frame_.tolerance) return bound;
-  const auto again = compute_again(pixel.x, pixel.y);
+  const auto again = compute_again(tile_.column(at), tile_.row(at));
   if (!again) return bound;
-  Real light = 0;
-  for (std::size_t c = 0; c < 3; ++c)
-    light = std::max(light, std::abs(again->light.rgb[c] - pixel.rgb[c]));
-  const Real shade = std::abs(again->light.transparency - pixel.transparency);
+  const Real light = std::max({std::abs(again->light.rgb[0] - drawn.red[at]),
+                               std::abs(again->light.rgb[1] - drawn.green[at]),
+                               std::abs(again->light.rgb[2] - drawn.blue[at])});
+  const Real shade = std::abs(again->light.transparency - left);
   const auto difference = static_cast<double>(std::max(light + shade * background, shade));
   const auto transparency = static_cast<double>(again->light.transparency);
   return std::min(bound, difference + pixel_error(frame_, again->details, transparency,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -32,15 +32,9 @@ class PixelRefinement {
   PixelRefinement(const Frame& frame, const VisibilityOrder& order, const TileRect& tile,
                   std::span<const std::uint32_t> ranks);
 
-  /// A pixel as it was drawn, without background.
-  struct Drawn {
-    int x, y;
-    std::array<double, 3> rgb;
-    double transparency;
-    const PixelDetails* details;
-  };
-  /// The bound of its error with something behind it whose largest channel is `background`.
-  double error(const Drawn& pixel, double background);
+  /// The bound of the error of a pixel of the finished tile, `at` in its planes, with something
+  /// behind it whose largest channel is `background`.
+  double error(const TileBuffer& drawn, std::size_t at, double background);
 
  private:
   // Pixels whose rays a cell may meet.

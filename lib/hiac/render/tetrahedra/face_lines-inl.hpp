@@ -59,7 +59,7 @@ template <bool kSeparateFields>
 HWY_INLINE void set_row(const FacePlanes& planes, const FaceRuns& runs, int row, FaceLines& lines) {
   const hn::CappedTag<double, 4> d;
   const auto r = static_cast<std::size_t>(row - runs.row_begin);
-  const auto y = hn::Set(d, row + 0.5), half = hn::Set(d, 0.5), one = hn::Set(d, 1.0);
+  const auto y = hn::Set(d, pixel_center(row)), half = hn::Set(d, 0.5), one = hn::Set(d, 1.0);
   for (std::size_t f = 0; f < 4; f += hn::Lanes(d)) {
     const auto first = hn::Load(d, runs.first[r] + f);
     const auto dx = hn::Sub(hn::Add(first, half), hn::Load(d, planes.base_x + f));
@@ -95,51 +95,6 @@ HWY_INLINE hn::Mask<D> in_run(D d, const FaceLines& lines, std::size_t f, V pixe
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V on_line(D d, const FaceLines::Quantity& line, std::size_t f, V dx) {
   return hn::MulAdd(dx, hn::Set(d, line.per_column[f]), hn::Set(d, line.at_first[f]));
-}
-
-// Where the rays of a row of pixels enter and leave the cell, and the fields there.
-template <class V>
-struct EntryAndExit {
-  V front, back;  // depth
-  V front_color, back_color, front_extinction, back_extinction;
-};
-
-// Of the faces [begin, end) of `sides`, the one that covers each pixel: its depth and the fields
-// there. A pixel of the cell is covered by one face of either side, so the first needs no asking.
-template <bool kSeparateFields, class D, class V = hn::Vec<D>>
-HWY_INLINE void meet_faces(D d, const FaceLines& lines, V pixel, const FaceSides& sides,
-                           std::size_t begin, std::size_t end, V& depth, V& color, V& extinction) {
-  const std::size_t first = sides.face[begin];
-  const V from_first = columns_from_first(d, lines, first, pixel);
-  depth = on_line(d, lines.depth, first, from_first);
-  extinction = on_line(d, lines.extinction, first, from_first);
-  color = extinction;
-  if constexpr (kSeparateFields) color = on_line(d, lines.color, first, from_first);
-  for (std::size_t k = begin + 1; k < end; ++k) {
-    const std::size_t f = sides.face[k];
-    const V dx = columns_from_first(d, lines, f, pixel);
-    const auto covered = in_run(d, lines, f, pixel, dx);
-    depth = hn::IfThenElse(covered, on_line(d, lines.depth, f, dx), depth);
-    extinction = hn::IfThenElse(covered, on_line(d, lines.extinction, f, dx), extinction);
-    if constexpr (kSeparateFields)
-      color = hn::IfThenElse(covered, on_line(d, lines.color, f, dx), color);
-  }
-}
-
-// For pixels of the row's span; others get numbers without meaning.
-template <bool kSeparateFields, class D, class V = hn::Vec<D>>
-HWY_INLINE EntryAndExit<V> entry_and_exit(D d, const FaceLines& lines, const FaceSides& sides,
-                                          V pixel) {
-  EntryAndExit<V> e;
-  V in, out;
-  meet_faces<kSeparateFields>(d, lines, pixel, sides, 0, sides.entered, in, e.front_color,
-                              e.front_extinction);
-  meet_faces<kSeparateFields>(d, lines, pixel, sides, sides.entered, 4, out, e.back_color,
-                              e.back_extinction);
-  // where the cell is thin, rounding may have exchanged them
-  e.front = hn::Min(in, out);
-  e.back = hn::Max(in, out);
-  return e;
 }
 
 }  // namespace hiac::HWY_NAMESPACE

@@ -29,11 +29,9 @@ SegmentDetails HigherOrderDetails::describe(const Segment& segment) {
   details.transparency = drawn.transparency;
   details.mean = 0.5 * (segment.front + segment.back);
   if (!frame_.with_error) return details;
-  const double x = segment.x + 0.5, y = segment.y + 0.5;
   const CellCrossing crossing =
       planar_crossing(frame_.projector, segment.x, segment.y, segment.front, segment.back);
-  const RayStretch stretch{frame_.projector.relative_origin(x, y), frame_.projector.direction(x, y),
-                           segment.front, segment.back, place_of(crossing)};
+  const RayStretch stretch = stretch_of(frame_.projector, crossing);
   const PlainRadiance alone = volume_.radiance(stretch, segment.scale, *field_, segment.visible);
   for (std::size_t c = 0; c < 3; ++c)
     details.radiance_error =

@@ -30,7 +30,6 @@ class HigherOrderDetails {
     double front, back, scale, visible;
     PlainRadiance radiance;
   };
-  /// All but out_of_order.
   [[nodiscard]] SegmentDetails describe(const Segment& segment);
 
  private:

@@ -14,7 +14,6 @@
 
 #include "hiac/frame/tolerance_shares.hpp"
 #include "hiac/render/integrate/higher_order_shading-inl.hpp"
-#include "hiac/render/pixels/compositor.hpp"
 #include "hiac/render/pixels/segment_sink-inl.hpp"
 #include "hiac/render/tetrahedra/higher_order_details.hpp"
 #include "hiac/render/tetrahedra/scan_conversion-inl.hpp"
@@ -59,20 +58,17 @@ struct HigherOrderField {
 template <bool kEmission, std::size_t kOrder>
 class HigherOrderRenderer {
  public:
-  HigherOrderRenderer(const Frame& frame, const TileRect& tile, TileBuffer& buffer,
-                      SegmentList* group, TileCounts& counts)
-      : frame_(frame),
-        tile_(tile),
-        buffer_(buffer),
-        group_(group),
-        counts_(counts),
-        perspective_(frame.projector.perspective()),
-        sink_(frame, buffer, group, counts) {
-    if (frame.with_details) details_.emplace(frame, tile);
+  explicit HigherOrderRenderer(const TileTarget& to)
+      : to_(to),
+        frame_(to.frame),
+        buffer_(to.buffer),
+        perspective_(frame_.projector.perspective()),
+        sink_(to) {
+    if (frame_.with_details) details_.emplace(frame_, to.tile);
   }
 
   HWY_INLINE void render(CellId cell) {
-    if (!load(cell) || !scan_faces(corners_, tile_, runs_)) return;
+    if (!load(cell) || !scan_faces(corners_, to_.tile, runs_)) return;
     set_face_planes(corners_, false, planes_);
     set_weights();
     if (HWY_UNLIKELY(details_.has_value())) details_->enter(cell);
@@ -191,8 +187,7 @@ class HigherOrderRenderer {
   HWY_INLINE void render_pixels(Walk& walk, int row, int x, int last) {
     const D d;
     const V pixel = hn::Iota(d, x), one = hn::Set(d, 1.0);
-    const std::size_t at = static_cast<std::size_t>(row - tile_.y0) * kTileStride +
-                           static_cast<std::size_t>(x - tile_.x0);
+    const std::size_t at = to_.tile.index(x, row);
     const V behind = hn::LoadU(d, buffer_.transparency.data() + at);
     M active = hn::And(hn::Lt(pixel, hn::Set(d, last)),
                        hn::Gt(behind, hn::Set(d, frame_.least_transparency)));
@@ -218,14 +213,14 @@ class HigherOrderRenderer {
       s.end = hn::IfThenElse(hn::Eq(back, whole_back), one, part(back));
     }
     active = hn::And(active, hn::Lt(front, back));
-    counts_.segments += hn::CountTrue(d, active);
+    to_.counts.segments += hn::CountTrue(d, active);
     s.extinction = scalar_between(d, extinction_, in, out);
     s.color = frame_.optics.same_field ? s.extinction : scalar_between(d, color_, in, out);
     s.length =
         hn::IfThenElseZero(active, hn::Mul(depth, hn::LoadU(d, buffer_.ray_scale.data() + at)));
     constexpr double kShare = tolerance_shares(static_cast<CellOrder>(kOrder)).integration;
     const V allowed = hn::Mul(hn::Set(d, kShare * frame_.tolerance / frame_.depth), depth);
-    s.weight = hn::Div(group_ == nullptr ? behind : one, allowed);
+    s.weight = hn::Div(to_.group == nullptr ? behind : one, allowed);
     const Radiance<V> radiance = walk.run(d, s, active);
     if (HWY_UNLIKELY(details_.has_value())) {
       const Radiance<V> light = radiance;
@@ -237,37 +232,20 @@ class HigherOrderRenderer {
   // Tells the pixels, or the group's list, of segments that are about to be composited.
   HWY_NOINLINE void describe(D d, std::size_t at, V front, V back, const Radiance<V>& light,
                              M active) {
-    enum : std::size_t { kFront, kBack, kRed, kGreen, kBlue, kZeta, kActive, kCount };
-    const V all[kCount] = {front,
-                           back,
-                           light.red,
-                           light.green,
-                           light.blue,
-                           light.transparency,
-                           hn::IfThenElseZero(active, hn::Set(d, 1.0))};
-    HWY_ALIGN double lane[kCount][8];
-    for (std::size_t q = 0; q < kCount; ++q) hn::Store(all[q], d, lane[q]);
-    for (std::size_t k = 0; k < hn::Lanes(d); ++k)
-      if (lane[kActive][k] != 0)
-        describe_one(at + k, lane[kFront][k], lane[kBack][k],
-                     {{lane[kRed][k], lane[kGreen][k], lane[kBlue][k]}, lane[kZeta][k]});
+    SegmentLanes lanes;
+    lanes.store(d, front, back, light, active);
+    for (std::size_t k = 0; k < hn::Lanes(d); ++k, ++at)
+      if (lanes.is_active(k))
+        hiac::describe(to_, at,
+                       details_->describe({to_.tile.column(at), to_.tile.row(at), lanes.front(k),
+                                           lanes.back(k), buffer_.ray_scale[at],
+                                           to_.group == nullptr ? buffer_.transparency[at] : 1,
+                                           lanes.light(k)}));
   }
 
-  void describe_one(std::size_t at, double front, double back, const PlainRadiance& light) {
-    SegmentDetails segment = details_->describe(
-        {tile_.x0 + static_cast<int>(at % kTileStride),
-         tile_.y0 + static_cast<int>(at / kTileStride), front, back, buffer_.ray_scale[at],
-         group_ == nullptr ? buffer_.transparency[at] : 1, light});
-    if (group_ != nullptr) return group_->details.push_back(segment);
-    segment.out_of_order = out_of_order(front, back, buffer_.last[at], frame_.witness_tolerance);
-    buffer_.describe(at, segment);
-  }
-
+  TileTarget to_;
   const Frame& frame_;
-  const TileRect& tile_;
   TileBuffer& buffer_;
-  SegmentList* group_;
-  TileCounts& counts_;
   bool perspective_;
   SegmentSink sink_;
   // of the cell at hand
@@ -284,23 +262,23 @@ class HigherOrderRenderer {
 };
 
 template <bool kEmission, std::size_t kOrder>
-HWY_NOINLINE void render_order(const Frame& frame, std::span<const CellId> cells,
-                               const TileRect& tile, TileBuffer& buffer, SegmentList* group,
-                               TileCounts& counts) {
-  HigherOrderRenderer<kEmission, kOrder> renderer(frame, tile, buffer, group, counts);
+HWY_NOINLINE void render_all(const TileTarget& to, std::span<const CellId> cells) {
+  HigherOrderRenderer<kEmission, kOrder> renderer(to);
   for (const CellId cell : cells) renderer.render(cell);
 }
 
-void render_quadratic_here(const Frame& frame, std::span<const CellId> cells, const TileRect& tile,
-                           TileBuffer& buffer, SegmentList* group, TileCounts& counts) {
-  const auto render = frame.optics.emission ? render_order<true, 2> : render_order<false, 2>;
-  render(frame, cells, tile, buffer, group, counts);
+template <std::size_t kOrder>
+void render_order(const TileTarget& to, std::span<const CellId> cells) {
+  const auto render =
+      to.frame.optics.emission ? render_all<true, kOrder> : render_all<false, kOrder>;
+  render(to, cells);
 }
 
-void render_cubic_here(const Frame& frame, std::span<const CellId> cells, const TileRect& tile,
-                       TileBuffer& buffer, SegmentList* group, TileCounts& counts) {
-  const auto render = frame.optics.emission ? render_order<true, 3> : render_order<false, 3>;
-  render(frame, cells, tile, buffer, group, counts);
+void render_quadratic_here(const TileTarget& to, std::span<const CellId> cells) {
+  render_order<2>(to, cells);
+}
+void render_cubic_here(const TileTarget& to, std::span<const CellId> cells) {
+  render_order<3>(to, cells);
 }
 
 }  // namespace hiac::HWY_NAMESPACE
@@ -316,16 +294,12 @@ bool for_higher_order_kernel(const Frame& frame, CellId cell) {
   return frame.optics.rule == PieceRule::exact && frame.isosurfaces.in(cell).empty();
 }
 
-void render_quadratic_tetrahedra(const Frame& frame, std::span<const CellId> cells,
-                                 const TileRect& tile, TileBuffer& buffer, SegmentList* group,
-                                 TileCounts& counts) {
-  HWY_DYNAMIC_DISPATCH(render_quadratic_here)(frame, cells, tile, buffer, group, counts);
+void render_quadratic_tetrahedra(const TileTarget& to, std::span<const CellId> cells) {
+  HWY_DYNAMIC_DISPATCH(render_quadratic_here)(to, cells);
 }
 
-void render_cubic_tetrahedra(const Frame& frame, std::span<const CellId> cells,
-                             const TileRect& tile, TileBuffer& buffer, SegmentList* group,
-                             TileCounts& counts) {
-  HWY_DYNAMIC_DISPATCH(render_cubic_here)(frame, cells, tile, buffer, group, counts);
+void render_cubic_tetrahedra(const TileTarget& to, std::span<const CellId> cells) {
+  HWY_DYNAMIC_DISPATCH(render_cubic_here)(to, cells);
 }
 
 }  // namespace hiac

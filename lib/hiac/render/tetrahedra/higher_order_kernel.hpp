@@ -16,11 +16,7 @@ bool for_higher_order_kernel(const Frame& frame, CellId cell);
 /// neighbours, and between entry and exit the field as what it is, a polynomial of the cell's
 /// order. Its three or four Bernstein coefficients on a segment are values of the cell's polar form
 /// (polar_form-inl.hpp; for quadratic cells in section 5.2).
-void render_quadratic_tetrahedra(const Frame& frame, std::span<const CellId> cells,
-                                 const TileRect& tile, TileBuffer& buffer, SegmentList* group,
-                                 TileCounts& counts);
-void render_cubic_tetrahedra(const Frame& frame, std::span<const CellId> cells,
-                             const TileRect& tile, TileBuffer& buffer, SegmentList* group,
-                             TileCounts& counts);
+void render_quadratic_tetrahedra(const TileTarget& to, std::span<const CellId> cells);
+void render_cubic_tetrahedra(const TileTarget& to, std::span<const CellId> cells);
 
 }  // namespace hiac

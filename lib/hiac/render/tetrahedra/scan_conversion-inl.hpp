@@ -17,8 +17,8 @@
 
 #  include "hiac/frame/frame.hpp"
 #  include "hiac/frame/row_crossing-inl.hpp"
+#  include "hiac/frame/tiles/tile.hpp"
 #  include "hiac/render/pixels/face_plane-inl.hpp"
-#  include "hiac/render/pixels/tile.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
@@ -71,13 +71,6 @@ struct FaceRuns {
   HWY_ALIGN double span_first[kRows], span_last[kRows];
 };
 
-HWY_INLINE int first_center_at_or_after(double coordinate, int low, int high) {
-  // ceil(coordinate - 1/2), clamped before the conversion
-  const double clamped =
-      std::min(std::max(coordinate - 0.5, static_cast<double>(low)), static_cast<double>(high));
-  return static_cast<int>(__builtin_ceil(clamped));
-}
-
 // Where rows of pixel centres cross the six edges, and from that the runs of the four faces.
 //
 // On a row, an edge is crossed when one end lies on or above the row and the other strictly below
@@ -86,8 +79,8 @@ HWY_INLINE int first_center_at_or_after(double coordinate, int low, int high) {
 // the crossing lies on it (row_crossing.hpp).
 HWY_INLINE bool scan_faces(const ProjectedTetrahedron& t, const TileRect& tile, FaceRuns& runs) {
   const auto [y_low, y_high] = std::minmax({t.y[0], t.y[1], t.y[2], t.y[3]});
-  runs.row_begin = first_center_at_or_after(y_low, tile.y0, tile.y1);
-  runs.row_end = first_center_at_or_after(y_high, tile.y0, tile.y1);
+  runs.row_begin = first_center(y_low, tile.y0, tile.y1);
+  runs.row_end = first_center(y_high, tile.y0, tile.y1);
   if (runs.row_begin >= runs.row_end) return false;
 
   const hn::CappedTag<double, 8> d;
@@ -103,7 +96,7 @@ HWY_INLINE bool scan_faces(const ProjectedTetrahedron& t, const TileRect& tile, 
   const V never_first = hn::Set(d, tile.x1 + 1.0), never_last = hn::Set(d, tile.x0 - 1.0);
   const int rows = runs.row_end - runs.row_begin;
   for (int r = 0; r < rows; r += static_cast<int>(lanes)) {
-    const V center = hn::Add(hn::Iota(d, runs.row_begin + r), hn::Set(d, 0.5));
+    const V center = hn::Iota(d, pixel_center(runs.row_begin + r));
     V first[6], last[6];
     for (std::size_t e = 0; e < 6; ++e) {
       const auto [i, j] = kTetrahedronEdges[e];
@@ -237,7 +230,7 @@ struct FaceRow {
 HWY_INLINE void set_face_row(const FacePlanes& planes, const FaceRuns& runs, int row,
                              FaceRow& face_row) {
   const hn::CappedTag<double, 4> d;
-  const auto y = hn::Set(d, row + 0.5);
+  const auto y = hn::Set(d, pixel_center(row));
   for (std::size_t f = 0; f < 4; f += hn::Lanes(d)) {
     const auto dy = hn::Sub(y, hn::Load(d, planes.base_y + f));
     hn::Store(hn::Mul(hn::Load(d, planes.cy + f), dy), d, face_row.cy_dy + f);

@@ -16,7 +16,7 @@
 #  include <hwy/highway.h>
 
 #  include "hiac/element/face_interpolant.hpp"
-#  include "hiac/element/gradient_direction.hpp"
+#  include "hiac/element/gradient/gradient_direction.hpp"
 #  include "hiac/frame/face_value.hpp"
 #  include "hiac/frame/frame.hpp"
 #  include "hiac/render/tetrahedra/face_lines-inl.hpp"
@@ -38,10 +38,12 @@ struct ScreenBox {
     y1 = std::max(y1, y + kRounding);
   }
   // Whether it may hold pixel centres of a row.
-  [[nodiscard]] HWY_INLINE bool meets(int row) const { return y0 <= row + 0.5 && row + 0.5 <= y1; }
+  [[nodiscard]] HWY_INLINE bool meets(int row) const {
+    return y0 <= pixel_center(row) && pixel_center(row) <= y1;
+  }
   // Whether it may hold the centres of pixels [x, x_end) of a row.
   [[nodiscard]] HWY_INLINE bool meets(int row, int x, int x_end) const {
-    return meets(row) && x0 <= x_end - 0.5 && x + 0.5 <= x1;
+    return meets(row) && x0 <= pixel_center(x_end - 1) && pixel_center(x) <= x1;
   }
 };
 
@@ -168,7 +170,8 @@ class CutScan {
     hn::Store(pixel, d, x);
     hn::Store(perspective_ ? hn::Div(hn::Set(d, -1.0), depth) : depth, d, t);
     for (std::size_t k = 0; k < hn::Lanes(d); ++k)
-      value[k] = face_value(frame_.mesh, frame_.projector, face, x[k] + 0.5, row + 0.5, t[k]);
+      value[k] = face_value(frame_.mesh, frame_.projector, face, pixel_center(x[k]),
+                            pixel_center(row), t[k]);
     return hn::Load(d, value);
   }
 

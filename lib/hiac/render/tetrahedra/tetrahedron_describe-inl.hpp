@@ -15,9 +15,8 @@
 
 #  include "hiac/render/integrate/shading-inl.hpp"
 #  include "hiac/render/pixels/compositor.hpp"
-#  include "hiac/render/pixels/tile.hpp"
-#  include "hiac/render/tetrahedra/scan_conversion-inl.hpp"
 #  include "hiac/render/tetrahedra/tetrahedron_details.hpp"
+#  include "hiac/render/tetrahedra/tetrahedron_ends-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
@@ -34,8 +33,7 @@ struct DescribedPixels {
 // Tells pixels, or a group's list, of segments that are about to be composited.
 class SegmentDescriber {
  public:
-  SegmentDescriber(const Frame& frame, TileBuffer& buffer, SegmentList* group)
-      : frame_(frame), buffer_(buffer), group_(group), details_(frame) {}
+  explicit SegmentDescriber(const TileTarget& to) : to_(to), details_(to.frame) {}
 
   void enter(CellId cell) { details_.enter(cell); }
 
@@ -74,14 +72,9 @@ class SegmentDescriber {
                            radiance.transparency,
                            hn::IfThenElseZero(active, hn::Set(d, 1.0))};
     for (std::size_t q = 0; q < kCount; ++q) hn::Store(all[q], d, lane_[q]);
-    for (std::size_t k = 0; k < hn::Lanes(d); ++k) {
-      if (lane_[kActive][k] == 0) continue;
-      const SegmentDetails segment = details_.describe(segment_of(pixels, k, hn::Lanes(d)));
-      if (group_ != nullptr)
-        group_->details.push_back(segment);
-      else
-        buffer_.describe(pixels.at + k, segment);
-    }
+    for (std::size_t k = 0; k < hn::Lanes(d); ++k)
+      if (lane_[kActive][k] != 0)
+        hiac::describe(to_, pixels.at + k, details_.describe(segment_of(pixels, k, hn::Lanes(d))));
   }
 
  private:
@@ -115,11 +108,7 @@ class SegmentDescriber {
                                .transparency = lane_[kZeta][k],
                                .first = front,
                                .mean = 0.5 * (front + back),
-                               .out_of_order = false,
                                .cuts = {}};
-    if (group_ == nullptr)
-      segment.out_of_order =
-          out_of_order(front, back, buffer_.last[pixels.at + k], frame_.witness_tolerance);
     if (!pixels.cut) return segment;
     offsets_.clear();
     double nearest = 2;
@@ -135,9 +124,7 @@ class SegmentDescriber {
     return segment;
   }
 
-  const Frame& frame_;
-  TileBuffer& buffer_;
-  SegmentList* group_;
+  TileTarget to_;
   TetrahedronDetails details_;
   std::size_t cut_count_ = 0;
   std::vector<double> ends_, places_, depth_sum_;

@@ -5,8 +5,9 @@
 #include <limits>
 
 #include "hiac/base/rounding.hpp"
-#include "hiac/element/gradient_direction.hpp"
+#include "hiac/element/gradient/gradient_direction.hpp"
 #include "hiac/frame/face_value.hpp"
+#include "hiac/frame/tiles/tile.hpp"
 #include "hiac/geometry/vector.hpp"
 #include "hiac/render/bounds/rounding_counts.hpp"
 #include "hiac/render/refine/extended_ray.hpp"
@@ -77,8 +78,6 @@ void BasicTetrahedronDetails<Real>::enter(CellId cell) {
   optics_ = cell_optics(frame_.optics, color, extinction, kNumbers);
   color_error_ = error_of(color_values, color, displacement_);
   extinction_error_ = error_of(extinction_values, extinction, displacement_);
-  continuous_ = frame_.color_field().location == FieldLocation::node &&
-                frame_.extinction.location == FieldLocation::node;
   cuts_.clear();
   if (frame_.isosurfaces.in(cell).empty()) return;
   const RayDisplacement world = displacement_in_world(frame_, cell, kNumbers);
@@ -101,7 +100,7 @@ typename BasicTetrahedronDetails<Real>::Ends BasicTetrahedronDetails<Real>::end_
   const Projector& projector = frame_.projector;
   Ends doubts;
   if constexpr (std::is_same_v<Real, double>) {
-    const double x = segment.x + 0.5, y = segment.y + 0.5;
+    const double x = pixel_center(segment.x), y = pixel_center(segment.y);
     doubts =
         end_doubts_.at(projector.relative_origin(x, y), projector.direction(x, y), displacement_);
   } else {
@@ -121,7 +120,8 @@ ErrorBound BasicTetrahedronDetails<Real>::cuts_bound(const Segment& segment,
   const double largest = frame_.isosurfaces.largest_light;
   Vector ray{0, 0, 1};
   if (frame_.projector.perspective()) {
-    const auto [right, up] = frame_.projector.slopes(segment.x + 0.5, segment.y + 0.5);
+    const auto [right, up] =
+        frame_.projector.slopes(pixel_center(segment.x), pixel_center(segment.y));
     const double unit = 1 / std::sqrt(right * right + up * up + 1);
     ray = {right * unit, up * unit, unit};
   }
@@ -182,7 +182,6 @@ SegmentDetails BasicTetrahedronDetails<Real>::describe(const Segment& segment) c
   details.transparency = segment.transparency;
   details.first = segment.first;
   details.mean = segment.mean;
-  details.out_of_order = segment.out_of_order;
   if (!frame_.with_error) return details;
   const bool emission = frame_.optics.emission;
   const double along = displacement_.along;
@@ -201,7 +200,8 @@ SegmentDetails BasicTetrahedronDetails<Real>::describe(const Segment& segment) c
        .transparency = segment.cuts.empty() ? segment.transparency : 1},
       kNumbers);
   const Ends ends = end_doubts(segment);
-  const double most = frame_.depth * frame_.projector.ray_scale(segment.x + 0.5, segment.y + 0.5);
+  const double most =
+      frame_.depth * frame_.projector.ray_scale(pixel_center(segment.x), pixel_center(segment.y));
   details.front_edge = edge_bound(optics_, emission, std::min(most, ends.front));
   details.back_edge = edge_bound(optics_, emission, std::min(most, ends.back));
   if (!segment.cuts.empty()) {
@@ -214,10 +214,7 @@ SegmentDetails BasicTetrahedronDetails<Real>::describe(const Segment& segment) c
   }
   details.radiance_error = sum.radiance;
   details.transparency_error = std::min(1.0, sum.transparency);
-  if (!continuous_) {
-    details.radiance_error += details.front_edge + details.back_edge;
-    details.transparency_error += details.front_edge + details.back_edge;
-  }
+  count_edges_at_jumps(frame_, details);
   return details;
 }
 

@@ -28,8 +28,7 @@ struct BasicTetrahedronSegment {
   std::array<Real, 2> color, extinction;  ///< the fields where it begins and ends
   std::array<double, 3> rgb;
   double transparency;
-  double first, mean;  ///< SegmentDetails
-  bool out_of_order;
+  double first, mean;                ///< SegmentDetails
   std::span<const CutOffsets> cuts;  ///< of Isosurfaces::in(cell), or none where none is near
 };
 
@@ -77,7 +76,6 @@ class BasicTetrahedronDetails {
   RayDisplacement displacement_;
   FieldRounding rounding_ = kTetrahedronRounding;
   double color_error_ = 0, extinction_error_ = 0;
-  bool continuous_ = true;  // fields fit at faces
   std::vector<CutErrors> cuts_;
 };
 

@@ -21,52 +21,26 @@
 #include "hiac/render/tetrahedra/scan_conversion-inl.hpp"
 #include "hiac/render/tetrahedra/tetrahedron_cuts-inl.hpp"
 #include "hiac/render/tetrahedra/tetrahedron_describe-inl.hpp"
+#include "hiac/render/tetrahedra/tetrahedron_ends-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// What one cell needs beyond its geometry.
-struct CellScalars {
-  IntervalRange color, extinction;
-  double least_color, most_color, least_extinction, most_extinction;
-
-  [[nodiscard]] bool uniform() const {
-    return color.low == color.high && extinction.low == extinction.high;
-  }
-};
-
-// Loads the corner values of one field; returns the range of intervals that they span.
-HWY_INLINE IntervalRange load_field(const FrameField& field, CellId cell, std::uint64_t first_entry,
-                                    const NodeId* nodes, const std::array<std::size_t, 4>& corner,
-                                    double* values, double& least, double& most) {
-  IntervalRange range{~std::size_t{0}, 0};
-  for (std::size_t k = 0; k < 4; ++k) {
-    const std::size_t at = field.index(cell, first_entry + corner[k], nodes[corner[k]]);
-    values[k] = field.values[at];
-    range.low = std::min<std::size_t>(range.low, field.intervals[at].low);
-    range.high = std::max<std::size_t>(range.high, field.intervals[at].high);
-  }
-  least = std::min(std::min(values[0], values[1]), std::min(values[2], values[3]));
-  most = std::max(std::max(values[0], values[1]), std::max(values[2], values[3]));
-  return range;
-}
-
 // Renders one kind of scene; the template arguments are what the inner loop must not ask about.
 template <bool kSeparateFields, class Rule>
 class TetrahedronRenderer {
  public:
-  TetrahedronRenderer(const Frame& frame, const TileRect& tile, TileBuffer& buffer,
-                      SegmentList* group, TileCounts& counts)
-      : frame_(frame),
-        tile_(tile),
-        buffer_(buffer),
-        counts_(counts),
-        perspective_(frame.projector.perspective()),
-        clipped_(frame.projector.near() > (perspective_ ? 0.0 : -hwy::HighestValue<double>()) ||
-                 frame.projector.far() < hwy::HighestValue<double>()),
-        sink_(frame, buffer, group, counts),
-        describer_(frame, buffer, group) {}
+  explicit TetrahedronRenderer(const TileTarget& to)
+      : frame_(to.frame),
+        tile_(to.tile),
+        buffer_(to.buffer),
+        counts_(to.counts),
+        perspective_(frame_.projector.perspective()),
+        clipped_(frame_.projector.near() > (perspective_ ? 0.0 : -hwy::HighestValue<double>()) ||
+                 frame_.projector.far() < hwy::HighestValue<double>()),
+        sink_(to),
+        describer_(to) {}
 
   HWY_INLINE void render(CellId cell) {
     CellScalars scalars;
@@ -89,11 +63,9 @@ class TetrahedronRenderer {
       set_row<kSeparateFields>(planes_, runs_, row, face_lines_);
       if (HWY_UNLIKELY(!cuts_.empty()) && cut_box_.meets(row))
         for (TetrahedronCut& cut : cuts_) set_at_first(face_lines_, cut.offset, cut.line);
-      const std::size_t row_at = static_cast<std::size_t>(row - tile_.y0) * kTileStride -
-                                 static_cast<std::size_t>(tile_.x0);
-      for (int x = first; x < last; x += lanes)
-        render_pixels(scalars, row, x, last, row_at + static_cast<std::size_t>(x), nearest,
-                      farthest);
+      std::size_t at = tile_.index(first, row);
+      for (int x = first; x < last; x += lanes, at += hn::Lanes(D()))
+        render_pixels(scalars, row, x, last, at, nearest, farthest);
     }
   }
 
@@ -129,18 +101,10 @@ class TetrahedronRenderer {
       corners_.depth[k] = node.depth;
     }
     if (perspective_) {
-      base_extinction_ = scale_by_depth(corners_.extinction);
-      if constexpr (kSeparateFields) base_color_ = scale_by_depth(corners_.color);
+      scalars.base_extinction = scale_by_depth(corners_, corners_.extinction);
+      if constexpr (kSeparateFields) scalars.base_color = scale_by_depth(corners_, corners_.color);
     }
     return true;
-  }
-
-  // Fields are not affine on the screen, but fields times 1/t are. Of what they are more than at
-  // the first corner, which is returned: fields far from zero keep their digits.
-  HWY_INLINE double scale_by_depth(double* values) const {
-    const double base = values[0];
-    for (std::size_t k = 0; k < 4; ++k) values[k] = (values[k] - base) * corners_.depth[k];
-    return base;
   }
 
   // `at`: the first pixel's index into the tile's planes.
@@ -156,12 +120,12 @@ class TetrahedronRenderer {
     // the corners bound what rounding may do on faces seen edge-on
     e.front = hn::Min(hn::Max(e.front, hn::Set(d, nearest)), hn::Set(d, farthest));
     e.back = hn::Min(hn::Max(e.back, hn::Set(d, nearest)), hn::Set(d, farthest));
-    to_ray_parameter(d, e);
-    clamp_fields(d, scalars, e);
+    if (perspective_) to_ray_parameter<kSeparateFields>(d, scalars, e);
+    clamp_fields<kSeparateFields>(d, scalars, e);
     const RayEnds whole{e.front, e.back};
     if (HWY_UNLIKELY(clipped_)) {
       const EntryAndExit<V> unclipped = e;
-      e = clipped(d, unclipped, active);
+      e = clipped(d, frame_.projector, unclipped, active);
       active = hn::And(active, hn::Lt(e.front, e.back));
     }
     V length = hn::Sub(e.back, e.front);
@@ -253,38 +217,6 @@ class TetrahedronRenderer {
     return first;
   }
 
-  // Unit vectors along the rays of a row's pixels: right, up, forward.
-  HWY_INLINE void set_rays(D d, int row, V pixel, std::size_t at, V (&ray)[3]) const {
-    ray[0] = ray[1] = hn::Zero(d);
-    ray[2] = hn::Set(d, 1.0);
-    if (!perspective_) return;
-    HWY_ALIGN double x[8], right[8];
-    hn::Store(pixel, d, x);
-    double up = 0;
-    for (std::size_t k = 0; k < lanes(); ++k) {
-      const auto slopes = frame_.projector.slopes(x[k] + 0.5, row + 0.5);
-      right[k] = slopes[0];
-      up = slopes[1];
-    }
-    ray[2] = hn::Div(ray[2], hn::LoadU(d, buffer_.ray_scale.data() + at));
-    ray[0] = hn::Mul(hn::Load(d, right), ray[2]);
-    ray[1] = hn::Mul(hn::Set(d, up), ray[2]);
-  }
-
-  // The part of a segment from u0 to u1.
-  HWY_INLINE static EntryAndExit<V> part_of(D d, const EntryAndExit<V>& e, V u0, V u1) {
-    const auto at = [d](V u, V front, V back) {
-      return hn::IfThenElse(hn::Ge(u, hn::Set(d, 1.0)), back,
-                            hn::MulAdd(hn::Sub(back, front), u, front));
-    };
-    return {e.front,
-            e.back,
-            at(u0, e.front_color, e.back_color),
-            at(u1, e.front_color, e.back_color),
-            at(u0, e.front_extinction, e.back_extinction),
-            at(u1, e.front_extinction, e.back_extinction)};
-  }
-
   // A cell that isosurfaces cross: from surface to surface, the nearest first. What the surfaces
   // are that come next is up to each lane.
   HWY_NOINLINE Radiance<V> integrate_between_surfaces(D d, const CellScalars& scalars, int row,
@@ -326,7 +258,7 @@ class TetrahedronRenderer {
         return sum;
       }
       V ray[3];
-      set_rays(d, row, pixel, at, ray);
+      set_rays(d, frame_.projector, row, pixel, buffer_.ray_scale.data() + at, ray);
       for (std::size_t k = 0; k < cuts_.size(); ++k) {
         const M here = hn::And(crossed, hn::Eq(which, hn::Set(d, static_cast<double>(k))));
         if (hn::AllFalse(d, here)) continue;
@@ -345,63 +277,6 @@ class TetrahedronRenderer {
     }
   }
 
-  HWY_INLINE void to_ray_parameter(D d, EntryAndExit<V>& e) const {
-    if (perspective_) {
-      const V minus_one = hn::Set(d, -1.0);
-      const V front = hn::Div(minus_one, e.front), back = hn::Div(minus_one, e.back);
-      const V base = hn::Set(d, base_extinction_);
-      e.front_extinction = hn::NegMulAdd(e.front_extinction, front, base);
-      e.back_extinction = hn::NegMulAdd(e.back_extinction, back, base);
-      if constexpr (kSeparateFields) {
-        const V base_color = hn::Set(d, base_color_);
-        e.front_color = hn::NegMulAdd(e.front_color, front, base_color);
-        e.back_color = hn::NegMulAdd(e.back_color, back, base_color);
-      }
-      e.front = front;
-      e.back = back;
-    }
-    if constexpr (!kSeparateFields) {
-      e.front_color = e.front_extinction;
-      e.back_color = e.back_extinction;
-    }
-  }
-
-  HWY_INLINE static V clamped(D d, V v, double low, double high) {
-    return hn::Min(hn::Max(v, hn::Set(d, low)), hn::Set(d, high));
-  }
-  HWY_INLINE void clamp_fields(D d, const CellScalars& s, EntryAndExit<V>& e) const {
-    e.front_extinction = clamped(d, e.front_extinction, s.least_extinction, s.most_extinction);
-    e.back_extinction = clamped(d, e.back_extinction, s.least_extinction, s.most_extinction);
-    if constexpr (kSeparateFields) {
-      e.front_color = clamped(d, e.front_color, s.least_color, s.most_color);
-      e.back_color = clamped(d, e.back_color, s.least_color, s.most_color);
-    } else {
-      e.front_color = e.front_extinction;
-      e.back_color = e.back_extinction;
-    }
-  }
-
-  // z-clipping: the segment is restricted to the slab pixel by pixel (section 5.1, scissoring).
-  HWY_NOINLINE EntryAndExit<V> clipped(D d, const EntryAndExit<V>& e, M active) const {
-    const V front = hn::Max(e.front, hn::Set(d, frame_.projector.near()));
-    const V back = hn::Min(e.back, hn::Set(d, frame_.projector.far()));
-    const M some = hn::And(active, hn::Lt(front, back));
-    const V length = hn::Sub(e.back, e.front);
-    const auto at = [&](V t, V front_value, V back_value) {
-      const V u = hn::Div(hn::Sub(t, e.front), length);
-      const V between = hn::MulAdd(hn::Sub(back_value, front_value), u, front_value);
-      const M cut = hn::And(some, hn::Ne(t, e.front));
-      return hn::IfThenElse(cut, hn::IfThenElse(hn::Eq(t, e.back), back_value, between),
-                            front_value);
-    };
-    return {front,
-            back,
-            at(front, e.front_color, e.back_color),
-            at(back, e.front_color, e.back_color),
-            at(front, e.front_extinction, e.back_extinction),
-            at(back, e.front_extinction, e.back_extinction)};
-  }
-
   const Frame& frame_;
   const TileRect& tile_;
   TileBuffer& buffer_;
@@ -414,8 +289,7 @@ class TetrahedronRenderer {
   FaceSides sides_;
   FaceLines face_lines_;  // of the row at hand
   // of the cell at hand
-  bool empty_ = false;                           // the volume neither absorbs nor shines
-  double base_color_ = 0, base_extinction_ = 0;  // scale_by_depth
+  bool empty_ = false;  // the volume neither absorbs nor shines
   std::vector<TetrahedronCut> cuts_;
   ScreenBox cut_box_;               // of all of them
   std::vector<double> cut_places_;  // of one vector of pixels
@@ -443,19 +317,16 @@ HWY_INLINE void prefetch(const Frame& frame, std::span<const CellId> cells, std:
 }
 
 template <bool kSeparateFields, class Rule>
-HWY_NOINLINE void render_all(const Frame& frame, std::span<const CellId> cells,
-                             const TileRect& tile, TileBuffer& buffer, SegmentList* group,
-                             TileCounts& counts) {
-  TetrahedronRenderer<kSeparateFields, Rule> renderer(frame, tile, buffer, group, counts);
+HWY_NOINLINE void render_all(const TileTarget& to, std::span<const CellId> cells) {
+  TetrahedronRenderer<kSeparateFields, Rule> renderer(to);
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    prefetch(frame, cells, i);
+    prefetch(to.frame, cells, i);
     renderer.render(cells[i]);
   }
 }
 
-void render_tetrahedra_here(const Frame& frame, std::span<const CellId> cells, const TileRect& tile,
-                            TileBuffer& buffer, SegmentList* group, TileCounts& counts) {
-  const OpticsTables& optics = frame.optics;
+void render_tetrahedra_here(const TileTarget& to, std::span<const CellId> cells) {
+  const OpticsTables& optics = to.frame.optics;
   auto render = render_all<true, AnyRule>;
   if (optics.rule == PieceRule::exact && !optics.emission)
     render = optics.same_field ? render_all<false, ExactChromaticity>
@@ -465,7 +336,7 @@ void render_tetrahedra_here(const Frame& frame, std::span<const CellId> cells, c
   else if (optics.rule == PieceRule::mean_color && !optics.emission)
     render = optics.same_field ? render_all<false, MeanChromaticity>
                                : render_all<true, MeanChromaticity>;
-  render(frame, cells, tile, buffer, group, counts);
+  render(to, cells);
 }
 
 }  // namespace hiac::HWY_NAMESPACE
@@ -476,9 +347,8 @@ namespace hiac {
 
 HWY_EXPORT(render_tetrahedra_here);
 
-void render_tetrahedra(const Frame& frame, std::span<const CellId> cells, const TileRect& tile,
-                       TileBuffer& buffer, SegmentList* group, TileCounts& counts) {
-  HWY_DYNAMIC_DISPATCH(render_tetrahedra_here)(frame, cells, tile, buffer, group, counts);
+void render_tetrahedra(const TileTarget& to, std::span<const CellId> cells) {
+  HWY_DYNAMIC_DISPATCH(render_tetrahedra_here)(to, cells);
 }
 
 }  // namespace hiac

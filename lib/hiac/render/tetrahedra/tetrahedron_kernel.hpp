@@ -9,7 +9,6 @@ namespace hiac {
 
 /// Renders linear tetrahedra into a tile, in the order given (section 5.1, without slicing: the
 /// transfer functions' breakpoints are cut along each ray). All their nodes must be projectable.
-/// With `group` the segments are appended to it instead of composited.
 ///
 /// Scan conversion is watertight: where a row of pixel centres crosses a projected edge is computed
 /// once from the edge's two nodes, the same for all cells around the edge, and a centre that lies
@@ -17,7 +16,6 @@ namespace hiac {
 /// the same pixels from both sides, so no ray slips through between neighbours.
 ///
 /// The best instruction set of the machine is chosen at run time.
-void render_tetrahedra(const Frame& frame, std::span<const CellId> cells, const TileRect& tile,
-                       TileBuffer& buffer, SegmentList* group, TileCounts& counts);
+void render_tetrahedra(const TileTarget& to, std::span<const CellId> cells);
 
 }  // namespace hiac

@@ -7,9 +7,10 @@
 
 namespace hiac {
 
-/// The Delaunay tetrahedra of points, positively oriented (CGAL's Delaunay triangulation, in exact
-/// predicates: GPL, see LICENSES-OF-BINARIES.md). Corners are indices of the points; of several
-/// points in one place one is used. No tetrahedra where all points lie in one plane.
+/// Returns the Delaunay tetrahedra of points, positively oriented (CGAL's Delaunay triangulation
+/// with exact predicates: GPL, see LICENSES-OF-BINARIES.md). Corners are indices of the points; of
+/// several points at one place, one is used. There are no tetrahedra if all points lie in one
+/// plane.
 std::vector<std::array<std::uint32_t, 4>> delaunay_tetrahedra(
     std::span<const std::array<double, 3>> points);
 

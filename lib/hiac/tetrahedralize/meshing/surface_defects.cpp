@@ -55,7 +55,7 @@ class DefectFinder {
       if (met.first == 1) defects_.open.push_back({points, met.second});
   }
 
-  // The corners that two triangles share come first in both.
+  // Permutes both triangles so that the corners that they share come first; returns their number.
   static std::size_t shared_first(Corners& p, Corners& q) {
     std::size_t shared = 0;
     for (std::size_t i = 0; i < 3; ++i)
@@ -69,15 +69,15 @@ class DefectFinder {
     return shared;
   }
 
-  // Neither is degenerate.
+  // Neither triangle may be degenerate.
   [[nodiscard]] bool intersect(Corners p, Corners q) const {
     switch (shared_first(p, q)) {
       case 0:
         return CGAL::do_intersect(triangle(p), triangle(q));
-      case 1:  // away from the corner one of them is entered across the other's far edge
+      case 1:  // they meet elsewhere if one enters the other across its far edge
         return CGAL::do_intersect(Kernel::Segment_3(at(p[1]), at(p[2])), triangle(q)) ||
                CGAL::do_intersect(Kernel::Segment_3(at(q[1]), at(q[2])), triangle(p));
-      case 2:  // one is folded onto the other
+      case 2:  // they meet elsewhere if one is folded onto the other
         return CGAL::coplanar(at(p[0]), at(p[1]), at(p[2]), at(q[2])) &&
                CGAL::coplanar_orientation(at(p[0]), at(p[1]), at(p[2]), at(q[2])) == CGAL::POSITIVE;
       default:

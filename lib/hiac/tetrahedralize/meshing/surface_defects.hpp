@@ -9,14 +9,14 @@
 
 namespace hiac {
 
-/// What keeps a surface of triangles from enclosing a part of space. Triangles are indices into
-/// Surface::facets, edges pairs of Surface::points.
+/// The defects because of which a surface of triangles encloses no part of space. Triangles are
+/// indices into Surface::facets, edges are pairs of Surface::points.
 struct SurfaceDefects {
   struct Edge {
     std::array<std::uint32_t, 2> points;
-    std::uint32_t triangle;  ///< one that has it
+    std::uint32_t triangle;  ///< a triangle that has it
   };
-  std::vector<Edge> open;                                             ///< of one triangle alone
+  std::vector<Edge> open;                                             ///< of a single triangle
   std::vector<std::pair<std::uint32_t, std::uint32_t>> intersecting;  ///< triangles, less first
   std::vector<std::uint32_t> degenerate;                              ///< triangles without area
 
@@ -25,9 +25,9 @@ struct SurfaceDefects {
   }
 };
 
-/// Finds them, exactly (CGAL's predicates; pairs by its box intersection: GPL). Two triangles
-/// intersect where they have more in common than the corner, or the edge, that both have by
-/// number. Requires surface.triangulated().
+/// Finds the defects exactly (CGAL's predicates; pairs by its box intersection: GPL). Two triangles
+/// intersect if they have more in common than the corner or edge that they share by number.
+/// Requires surface.triangulated().
 SurfaceDefects find_surface_defects(const Surface& surface);
 
 }  // namespace hiac

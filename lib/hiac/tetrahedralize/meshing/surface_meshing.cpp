@@ -13,14 +13,14 @@
 #define TETLIBRARY
 #include <tetgen.h>
 
+#include "hiac/base/child_process.hpp"
 #include "hiac/base/error.hpp"
 #include "hiac/geometry/predicates.hpp"
-#include "hiac/base/child_process.hpp"
 
 namespace hiac {
 namespace {
 
-// TetGen frees its arrays by itself.
+// Allocated with new[], as TetGen deletes its arrays itself.
 REAL* copied(const std::vector<std::array<double, 3>>& points) {
   auto* values = new REAL[3 * std::max<std::size_t>(points.size(), 1)];
   for (std::size_t i = 0; i < points.size(); ++i) std::ranges::copy(points[i], values + 3 * i);
@@ -75,7 +75,7 @@ std::string switches(const Surface& surface, const SurfaceMeshing& how) {
   return text;
 }
 
-// What terminatetetgen() of TetGen 1.5 throws.
+// Translates the codes that terminatetetgen() of TetGen 1.5 throws.
 [[noreturn]] void fail(int code) {
   switch (code) {
     case 1:
@@ -95,12 +95,12 @@ std::string switches(const Surface& surface, const SurfaceMeshing& how) {
   }
 }
 
-// TetGen's answer, as it comes out of the child process.
+// TetGen's result as the child process returns it.
 struct Answer {
-  int code = 0;  // what terminatetetgen() threw; 0: nothing
+  int code = 0;  // the code that terminatetetgen() threw, or 0
   std::vector<double> xyz;
   std::vector<NodeId> nodes;
-  std::vector<double> regions;  // of the tetrahedra; empty: none
+  std::vector<double> regions;  // of the tetrahedra; empty if there are none
 };
 
 template <typename T>
@@ -110,7 +110,7 @@ void append(const std::vector<T>& values, std::string& bytes) {
   bytes.append(reinterpret_cast<const char*>(values.data()), count * sizeof(T));
 }
 
-// What `append` wrote; false where the bytes end.
+// Reads what `append` wrote; returns false if the bytes end before.
 template <typename T>
 bool take(std::string_view& bytes, std::vector<T>& values) {
   std::uint64_t count = 0;

@@ -1,4 +1,4 @@
-#include "hiac/element/gradient_bound.hpp"
+#include "hiac/element/gradient/gradient_bound.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,12 @@
-#include "hiac/element/gradient_bound.hpp"
+#include "hiac/element/gradient/gradient_bound.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "hiac/base/rounding.hpp"
-#include "hiac/element/curved_gradient_bound.hpp"
+#include "hiac/element/gradient/curved_gradient_bound.hpp"
+#include "hiac/geometry/interval.hpp"
 #include "hiac/geometry/inverse_map.hpp"
 #include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/shape_functions.hpp"
@@ -85,16 +86,6 @@ double longest(const Column& column) {
   return most;
 }
 
-// What lies between two numbers.
-struct Interval {
-  double least = kInfinity, most = -kInfinity;
-
-  void include(double x) {
-    least = std::min(least, x);
-    most = std::max(most, x);
-  }
-};
-
 // Makes the interval include the determinant everywhere on the cube.
 void include_determinant(const std::array<Column, 3>& columns, Interval& interval) {
   std::array<double, 27> sum{}, count{};
@@ -150,7 +141,7 @@ void GradientBound::set_rows(std::span<const Vector> nodes) {
       include_determinant(columns, interval);
     }
   }
-  double determinant = std::max({interval.least, -interval.most, 0.0});
+  double determinant = std::max({interval.low, -interval.high, 0.0});
   if (shape == CellShape::wedge) determinant *= kLeastWedgeWeight;
   for (std::size_t a = 0; a < 3; ++a) {
     const Column &b = widest[(a + 1) % 3], &c = widest[(a + 2) % 3];

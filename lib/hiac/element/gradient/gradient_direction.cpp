@@ -1,4 +1,4 @@
-#include "hiac/element/gradient_direction.hpp"
+#include "hiac/element/gradient/gradient_direction.hpp"
 
 #include <algorithm>
 #include <cmath>

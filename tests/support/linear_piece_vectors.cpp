@@ -1,9 +1,9 @@
-#include "hiac/optics/linear_piece_simd.hpp"
+#include "tests/support/linear_piece_vectors.hpp"
 
 #include <stdexcept>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "hiac/optics/linear_piece_simd.cpp"
+#define HWY_TARGET_INCLUDE "tests/support/linear_piece_vectors.cpp"
 #include "hwy/foreach_target.h"  // compiles this file once per instruction set
 #include "hwy/highway.h"
 // after foreach_target.h

@@ -1,4 +1,4 @@
-#include "hiac/element/curved_gradient_bound.hpp"
+#include "hiac/element/gradient/curved_gradient_bound.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,18 +1,13 @@
-#include "hiac/render/pixels/tile_bins.hpp"
+#include "hiac/frame/tiles/tile_bins.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
-#include <limits>
 #include <numeric>
 #include <span>
 #include <utility>
 
 #include "hiac/base/large_pages.hpp"
 #include "hiac/base/parallel.hpp"
-#include "hiac/render/cells/curved_faces.hpp"
-#include "hiac/render/quadratic_bspline.hpp"
-#include "hiac/render/splatting.hpp"
 
 namespace hiac {
 namespace {
@@ -28,27 +23,12 @@ struct TileRange {
   int column0, row0, column1, row1;
 };
 
-// The first pixel whose centre is at or after the coordinate, within [0, count].
-int first_center(double coordinate, int count) {
-  return static_cast<int>(std::ceil(std::clamp(coordinate - 0.5, 0.0, static_cast<double>(count))));
-}
-
-struct Box {
-  double x0 = std::numeric_limits<double>::infinity(), y0 = x0, x1 = -x0, y1 = -x0;
-
-  void include(double x, double y) {
-    x0 = std::min(x0, x);
-    y0 = std::min(y0, y);
-    x1 = std::max(x1, x);
-    y1 = std::max(y1, y);
-  }
-};
-
 class Binner {
  public:
-  Binner(const Frame& frame, const SplattedCells& splatted, ImageSize size, const PixelRect& part)
+  Binner(const Frame& frame, const BoundsOfCell& other_bounds, ImageSize size,
+         const PixelRect& part)
       : frame_(frame),
-        splatted_(splatted),
+        other_bounds_(other_bounds),
         width_(static_cast<int>(size.width)),
         height_(static_cast<int>(size.height)),
         all_(tiles_between(static_cast<int>(part.x), static_cast<int>(part.y),
@@ -59,54 +39,22 @@ class Binner {
   [[nodiscard]] const TileRange& all() const { return all_; }
 
   [[nodiscard]] TileRange range(CellId cell) const {
-    if (splatted_.holds(cell)) return tiles_of_splat(splat_of(frame_, cell));
-    if (order_of(frame_.mesh.kinds[cell]) != CellOrder::linear && frame_.is_curved(cell))
-      return range_of_curved(cell);
-    const auto nodes = frame_.mesh.cell_nodes(cell).first(corner_count(frame_.mesh.kinds[cell]));
-    Box box;
-    double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
-    bool projectable = true;
-    for (const NodeId node : nodes) {
-      const ProjectedNode& p = frame_.nodes[node];
-      if (std::isnan(p.depth)) projectable = false;
-      box.include(p.x, p.y);
-      nearest = std::min(nearest, p.depth);
-      farthest = std::max(farthest, p.depth);
-    }
-    if (!projectable) return range_beside_eye(nodes);
-    if (frame_.projector.perspective()) {
-      nearest = -1 / nearest;
-      farthest = -1 / farthest;
-    }
-    if (nearest > frame_.projector.far() || farthest < frame_.projector.near()) return {};
-    return tiles_of(box);
+    if (other_bounds_)
+      if (const auto bounds = other_bounds_(cell)) return tiles_of(*bounds);
+    return tiles_of(screen_bounds(frame_, cell));
   }
 
  private:
-  // With curved edges.
-  [[nodiscard]] TileRange range_of_curved(CellId cell) const {
-    const ScreenBounds bounds = bounds_of_curved_cell(frame_, cell);
-    if (bounds.nearest > frame_.projector.far() || bounds.farthest < frame_.projector.near())
-      return {};
-    if (!bounds.in_front) return all_;
-    return tiles_of({bounds.x0, bounds.y0, bounds.x1, bounds.y1});
-  }
-
-  [[nodiscard]] TileRange tiles_of(const Box& box) const {
-    const int x0 = first_center(box.x0, width_), x1 = first_center(box.x1, width_);
-    const int y0 = first_center(box.y0, height_), y1 = first_center(box.y1, height_);
+  // Of a cell that reaches beside or behind the eye nothing is known but how far it reaches.
+  [[nodiscard]] TileRange tiles_of(const ScreenBounds& box) const {
+    if (box.nearest > frame_.projector.far() || box.farthest < frame_.projector.near()) return {};
+    if (!box.in_front) return all_;
+    const int x0 = first_center(box.x0, 0, width_), x1 = first_center(box.x1, 0, width_);
+    const int y0 = first_center(box.y0, 0, height_), y1 = first_center(box.y1, 0, height_);
     if (x0 >= x1 || y0 >= y1) return {};
     const TileRange range = tiles_between(x0, y0, x1, y1);
     return {std::max(range.column0, all_.column0), std::max(range.row0, all_.row0),
             std::min(range.column1, all_.column1), std::min(range.row1, all_.row1)};
-  }
-
-  // Wherever its kernel reaches.
-  [[nodiscard]] TileRange tiles_of_splat(const Splat& splat) const {
-    Box box;
-    box.include(splat.x - kBsplineReach, splat.y - kBsplineReach);
-    box.include(splat.x + kBsplineReach, splat.y + kBsplineReach);
-    return tiles_of(box);
   }
 
   // Of columns [x0, x1) and rows [y0, y1), neither empty.
@@ -114,18 +62,8 @@ class Binner {
     return {x0 / kWidth, y0 / kHeight, (x1 - 1) / kWidth + 1, (y1 - 1) / kHeight + 1};
   }
 
-  // A cell that reaches beside or behind the eye: wholly behind it is not seen, and of the rest
-  // nothing is said.
-  [[nodiscard]] TileRange range_beside_eye(std::span<const NodeId> nodes) const {
-    double farthest = -std::numeric_limits<double>::infinity();
-    for (const NodeId node : nodes)
-      farthest = std::max(farthest, frame_.projector.parameter(frame_.mesh.position(node)));
-    if (!(farthest > frame_.projector.near())) return {};
-    return all_;
-  }
-
   const Frame& frame_;
-  const SplattedCells& splatted_;
+  const BoundsOfCell& other_bounds_;
   int width_, height_;
   TileRange all_;
 };
@@ -167,9 +105,9 @@ std::vector<std::uint64_t> places_of_counts(std::span<std::uint32_t> counts,
 
 }  // namespace
 
-TileBins bin_cells(const Frame& frame, const SplattedCells& splatted, const VisibilityOrder& order,
-                   ImageSize size, const PixelRect& part) {
-  const Binner binner(frame, splatted, size, part);
+TileBins bin_cells(const Frame& frame, const VisibilityOrder& order, ImageSize size,
+                   const PixelRect& part, const BoundsOfCell& other_bounds) {
+  const Binner binner(frame, other_bounds, size, part);
   TileBins bins;
   bins.tiles = make_tiles(binner.all(), size);
   const std::size_t tile_count = bins.tiles.size(), cells = order.cells.size();

@@ -1,0 +1,76 @@
+#include "hiac/render/accurate_tile.hpp"
+
+#include "hiac/base/cancellation.hpp"
+#include "hiac/render/draw_cells.hpp"
+
+namespace hiac {
+namespace {
+
+// Between two looks at whether a tile's pixels are all opaque.
+constexpr std::size_t kCellsPerLook = 256;
+// The order leads all over the arrays of cells: their kernels are fetched this many cells before
+// they are asked for.
+constexpr std::size_t kFetchAhead = 16;
+
+}  // namespace
+
+AccurateTile::AccurateTile(const Frame& frame, const SplattedCells& splatted,
+                           const VisibilityOrder& order, const TileRect& tile,
+                           std::span<const std::uint32_t> ranks)
+    : frame_(frame),
+      splatted_(splatted),
+      order_(order),
+      tile_(tile),
+      splats_(frame, splatted, order.cells, ranks, tile),
+      refinement_(frame, order, tile, ranks) {
+  buffer_.reset(tile, frame.projector, frame.with_details);
+  draw_all(ranks);
+}
+
+void AccurateTile::draw_all(std::span<const std::uint32_t> ranks) {
+  while (!ranks.empty()) {
+    check_cancelled();
+    const CellRun run = first_run(order_, ranks, kCellsPerLook);
+    draw_run(run);
+    if (is_opaque()) return;
+    ranks = ranks.subspan(run.ranks.size());
+  }
+  if (splats_.empty()) return;
+  segments_.clear();
+  splats_.append_rest(buffer_, segments_);
+  composite_sorted(segments_, frame_.witness_tolerance, buffer_, counts_);
+}
+
+void AccurateTile::draw_run(const CellRun& run) {
+  if (!run.is_group && splats_.empty()) return draw_cells(run.ranks, nullptr);
+  segments_.clear();
+  draw_cells(run.ranks, &segments_);
+  splats_.append_before(buffer_, segments_);
+  composite_sorted(segments_, frame_.witness_tolerance, buffer_, counts_);
+}
+
+void AccurateTile::draw_cells(std::span<const std::uint32_t> ranks, SegmentList* group) {
+  const auto draw_of = [&](std::uint32_t rank) { return draw_for(frame_, order_.cells[rank]); };
+  for (std::size_t i = 0; i < ranks.size();) {
+    const DrawCells draw = draw_of(ranks[i]);
+    cells_.clear();
+    for (; i < ranks.size() && draw_of(ranks[i]) == draw; ++i) {
+      if (i + kFetchAhead < ranks.size())
+        __builtin_prefetch(&frame_.kernel_cells[order_.cells[ranks[i + kFetchAhead]]]);
+      if (const CellId cell = order_.cells[ranks[i]]; !splatted_.holds(cell))
+        cells_.push_back(cell);
+    }
+    draw({frame_, tile_, buffer_, group, counts_}, cells_);
+  }
+}
+
+bool AccurateTile::is_opaque() const {
+  for (int y = tile_.y0; y < tile_.y1; ++y) {
+    const double* row = buffer_.transparency.data() + tile_.index(tile_.x0, y);
+    for (int x = 0; x < tile_.x1 - tile_.x0; ++x)
+      if (row[x] > frame_.least_transparency) return false;
+  }
+  return true;
+}
+
+}  // namespace hiac

@@ -1,0 +1,186 @@
+// The method `exact` against the accurate engine.
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "hiac/frame/projection.hpp"
+#include "tests/preview/preview_support.hpp"
+#include "tests/support/meshes.hpp"
+
+namespace hiac {
+namespace {
+
+using test::cube_scene;
+using test::delaunay_with_fields;
+using test::lattice_with_fields;
+
+constexpr double kLargest = 2e-5, kRms = 1e-6;
+
+class ExactPreview : public test::WithDriver {};
+
+TEST_F(ExactPreview, BothProjectionsGlowsAndSeparateFields) {
+  const ZooMesh mesh = delaunay_with_fields(150, 1);
+  for (const Projection projection : {Projection::orthographic, Projection::perspective})
+    for (const Glow glow : {Glow::chromaticity, Glow::emission})
+      for (const char* color : {"f", "g"}) {
+        Scene scene = cube_scene(projection, 120, 90);
+        scene.volume.glow = glow;
+        scene.volume.color->field = std::string(color);
+        SCOPED_TRACE(std::string(color) + (glow == Glow::emission ? " emission" : "") +
+                     (projection == Projection::perspective ? " perspective" : ""));
+        expect_close(mesh, scene, kLargest, kRms);
+      }
+}
+
+// Cameras and meshes anywhere, one transfer function, which shaders are compiled for once.
+TEST_F(ExactPreview, RandomScenes) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (std::uint64_t k = 0; k < 20; ++k) {
+    const ZooMesh mesh = delaunay_with_fields(20 + 15 * k, k);
+    Scene scene =
+        cube_scene(k % 2 == 0 ? Projection::orthographic : Projection::perspective, 97, 83);
+    const double distance = 1.2 + 6 * unit(random), angle = 6.283 * unit(random);
+    const double height = 2 * unit(random) - 1;
+    scene.camera.eye = {0.5 + distance * std::cos(angle), 0.5 + distance * std::sin(angle),
+                        0.5 + distance * height};
+    scene.camera.fov = 10 + 60 * unit(random);
+    scene.camera.height = 0.3 + 2 * unit(random);
+    SCOPED_TRACE(k);
+    expect_close(mesh, scene, kLargest, kRms);
+  }
+}
+
+TEST_F(ExactPreview, ViewsAlongTheAxesAndDiagonalsOfALattice) {
+  const ZooMesh mesh = lattice_with_fields(5);
+  // sizes that put projected faces on and between pixel centres
+  for (const Projection projection : {Projection::orthographic, Projection::perspective})
+    for (const std::uint32_t size : {100U, 101U, 120U})
+      for (const test::Position& way :
+           {test::Position{1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {1, 1, 0}, {0, -1, 1}, {1, 1, 1}}) {
+        Scene scene = cube_scene(projection, size, size);
+        for (std::size_t c = 0; c < 3; ++c) scene.camera.eye[c] = 0.5 + 3 * way[c];
+        scene.camera.up =
+            way[2] != 0 ? std::array<double, 3>{1, -1, 0} : std::array<double, 3>{0, 0, 1};
+        scene.camera.height = 1.2;
+        SCOPED_TRACE(testing::Message() << size << " pixels along " << way[0] << way[1] << way[2]);
+        expect_close(mesh, scene, kLargest, kRms);
+      }
+}
+
+TEST_F(ExactPreview, EyesInsideTheMesh) {
+  for (const ZooMesh& mesh : {delaunay_with_fields(200, 3), lattice_with_fields(4)})
+    for (const test::Position& eye :
+         {test::Position{0.52, 0.47, 0.31}, {0.5, 0.5, 0.5}, {1.02, 0.5, 0.5}}) {
+      Scene scene = cube_scene(Projection::perspective, 100, 80);
+      scene.camera.eye = eye;
+      scene.camera.look_at = {0.1, 0.2, 0.8};
+      scene.camera.fov = 75;
+      expect_close(mesh, scene, kLargest, kRms);
+    }
+}
+
+// A few large cells, in which every term of the series counts.
+TEST_F(ExactPreview, PiecesOfLargeOpticalDepth) {
+  ZooMesh mesh = test::structured(1, test::Cut::tetrahedra);
+  test::add_node_field(mesh, "f", [](const test::Position& p) { return p[0]; });
+  for (const Glow glow : {Glow::chromaticity, Glow::emission})
+    for (const double tau : {1.0, 3.0, 40.0}) {
+      Scene scene = cube_scene(Projection::orthographic, 60, 50);
+      scene.volume.glow = glow;
+      scene.volume.color->points = {{0, {1, 0, 0.5}}, {1, {0, 1, 0.5}}};
+      scene.volume.extinction->points = {{0, {0}}, {1, {tau}}};
+      SCOPED_TRACE(tau);
+      expect_close(mesh, scene, 1e-6, 2e-7);
+    }
+}
+
+TEST_F(ExactPreview, ClippingSlab) {
+  const ZooMesh mesh = delaunay_with_fields(150, 4);
+  for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
+    Scene scene = cube_scene(projection, 100, 80);
+    scene.camera.clip = {{3.3, 3.8}};
+    expect_close(mesh, scene, kLargest, kRms);
+    scene.camera.clip = {{3.7, std::numeric_limits<double>::infinity()}};
+    expect_close(mesh, scene, kLargest, kRms);
+  }
+}
+
+TEST_F(ExactPreview, DenseMediaAndFarFromTheOrigin) {
+  Scene scene = cube_scene(Projection::perspective, 100, 80);
+  for (auto& point : scene.volume.extinction->points) point.value[0] *= 1000;
+  const ZooMesh mesh = delaunay_with_fields(150, 5);
+  expect_close(mesh, scene, kLargest, kRms);
+  Scene far = cube_scene(Projection::perspective, 100, 80);
+  const auto away = [](const test::Position& p) {
+    return test::Position{p[0] + 1e6, p[1] - 1e6, p[2] + 1e6};
+  };
+  far.camera.eye = away(far.camera.eye);
+  far.camera.look_at = away(far.camera.look_at);
+  expect_close(test::moved(mesh, away), far, kLargest, kRms);
+}
+
+TEST_F(ExactPreview, StepsAndThinShells) {
+  const ZooMesh mesh = delaunay_with_fields(150, 6);
+  for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
+    Scene scene = cube_scene(projection, 100, 80);
+    scene.volume.color->points = {
+        {0.3, {1, 0, 0}}, {0.3, {0, 1, 0}}, {0.6, {0, 0, 1}}, {0.6, {1, 1, 0}}};
+    scene.volume.extinction->points = {{0.2, {0}},  {0.2, {5}},     {0.4, {0}},
+                                       {0.45, {0}}, {0.4505, {90}}, {0.451, {0}},
+                                       {0.52, {0}}, {0.52, {9}},    {0.7, {1}}};
+    expect_close(mesh, scene, 1e-3, kRms);
+  }
+}
+
+TEST_F(ExactPreview, FieldsOfCellsAndCorners) {
+  ZooMesh mesh = delaunay_with_fields(60, 8);
+  std::vector<double> of_cells, of_corners;
+  for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {
+    of_cells.push_back(0.1 + 0.8 * (cell % 17) / 16.0);
+    for (std::size_t k = 0; k < 4; ++k)
+      of_corners.push_back(0.2 + 0.6 * static_cast<double>((cell + 5 * k) % 13) / 12);
+  }
+  mesh.fields.push_back({"c", "", FieldLocation::cell, 1, std::move(of_cells)});
+  mesh.fields.push_back({"k", "", FieldLocation::corner, 1, std::move(of_corners)});
+  Scene scene = cube_scene(Projection::perspective, 100, 80);
+  scene.volume.color->field = "c";
+  scene.volume.extinction->field = "k";
+  expect_close(mesh, scene, kLargest, kRms);
+}
+
+// Faces seen at any angle leave no holes: alpha is what the length of the ray in the cube says.
+TEST_F(ExactPreview, HomogeneousMediumHasNoHoles) {
+  const double tau = 0.8;
+  for (const ZooMesh& mesh : {delaunay_with_fields(300, 9), lattice_with_fields(6)})
+    for (const test::Position& eye :
+         {test::Position{3.1, 2.3, 2.7}, {3.5, 0.5, 0.5}, {3.5, 3.5, 0.5}}) {
+      Scene scene = cube_scene(Projection::orthographic, 150, 150);
+      scene.camera.eye = eye;
+      scene.volume.extinction->points = {{0, {tau}}};
+      const Image image = preview_of(mesh, scene);
+      const Projector projector(scene.camera, scene.image);
+      double most = 0;
+      for (std::uint32_t y = 0; y < 150; ++y)
+        for (std::uint32_t x = 0; x < 150; ++x) {
+          const auto origin = projector.origin(x + 0.5, y + 0.5);
+          const auto direction = projector.direction(x + 0.5, y + 0.5);
+          double front = -1e9, back = 1e9;
+          for (std::size_t c = 0; c < 3; ++c) {
+            if (std::abs(direction[c]) < 1e-12) {
+              if (origin[c] < 0 || origin[c] > 1) back = -1e9;
+              continue;
+            }
+            const double a = -origin[c] / direction[c], b = (1 - origin[c]) / direction[c];
+            front = std::max(front, std::min(a, b));
+            back = std::min(back, std::max(a, b));
+          }
+          const double expected = -std::expm1(-tau * std::max(back - front, 0.0));
+          most = std::max(most, std::abs(image.at(x, y, 3) - expected));
+        }
+      EXPECT_LE(most, 1e-5);
+    }
+}
+
+}  // namespace
+}  // namespace hiac

@@ -1,0 +1,122 @@
+// hiac-preview as a user meets it.
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "hiac/image/image_io.hpp"
+#include "hiac/mesh/zoo_container.hpp"
+#include "tests/support/meshes.hpp"
+#include "tests/tools/tool_folder.hpp"
+
+namespace hiac {
+namespace {
+
+using testing::HasSubstr;
+
+class PreviewTool : public test::ToolFolder {
+ protected:
+  void SetUp() override {
+    ToolFolder::SetUp();
+    write("m.zoo", test::structured(3, test::Cut::tetrahedra));
+    std::ofstream(file("v.toml"))
+        << "[image]\nwidth = 60\nheight = 40\n[camera]\nprojection = \"perspective\"\n"
+           "eye = [3.1, 2.3, 2.7]\nlook_at = [0.5, 0.5, 0.5]\nup = [0, 0, 1]\nfov = 30\n"
+           "[volume.color]\nfield = \"f\"\npoints = [[0, 0, 0, 1], [1, 1, 0, 0]]\n"
+           "[volume.extinction]\nfield = \"f\"\npoints = [[0, 0], [1, 5]]\n"
+           "[background]\ncolor = [0.2, 0.3, 0.4]\n";
+    if (preview("--list-devices") == 4) GTEST_SKIP() << complaint();
+  }
+
+  void write(const std::string& name, ZooMesh mesh) const {
+    test::add_node_field(mesh, "f", test::smooth_field);
+    write_zoo_file(file(name), ZooFile{std::move(mesh), {}});
+  }
+  [[nodiscard]] int preview(const std::string& arguments) const {
+    return run("unset DISPLAY; '" HIAC_PREVIEW "' " + arguments);
+  }
+  [[nodiscard]] double difference(const std::string& a, const std::string& b) const {
+    const Image one = read_image(file(a)).image, two = read_image(file(b)).image;
+    double most = one.values().size() == two.values().size() ? 0 : 1e9;
+    for (std::size_t i = 0; most < 1e9 && i < one.values().size(); ++i)
+      most = std::max(most, std::abs(one.values()[i] - two.values()[i]));
+    return most;
+  }
+};
+
+TEST_F(PreviewTool, IsWhatHiacRenderBecomes) {
+  ASSERT_EQ(run("$RENDER m.zoo --view v.toml -o truth.npy"), 0) << complaint();
+  const std::string folder = std::filesystem::path(HIAC_PREVIEW).parent_path().string();
+  ASSERT_EQ(run("PATH=" + folder +
+                ":$PATH; $RENDER m.zoo --view v.toml --engine preview "
+                "--method exact -o a.npy --json a.json"),
+            0)
+      << complaint();
+  EXPECT_LE(difference("truth.npy", "a.npy"), 2e-5);
+  const auto facts = nlohmann::json::parse(bytes_of(file("a.json")));
+  EXPECT_EQ(facts["tool"], "hiac-preview");
+  EXPECT_EQ(facts["method"], "exact");
+  EXPECT_FALSE(facts["device"].get<std::string>().empty());
+  for (const char* stage : {"upload", "order", "regions", "draw", "read_back"})
+    EXPECT_TRUE(facts["seconds"].contains(stage)) << stage;
+}
+
+TEST_F(PreviewTool, ThatIsMissingIsSaidInOneLine) {
+  EXPECT_EQ(run("PATH=/usr/bin:/bin; cp $RENDER lonely; ./lonely m.zoo --view v.toml "
+                "--engine=preview -o a.npy"),
+            4);
+  EXPECT_THAT(complaint(), HasSubstr("hiac-preview is neither beside"));
+  EXPECT_EQ(run("$RENDER m.zoo --view v.toml --method M1 -o a.npy"), 2);
+  EXPECT_THAT(complaint(), HasSubstr("only for --engine preview"));
+}
+
+TEST_F(PreviewTool, SaysWhatWasTriedWithoutADriver) {
+  EXPECT_EQ(run("LIBGL_DRIVERS_PATH=/nowhere __EGL_VENDOR_LIBRARY_DIRS=/nowhere '" HIAC_PREVIEW
+                "' m.zoo --view v.toml -o a.npy"),
+            4);
+  EXPECT_THAT(complaint(), HasSubstr("no OpenGL 4.5 driver was found (tried"));
+  EXPECT_THAT(complaint(), HasSubstr("libgl1-mesa-dri"));
+  EXPECT_EQ(std::ranges::count(complaint(), '\n'), 1);
+  EXPECT_FALSE(std::filesystem::exists(file("a.npy")));
+}
+
+TEST_F(PreviewTool, TwoProcessesAtOnceDrawTheSame) {
+  ASSERT_EQ(run("'" HIAC_PREVIEW "' m.zoo --view v.toml -o a.npy & '" HIAC_PREVIEW
+                "' m.zoo --view v.toml -o b.npy; first=$?; wait $!; exit $((first + $?))"),
+            0)
+      << complaint();
+  EXPECT_EQ(bytes_of(file("a.npy")), bytes_of(file("b.npy")));
+}
+
+TEST_F(PreviewTool, OrdersAsHiacSort) {
+  ASSERT_EQ(run("$SORT m.zoo --view v.toml -o m.order"), 0) << complaint();
+  ASSERT_EQ(preview("m.zoo --view v.toml --order m.order -o a.npy"), 0) << complaint();
+  ASSERT_EQ(preview("m.zoo --view v.toml --algorithm mpvo -o b.npy"), 0) << complaint();
+  ASSERT_EQ(preview("m.zoo --view v.toml --algorithm centroid -o c.npy"), 0) << complaint();
+  EXPECT_LE(difference("a.npy", "b.npy"), 1e-6);
+  EXPECT_LE(difference("a.npy", "c.npy"), 0.5);
+  EXPECT_EQ(preview("m.zoo --view v.toml --algorithm nonsense -o c.npy"), 2);
+}
+
+TEST_F(PreviewTool, CutsOtherCellsIntoTetrahedraAndSaysSo) {
+  write("b.zoo", test::structured(3, test::Cut::prisms));
+  ASSERT_EQ(preview("b.zoo --view v.toml -o b.npy"), 0) << complaint();
+  EXPECT_THAT(complaint(), HasSubstr("54 of 54 cells are no linear tetrahedra"));
+  ASSERT_EQ(run("$RENDER b.zoo --view v.toml -o truth.npy"), 0);
+  EXPECT_LE(difference("b.npy", "truth.npy"), 0.1);
+}
+
+TEST_F(PreviewTool, DrawsFramesAndCrops) {
+  ASSERT_EQ(run("{ cat v.toml; echo '[turntable]'; echo 'frames = 3'; } > t.toml"), 0);
+  ASSERT_EQ(preview("m.zoo --view t.toml --frames -o f.npy --json f.json"), 0) << complaint();
+  ASSERT_EQ(run("$RENDER m.zoo --view t.toml --frame 2 -o truth.npy"), 0) << complaint();
+  EXPECT_LE(difference("f-0002.npy", "truth.npy"), 2e-5);
+  ASSERT_EQ(preview("m.zoo --view v.toml --crop 10,5,20,12 -o c.npy"), 0) << complaint();
+  ASSERT_EQ(run("$RENDER m.zoo --view v.toml --crop 10,5,20,12 -o truth.npy"), 0);
+  EXPECT_LE(difference("c.npy", "truth.npy"), 2e-5);
+  EXPECT_EQ(preview("m.zoo --view v.toml --crop 50,5,20,12 -o c.npy"), 2);
+}
+
+}  // namespace
+}  // namespace hiac

@@ -1,0 +1,203 @@
+// Random damage of every kind of input of every tool: the tool ends by itself, soon, within its
+// memory, with exit code 0, 1, 2 or 3 and a message of one line. HIAC_MUTATIONS: how many changes
+// of each input are tried (20).
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include "hiac/image/image_io.hpp"
+#include "hiac/mesh/zoo_container.hpp"
+#include "tests/support/meshes.hpp"
+
+namespace hiac::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kView =
+    "[image]\nwidth = 8\nheight = 6\n[camera]\nprojection = \"perspective\"\n"
+    "eye = [0.5, 0.5, -3.0]\nlook_at = [0.5, 0.5, 0.0]\nup = [0.0, 1.0, 0.0]\nfov = 30.0\n"
+    "[volume.extinction]\nfield = \"f\"\npoints = [[0.0, 1.0], [1.0, 1.0]]\n"
+    "[volume.color]\nfield = \"f\"\npoints = [[0.0, 1.0, 0.0, 0.0], [1.0, 0.0, 1.0, 0.0]]\n"
+    "[[isosurface]]\nfield = \"f\"\nvalue = 0.5\ncolor = [1.0, 0.8, 0.2]\nopacity = 0.4\n";
+
+constexpr const char* kPoly =
+    "4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n4 0\n1\n3 1 3 2\n1\n3 1 2 4\n1\n3 2 3 4\n1\n"
+    "3 3 1 4\n0\n0\n";
+
+/// An input, and what reads it: %s is its name.
+struct Input {
+  std::string name, command;
+};
+
+const std::vector<Input> kInputs{
+    {"m.zoo", HIAC_RENDER " %s --view v.toml -o o.png"},
+    {"m.zoo", HIAC_SORT " %s --view v.toml -o o.order --verify"},
+    {"m.zoo", HIAC_CHECK " %s --overlap --cycles -o o.zoo"},
+    {"m.zoo", HIAC_INFO " %s"},
+    {"m.zoo", HIAC_CONVERT " %s -o o.vtu"},
+    {"m.zoo", HIAC_TETRAHEDRALIZE " %s --cells -o o.zoo"},
+    {"m.order", HIAC_RENDER " m.zoo --view v.toml --order %s -o o.png"},
+    {"m.order", HIAC_INFO " %s"},
+    {"v.toml", HIAC_RENDER " m.zoo --view %s -o o.png"},
+    {"v.toml", HIAC_SORT " m.zoo --view %s -o o.order"},
+    {"a.png", HIAC_COMPARE " %s b.png"},
+    {"a.exr", HIAC_COMPARE " %s b.png"},
+    {"a.npy", HIAC_COMPARE " %s b.png"},
+    {"a.tiff", HIAC_COMPARE " %s b.png"},
+    {"a.sgi", HIAC_INFO " %s"},
+    {"a.pfm", HIAC_INFO " %s"},
+    {"a.hdr", HIAC_INFO " %s"},
+    {"s.stl", HIAC_TETRAHEDRALIZE " %s -o o.zoo"},
+    {"s.off", HIAC_TETRAHEDRALIZE " %s -o o.zoo"},
+    {"s.ply", HIAC_TETRAHEDRALIZE " %s -o o.zoo"},
+    {"s.obj", HIAC_TETRAHEDRALIZE " %s -o o.zoo"},
+    {"s.poly", HIAC_TETRAHEDRALIZE " %s -o o.zoo"},
+    {"p.csv", HIAC_TETRAHEDRALIZE " %s --delaunay -o o.zoo"},
+    {"m.vtu", HIAC_CONVERT " %s -o o.zoo"},
+    {"m.vtkhdf", HIAC_CONVERT " %s -o o.zoo"},
+    {"m.msh", HIAC_CONVERT " %s -o o.zoo"},
+};
+
+class MutatedInputs : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "hiac-mutated-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+    ZooMesh mesh = structured(1, Cut::tetrahedra);
+    add_node_field(mesh, "f", [](const Position& p) { return p[0]; });
+    write_zoo_file(path("m.zoo"), {mesh, {}});
+    write("v.toml", kView);
+    std::vector<double> values(48);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<double>(i) / 48;
+    for (const char* image : {"a.png", "a.exr", "a.npy", "a.tiff", "a.sgi", "a.pfm", "a.hdr"})
+      write_image(path(image), Image(4, 3, rgba_channels(), values));
+    write_image(path("b.png"), Image(4, 3, rgba_channels(), values));
+    write("s.poly", kPoly);
+    write("p.csv", "x,y,z,f\n0,0,0,1\n1,0,0,2\n0,1,0,3\n0,0,1,4\n1,1,1,5\n");
+    const std::string points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
+    write("s.off", "OFF\n4 4 0\n" + points + "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+    write("s.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+    write(
+        "s.ply",
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\n"
+        "property double z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n" +
+            points + "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+    write("s.stl", stl());
+    ASSERT_EQ(run(HIAC_SORT " m.zoo --view v.toml -o m.order"), 0) << complaint();
+    for (const char* mesh_file : {"m.vtu", "m.vtkhdf", "m.msh"})
+      ASSERT_EQ(run(std::string(HIAC_CONVERT " m.zoo -o ") + mesh_file), 0) << complaint();
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  static std::string stl() {
+    const char* corners[] = {"0 0 0", "1 0 0", "0 1 0", "0 0 1"};
+    const int triangles[][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    std::string text = "solid a\n";
+    for (const auto& triangle : triangles) {
+      text += "facet normal 0 0 0\nouter loop\n";
+      for (const int corner : triangle) text += std::string("vertex ") + corners[corner] + "\n";
+      text += "endloop\nendfacet\n";
+    }
+    return text + "endsolid a\n";
+  }
+
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_ / name; }
+  void write(const std::string& name, const std::string& bytes) const {
+    std::ofstream(path(name), std::ios::binary) << bytes;
+  }
+  [[nodiscard]] std::string bytes_of(const std::string& name) const {
+    std::ifstream file(path(name), std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  [[nodiscard]] std::string complaint() const { return bytes_of("err.txt"); }
+
+  /// The exit status; 128 and the signal's number where one ended it, 124 after 20 seconds.
+  [[nodiscard]] int run(const std::string& command) const {
+    const int status = std::system(("cd '" + folder_.string() + "' && timeout 20 " + command +
+                                    " >out.txt 2>err.txt </dev/null")
+                                       .c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+ private:
+  fs::path folder_;
+};
+
+std::string mutated(std::string bytes, std::mt19937& random) {
+  static const std::vector<std::string> kTelling{"0",
+                                                 "-1",
+                                                 "9999999999",
+                                                 "1e400",
+                                                 "nan",
+                                                 "",
+                                                 "\n",
+                                                 ",",
+                                                 "\xff",
+                                                 "\"",
+                                                 "=",
+                                                 "[",
+                                                 "2000000000",
+                                                 std::string(4, '\0'),
+                                                 std::string("\xff\xff\xff\x7f", 4),
+                                                 std::string(8, '\xff')};
+  for (std::size_t changes = 1 + random() % 4; changes > 0 && !bytes.empty(); --changes) {
+    const std::size_t at = random() % bytes.size();
+    switch (random() % 6) {
+      case 0:
+        bytes.resize(at);
+        break;
+      case 1:
+        bytes.erase(at, random() % 16);
+        break;
+      case 2:
+        bytes.insert(at, bytes.substr(random() % bytes.size(), random() % 64));
+        break;
+      case 3:
+        bytes.replace(at, random() % 6, kTelling[random() % kTelling.size()]);
+        break;
+      default:
+        bytes[at] = static_cast<char>(random() % 256);
+    }
+  }
+  return bytes;
+}
+
+TEST_F(MutatedInputs, EndWithACodeAndALine) {
+  const char* wanted = std::getenv("HIAC_MUTATIONS");
+  const int rounds = wanted == nullptr ? 20 : std::atoi(wanted);
+  std::mt19937 random(20261123);
+  for (const Input& input : kInputs) {
+    const std::string sound = bytes_of(input.name);
+    ASSERT_FALSE(sound.empty()) << input.name;
+    const std::string damaged = "d" + fs::path(input.name).extension().string();
+    std::string command = input.command + " --max-memory 1GB";
+    command.replace(command.find("%s"), 2, damaged);
+    for (int round = 0; round < rounds; ++round) {
+      const std::string bytes = round == 0 ? sound : mutated(sound, random);
+      write(damaged, bytes);
+      const int code = run(command);
+      if (round == 0) {
+        ASSERT_EQ(code, 0) << command << "\n" << complaint();
+      }
+      const std::string kept = "/tmp/hiac-mutated-finding-" + damaged;
+      if (code < 0 || code > 3) std::ofstream(kept, std::ios::binary) << bytes;
+      ASSERT_TRUE(code >= 0 && code <= 3)
+          << command << " ends with " << code << " (input kept in " << kept << ")\n"
+          << complaint();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hiac::test
