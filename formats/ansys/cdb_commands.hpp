@@ -72,8 +72,8 @@ class CdbCommands {
   bool any_elements_ = false;
   bool selected_ = false;        ///< NSEL or ESEL chose some
   std::string not_read_;         ///< the first command that changes a mesh and is not read
-  std::size_t not_read_at_ = 0;  ///< where it is
-  std::optional<std::int64_t> system_ = 0;  ///< CSYS; none: told by a parameter
+  std::size_t not_read_at_ = 0;  ///< the position of that command
+  std::optional<std::int64_t> system_ = 0;  ///< CSYS; none: given by a parameter
   std::optional<std::int64_t> type_ = 1;    ///< TYPE
   std::int64_t last_node_ = 0;              ///< the largest number
   std::int64_t last_element_ = 0;           ///< the largest number

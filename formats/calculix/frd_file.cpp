@@ -1,5 +1,5 @@
 // The layout is that of the CalculiX GraphiX manual (cgx, "Result Format"): Fortran columns, or
-// binary blocks behind lines of text.
+// lines of text followed by binary blocks.
 #include "formats/calculix/frd_file.hpp"
 
 #include <algorithm>
@@ -297,8 +297,8 @@ class FrdReader {
     }
   }
 
-  /// Collects the numbers of a block's nodes that there are not. Numbers that are not well-formed
-  /// are refused when the values are read.
+  /// Collects the numbers in a block that no node has. Malformed numbers are refused when the
+  /// values are read.
   void look_for_strays(const NumberIndex& index, const ResultBlock& block) {
     const auto look_at = [&](std::int64_t number) {
       if (index.find(number) == NumberIndex::kNone) strays_.insert(number);

@@ -49,7 +49,7 @@ struct Layout {
   std::size_t beams = 0;
   std::size_t shells = 0;
   std::size_t globals = 0;
-  std::size_t temperatures = 0;  ///< words a node behind the coordinates: temperature, flux, ...
+  std::size_t temperatures = 0;  ///< words a node after the coordinates: temperature, flux, ...
   bool has_temperature = false;
   bool has_coordinates = false;
   bool has_velocity = false;

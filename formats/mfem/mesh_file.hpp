@@ -42,10 +42,10 @@ struct GridFunction {
 
 struct MeshFile {
   std::vector<Element> elements;
-  std::vector<std::array<double, 3>> vertices;  ///< empty where the nodes say it all
+  std::vector<std::array<double, 3>> vertices;  ///< empty when the nodes give the geometry
   std::size_t vertex_count = 0;
   bool refined = false;  ///< it may have hanging nodes
-  GridFunction nodes;    ///< without values where the mesh is straight
+  GridFunction nodes;    ///< without values when the mesh is straight
 };
 
 std::size_t vertex_count(Geometry geometry);

@@ -13,7 +13,7 @@ namespace hiac::formats::nastran {
 /// One entry of the bulk data with its continuations.
 struct Card {
   std::string_view name;                 ///< as written, without the star of large fields
-  std::vector<std::string_view> fields;  ///< those behind the name, without blanks at their ends
+  std::vector<std::string_view> fields;  ///< those after the name, without blanks at their ends
   std::size_t offset = 0;
 
   /// Field `i` from 0; empty when the card is shorter.

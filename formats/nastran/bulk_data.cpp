@@ -268,7 +268,7 @@ class BulkReader {
   std::vector<std::pair<std::size_t, std::int64_t>> systems_of_grids_;
   std::vector<std::size_t> unset_systems_;
   std::int64_t default_system_ = 0;
-  bool repeats_what_is_read_ = false;  ///< an entry that is replicated next
+  bool repeats_what_is_read_ = false;  ///< a following '=' entry repeats one that is read
   int depth_ = 0;
 };
 

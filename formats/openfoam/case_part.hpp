@@ -23,7 +23,7 @@ struct CasePart {
   std::size_t step = 0;  ///< place in `folders`
 
   std::vector<double> xyz;
-  std::vector<std::size_t> starts;  ///< for every face where it begins in `nodes`, and the end
+  std::vector<std::size_t> starts;  ///< for every face its start in `nodes`, then the end
   std::vector<std::int64_t> nodes;
   std::vector<std::int64_t> owner;                 ///< the cell that a face points out of
   std::vector<std::vector<std::size_t>> faces_of;  ///< for every cell its faces

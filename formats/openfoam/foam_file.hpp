@@ -81,7 +81,7 @@ class FoamFile {
   InputText input_;
   std::string_view text_;
   std::size_t at_ = 0;
-  std::size_t body_ = 0;  ///< behind the header
+  std::size_t body_ = 0;  ///< the position after the header
   std::string class_;
   bool binary_ = false;
   std::size_t label_bytes_ = 4;

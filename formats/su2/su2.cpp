@@ -135,8 +135,8 @@ class Su2Reader {
 
   TextCursor cursor_;
   ForeignMesh mesh_;
-  bool skipping_ = false;  ///< behind a keyword that is left out
-  std::string zone_;       ///< the zone that is read, where the file has several
+  bool skipping_ = false;  ///< in a section that is left out
+  std::string zone_;       ///< the current zone if the file has several
   std::size_t first_point_ = 0;
   std::size_t first_node_place_ = 0;
   std::size_t first_cell_ = 0;

@@ -18,7 +18,7 @@ namespace {
 /// Edges in the order of the ten-node tetrahedra that `tetgen -o2` writes (found by its library).
 constexpr std::array<ShapeEdge, 6> kEdges{{{2, 3}, {0, 3}, {0, 1}, {1, 2}, {1, 3}, {0, 2}}};
 
-/// Lines of words in which everything behind # is a comment.
+/// Lines of words in which # begins a comment.
 class WordLines {
  public:
   explicit WordLines(const InputText& text) : cursor_(text.text(), text.path()) {}

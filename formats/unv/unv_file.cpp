@@ -243,7 +243,7 @@ class UnvReader {
   std::shared_ptr<InputText> text_;
   TextCursor cursor_;
   ForeignMesh mesh_;
-  std::size_t end_ = 0;  ///< where the dataset's last line begins
+  std::size_t end_ = 0;  ///< the start of the dataset's last line
   std::map<std::int64_t, UnvElement> elements_;
   std::map<std::int64_t, std::uint16_t> types_;
   std::set<std::int64_t> open_;  ///< descriptors whose number of nodes is the file's

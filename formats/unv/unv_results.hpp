@@ -15,7 +15,7 @@ namespace hiac::formats::unv {
 struct UnvResult {
   std::string name;
   FieldLocation location = FieldLocation::node;
-  std::int64_t step = 0;  ///< its number where it has no time
+  std::int64_t step = 0;  ///< its number when it has no time
   double time = 0;
   std::size_t values = 0;  ///< a tuple's, in the file
   bool symmetric = false;  ///< a symmetric tensor: xx, xy, yy, xz, yz, zz

@@ -49,7 +49,7 @@ struct FieldParts {
   FieldLocation location;
   std::uint32_t components;
   std::string type;
-  std::vector<pugi::xml_node> items;  ///< one a leaf; null where that has none
+  std::vector<pugi::xml_node> items;  ///< one per leaf; null when the leaf has none
 };
 
 class Reader {

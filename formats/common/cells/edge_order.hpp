@@ -12,8 +12,8 @@ namespace hiac::formats {
 /// about the direction to 3 4 5, as in nearly every format; the zoo's prism turns the other way.
 inline constexpr std::uint8_t kRightHandedPrism[] = {0, 2, 1, 3, 5, 4};
 
-/// The permutation (CellConversion::permutation) to `kind` from a format that has the corners in
-/// the order of its documentation and behind them the nodes of its edges, edge by edge.
+/// The permutation (CellConversion::permutation) to `kind` from a format that lists the corners in
+/// the order of its documentation, followed by the nodes of its edges, edge by edge.
 ///
 /// Node i of the kind is the format's corner corners[i]; empty: the same order. Edge e of the
 /// format joins its corners edges[e], in the direction in which a cubic cell lists the nodes of the

@@ -16,7 +16,7 @@ namespace hiac::formats {
 /// The options that choose the parts of a file to read.
 struct ReadOptions {
   std::optional<double> time;        ///< the step of this time
-  bool nearest_time = false;         ///< or, where there is none, of the nearest one
+  bool nearest_time = false;         ///< take the nearest step if none has that time
   std::optional<std::size_t> step;   ///< the step of this number, from 0
   std::optional<std::string> block;  ///< only the block with this name
   /// Leave out volume cells that the zoo has no kind for, instead of refusing the file.

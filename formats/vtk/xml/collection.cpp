@@ -30,7 +30,7 @@ constexpr std::array<std::string_view, 3> kTrees{
 /// A file that another file names: a block, or a part of a step.
 struct Member {
   std::string path;
-  std::vector<std::string> names;  ///< its own and those of the blocks that it is in
+  std::vector<std::string> names;  ///< its own name and those of the enclosing blocks
 };
 
 bool is_tree(std::string_view type) {

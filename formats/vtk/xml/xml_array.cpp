@@ -109,7 +109,7 @@ struct Blocks {
   std::size_t size = 0;  ///< of a block, uncompressed
   std::size_t last = 0;  ///< of the last one
   std::vector<std::size_t> compressed;
-  std::size_t data_at = 0;  ///< where the first block begins in the array's data
+  std::size_t data_at = 0;  ///< the start of the first block in the array's data
 
   [[nodiscard]] std::size_t total() const {
     return compressed.empty() ? 0 : (compressed.size() - 1) * size + last;

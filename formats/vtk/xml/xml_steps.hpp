@@ -20,9 +20,10 @@ struct XmlStep {
 };
 
 /// The requested step, or the last one, of a file that declares its steps in the element named like
-/// the type (TimeValues) and the steps of an array in the array (TimeStep; without it, an array
-/// belongs to all steps). Nothing when a file does not declare steps. Throws InputError(subject,
-/// ...), and UsageError when there is no such step.
+/// the type (TimeValues; without it, two or more steps numbered from 0 have their numbers as times)
+/// and the steps of an array in the array (TimeStep; without it, an array belongs to all steps).
+/// Nothing when a file does not declare steps. Throws InputError(subject, ...), and UsageError when
+/// there is no such step.
 ///
 /// This is what vtkXMLWriter writes with appended data. (Inline, VTK 9.1 assigns all arrays to step
 /// 0, in elements that are not real pieces; its own reader cannot distinguish them, and they are
