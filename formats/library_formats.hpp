@@ -7,8 +7,8 @@
 
 namespace hiac::formats {
 
-/// Adds the formats of structured and of binary results: those that are read through a library of
-/// their own, as far as this build has it, and those that need none.
+/// Adds the formats of structured meshes and of binary results: those that are read through a
+/// library of their own, if this build has it, and those that need no library.
 void add_library_formats(std::vector<Format>& formats);
 
 /// The versions of those libraries, each with a comma before it: ", HDF5 1.10.8".

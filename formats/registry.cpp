@@ -55,7 +55,8 @@ std::string joined_names(const Keep& keep) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// Says what a gzip file holds that is not read as it is. `head`: its first bytes, unpacked.
+/// Describes the contents of a gzip file that cannot be read packed. `head`: its first bytes,
+/// unpacked.
 [[noreturn]] void refuse_packed(const std::string& path, const std::string& head) {
   for (const Format& format : all_formats())
     if (format.read && format.recognizes(head))
@@ -112,7 +113,7 @@ const Format& format_named(const std::string& name) {
 const Format& format_to_read(const std::string& path) {
   std::string head = file_head(path);
   const std::string extension = lower_extension(path);
-  // a case of several files may be named by an empty one
+  // an empty file may stand for a case of several files
   for (const Format& format : all_formats())
     if (head.empty() && format.contains && format.contains(path)) return format;
   if (head.empty()) throw InputError(path, "is empty (a mesh expected)");

@@ -10,15 +10,15 @@ namespace hiac::formats {
 /// Every format, in the order in which --list-formats shows them.
 std::span<const Format> all_formats();
 
-/// The format of that name. Throws UsageError naming those that there are.
+/// The format of that name. Throws UsageError that lists the existing formats.
 const Format& format_named(const std::string& name);
 
-/// The format in which `path` is to be read: by its content, and by its extension where the content
-/// does not tell. Throws InputError when the file cannot be opened or no format fits.
+/// The format for reading `path`: by its content, and by its extension where the content does not
+/// identify the format. Throws InputError when the file cannot be opened or no format fits.
 const Format& format_to_read(const std::string& path);
 
-/// The format in which `path` is to be written, by its extension. Throws UsageError when there is
-/// none that can be written.
+/// The format for writing `path`, by its extension. Throws UsageError when no format with that
+/// extension can be written.
 const Format& format_to_write(const std::string& path);
 
 /// The versions of the libraries that read foreign formats: "VTK 9.1.0".

@@ -9,7 +9,8 @@
 namespace hiac::formats {
 namespace {
 
-/// Whether the first line that is no comment is a keyword of a deck (and not LS-DYNA's).
+/// Whether the first line that is not a comment is a keyword of an Abaqus deck (and not one of
+/// LS-DYNA).
 bool begins_with_keyword(std::string_view head) {
   TextCursor cursor(head, "");
   while (!cursor.at_end()) {

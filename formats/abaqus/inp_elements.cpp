@@ -36,7 +36,7 @@ std::optional<CellKind> solid_of(std::size_t nodes) {
   }
 }
 
-/// Solids with nodes in their faces and middle, of which some may be left out.
+/// Solids with nodes in their faces and interior, some of which may be left out.
 std::optional<CellShape> unsupported_of(std::size_t nodes, std::string_view suffix) {
   if (nodes == 15 && suffix.starts_with('V')) return CellShape::prism;
   if (nodes == 27) return CellShape::brick;
@@ -66,7 +66,7 @@ InpElement inp_element(std::string_view type) {
       element.type.nodes = element.nodes_in_file = nodes;
       return element;
     }
-    // a solid that there is not, or not yet
+    // a solid element type that does not exist, or is newer than this list
     element.type.conversion = {};
     return element;
   }

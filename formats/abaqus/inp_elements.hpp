@@ -8,11 +8,11 @@ namespace hiac::formats::abaqus {
 
 /// How an element type of Abaqus or CalculiX is read. `type` is in capitals. Solids have the node
 /// order of the Abaqus manual (Elements Guide, "Three-dimensional solid element library"), which is
-/// VTK's but for the prism's orientation.
+/// VTK's except for the prism's orientation.
 struct InpElement {
   ForeignType type;
-  /// How many nodes a record of it has; 0: its lines tell, by the commas at their ends. Only the
-  /// first ForeignType::nodes of them are kept.
+  /// The number of nodes in a record of the type; 0: a record continues as long as its lines end in
+  /// commas. Only the first ForeignType::nodes of them are kept.
   std::size_t nodes_in_file = 0;
 };
 

@@ -12,8 +12,8 @@
 namespace hiac::formats::abaqus {
 namespace {
 
-/// How the corners of a solid are numbered in its mirror image, and the nodes of its edges with
-/// them; empty for what has no volume.
+/// The corners of a solid, and then the nodes of its edges, in the order that its mirror image
+/// needs; empty for elements without volume.
 std::span<const std::uint8_t> reflection(std::size_t nodes) {
   static constexpr std::array<std::uint8_t, 4> kTetrahedron{0, 2, 1, 3};
   static constexpr std::array<std::uint8_t, 10> kTetrahedron10{0, 2, 1, 3, 6, 5, 4, 7, 9, 8};
@@ -53,8 +53,8 @@ void follow_cells(const Generation& g) {
         cell == 0 ? 0 : part.cell_begins[cell - 1] + g.types[part.cell_types[cell - 1]].nodes);
 }
 
-/// Appends the element at `place` with further numbers; its nodes in another order, if one is
-/// given.
+/// Appends a copy of the element at `place` with its numbers shifted, and its nodes permuted if an
+/// order is given.
 void copy_element(const Generation& g, std::size_t place, std::int64_t number_shift,
                   std::int64_t node_shift, std::span<const std::uint8_t> order = {}) {
   Part& part = g.part;
@@ -69,7 +69,7 @@ void copy_element(const Generation& g, std::size_t place, std::int64_t number_sh
   }
 }
 
-/// How often something is repeated, and by how much numbers grow from one to the next.
+/// How often something is repeated, and the increments of the numbers from one copy to the next.
 struct Repetition {
   std::int64_t count = 1;
   std::int64_t nodes = 0;
@@ -84,7 +84,7 @@ std::array<Repetition, 3> repetitions(CommaFields& fields, const Generation& g,
     Repetition& one = all[i];
     one.count = whole_in(fields, g.cursor, line, "*ELGEN: a number of elements, rows or layers", 1);
     if (one.count < 1) refuse(g.cursor, line, "*ELGEN: 1 element, row or layer or more");
-    // increments within a row have a default, others have to be there
+    // increments within a row have a default; the others are required
     const auto otherwise = i == 0 || one.count == 1 ? std::optional<std::int64_t>(1) : std::nullopt;
     one.nodes = whole_in(fields, g.cursor, line, "*ELGEN: an increment of node numbers", otherwise);
     one.elements =

@@ -9,14 +9,14 @@
 
 namespace hiac::formats::abaqus {
 
-/// What a deck's keywords have made so far. Their data lines are few and may ask for anything.
+/// How much a deck's keywords have generated so far. A few data lines can ask for any amount.
 struct Made {
   std::size_t numbers = 0;    ///< of nodes and elements: their numbers, coordinates, nodes
-  std::size_t looked_at = 0;  ///< numbers of sets that were tried
+  std::size_t looked_at = 0;  ///< numbers of sets that were looked up
 };
 
-/// A keyword that makes nodes or elements from those that there are (Abaqus Keywords Reference:
-/// *NGEN, *NFILL, *NCOPY, *ELGEN, *ELCOPY), and what it works on.
+/// A keyword that generates nodes or elements from existing ones (Abaqus Keywords Reference: *NGEN,
+/// *NFILL, *NCOPY, *ELGEN, *ELCOPY), and the objects that it works on.
 struct Generation {
   const Keyword& keyword;
   TextCursor& cursor;
@@ -26,33 +26,35 @@ struct Generation {
   Made& made;
 };
 
-/// Whether that is the name of such a keyword, or of *NMAP, which is refused.
+/// Whether `keyword` is such a keyword, or *NMAP, which is refused.
 bool makes_mesh(std::string_view keyword);
 
-/// Reads the keyword's data lines and makes what they say. Throws InputError naming the line, where
-/// it is not understood, names what there is not, makes more than 16 million numbers in all, or
-/// asks for what is not read: *NMAP, *NFILL SINGULAR, *NCOPY POLE; what *SYSTEM would move.
+/// Reads the keyword's data lines and generates the nodes or elements. Throws InputError naming the
+/// line if it cannot be parsed, if it names something that does not exist, if more than 16 million
+/// numbers are generated in all, or for what is not supported: *NMAP, *NFILL SINGULAR, *NCOPY POLE,
+/// and coordinates that *SYSTEM would move.
 void generate(const Generation& generation);
 
-/// Of nodes and elements with one number keeps the last, as Abaqus does.
+/// Where several nodes or elements have one number, keeps the last, as Abaqus does.
 void keep_last_definitions(Part& part, const std::vector<ForeignType>& types);
 
-/// Counts numbers that are about to be made. Throws InputError naming the line when it is too many.
+/// Counts numbers that are about to be generated. Throws InputError naming the line when there are
+/// too many.
 void take(const Generation& generation, std::string_view line, std::size_t numbers);
 
-/// Refuses the keyword by name.
+/// Throws the InputError that names what is not supported.
 [[noreturn]] void not_supported(const Generation& generation, std::string_view what);
 
-/// A whole number of a data line, which may be written as a real (2.0); `otherwise` where the field
-/// is empty or not there, if that is given. At most 999999999 in size, as in Abaqus.
+/// A whole number of a data line, which may be written as a real (2.0); `otherwise`, if given, when
+/// the field is empty or missing. At most 999999999 in absolute value, as in Abaqus.
 std::int64_t whole_in(CommaFields& fields, const TextCursor& cursor, std::string_view line,
                       std::string_view what, std::optional<std::int64_t> otherwise = std::nullopt);
 
-/// The whole number that a parameter has to give.
+/// The whole number of a required parameter.
 std::int64_t whole_parameter(const Generation& generation, std::string_view parameter);
 
-/// The number of a node or element from which others are counted. Throws InputError where it is
-/// larger than Abaqus takes.
+/// `number`, from which other node or element numbers are counted. Throws InputError when it is
+/// larger than Abaqus allows.
 std::int64_t checked_number(const Generation& generation, std::int64_t number);
 
 /// The keyword's own line, for messages.

@@ -18,7 +18,7 @@ std::string without_quotes(std::string_view text) {
   return std::string(text);
 }
 
-/// Blanks in parameters' names do not count (OLD SET, OLDSET).
+/// Blanks in parameter names are ignored (OLD SET, OLDSET).
 std::string parameter_name(std::string_view text) {
   std::string name = upper(text);
   name.erase(std::remove_if(name.begin(), name.end(), TextCursor::is_space), name.end());

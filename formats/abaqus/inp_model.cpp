@@ -11,11 +11,11 @@
 namespace hiac::formats::abaqus {
 namespace {
 
-/// Instances of what keywords make are no more than this many numbers: a deck that tells little may
-/// make much.
+/// Instances of generated parts have at most this many numbers: a short deck can ask for any
+/// amount.
 constexpr std::size_t kMostNumbers = 32'000'000;
 
-/// A part with what names its elements and where it is.
+/// A part with its name, its placement and the sets of its elements.
 struct Piece {
   Part* part;
   std::string name;
@@ -30,7 +30,7 @@ void add_cell(std::vector<IndexRange>& cells, std::size_t cell) {
     cells.push_back({cell, cell + 1});
 }
 
-/// The cells of a set, those that there are.
+/// Adds the cells of a set; numbers that no cell has are ignored.
 void add_set(const std::vector<NumberRange>& set, const NumberIndex& index, std::size_t first_cell,
              const std::vector<std::int64_t>& numbers, std::vector<IndexRange>& cells) {
   for (const NumberRange& range : set) {
@@ -102,7 +102,7 @@ class Merger {
                                    kMostNumbers, numbers));
   }
 
-  /// Of one piece the arrays are taken as they are.
+  /// A single piece: its arrays are moved, not copied.
   void take_over(const Piece& piece) {
     add_blocks(piece, 0);
     Part& part = *piece.part;

@@ -10,7 +10,7 @@
 
 namespace hiac::formats::abaqus {
 
-/// A part, or what of a deck is outside parts; its numbers are its own.
+/// A part, or everything in a deck that is outside parts; each has its own numbering.
 struct Part {
   std::string name;
   std::vector<std::int64_t> node_numbers;
@@ -19,25 +19,26 @@ struct Part {
   std::vector<std::uint16_t> cell_types;  ///< places in Model::types
   std::vector<std::int64_t> cell_nodes;
   NumberSets sets;       ///< of elements
-  NumberSets node_sets;  ///< of nodes, for what makes nodes from them
+  NumberSets node_sets;  ///< of nodes, for keywords that generate nodes
 
-  /// Keywords made some of it; then of nodes and elements of one number the last counts.
+  /// Keywords generated some of it; then the last of several nodes or elements with one number is
+  /// kept.
   bool made = false;
-  Places node_places;  ///< followed where something is made
+  Places node_places;  ///< followed when keywords generate something
   Places cell_places;
   std::vector<std::size_t> cell_begins;  ///< of the cells that cell_places knows
 };
 
-/// A part that is put in its place.
+/// A part with its placement.
 struct Instance {
   std::string name;
   std::string part;
   Placement placement;
-  /// Sets that the assembly makes of this instance's elements, by name.
+  /// Sets that the assembly defines on this instance's elements, by name.
   NumberSets sets;
 };
 
-/// What a deck says of its mesh.
+/// The contents of a deck that describe its mesh.
 struct Model {
   std::vector<ForeignType> types;
   Part root;
@@ -46,8 +47,8 @@ struct Model {
   std::vector<std::string> notes;
 };
 
-/// One mesh of all instances, or, where the deck has none, of its parts. Sets become blocks;
-/// instances too, where there are several. Throws InputError(subject, ...).
+/// One mesh of all instances or, if the deck has none, of its parts. Sets become blocks, and so do
+/// instances if there are several. Throws InputError(subject, ...).
 ForeignMesh mesh_of(Model&& model, const std::string& subject);
 
 }  // namespace hiac::formats::abaqus

@@ -11,10 +11,10 @@
 namespace hiac::formats::abaqus {
 namespace {
 
-/// What a node takes: its number and three coordinates.
+/// A node takes its number and three coordinates.
 constexpr std::size_t kNodeNumbers = 4;
 
-/// The point at 0 to 1 of the way from one node to another.
+/// The point at a fraction (0 to 1) of the way from one node to another.
 using Curve = std::function<Vector(double)>;
 
 void add_node(Part& part, std::int64_t number, const Vector& point) {
@@ -31,7 +31,7 @@ Vector position(const Part& part, std::size_t place) {
   return {part.xyz[3 * place], part.xyz[3 * place + 1], part.xyz[3 * place + 2]};
 }
 
-/// Where the node of that number is, which has to be there by now.
+/// The position of the node with that number, which must be defined before this line.
 Vector position_of(const Generation& g, std::string_view line, std::int64_t number) {
   const auto place = g.part.node_places.find(number);
   if (!place)
@@ -46,9 +46,9 @@ Vector point_in(CommaFields& fields, const Generation& g, std::string_view line)
   return point;
 }
 
-/// The arc round `centre` from a to b: the shorter one, or, where a normal is given, the one that
-/// goes counter-clockwise about it. Ends need not be equally far from the centre to the last digit:
-/// the distance goes over from the one to the other.
+/// The arc round `centre` from a to b: the shorter one or, if a normal is given, the one that goes
+/// counter-clockwise about it. The ends may differ slightly in their distance from the centre: the
+/// radius changes gradually from one to the other.
 Curve arc(const Generation& g, std::string_view line, const Vector& a, const Vector& b,
           const Vector& centre, const Vector& normal) {
   constexpr double kRoundOff = 1e-3;
@@ -80,7 +80,7 @@ Curve arc(const Generation& g, std::string_view line, const Vector& a, const Vec
   };
 }
 
-/// The extra point of a curve: a node, or coordinates in the system that SYSTEM names.
+/// The extra point of a curve: a node, or coordinates in the system of the parameter SYSTEM.
 Vector extra_point(CommaFields& fields, const Generation& g, std::string_view line) {
   const std::int64_t node = whole_in(fields, g.cursor, line, "*NGEN: a node number", 0);
   Vector point = point_in(fields, g, line);
@@ -120,7 +120,7 @@ void add_to_set(const Generation& g, std::string_view parameter,
   if (set != nullptr && !set->empty()) add_ranges(numbers, set_named(g.part.node_sets, *set));
 }
 
-/// *NGEN: nodes between two.
+/// *NGEN: nodes between two nodes.
 void generate_lines(const Generation& g) {
   const char kind = kind_of_line(g);
   std::vector<NumberRange> numbers;
@@ -147,7 +147,7 @@ void generate_lines(const Generation& g) {
   add_to_set(g, "NSET", numbers);
 }
 
-/// The numbers of a set of nodes, which has to be there by now, and what is not known of it.
+/// The numbers of a node set, which must be defined before this line and have no unknown members.
 std::vector<std::int64_t> nodes_of(const Generation& g, std::string_view line,
                                    const std::string& name) {
   const auto found = g.part.node_sets.find(upper(name));
@@ -164,11 +164,11 @@ std::vector<std::int64_t> nodes_of(const Generation& g, std::string_view line,
   return members;
 }
 
-/// How *NFILL divides its lines: 0 to 1 for every interval's end but the last. Of neighbouring
-/// intervals the first is `bias` times the second; of the intervals of pairs, if those count.
+/// How *NFILL divides its lines: the ends, from 0 to 1, of all intervals but the last. Each
+/// interval is `bias` times as long as the next one; with `pairs`, each pair of intervals is.
 std::vector<double> divisions(std::size_t intervals, double bias, bool pairs) {
   const std::size_t parts = pairs ? intervals / 2 : intervals;
-  // the longest is 1: powers do not overflow
+  // the longest interval is 1, so that powers do not overflow
   const double ratio = bias < 1 ? bias : 1 / bias;
   std::vector<double> lengths(intervals);
   double sum = 0;
@@ -186,7 +186,7 @@ std::vector<double> divisions(std::size_t intervals, double bias, bool pairs) {
   return ends;
 }
 
-/// *NFILL: nodes between those of two sets.
+/// *NFILL: nodes between the nodes of two sets.
 void fill(const Generation& g) {
   if (g.keyword.has("SINGULAR")) not_supported(g, "*NFILL, SINGULAR");
   double bias = 1;
@@ -208,7 +208,7 @@ void fill(const Generation& g) {
       refuse(
           g.cursor, *line,
           pairs ? "*NFILL, TWO STEP: an even number of intervals" : "*NFILL: 1 interval or more");
-    // what one of the sets has more than the other is not joined to anything
+    // surplus nodes of the larger set are not joined to anything
     const std::size_t lines = std::min(from.size(), to.size());
     take(g, *line, kNodeNumbers * static_cast<std::size_t>(intervals));
     take(g, *line, kNodeNumbers * static_cast<std::size_t>(intervals) * lines);
@@ -250,7 +250,7 @@ Placement shift(const Generation& g) {
   return placement;
 }
 
-/// REFLECT: through a point, a line or a plane. x -> 2 p - x, p the foot of x on it.
+/// REFLECT: at a point, a line or a plane. x -> 2 p - x, where p is the foot of x on it.
 Placement reflect(const Generation& g) {
   const std::string kind = upper(required(g.keyword, "REFLECT", g.cursor));
   if (kind != "POINT" && kind != "LINE" && kind != "MIRROR")
@@ -286,7 +286,7 @@ Placement reflect(const Generation& g) {
   return placement;
 }
 
-/// *NCOPY: a set's nodes elsewhere.
+/// *NCOPY: copies the nodes of a set to another place.
 void copy_nodes(const Generation& g) {
   if (g.keyword.has("POLE")) not_supported(g, "*NCOPY, POLE");
   if (g.system) not_supported(g, "*NCOPY under *SYSTEM");

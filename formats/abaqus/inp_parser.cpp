@@ -18,7 +18,7 @@
 namespace hiac::formats::abaqus {
 namespace {
 
-/// Files may include files, not without end.
+/// The limit of nested includes.
 constexpr int kMostIncludes = 10;
 
 class DeckReader {
@@ -31,7 +31,7 @@ class DeckReader {
   }
 
  private:
-  /// Reads a deck, or, with `keyword`, a file that has that keyword's data lines.
+  /// Reads a deck or, if `keyword` is given, a file that contains that keyword's data lines.
   void read_file(const std::string& path, const Keyword* keyword) {
     if (depth_ == kMostIncludes)
       throw InputError(path, fmt::format("files include files more than {} deep", kMostIncludes));
@@ -66,7 +66,7 @@ class DeckReader {
     read_data(keyword, cursor);
   }
 
-  /// What the keyword does, and its data lines.
+  /// Executes the keyword and reads its data lines.
   void read_data(const Keyword& keyword, TextCursor& cursor) {
     const std::string& name = keyword.name;
     if (name == "NODE") return read_nodes(keyword, cursor);
@@ -76,13 +76,13 @@ class DeckReader {
     if (name == "PART") return begin_part(keyword, cursor);
     if (name == "INSTANCE") return begin_instance(keyword, cursor);
     if (name == "END PART" || name == "END INSTANCE") enter(std::nullopt);
-    // a system without data is the global one again
+    // *SYSTEM without data lines returns to the global system
     if (name == "SYSTEM") system_ = read_system(cursor);
     if (makes_mesh(name))
       generate({keyword, cursor, part(), model_.types, system_.has_value(), made_});
   }
 
-  /// What follows belongs to that part; systems end with the part that they are in.
+  /// The following lines belong to that part; a *SYSTEM ends with the part that contains it.
   void enter(std::optional<std::size_t> part) {
     part_ = part;
     system_.reset();
@@ -99,7 +99,7 @@ class DeckReader {
     add_part(required(keyword, "NAME", cursor));
   }
 
-  /// How many lines there may be of the length of the next one, if the rest of the file is such.
+  /// The number of lines that the rest of the file can hold if all are as long as the next one.
   static std::size_t lines_left(const TextCursor& cursor) {
     constexpr std::size_t kShortest = 16;
     return cursor.left() / std::max(cursor.peek_line().size() + 1, kShortest) + 1;
@@ -109,7 +109,7 @@ class DeckReader {
     Instance instance;
     instance.name = required(keyword, "NAME", cursor);
     const std::string* part = keyword.value("PART");
-    // an instance of no part brings its own nodes and elements
+    // an instance without PART defines its own nodes and elements
     instance.part = part == nullptr ? instance.name : *part;
     if (const auto line = data_line(cursor)) {
       CommaFields fields(*line);
@@ -199,14 +199,15 @@ class DeckReader {
       refuse(cursor, line, fmt::format("element {}: {} nodes", into.cell_numbers.back(), nodes));
   }
 
-  /// Solvers write 0 for a mid-edge node that there is not.
+  /// Solvers write 0 for a missing mid-edge node.
   static void add_node(CommaFields& fields, const TextCursor& cursor, std::string_view line,
                        Part& into) {
     const std::int64_t node = integer_in(fields, cursor, line, "a node number");
     into.cell_nodes.push_back(node == 0 ? kLeftOutNode : node);
   }
 
-  /// An element whose record goes on as long as lines end in commas; its first nodes are kept.
+  /// Reads an element whose record continues as long as lines end in commas; its first nodes are
+  /// kept.
   static void read_open_element(std::size_t kept, CommaFields fields, std::string_view line,
                                 TextCursor& cursor, Part& into) {
     std::size_t nodes = 0;
@@ -233,7 +234,7 @@ class DeckReader {
       const auto found =
           std::find_if(model_.instances.begin(), model_.instances.end(),
                        [&](const Instance& i) { return upper(i.name) == upper(*instance); });
-      // the mesh does not need the sets of what is not in it
+      // the mesh does not need the sets of an instance that does not exist
       if (found == model_.instances.end())
         model_.notes.push_back(
             fmt::format("left out a set of elements of instance {}, which there "
@@ -252,14 +253,14 @@ class DeckReader {
         continue;
       }
       while (!fields.at_end()) {
-        // a name that is of no set of elements is of nodes or a surface
+        // a name that is not an element set names nodes or a surface
         static_cast<void>(add_member(fields.field(), *sets, elements));
       }
     }
     add_ranges(elements.ranges, set_named(*sets, name), elements.copied);
   }
 
-  /// A set of nodes is of use to what makes nodes alone; what of it is not understood is told then.
+  /// Only keywords that generate nodes use node sets; they report what is not understood here.
   void read_node_set(const Keyword& keyword, TextCursor& cursor) {
     const std::string* name = keyword.value("NSET");
     if (name == nullptr || name->empty() || keyword.has("INSTANCE")) return;
@@ -289,7 +290,7 @@ class DeckReader {
     add_ranges(nodes.ranges, set, nodes.copied);
   }
 
-  /// First, last and step; none where that is no range.
+  /// First, last and step; none when the fields are not a range.
   static std::optional<NumberRange> generated(CommaFields& fields) {
     const auto first = fields.integer();
     const auto last = fields.integer();
@@ -298,14 +299,15 @@ class DeckReader {
     return NumberRange{*first, *last, *step};
   }
 
-  /// What the data lines of one keyword put into a set.
+  /// The members that the data lines of one keyword add to a set.
   struct Members {
     std::vector<NumberRange> ranges;
     std::set<std::string> names;  ///< of sets whose ranges are among them
     std::size_t copied = 0;       ///< how many these are
   };
 
-  /// Adds a number, or the set of that name; false where there is none by now.
+  /// Adds a number, or the members of the set with that name; false when that set is not defined
+  /// yet.
   static bool add_member(std::string_view member, const NumberSets& known, Members& members) {
     if (const auto number = to_integer(member)) {
       add_number(*number, members.ranges);
@@ -322,10 +324,10 @@ class DeckReader {
 
   Model model_;
   std::optional<std::size_t> part_;  ///< place in Model::parts of the part that is read
-  std::optional<Placement> system_;  ///< *SYSTEM: where coordinates of nodes are told in
+  std::optional<Placement> system_;  ///< *SYSTEM: the system of node coordinates
   Made made_;
   int depth_ = 0;
-  NumberSets sets_of_nothing_;  ///< of instances that there are not
+  NumberSets sets_of_nothing_;  ///< of instances that do not exist
 };
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-/// The point in the next three fields, less `from`.
+/// The point in the next three fields, minus `from`.
 Vector point_in(CommaFields& fields, const TextCursor& cursor, std::string_view line,
                 const Vector& from = {}) {
   Vector point{};
@@ -70,7 +70,7 @@ std::optional<Placement> read_system(TextCursor& cursor) {
     CommaFields more(*second);
     z = cross(x, point_in(more, cursor, *second, placement.translation));
   } else {
-    // the z-axis stays, and the first axis is projected onto its plane
+    // the z-axis is kept, and the first axis is projected onto the x-y plane
     x[2] = 0;
   }
   const double x_length = length(x);

@@ -7,7 +7,7 @@
 
 namespace hiac::formats::abaqus {
 
-/// A point is mapped to rotation (row by row) times it plus translation.
+/// Maps a point to rotation (row by row) times the point, plus translation.
 struct Placement {
   std::array<double, 9> rotation{1, 0, 0, 0, 1, 0, 0, 0, 1};
   Vector translation{};
@@ -16,12 +16,12 @@ struct Placement {
 
 Vector placed(const Placement& placement, const double* point);
 
-/// The rotation about the axis from the point in data[0..2] to that in data[3..5] by data[6]
-/// degrees, after the translation (Abaqus: *INSTANCE, *NCOPY). Without an axis nothing turns.
+/// The translation, followed by the rotation about the axis from the point in data[0..2] to that in
+/// data[3..5] by data[6] degrees (Abaqus: *INSTANCE, *NCOPY). Without an axis there is no rotation.
 void rotate(const std::array<double, 7>& data, Placement& placement);
 
-/// *SYSTEM: what the data lines say of the origin and the axes, as the placement that takes local
-/// coordinates to global ones; none where there are no data lines. Throws InputError.
+/// *SYSTEM: the data lines give the origin and the axes; the result takes local coordinates to
+/// global ones; none when there are no data lines. Throws InputError.
 std::optional<Placement> read_system(TextCursor& cursor);
 
 /// SYSTEM=C: radius, angle in degrees, z; SYSTEM=S: radius, azimuth, elevation.

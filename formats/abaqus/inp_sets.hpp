@@ -9,7 +9,7 @@
 
 namespace hiac::formats::abaqus {
 
-/// Numbers from, to, in steps of.
+/// The numbers from `first` to `last` in steps of `step`.
 struct NumberRange {
   std::int64_t first;
   std::int64_t last;
@@ -18,34 +18,34 @@ struct NumberRange {
   friend auto operator<=>(const NumberRange&, const NumberRange&) = default;
 };
 
-/// A set of nodes or elements as the deck tells it; of its numbers some may be of none.
+/// A set of nodes or elements as the deck defines it; some of its numbers may not exist.
 struct NumberSet {
   std::string name;  ///< as it is first written
   std::vector<NumberRange> ranges;
-  /// The order of the ranges counts (*NSET, UNSORTED).
+  /// The order of the ranges matters (*NSET, UNSORTED).
   bool unsorted = false;
-  /// What of the set is not known; empty where all is.
+  /// A member that is not understood; empty when all members are.
   std::string unknown;
-  std::size_t copied = 0;  ///< of the ranges so many may be there twice: they are of other sets
+  std::size_t copied = 0;  ///< count of ranges from other sets, which may be duplicates
 };
 
 /// By name in capitals.
 using NumberSets = std::map<std::string, NumberSet>;
 
-/// Adds a number, to the last range where it continues that.
+/// Adds a number; extends the last range if the number continues it.
 void add_number(std::int64_t number, std::vector<NumberRange>& ranges);
 
-/// The set of that name, which is made when it is new.
+/// The set with that name, which is created if it is new.
 NumberSet& set_named(NumberSets& sets, const std::string& name);
 
-/// Adds ranges to a set, `copied` of which are of other sets. Now and then those that it has more
-/// than once are dropped, so that sets that are made of sets do not grow without end.
+/// Adds ranges to a set; `copied` of them come from other sets. Duplicates are removed from time to
+/// time, so that sets defined by other sets do not grow without bound.
 void add_ranges(const std::vector<NumberRange>& ranges, NumberSet& set, std::size_t copied = 0);
 
-/// The places of numbers in a list that grows; of a number that the list has twice, the last.
+/// The places of numbers in a growing list; the last place if a number occurs more than once.
 class Places {
  public:
-  /// Looks at what of `numbers` is new since the last time.
+  /// Adds the entries of `numbers` that are new since the last call.
   void follow(const std::vector<std::int64_t>& numbers);
   [[nodiscard]] std::optional<std::size_t> find(std::int64_t number) const;
 
@@ -54,8 +54,9 @@ class Places {
   std::size_t known_ = 0;
 };
 
-/// The numbers of a set that `places` has, each once: rising, or of an unsorted set in its order.
-/// `numbers` is the list that `places` follows. `looked_at` grows by the numbers that were tried.
+/// The numbers of a set that `places` contains, each once: ascending or, for an unsorted set, in
+/// the order of the set. `numbers` is the list that `places` follows. `looked_at` grows by the
+/// count of numbers that were looked up.
 std::vector<std::int64_t> members_of(const NumberSet& set, const Places& places,
                                      const std::vector<std::int64_t>& numbers,
                                      std::size_t& looked_at);

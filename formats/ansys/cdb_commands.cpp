@@ -16,10 +16,10 @@ namespace hiac::formats::ansys {
 namespace {
 
 constexpr std::size_t kMostNodes = 64;
-/// Nodes that a command has.
+/// The number of nodes in one command.
 constexpr std::size_t kInLine = 8;
 
-/// Commands that make or change nodes and elements, by the four letters that count.
+/// Whether the command makes or changes nodes and elements; its first four letters are significant.
 bool changes_mesh(std::string_view name) {
   constexpr std::array<std::string_view, 39> kAll{
       "FILL", "NSYM", "ESYM", "ENSY", "ENGE", "NSCA", "NMOD", "EMOD", "TRAN", "NDEL",
@@ -125,11 +125,11 @@ void CdbCommands::written_node(CommaFields& fields, std::size_t start) {
   if (kind == "ANG") return;
   if (kind != "LOC") refuse(start, "N,R5.3,LOC or ANG");
   const std::int64_t number = whole(fields, start, "N: a node number");
-  // ends a block of nodes
+  // the end of a block of nodes
   if (number == -1) return;
   fields.field();
   fields.field();
-  // beside blocks a command that cannot be read is left out whole
+  // in a deck of blocks, a command that cannot be read is left out as a whole
   std::array<double, 3> point{};
   for (double& x : point) x = real(fields, start);
   any_nodes_ = true;
@@ -137,8 +137,8 @@ void CdbCommands::written_node(CommaFields& fields, std::size_t start) {
   model_.mesh.xyz.insert(model_.mesh.xyz.end(), point.begin(), point.end());
 }
 
-/// EN, R5.5, ATTR, NUMN, MAT, TYPE, REAL, SECNUM, ESYS, NUMBER, SOLID, DEATH, EXCLUDE, and behind
-/// it EN, R5.5, NODE with eight nodes a line.
+/// EN, R5.5, ATTR, NUMN, MAT, TYPE, REAL, SECNUM, ESYS, NUMBER, SOLID, DEATH, EXCLUDE, followed by
+/// EN, R5.5, NODE with eight nodes a line.
 void CdbCommands::written_element(CommaFields& fields, std::size_t start) {
   if (upper(fields.field()) != "R5.5") refuse(start, "EN of version R5.5");
   const std::string kind = upper(fields.field());
@@ -155,7 +155,7 @@ void CdbCommands::written_element(CommaFields& fields, std::size_t start) {
   flush();
   if (kind != "ATTR") refuse(start, "EN,R5.5,ATTR or NODE");
   const std::int64_t count = whole(fields, start, "EN: a number of nodes");
-  // ends a block of elements
+  // the end of a block of elements
   if (count == -1) return;
   if (count < 1 || count > static_cast<std::int64_t>(kMostNodes))
     refuse(start, fmt::format("EN: 1 to {} nodes", kMostNodes));
@@ -166,7 +166,7 @@ void CdbCommands::written_element(CommaFields& fields, std::size_t start) {
   pending_ = Pending{type, number, {}, static_cast<std::size_t>(count), start};
 }
 
-/// E, I, J, ..., P or EN, NUMBER, I, J, ..., P, of the type that TYPE set.
+/// E, I, J, ..., P or EN, NUMBER, I, J, ..., P: an element of the type that TYPE set.
 void CdbCommands::element(CommaFields& fields, std::size_t start, bool numbered) {
   for (; known_elements_ < model_.mesh.cell_numbers.size(); ++known_elements_)
     last_element_ =
@@ -183,7 +183,7 @@ void CdbCommands::element(CommaFields& fields, std::size_t start, bool numbered)
   pending_ = std::move(made);
 }
 
-/// EMORE: the 9th to 16th and 17th to 24th nodes of the element before it.
+/// EMORE: the 9th to 16th, and 17th to 24th, nodes of the preceding element.
 void CdbCommands::more_nodes(CommaFields& fields, std::size_t start) {
   if (!pending_ || pending_->expected > 0) refuse(start, "E or EN before EMORE");
   pending_->nodes.resize((pending_->nodes.size() + kInLine - 1) / kInLine * kInLine);
@@ -255,7 +255,7 @@ std::vector<std::size_t> CdbCommands::pattern(CommaFields& fields, std::size_t s
     last = whole(fields, start, fmt::format("{}: a number", command), first);
     step = whole(fields, start, fmt::format("{}: a step", command), 1);
     if (elements && first < 0) {
-      // that many elements before
+      // a negative number selects that many element numbers, up to the largest
       last = largest_element(start);
       first = last + first + 1;
     }
@@ -267,7 +267,7 @@ std::vector<std::size_t> CdbCommands::pattern(CommaFields& fields, std::size_t s
       places.push_back(i);
   std::stable_sort(places.begin(), places.end(),
                    [&](std::size_t a, std::size_t b) { return numbers[a] < numbers[b]; });
-  // of a number that is there twice the last
+  // of entries with the same number, the last is kept
   std::size_t kept = 0;
   for (std::size_t i = 0; i < places.size(); ++i)
     if (i + 1 == places.size() || numbers[places[i]] != numbers[places[i + 1]])
@@ -299,8 +299,8 @@ void CdbCommands::generate_nodes(CommaFields& fields, std::size_t start) {
     }
 }
 
-/// EGEN, ITIME, NINC, IEL1, IEL2, IEINC, MINC, TINC, RINC, CINC, SINC, DX, DY, DZ: elements get the
-/// next numbers.
+/// EGEN, ITIME, NINC, IEL1, IEL2, IEINC, MINC, TINC, RINC, CINC, SINC, DX, DY, DZ: new elements get
+/// the next free numbers.
 void CdbCommands::generate_elements(CommaFields& fields, std::size_t start) {
   const std::int64_t times = whole(fields, start, "EGEN: a number of times", 1);
   const std::int64_t increment = whole(fields, start, "EGEN: an increment", 0);

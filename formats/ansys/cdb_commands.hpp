@@ -11,22 +11,22 @@
 
 namespace hiac::formats::ansys {
 
-/// Nodes and elements that commands tell one by one: N and EN as CDWRITE writes them with the
+/// Nodes and elements that are defined by single commands: N and EN as CDWRITE writes them with the
 /// option UNBLOCKED (Programmer's Reference, "Coded database file commands": N,R5.3,LOC and
 /// EN,R5.5), and those of users' decks (Command Reference): N, E, EN, EMORE, TYPE, CSYS, NGEN,
-/// EGEN. Other commands that make or change a mesh are refused by name in a deck that has any of
-/// these; in a deck of blocks, which may hold commands with parameters, such are left out, with a
-/// note.
+/// EGEN. A deck that has any of these is refused if another command makes or changes the mesh, and
+/// the message names it. In a deck of blocks, which may hold commands with parameters, such
+/// commands are left out, with a note.
 class CdbCommands {
  public:
   CdbCommands(CdbModel& model, const TextCursor& cursor) : model_(model), cursor_(cursor) {}
 
-  /// Does what the command says, whose line begins at `start`; `name` is in capitals. `blocks`: the
-  /// deck has told nodes or elements in blocks. Throws InputError naming the line.
+  /// Executes the command whose line begins at `start`; `name` is in capitals. `blocks`: the deck
+  /// has defined nodes or elements in blocks. Throws InputError naming the line.
   void command(const std::string& name, CommaFields fields, std::size_t start, bool blocks);
 
-  /// What is left to do at the end of the deck, `blocks` as above: of nodes and elements with one
-  /// number the last counts.
+  /// To be called at the end of the deck, `blocks` as above: completes the last element, refuses
+  /// what is not supported, and keeps the last of several nodes or elements with one number.
   void finish(bool blocks);
 
   /// Counts a command that is left out.
@@ -36,12 +36,12 @@ class CdbCommands {
   [[nodiscard]] bool any_elements() const { return any_elements_; }
 
  private:
-  /// An element whose nodes further commands may go on with.
+  /// An element to which further commands may add nodes.
   struct Pending {
     std::int64_t type;
     std::int64_t number;
     std::vector<std::int64_t> nodes;
-    std::size_t expected;  ///< nodes that have to come; 0: as many as there are
+    std::size_t expected;  ///< the required number of nodes; 0: any number
     std::size_t start;
   };
 
@@ -53,7 +53,8 @@ class CdbCommands {
   void flush();
   void generate_nodes(CommaFields& fields, std::size_t start);
   void generate_elements(CommaFields& fields, std::size_t start);
-  /// The places of nodes or elements from, to, in steps of, or all of them.
+  /// The places of nodes or elements that a first number, a last number and a step select, or all
+  /// of them.
   std::vector<std::size_t> pattern(CommaFields& fields, std::size_t start, std::string_view command,
                                    bool elements);
   void refuse_large(std::int64_t number, std::size_t start) const;
@@ -71,8 +72,8 @@ class CdbCommands {
   bool any_elements_ = false;
   bool selected_ = false;        ///< NSEL or ESEL chose some
   std::string not_read_;         ///< the first command that changes a mesh and is not read
-  std::size_t not_read_at_ = 0;  ///< where it is
-  std::optional<std::int64_t> system_ = 0;  ///< CSYS; none: told by a parameter
+  std::size_t not_read_at_ = 0;  ///< the position of that command
+  std::optional<std::int64_t> system_ = 0;  ///< CSYS; none: given by a parameter
   std::optional<std::int64_t> type_ = 1;    ///< TYPE
   std::int64_t last_node_ = 0;              ///< the largest number
   std::int64_t last_element_ = 0;           ///< the largest number

@@ -58,7 +58,7 @@ ForeignType element_type(std::int64_t routine, std::size_t nodes, std::int64_t m
   const std::size_t own = library_nodes(routine, mesh200_shape);
   ForeignType type{fmt::format("type{}", routine), nodes, kNoVolume};
   if (own > 0) type.conversion = conversion_of(own, nodes);
-  // what is not known and has so many nodes may well be a solid
+  // an unknown element with this many nodes may well be a solid
   else if (nodes >= 8 && !has(kFlat8, routine))
     type.conversion = {};
   return type;

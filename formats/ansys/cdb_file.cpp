@@ -50,7 +50,7 @@ class CdbReader {
   }
 
  private:
-  /// A line has a command, or several with $ between them; what is behind ! is a comment.
+  /// A line holds a command, or several separated by $; a comment follows !.
   void read_line() {
     const std::size_t start = cursor_.offset();
     std::string_view line = cursor_.line();
@@ -69,7 +69,7 @@ class CdbReader {
     if (command == "ET") {
       const auto number = fields.integer();
       const auto routine = routine_in(fields.field());
-      // besides blocks, types of contacts are told by parameters
+      // in decks of blocks, parameters may give the types of contacts
       if (!number && (have_nodes_ || have_elements_)) return commands_.leave_out();
       if (!number || !routine)
         cursor_.fail_at(start, fmt::format("ET: a number and an element type expected ({} found)",
@@ -98,7 +98,7 @@ class CdbReader {
     }
   }
 
-  /// The number of an element routine, which a name may stand before (SOLID186).
+  /// The number of an element routine, which may follow a name (SOLID186).
   static std::optional<std::int64_t> routine_in(std::string_view field) {
     const std::size_t digit = field.find_first_of("0123456789");
     return digit == std::string_view::npos ? std::nullopt : to_integer(field.substr(digit));
@@ -119,7 +119,7 @@ class CdbReader {
     }
   }
 
-  /// The Fortran format in the line behind a block's command.
+  /// The Fortran format in the line after a block's command.
   Layout read_layout() {
     const std::size_t start = cursor_.offset();
     std::string_view line = trimmed(cursor_.line());
@@ -142,7 +142,7 @@ class CdbReader {
       }
       if (line.starts_with(',')) {
         line.remove_prefix(1);
-        number();  // how many reals: a line may have fewer
+        number();  // the number of reals: a line may have fewer
         if (!line.empty() && (line.front() == 'e' || line.front() == 'E')) {
           line.remove_prefix(1);
           layout.real_width = number();
@@ -156,7 +156,7 @@ class CdbReader {
     return layout;
   }
 
-  /// Field `i` of a width; none when the line is shorter or the field blank.
+  /// Field `i` of the given width; none when the line is shorter or the field is blank.
   std::optional<std::int64_t> integer_in(std::string_view line, std::size_t i, std::size_t width,
                                          std::size_t start) const {
     const std::size_t at = i * width;
@@ -263,7 +263,8 @@ class CdbReader {
     model_.add_element(type, number, std::span(nodes).first(static_cast<std::size_t>(count)));
   }
 
-  /// CMBLOCK,NAME,ELEM,COUNT: numbers, a negative one ending a range that the one before began.
+  /// CMBLOCK,NAME,ELEM,COUNT: numbers; a negative number ends a range that begins with the number
+  /// before it.
   void read_component(CommaFields& fields, std::size_t block) {
     const std::string name(fields.field());
     const bool elements = starts_with_upper(fields.field(), "ELEM");

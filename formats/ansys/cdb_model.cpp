@@ -19,7 +19,7 @@ std::int64_t CdbModel::shape_of(std::int64_t type) const {
 }
 
 void CdbModel::add_element(std::int64_t type, std::int64_t number, std::span<std::int64_t> nodes) {
-  // an element ends with its last node: mid-side nodes that are missing behind it are not counted
+  // an element ends with its last existing node: missing mid-side nodes after it are not counted
   std::array<std::int64_t, 20> whole{};
   const std::size_t own = library_nodes(routine_of(type), shape_of(type));
   const std::size_t corners = own == 10 ? 4 : 8;

@@ -1,5 +1,5 @@
 // The layout is that of the CalculiX GraphiX manual (cgx, "Result Format"): Fortran columns, or
-// binary blocks behind lines of text.
+// lines of text followed by binary blocks.
 #include "formats/calculix/frd_file.hpp"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ std::vector<ForeignType> element_types() {
           {"be3", 3, kNoVolume}};
 }
 
-/// A result block: which values it has, and where they begin.
+/// A result block: its values, and where they begin.
 struct ResultBlock {
   std::string name;
   std::size_t components = 0;
@@ -68,7 +68,7 @@ class FrdReader {
   }
 
  private:
-  /// One line and the block that it begins; false at the end mark.
+  /// Reads one line and the block that it begins; false at the end mark.
   bool read_line() {
     const std::size_t start = cursor_.offset();
     const std::string_view line = cursor_.line();
@@ -82,7 +82,7 @@ class FrdReader {
                                          shown(line)));
     const Encoding encoding = encoding_of(line, start);
     constexpr std::size_t kCountColumn = 24;
-    // blocks of text end in a mark: programs other than CalculiX leave their count out
+    // a mark ends a text block, so programs other than CalculiX leave its count out
     const std::string_view counted = columns(line, kCountColumn, 12);
     const bool left_out = is_text(encoding) && trimmed(counted).empty();
     const auto count = left_out ? std::optional<std::int64_t>(0) : to_integer(counted);
@@ -102,7 +102,7 @@ class FrdReader {
 
   Encoding encoding_of(std::string_view line, std::size_t start) const {
     const std::string_view written = columns(line, 73, 2);
-    // programs other than CalculiX leave it out of what is long text
+    // programs other than CalculiX leave the format number out in blocks of long text
     if (trimmed(written).empty()) return Encoding::long_text;
     const auto number = to_integer(written);
     if (!number || *number < 0 || *number > 3)
@@ -205,7 +205,8 @@ class FrdReader {
     return *number;
   }
 
-  /// "100CL": the head of a result block, its components (-4, -5), and its values, stepped over.
+  /// "100CL": the head of a result block, its components (-4, -5), and its values, which are
+  /// skipped.
   void read_result(std::string_view line, std::size_t start, std::size_t count, Encoding encoding) {
     const auto value = to_real(columns(line, 12, 12));
     if (!value || !std::isfinite(*value))
@@ -242,7 +243,7 @@ class FrdReader {
       const std::string_view line = cursor_.line();
       if (trimmed(columns(line, 0, 3)) != "-5")
         cursor_.fail_at(at, fmt::format("a component (' -5') expected ({} found)", shown(line)));
-      // cgx computes some itself (magnitudes): these are not in the file
+      // cgx computes some components itself (magnitudes): the file does not contain them
       if (to_integer(columns(line, 33, 5)).value_or(0) == 0) ++block.components;
     }
   }
@@ -296,8 +297,8 @@ class FrdReader {
     }
   }
 
-  /// Collects the numbers of a block's nodes that there are not. Numbers that are not well-formed
-  /// are refused when the values are read.
+  /// Collects the numbers in a block that no node has. Malformed numbers are refused when the
+  /// values are read.
   void look_for_strays(const NumberIndex& index, const ResultBlock& block) {
     const auto look_at = [&](std::int64_t number) {
       if (index.find(number) == NumberIndex::kNone) strays_.insert(number);

@@ -7,8 +7,8 @@
 
 namespace hiac::formats::frd {
 
-/// What an .frd file holds. Values of fields are read when they are asked for; the fields keep the
-/// text. Throws InputError.
+/// The contents of an .frd file. The values of a field are read on request; the fields share
+/// ownership of the text. Throws InputError.
 ForeignMesh read_frd(const std::shared_ptr<InputText>& text);
 
 }  // namespace hiac::formats::frd

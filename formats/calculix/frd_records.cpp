@@ -20,22 +20,22 @@ Number number_at(const char* bytes) {
   return number;
 }
 
-/// A value in its columns, without blanks to part it from the next.
+/// A value in its columns; no blank need separate it from the next value.
 double value_in(std::string_view text, const TextCursor& cursor, std::size_t line_start) {
   double value = 0;
   const std::string_view word = trimmed(text);
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error == std::errc() && end == word.data() + word.size() && !word.empty()) return value;
   if (const auto number = to_real(word)) return *number;
-  // Fortran and C write what does not fit its columns, or is no number, in words or stars
+  // Fortran and C write words or stars for values that do not fit the columns or are not numbers
   if (word.find_first_of("NnIi*") != std::string_view::npos)
     return std::numeric_limits<double>::quiet_NaN();
   cursor.fail_at(line_start, fmt::format("a value of {} columns expected ({} found)", kValueColumns,
                                          shown(text)));
 }
 
-/// Values of a line that is longer than its columns: exponents of three digits push what follows to
-/// the right. A value ends where its exponent's digits do.
+/// Values of a line that is longer than its columns: three-digit exponents push the following
+/// values to the right. A value ends after the digits of its exponent.
 void values_in_long_line(std::string_view text, std::size_t count, double* values,
                          const TextCursor& cursor, std::size_t line_start) {
   for (std::size_t i = 0; i < count; ++i) {

@@ -19,13 +19,13 @@ class Records {
  public:
   Records(TextCursor& cursor, Encoding encoding) : cursor_(cursor), encoding_(encoding) {}
 
-  /// Whether there is a further record of a text block; moves behind the block's last line (" -3")
-  /// where there is none. Binary blocks have as many as their heads say.
+  /// Whether a text block has another record; if not, moves past the block's last line (" -3"). The
+  /// head of a binary block states how many records there are.
   bool next_text_record();
   /// The number and the `width` values of the record. Values that are not numbers (a solver's
   /// failed step) are NaN.
   std::int64_t read(std::size_t width, double* values);
-  /// The bytes that a binary record takes.
+  /// The size of a binary record in bytes.
   [[nodiscard]] std::size_t binary_bytes(std::size_t width) const {
     return 4 + width * (encoding_ == Encoding::binary_float ? 4U : 8U);
   }
@@ -38,7 +38,7 @@ class Records {
   Encoding encoding_;
 };
 
-/// Columns [first, first + width) of a line, as many as there are.
+/// Columns [first, first + width) of a line, as far as the line reaches.
 inline std::string_view columns(std::string_view line, std::size_t first, std::size_t width) {
   return first < line.size() ? line.substr(first, width) : std::string_view();
 }

@@ -27,7 +27,7 @@ using cgns::Node;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kNameLength = 32;
 
-/// A zone's place in the mesh.
+/// A zone and its place in the mesh.
 struct Zone {
   std::string name;
   Node node;
@@ -35,12 +35,12 @@ struct Zone {
   StructuredBlock block;
   std::size_t points = 0;
   std::size_t cells = 0;
-  /// Of an unstructured zone, the place of each of its cells among a solution's values.
+  /// For an unstructured zone: the place of each of its cells among the values of a solution.
   std::vector<std::size_t> numbers;
   std::size_t numbered = 0;  ///< cells of the zone that solutions have values for
 };
 
-/// The solution nodes of one zone that hold a field at one step, one a component.
+/// The arrays of one zone that hold a field at one step, one per component.
 struct FieldPart {
   std::vector<Node> arrays;
   std::array<std::size_t, 6> rind{};  ///< extra layers of a structured zone's solution
@@ -54,7 +54,7 @@ struct FieldKey {
   auto operator<=>(const FieldKey&) const = default;
 };
 
-/// The inner values of an array of a structured zone that has extra layers round it.
+/// The interior values of an array of a structured zone that has extra layers (rind) around it.
 std::vector<double> inner(const std::vector<double>& all, const std::array<std::size_t, 3>& extents,
                           const std::array<std::size_t, 6>& rind) {
   const std::size_t ni = extents[0] + rind[0] + rind[1];
@@ -68,7 +68,7 @@ std::vector<double> inner(const std::vector<double>& all, const std::array<std::
   return values;
 }
 
-/// A field's values in one zone, one list a component.
+/// A field's values in one zone, one list per component.
 std::vector<std::vector<double>> values_in(const CgnsFile& file, const Zone& zone,
                                            const FieldPart& part, FieldLocation location) {
   std::array<std::size_t, 3> extents{};
@@ -204,8 +204,10 @@ class Reader {
     }
   }
 
-  /// The size of a zone counts its cells, and solutions have a value for each of these. Where
-  /// sections of surfaces stand among or before them, the element numbers are no places in them.
+  /// The cell count of a zone may exclude surface elements, and solutions then have one value for
+  /// each of the counted cells. If sections of surfaces precede or lie between those of volumes,
+  /// element numbers are not places among these values, and volume cells are numbered
+  /// consecutively.
   void number_volumes(Zone& zone, std::size_t first_cell) const {
     const auto has_volume = [&](std::size_t i) {
       const std::uint16_t type = mesh_.cell_types[first_cell + i];
@@ -257,7 +259,8 @@ class Reader {
 
   using Lists = std::vector<std::vector<std::int64_t>>;
 
-  /// The lists of an NGON_n or NFACE_n section: between offsets (CGNS 4), or each after its length.
+  /// The lists of an NGON_n or NFACE_n section: delimited by offsets (CGNS 4), or each preceded by
+  /// its length.
   [[nodiscard]] Lists lists_of(const Node& section) const {
     const auto connectivity = file_->child(section, "ElementConnectivity");
     if (!connectivity) file_->fail(section, "has no ElementConnectivity");
@@ -286,7 +289,7 @@ class Reader {
     return lists;
   }
 
-  /// Faces of polyhedra, by their element numbers.
+  /// The faces of polyhedra, by element number.
   void note_polygons(std::int64_t first, const Node& section, std::int64_t offset) {
     const std::vector<std::int64_t> kind = file_->integers(section);
     if (kind.empty() || kind[0] != cgns::kPolygons) return;
@@ -307,12 +310,12 @@ class Reader {
     for (const std::vector<std::int64_t>& list : lists) {
       Lists faces;
       for (const std::int64_t signed_number : list) {
-        // the sign says which way a face turns, which is found out anyhow
+        // the sign gives the orientation of the face, which is determined later anyway
         const auto found = polygons_.find(signed_number < 0 ? -signed_number : signed_number);
         if (found == polygons_.end())
           file_->fail(section, fmt::format("names the face {}, which is in no NGON_n section",
                                            signed_number));
-        // or few bytes would make much memory
+        // otherwise a small file could demand much memory
         if (++uses_[found->first] > 2)
           file_->fail(section, fmt::format("names the face {} more than twice", found->first));
         faces.push_back(found->second);
@@ -321,7 +324,7 @@ class Reader {
     }
   }
 
-  /// The step of every solution that a zone's pointers name.
+  /// The step of every solution that the pointers of a zone name.
   std::map<std::string, std::size_t> steps_of(const Node& zone) const {
     std::map<std::string, std::size_t> steps;
     const auto iterative = file_->labelled(zone, "ZoneIterativeData_t");
@@ -353,7 +356,7 @@ class Reader {
           continue;
         }
       }
-      // a solution that no step names, of a file with several, is of none of them
+      // if the pointers name solutions, a solution that they do not name belongs to no step
       const auto step = steps.find(solution.name);
       if (!steps.empty() && step == steps.end()) continue;
       const std::vector<Node> arrays = file_->children(solution, "DataArray_t");

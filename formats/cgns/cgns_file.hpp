@@ -17,8 +17,9 @@ struct Node {
   std::vector<std::size_t> shape;  ///< the first dimension fastest
 };
 
-/// A CGNS file for reading. To be used in a process that may crash (read_isolated). Throws
-/// InputError naming the file and the node; memory is taken only where the file is large enough.
+/// A CGNS file for reading. For use in a process that may crash (read_isolated). Throws InputError
+/// naming the file and the node; memory is allocated only when the file is large enough for the
+/// data.
 class CgnsFile {
  public:
   explicit CgnsFile(const std::string& path);
@@ -29,7 +30,7 @@ class CgnsFile {
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] std::size_t size() const { return file_size_; }
   [[nodiscard]] Node root() const;
-  /// The children with that label; all of them where it is empty.
+  /// The children with that label; all children when it is empty.
   [[nodiscard]] std::vector<Node> children(const Node& node, std::string_view label = {}) const;
   [[nodiscard]] std::optional<Node> child(const Node& node, std::string_view name) const;
   /// The first child with that label.
@@ -37,7 +38,7 @@ class CgnsFile {
 
   [[nodiscard]] std::vector<double> reals(const Node& node) const;
   [[nodiscard]] std::vector<std::int64_t> integers(const Node& node) const;
-  /// A node of characters as a text; one of rows of characters as one text.
+  /// The characters of a node as one text; rows of characters are joined.
   [[nodiscard]] std::string text(const Node& node) const;
 
   [[noreturn]] void fail(const Node& node, const std::string& problem) const;

@@ -10,7 +10,7 @@
 namespace hiac::formats::cgns {
 namespace {
 
-/// Tables of node orders, which conversions look into.
+/// Tables of node orders, which conversions refer to.
 struct Orders {
   std::vector<std::uint8_t> penta15 =
       permutation_by_edges(CellKind::prism15, kRightHandedPrism, kUprightPrism);
@@ -19,7 +19,7 @@ struct Orders {
   std::vector<std::uint8_t> hexa20 = permutation_by_edges(CellKind::brick20, {}, kUprightBrick);
   std::vector<std::uint8_t> hexa32 = permutation_by_edges(CellKind::brick32, {}, kUprightBrick);
   std::vector<std::uint8_t> pyra21 = permutation_by_edges(CellKind::pyramid21, {}, kUprightPyramid);
-  // behind the edges' nodes those of the faces 1 2 3, 1 2 4, 2 3 4, 3 1 4
+  // the nodes of the edges are followed by those of the faces 1 2 3, 1 2 4, 2 3 4, 3 1 4
   std::vector<std::uint8_t> tetra20 = permutation_by_edges(
       CellKind::tetrahedron20, {}, kUprightTetrahedron, std::vector<std::uint8_t>{1, 2, 3, 0});
 };

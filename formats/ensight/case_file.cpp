@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::int64_t kMostSteps = 1'000'000;
 
-/// What a variable's line begins with.
+/// A sort of variable, with the keyword at the beginning of its line.
 struct VariableSort {
   std::string_view key;
   FieldLocation location;
@@ -67,7 +67,7 @@ class Parser {
  private:
   [[noreturn]] void fail(const std::string& problem) const { text_.fail_at(line_, problem); }
 
-  /// A section's name, or further numbers of the list before.
+  /// The name of a section, or further numbers of the preceding list.
   void continue_or_begin(std::string_view line) {
     if (list_ != nullptr || numbers_ != nullptr) {
       if (to_real(words_of(line).front())) return add_numbers(line);
@@ -106,7 +106,7 @@ class Parser {
   }
 
   void read_model(std::string_view value) {
-    // numbers of a time set and a file set, the file's name, how the geometry changes
+    // time set and file set numbers, the file's name, and how the geometry changes
     std::vector<std::string> words = words_of(value);
     const auto name = std::find_if(words.begin(), words.end(), [](const std::string& word) {
       return !to_integer(word).has_value();
@@ -153,7 +153,7 @@ class Parser {
                : word;
   }
 
-  /// Numbers that stand in a file of their own.
+  /// Numbers that are stored in a separate file.
   void add_numbers_of(std::string_view name) {
     const InputText input(file_beside(text_.subject(), unquoted(std::string(name))));
     add_numbers(input.text());

@@ -9,17 +9,17 @@
 
 namespace hiac::formats::ensight {
 
-/// A time set: its steps' times and the numbers that stand for the stars in file names.
+/// A time set: the times of its steps, and the numbers that replace the stars in file names.
 struct TimeSet {
   long number = 1;
   std::vector<double> times;
   std::vector<long> file_numbers;
 
-  /// The last step whose time is not above the given one; the first where all are.
+  /// The last step whose time is not later than the given one; the first if all are later.
   [[nodiscard]] std::size_t step_at(double time) const;
 };
 
-/// A variable: its files, one a part of a complex one.
+/// A variable with its files, one for each part of a complex variable.
 struct Variable {
   std::string name;
   FieldLocation location;
@@ -36,15 +36,15 @@ struct CaseFile {
   std::vector<TimeSet> time_sets;
   std::vector<std::string> notes;
 
-  /// The time set with that number; without a number the first one for a file with stars in its
-  /// name. Nothing where there is none.
+  /// The time set with that number; without a number, the first one if the file's name has stars.
+  /// Nothing when there is none.
   [[nodiscard]] const TimeSet* time_set(std::optional<long> number, std::string_view file) const;
 };
 
 /// Throws InputError naming the file and the line.
 CaseFile read_case_file(const std::string& path);
 
-/// The file of a step: stars in the name replaced by the step's number, in the case's folder.
+/// The file of a step, in the case's folder: the step's number replaces the stars in the name.
 std::string file_of_step(const std::string& case_path, const std::string& name, const TimeSet* set,
                          std::size_t step);
 

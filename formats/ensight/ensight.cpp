@@ -31,7 +31,7 @@ using ensight::GoldFile;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// The cells of one part that stand under one element's name.
+/// The cells of one part that are listed under one element name.
 struct Section {
   std::string name;
   std::size_t first;
@@ -49,7 +49,7 @@ using Parts = std::map<std::int64_t, Part>;
 
 class Geometry {
  public:
-  /// Of a file that holds several steps the given one is read.
+  /// If the file holds several steps, the given one is read.
   Geometry(const std::string& path, std::size_t step, ForeignMesh& mesh)
       : file_(GoldFile::open_geometry(path)), mesh_(mesh) {
     file_.select_step(step);
@@ -118,7 +118,7 @@ class Geometry {
           fmt::format("'{}' is not read (a block without ranges and ghosts expected)", line));
     const std::vector<std::int64_t> extents = file_.wholes(3);
     const bool listed = !says("uniform") && !says("rectilinear");
-    // of blocks that are told by their axes no more are believed than these
+    // a block given by its axes takes few bytes: accept no more points than this
     constexpr std::size_t kMostUnlisted = std::size_t{1} << 24;
     const StructuredBlock block = structured_block(
         extents, listed ? std::size_t{1} << 31 : kMostUnlisted, "a block of a part");
@@ -137,7 +137,7 @@ class Geometry {
     part.sections.push_back({"block", first, block.cell_count(), std::move(kept)});
   }
 
-  /// The points of a block that is told by its coordinates along three axes, or by an origin and a
+  /// The points of a block that is given by its coordinates along three axes, or by an origin and a
   /// spacing.
   std::array<std::vector<double>, 3> axes_of(const StructuredBlock& block, bool uniform) {
     std::array<std::vector<double>, 3> along;
@@ -183,7 +183,7 @@ class Geometry {
     }
   }
 
-  /// As many numbers as these say together.
+  /// Reads as many numbers as the sum of these counts.
   std::vector<std::int64_t> counted(const std::vector<std::int64_t>& counts) {
     std::size_t total = 0;
     for (const std::int64_t number : counts) {
@@ -193,7 +193,7 @@ class Geometry {
     return file_.wholes(total);
   }
 
-  /// Polygons are counted, polyhedra told by their faces.
+  /// Polygons are only counted; polyhedra are read with their faces.
   void read_polytopes(const std::string& name, Part& part) {
     const std::size_t count = file_.count();
     if (element_ids_) file_.wholes(count);
@@ -227,7 +227,7 @@ class Geometry {
   bool element_ids_ = false;
 };
 
-/// What reads a variable's files.
+/// Reads the files of a variable.
 struct VariableReader {
   Parts parts;
   ensight::Encoding encoding;
@@ -286,8 +286,8 @@ struct VariableReader {
 
   static constexpr std::size_t kHidden = static_cast<std::size_t>(-1);
 
-  /// For every value of a component the place of its node or cell, among those that were taken.
-  /// Partial values say which they are.
+  /// For every value of a component, the place of its node or cell among those that were kept.
+  /// Partial values come with a list of their nodes or cells.
   static std::vector<std::size_t> places_of(GoldFile& file, const std::string& line,
                                             std::size_t count, const Section* section) {
     std::vector<std::size_t> places(count, kHidden);
@@ -317,11 +317,11 @@ std::vector<double> times_of(const std::vector<ensight::TimeSet>& sets) {
   return times;
 }
 
-/// What reads a variable's file at a step.
+/// Reads a variable's file at a step.
 using ReadVariable = std::function<std::vector<double>(const std::string& path, std::size_t step,
                                                        FieldLocation location, std::size_t width)>;
 
-/// Adds the geometry to the mesh.
+/// Adds the geometry to the mesh; returns the reader of its variables.
 ReadVariable read_geometry(const ensight::CaseFile& parsed, const std::string& path,
                            std::size_t step, ForeignMesh& mesh) {
   if (parsed.version_6) {
@@ -348,7 +348,7 @@ ForeignMesh foreign_mesh(const std::string& path, const ReadOptions& options) {
   mesh.times = times_of(parsed.time_sets);
   const std::size_t last = mesh.times.empty() ? 0 : mesh.times.size() - 1;
   const std::size_t step = requested_step(options, mesh.times, path).value_or(last);
-  // every set has its own steps: those that hold at the time
+  // every set has its own steps; the one that is current at the requested time is taken
   const auto step_of = [&](const ensight::TimeSet* set) {
     return set == nullptr || mesh.times.empty() ? 0 : set->step_at(mesh.times[step]);
   };
@@ -386,8 +386,8 @@ ForeignMesh foreign_mesh(const std::string& path, const ReadOptions& options) {
   return mesh;
 }
 
-/// Whether a section FORMAT says that the type is EnSight's; other sections may be long, and the
-/// geometry's the last.
+/// Whether a section FORMAT states an EnSight type. Other sections may be long and come before it,
+/// and GEOMETRY may come last.
 bool begins_case(std::string_view head) {
   TextCursor cursor(head, "");
   bool format = false;

@@ -4,8 +4,8 @@
 
 namespace hiac::formats {
 
-/// EnSight Gold: a case file that names a geometry and variables, each a file (or one a step) in
-/// ASCII or C binary, in either byte order; unstructured and structured parts.
+/// EnSight Gold: a case file that names a geometry and variables, each in a file (or one per step)
+/// in ASCII or C binary, in either byte order; unstructured and structured parts.
 ///
 /// Ansys EnSight User Manual, section "EnSight Gold Casefile Format".
 Format ensight_format();

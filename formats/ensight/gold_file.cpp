@@ -13,7 +13,7 @@ namespace hiac::formats::ensight {
 namespace {
 
 constexpr std::size_t kTextBytes = 80;
-/// No file has more parts: a larger number is one of the other byte order.
+/// No file has more parts: a larger number indicates the other byte order.
 constexpr std::int64_t kMostParts = 65'535;
 
 std::size_t mark_at(std::string_view all, std::size_t at, bool swap) {
@@ -22,7 +22,7 @@ std::size_t mark_at(std::string_view all, std::size_t at, bool swap) {
   return swap ? __builtin_bswap32(mark) : mark;
 }
 
-/// Every record has its length before it and behind it.
+/// Every record is preceded and followed by its length.
 std::string without_marks(const InputText& input, bool swap) {
   constexpr std::size_t kMark = 4;
   const std::string_view all = input.text();

@@ -21,22 +21,22 @@ struct Encoding {
 /// line in ASCII), whole numbers and reals. Throws InputError with the line or the byte.
 class GoldFile {
  public:
-  /// The geometry says "C Binary" or "Fortran Binary"; variable files do not, and are encoded as
-  /// the geometry is.
+  /// The geometry says "C Binary" or "Fortran Binary"; variable files do not say it, and have the
+  /// same encoding.
   static GoldFile open_geometry(const std::string& path);
   GoldFile(const std::string& path, const Encoding& encoding);
 
   [[nodiscard]] const Encoding& encoding() const { return encoding_; }
-  /// Moves to the beginning of that step where the file holds several ("BEGIN TIME STEP").
+  /// Moves to the beginning of that step if the file holds several ("BEGIN TIME STEP").
   void select_step(std::size_t step);
-  /// At the end of the file or of the step.
+  /// Whether the file or the step ends here.
   [[nodiscard]] bool at_end();
-  /// The next text without blanks at its ends; stays in front of it where `peek`.
+  /// The next text without blanks at its ends; with `peek`, the text is not consumed.
   std::string text(bool peek = false);
   std::int64_t whole();
-  /// A count of things of at least that many bytes each.
+  /// A count of items that take at least that many bytes each.
   std::size_t count(std::size_t bytes_each = 4);
-  /// One number of parts: tells the byte order of a binary geometry, of which it is the first.
+  /// A part number: the first number of a binary geometry, which determines its byte order.
   std::int64_t part_number();
   std::vector<std::int64_t> wholes(std::size_t amount);
   std::vector<double> reals(std::size_t amount);

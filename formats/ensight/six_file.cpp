@@ -50,7 +50,7 @@ class Columns {
                        column + kRealColumns, shown(field(column, kRealColumns))));
     return *value;
   }
-  /// A line's count of things that take a line or a value each.
+  /// A line with the count of items that take a line or a value each.
   std::size_t count() {
     const auto value = to_integer(line());
     if (!value || *value < 0 || static_cast<std::uint64_t>(*value) > left())
@@ -76,7 +76,7 @@ class Columns {
   std::size_t start_ = 0;
 };
 
-/// Whether numbers stand before what they number, and whether these count.
+/// Whether numbers precede the nodes or elements (`there`), and whether they are used (`given`).
 struct Numbers {
   bool there;
   bool given;

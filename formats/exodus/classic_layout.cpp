@@ -85,7 +85,7 @@ class Header {
     return std::string(text_.substr(begin, length));
   }
 
-  /// The length of a list, of which every entry has some bytes.
+  /// The length of a list; every entry takes at least one byte of the file.
   std::uint64_t list(std::uint32_t tag) {
     const std::uint64_t found = number(4);
     const std::uint64_t length = count();

@@ -5,7 +5,7 @@
 
 namespace hiac::formats::exodus {
 
-/// Whether a file that begins so is a classic netCDF file: "CDF" and version 1, 2 or 5.
+/// Whether these are the first bytes of a classic netCDF file: "CDF" and version 1, 2 or 5.
 bool is_classic_netcdf(std::string_view head);
 
 /// Reads the header of a classic netCDF file and checks that the data of every variable are inside

@@ -6,8 +6,8 @@
 
 namespace hiac::formats::exodus {
 
-/// How an element of that name ("HEX", "hex20", "TETRA10", ...) with that many nodes is converted.
-/// Names are free in their case and in their numbers: the letters and the number of nodes count.
+/// How an element with that name ("HEX", "hex20", "TETRA10", ...) and number of nodes is converted.
+/// The case of a name and the digits in it vary: only its letters and the number of nodes matter.
 CellConversion conversion_of(const std::string& name, std::size_t nodes);
 
 }  // namespace hiac::formats::exodus

@@ -107,15 +107,15 @@ class Reader {
     mesh_.cell_nodes.insert(mesh_.cell_nodes.end(), nodes.begin(), nodes.end());
   }
 
-  /// "nsided": how many corners each has stands elsewhere.
+  /// "nsided": a separate variable holds the number of corners of each polygon.
   void add_polygons(const std::string& element, std::size_t number) {
     const std::string counts = fmt::format("ebepecnt{}", number);
     const std::size_t count = file_->has(counts) ? file_->integers(counts).size() : 0;
     mesh_.cell_types.insert(mesh_.cell_types.end(), count, mesh_.type_place(element, 0, kNoVolume));
   }
 
-  /// A variable of lists one after the other, and a variable of their lengths; without that all are
-  /// as long as the first's second dimension.
+  /// Reads concatenated lists from the variable `name`, with their lengths from the variable
+  /// `counts`; if `name` has two dimensions, each of its rows is a list.
   [[nodiscard]] Lists lists_in(const std::string& name, const std::string& counts) const {
     const std::vector<std::int64_t> all = file_->integers(name);
     const std::vector<std::size_t> shape = file_->shape(name);
@@ -136,7 +136,7 @@ class Reader {
     return lists;
   }
 
-  /// The faces of all face blocks, which polyhedra name by their places from 1.
+  /// The faces of all face blocks, to which polyhedra refer by places counted from 1.
   void read_faces() {
     if (!faces_.empty()) return;
     for (std::size_t b = 1; b <= file_->dimension("num_fa_blk"); ++b) {
@@ -158,7 +158,7 @@ class Reader {
         if (face < 1 || static_cast<std::uint64_t>(face) > faces_.size())
           file_->fail(name, fmt::format("names face {} (1 to {} expected)", face, faces_.size()));
         const auto place = static_cast<std::size_t>(face) - 1;
-        // or few bytes would make much memory
+        // otherwise a small file could demand much memory
         if (++uses_[place] > 2)
           file_->fail(name, fmt::format("names face {} more than twice", face));
         own.push_back(faces_[place]);

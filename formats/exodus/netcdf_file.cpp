@@ -16,7 +16,7 @@
 namespace hiac::formats::exodus {
 namespace {
 
-/// The strongest compression of the filters that netCDF-4 brings (deflate's is 1032).
+/// The highest compression ratio of the filters in netCDF-4 (deflate: 1032).
 constexpr std::uint64_t kMostCompression = 1100;
 
 std::size_t bytes_of(nc_type type) {
@@ -41,7 +41,7 @@ std::size_t bytes_of(nc_type type) {
 
 NetcdfFile::NetcdfFile(const std::string& path) : path_(path) {
   {
-    // of what a classic file lacks at its end the library makes zeros
+    // where a classic file is cut off, the library returns zeros for the missing data
     const MappedFile file(path);
     file_size_ = file.text().size();
     packed_ = !is_classic_netcdf(file.text());

@@ -8,9 +8,9 @@
 
 namespace hiac::formats::exodus {
 
-/// A netCDF file for reading: names in, numbers out. To be used in a process that may crash
+/// A netCDF file for reading: names in, numbers out. For use in a process that may crash
 /// (read_isolated). Every function throws InputError naming the file and the variable; memory is
-/// taken only where the file is large enough for it.
+/// allocated only when the file is large enough for the data.
 class NetcdfFile {
  public:
   explicit NetcdfFile(const std::string& path);
@@ -18,7 +18,7 @@ class NetcdfFile {
   NetcdfFile(const NetcdfFile&) = delete;
   NetcdfFile& operator=(const NetcdfFile&) = delete;
 
-  /// The length of a dimension; 0 where there is none of that name.
+  /// The length of a dimension; 0 when there is none with that name.
   [[nodiscard]] std::size_t dimension(const std::string& name) const;
   [[nodiscard]] bool has(const std::string& variable) const;
   [[nodiscard]] std::vector<std::size_t> shape(const std::string& variable) const;
@@ -34,7 +34,7 @@ class NetcdfFile {
                                           const std::vector<std::size_t>& count) const;
   /// The lines of a two-dimensional array of characters; none where there is no such variable.
   [[nodiscard]] std::vector<std::string> texts(const std::string& variable) const;
-  /// A text attribute of a variable, or of the file where that is empty.
+  /// A text attribute of a variable; of the file when the variable's name is empty.
   [[nodiscard]] std::optional<std::string> text_attribute(const std::string& variable,
                                                           const std::string& name) const;
 

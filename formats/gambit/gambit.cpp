@@ -74,7 +74,7 @@ class NeuReader {
     for (int i = 0; i < kTitleLines; ++i) cursor_.line();
     nodes_ = cursor_.count("the number of nodes", cursor_.left());
     cells_ = cursor_.count("the number of elements", cursor_.left());
-    // groups, boundary conditions; of a plane mesh nodes have two coordinates
+    // the counts of groups and of boundary conditions; in a plane mesh, nodes have two coordinates
     cursor_.integer("the number of groups");
     cursor_.integer("the number of sets of boundary conditions");
     dimension_ = cursor_.integer("the number of coordinate directions");
@@ -112,7 +112,7 @@ class NeuReader {
     return true;
   }
 
-  /// Both are told in one section, whose length the head has.
+  /// One section holds both; the head of the file gives its length.
   void expect_none(const std::vector<std::int64_t>& numbers, const char* what) const {
     if (!numbers.empty()) cursor_.fail(fmt::format("a second section of {}", what));
   }
@@ -196,7 +196,7 @@ class NeuReader {
     }
   }
 
-  /// A name has 32 columns and may hold blanks; in files that keep no columns it is a word.
+  /// A name has 32 columns and may hold blanks; in files without fixed columns it is one word.
   void skip_name() {
     constexpr std::size_t kColumns = 32;
     const std::string_view line = cursor_.peek_line();

@@ -33,7 +33,7 @@ Format gmsh_format() {
   format.fields = "node, cell, corner";
   format.time_steps = "many";
   format.recognizes = [](std::string_view head) {
-    // Gmsh passes over lines before a section; other formats have dollar signs of their own
+    // Gmsh ignores lines before a section; but dollar signs also occur in other formats
     TextCursor cursor(head, "");
     while (!cursor.at_end()) {
       const std::string_view line = trimmed(cursor.line());

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// What values are looked up in: shared by all fields of a file.
+/// The tables for looking up values, shared by all fields of a file.
 struct Places {
   std::shared_ptr<InputText> text;
   NumberIndex nodes;
@@ -36,7 +36,7 @@ void read_tuple(MshStream& stream, std::size_t width, double* to) {
   for (std::size_t c = 0; c < width; ++c) to[c] = stream.real("a value");
 }
 
-/// Values at the corners alone of a quadratic element are linear along its edges.
+/// A quadratic element that has values at its corners only: they are linear along its edges.
 void fill_edges(const ForeignType& type, std::size_t width, double* values) {
   const std::size_t corners = corner_count(type.conversion.kind);
   for (std::size_t n = corners; n < type.nodes; ++n) {
@@ -90,7 +90,8 @@ struct FieldParts {
   std::vector<DataSection> sections;
 };
 
-/// A field has one step number at a time; another one is another step, even at the same time.
+/// A field has one step number at a time; a different number is a different step, even at the same
+/// time.
 class Grouping {
  public:
   std::vector<double> times;

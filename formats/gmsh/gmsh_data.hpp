@@ -7,9 +7,9 @@
 
 namespace hiac::formats::gmsh {
 
-/// Adds the times and the fields of the data sections to the mesh. Sections of one name, place and
-/// step are parts of one field. Values are read when a field is asked for, from `text`, which the
-/// fields keep.
+/// Adds the times and the fields of the data sections to the mesh. Sections with the same name,
+/// location and step are parts of one field. Values are read from `text` when a field is requested;
+/// the fields share its ownership.
 void add_data(std::vector<DataSection>&& sections, const std::shared_ptr<InputText>& text,
               ForeignMesh& mesh);
 

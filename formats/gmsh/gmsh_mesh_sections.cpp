@@ -1,5 +1,5 @@
 // $Nodes, $Elements and $Entities of versions 1, 2, 3, 4.0 and 4.1 (the Gmsh reference manual, "MSH
-// file format", and of version 4.0 that of Gmsh 4.0; of version 3, which no manual tells,
+// file format", for version 4.0 that of Gmsh 4.0; for version 3, which no manual describes,
 // GModelIO_MSH3.cpp of Gmsh).
 #include <array>
 
@@ -55,8 +55,7 @@ void reserve_points(ForeignMesh& mesh, std::size_t count) {
   reserve_large(mesh.xyz, mesh.xyz.size() + 3 * count);
 }
 
-/// Of nodes there are no more than the rest of the file can hold, and hardly more than those of as
-/// many bricks.
+/// Reserves no more nodes than the rest of the file can hold, nor more than this many bricks have.
 void reserve_cells(MshStream& stream, ForeignMesh& mesh, std::size_t count) {
   constexpr std::size_t kLeastBytes = 2;
   constexpr std::size_t kNodes = 8;
@@ -65,8 +64,8 @@ void reserve_cells(MshStream& stream, ForeignMesh& mesh, std::size_t count) {
   reserve_large(mesh.cell_nodes, std::min(stream.cursor().left() / kLeastBytes, kNodes * count));
 }
 
-/// The entity of a node of version 2 that has parameters: its dimension and tag, and the parameters
-/// of a curve's or a surface's.
+/// Skips the entity of a version 2 node with parameters: its dimension and tag, and the parameters
+/// on a curve or a surface.
 void skip_parametric_place(MshStream& stream) {
   const std::int64_t dimension = stream.integer("an entity's dimension");
   stream.integer("an entity's tag");
@@ -74,7 +73,8 @@ void skip_parametric_place(MshStream& stream) {
   for (std::int64_t c = 0; c < parameters; ++c) stream.real("a parametric coordinate");
 }
 
-/// The number of nodes in a list, of which each takes so many bytes at least; makes place for them.
+/// The number of nodes in a list, each of which takes at least so many bytes; reserves memory for
+/// them.
 std::size_t begin_node_list(MshStream& stream, ForeignMesh& mesh, std::size_t binary_bytes,
                             std::size_t text_bytes) {
   const std::size_t count = stream.cursor().count("the number of nodes", stream.cursor().left());
@@ -98,8 +98,8 @@ void read_nodes_2(MshStream& stream, MshContents& contents, bool parametric) {
   }
 }
 
-/// Version 3: a list of number, coordinates and entity, which is 0 or has a dimension and as many
-/// parameters behind it.
+/// Version 3: a list of number, coordinates and entity; the entity is 0, or a dimension that is
+/// followed by as many parameters.
 void read_nodes_3(MshStream& stream, MshContents& contents) {
   ForeignMesh& mesh = contents.mesh;
   constexpr std::size_t kBinaryBytes = 32;
@@ -117,7 +117,7 @@ void read_nodes_3(MshStream& stream, MshContents& contents) {
   }
 }
 
-/// The entity that a block of nodes or elements is of.
+/// The entity that a block of nodes or elements belongs to.
 struct BlockHead {
   int dimension;
   std::int64_t tag;
@@ -166,7 +166,7 @@ void read_nodes_4(MshStream& stream, MshContents& contents) {
         fmt::format("{} nodes expected, {} found in the blocks", total, mesh.node_numbers.size()));
 }
 
-/// One element of version 1 or 2 behind its type: the physical group is its first tag.
+/// One element of version 1 or 2, after its type: the physical group is its first tag.
 void add_element_2(MshStream& stream, MshContents& contents, std::uint16_t type,
                    std::int64_t number, std::int64_t group) {
   ForeignMesh& mesh = contents.mesh;
@@ -232,7 +232,7 @@ void read_elements_2(MshStream& stream, MshContents& contents) {
   }
 }
 
-/// The physical groups of an entity that the elements from `begin` on are of.
+/// Adds the elements from `begin` on to the physical groups of their entity.
 void add_to_groups_of(MshContents& contents, DimTag entity, std::size_t begin) {
   const auto groups = contents.entity_groups.find(entity);
   if (groups == contents.entity_groups.end()) return;
@@ -240,8 +240,8 @@ void add_to_groups_of(MshContents& contents, DimTag entity, std::size_t begin) {
     add_to_group(contents, {entity.first, group}, begin, contents.mesh.cell_count());
 }
 
-/// Version 3: a list of number, type, entity and a number of data: the nodes, and behind them what
-/// the element is a part of and its partitions.
+/// Version 3: a list of number, type, entity and data count; the data are the nodes, followed by
+/// the element's parents and partitions.
 void read_elements_3(MshStream& stream, MshContents& contents) {
   ForeignMesh& mesh = contents.mesh;
   Types types(mesh.types);

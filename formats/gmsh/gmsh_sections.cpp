@@ -14,10 +14,11 @@
 namespace hiac::formats::gmsh {
 namespace {
 
-/// Components that Gmsh knows: scalars, vectors, tensors; more are possible, not very many.
+/// Gmsh knows scalars, vectors and tensors; other numbers of components are possible, but not large
+/// ones.
 constexpr std::size_t kMostComponents = 100;
 
-/// Between quotes, or as it is.
+/// The text between quotes; the whole text when it has none.
 std::string unquoted(std::string_view text) {
   text = trimmed(text);
   if (text.size() >= 2 && text.starts_with('"') && text.ends_with('"'))
@@ -43,8 +44,8 @@ class SectionReader {
   }
 
  private:
-  /// Moves behind the next line that begins a section and keeps its name; other lines between
-  /// sections are passed over, as Gmsh does.
+  /// Moves past the next line that begins a section and stores the section's name; skips other
+  /// lines between sections, as Gmsh does.
   bool next_section() {
     TextCursor& cursor = stream_.cursor();
     while (!cursor.at_end()) {
@@ -98,7 +99,7 @@ class SectionReader {
     stream_.set_binary(swapped);
   }
 
-  /// The section's last line.
+  /// Reads the section's last line.
   void expect_end() {
     TextCursor& cursor = stream_.cursor();
     cursor.skip_space();
@@ -199,7 +200,8 @@ class SectionReader {
     skip_section();
   }
 
-  /// Binary values may look like the section's end; they are stepped over.
+  /// Binary values may contain what looks like the section's end, so they are skipped by their
+  /// size.
   void skip_binary(const DataSection& data) {
     for (std::size_t i = 0; i < data.entities; ++i) {
       stream_.integer("a number");

@@ -26,7 +26,7 @@ struct DataSection {
   MshStream data;
 };
 
-/// What the sections of an MSH file hold.
+/// The contents of the sections of an MSH file.
 struct MshContents {
   double version = 0;
   ForeignMesh mesh;
@@ -36,15 +36,16 @@ struct MshContents {
   std::vector<DataSection> data;
 };
 
-/// Reads all sections; the data of fields stay where they are. The stream must outlive the result.
+/// Reads all sections except the data of fields, which are read later. The stream must outlive the
+/// result.
 MshContents read_sections(MshStream stream);
 
-// The sections that hold the mesh; the stream stands behind the section's first line.
+// These read the sections of the mesh; the stream is after the section's first line.
 void read_nodes(MshStream& stream, MshContents& contents);
 void read_parametric_nodes(MshStream& stream, MshContents& contents);
 void read_elements(MshStream& stream, MshContents& contents);
 void read_entities(MshStream& stream, MshContents& contents);
-/// Of version 3 they are text in binary files too.
+/// In version 3 this section is text in binary files too.
 void read_entities_3(TextCursor& cursor, MshContents& contents);
 
 }  // namespace hiac::formats::gmsh

@@ -12,7 +12,7 @@ void MshStream::fail(const std::string& what) const {
 }
 
 std::size_t MshStream::checked(std::int64_t value, std::string_view what, std::size_t bytes) const {
-  // a number and the blank behind it
+  // a number and the blank after it
   constexpr std::size_t kTextBytes = 2;
   const std::size_t limit = cursor_.left() / (binary_ ? bytes : kTextBytes) + 1;
   if (value < 0 || static_cast<std::uint64_t>(value) > limit)

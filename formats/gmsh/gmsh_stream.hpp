@@ -8,7 +8,7 @@
 
 namespace hiac::formats::gmsh {
 
-/// Numbers of an MSH file, which are words or binary: 32-bit integers, 64-bit sizes, doubles.
+/// The numbers of an MSH file, as words or binary: 32-bit integers, 64-bit sizes, doubles.
 class MshStream {
  public:
   explicit MshStream(TextCursor cursor) : cursor_(std::move(cursor)) {}
@@ -20,7 +20,7 @@ class MshStream {
     swapped_ = swapped;
   }
   [[nodiscard]] bool binary() const { return binary_; }
-  /// Versions 4 write some integers as 64 bits wide.
+  /// An integer that binary files of versions 4 store in 64 bits.
   std::int64_t wide(std::string_view what) {
     return binary_ ? raw<std::int64_t>(what) : cursor_.integer(what);
   }
@@ -29,8 +29,8 @@ class MshStream {
   }
   double real(std::string_view what) { return binary_ ? raw<double>(what) : cursor_.real(what); }
 
-  /// A count of things that each take at least `bytes` binary bytes (as text at least two), so that
-  /// no more are believed than can be there.
+  /// A count of items that each take at least `bytes` binary bytes (as text at least two); refused
+  /// when the rest of the file cannot hold that many.
   std::size_t count(std::string_view what, std::size_t bytes) {
     return checked(wide(what), what, bytes);
   }

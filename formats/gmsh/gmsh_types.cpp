@@ -10,9 +10,9 @@
 namespace hiac::formats::gmsh {
 namespace {
 
-// Edges in Gmsh's order and direction (reference manual, "Node ordering": the quadratic elements'
-// nodes; for cubic ones the same order, two nodes an edge, as MTetrahedron::edge_tetra and its
-// like in Gmsh have it).
+// Edges in Gmsh's order and direction (reference manual, "Node ordering": the nodes of the
+// quadratic elements; cubic ones have the same order with two nodes per edge, as in Gmsh's
+// MTetrahedron::edge_tetra and its counterparts).
 constexpr std::array<ShapeEdge, 6> kTetrahedron{{{0, 1}, {1, 2}, {2, 0}, {3, 0}, {3, 2}, {3, 1}}};
 constexpr std::array<ShapeEdge, 8> kPyramid{
     {{0, 1}, {0, 3}, {0, 4}, {1, 2}, {1, 4}, {2, 3}, {2, 4}, {3, 4}}};

@@ -13,14 +13,14 @@ namespace hiac::formats::gmsh {
 /// Numbers and node orders: the Gmsh reference manual, "MSH file format" and "Node ordering".
 const ForeignType* element_type(std::int64_t number);
 
-/// How a kind is written: the number of Gmsh's element type, and for each of its nodes the node of
-/// the kind that it is.
+/// How a kind is written: Gmsh's number of the element type, and for each node of the element the
+/// kind's node.
 struct WrittenType {
   int number;
   std::vector<std::uint8_t> nodes;
 };
 
-/// None for kinds that Gmsh has not (the wedges).
+/// None for kinds that Gmsh does not have (the wedges).
 const std::optional<WrittenType>& written_type(CellKind kind);
 
 }  // namespace hiac::formats::gmsh

@@ -19,7 +19,7 @@ namespace {
 constexpr int kVolume = 3;
 constexpr int kEntity = 1;
 
-/// The brick that a wedge is: the wedge's node for each of the brick's, edge 6-7 in one node.
+/// The wedge as a brick: the wedge's node for each of the brick's; edge 6-7 is one node.
 constexpr std::array<std::uint8_t, 8> kWedge7{0, 1, 2, 3, 4, 5, 6, 6};
 constexpr std::array<std::uint8_t, 20> kWedge18{0, 1,  2,  3,  4, 5,  6,  6,  7,  8,
                                                 9, 10, 11, 12, 6, 13, 14, 15, 16, 17};
@@ -72,7 +72,7 @@ class MshWriter {
                         "having no such element",
                         counts[k], kind_name(kind)));
     }
-    // Gmsh counts elements and nodes of fields in 32 bits
+    // in Gmsh's fields, the counts of elements and nodes have 32 bits
     constexpr std::size_t kMost = std::numeric_limits<std::int32_t>::max();
     if (!mesh_.fields.empty() && std::max(mesh_.node_count(), mesh_.cell_count()) > kMost)
       throw InputError(path_, "Gmsh cannot hold fields on so many nodes or cells");
@@ -141,8 +141,8 @@ class MshWriter {
     out.text("\n$EndNodes\n");
   }
 
-  /// Where runs of cells of one kind begin, and after the last the number of cells: blocks that
-  /// keep the cells' order.
+  /// The beginnings of runs of cells of one kind, followed by the number of cells: these blocks
+  /// preserve the order of the cells.
   [[nodiscard]] std::vector<CellId> runs() const {
     std::vector<CellId> begins;
     for (CellId cell = 0; cell < mesh_.cell_count(); ++cell)

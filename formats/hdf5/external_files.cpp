@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
 
 constexpr std::size_t kLongestName = 4096;
-/// Files that name each other, and no more of them than a simulation writes.
+/// Limits the files that refer to each other; a simulation does not write more.
 constexpr std::size_t kMostFiles = 10'000;
 
 herr_t add_link(hid_t group, const char* name, const H5L_info_t* info, void* names) {
@@ -62,7 +62,7 @@ herr_t add_dataset(hid_t group, const char* name, const H5O_info_t* info, void* 
   return 0;
 }
 
-/// The files that a file names: as they stand there.
+/// The files that a file refers to, as it names them.
 Names named_by(const std::string& path) {
   Names names;
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
@@ -86,7 +86,7 @@ void require_local_links(const std::string& path) {
       if (name == ".") continue;  // a virtual dataset's own file
       const std::string beside = file_beside(from, name);
       std::error_code error;
-      // where nothing lies beside the file, the library looks in the current folder
+      // if there is no such file beside this one, the library looks in the current folder
       if (!fs::exists(beside, error) && fs::exists(name, error)) require_local(from, name);
       if (fs::exists(beside, error) && known.insert(beside).second) left.push_back(beside);
     }

@@ -15,11 +15,11 @@ namespace {
 
 static_assert(sizeof(hid_t) == sizeof(std::int64_t));
 
-/// The strongest compression of the filters that HDF5 brings (deflate's is 1032).
+/// The highest compression ratio of the filters in HDF5 (deflate: 1032).
 constexpr std::uint64_t kMostCompression = 1100;
 constexpr std::uint64_t kMostAttributeValues = 65'536;
 
-/// An identifier, closed at the end by the function that belongs to its sort.
+/// An HDF5 identifier, closed by the destructor with the function for its type.
 class Id {
  public:
   Id(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
@@ -64,7 +64,7 @@ std::vector<std::uint64_t> shape_of(hid_t space) {
   return {shape.begin(), shape.end()};
 }
 
-/// A text up to its first zero or its trailing blanks.
+/// The text up to its first zero or its trailing blanks.
 std::string trimmed(std::string text) {
   text.resize(std::min(text.find('\0'), text.size()));
   while (!text.empty() && text.back() == ' ') text.pop_back();
@@ -97,7 +97,7 @@ void File::fail(const std::string& object, std::string_view problem) const {
 }
 
 bool File::has(const std::string& name) const {
-  // a link can only be asked for where the groups before it exist
+  // the library can look up a link only in groups that exist
   for (std::size_t end = name.find('/', 1); end != std::string::npos; end = name.find('/', end + 1))
     if (H5Lexists(file_, name.substr(0, end).c_str(), H5P_DEFAULT) <= 0) return false;
   if (name == "/") return true;
@@ -131,7 +131,7 @@ DatasetInfo File::info(const std::string& dataset) const {
   return {shape_of(space), type_name(type)};
 }
 
-/// Refuses a dataset of which the file cannot hold as much as it declares.
+/// Refuses a dataset that declares more data than the file can hold.
 void File::require_stored(std::int64_t dataset, const std::string& name) const {
   const Id space(H5Dget_space(dataset), H5Sclose);
   const Id type(H5Dget_type(dataset), H5Tclose);

@@ -8,7 +8,7 @@
 
 namespace hiac::formats::hdf5 {
 
-/// A part of a dataset: for every dimension where it begins and how much of it is taken.
+/// A part of a dataset: its beginning and its extent in every dimension.
 struct Slab {
   std::vector<std::uint64_t> begin;
   std::vector<std::uint64_t> count;
@@ -21,9 +21,9 @@ struct DatasetInfo {
   [[nodiscard]] std::uint64_t size() const;
 };
 
-/// An HDF5 file for reading: names in, numbers out. To be used in a process that may crash
+/// An HDF5 file for reading: names in, numbers out. For use in a process that may crash
 /// (read_isolated). Every function throws InputError naming the file and the object; memory is
-/// taken only where the file is large enough to hold what a dataset declares.
+/// allocated only when the file is large enough to hold what a dataset declares.
 class File {
  public:
   explicit File(const std::string& path);
@@ -33,10 +33,10 @@ class File {
 
   [[nodiscard]] const std::string& path() const { return path_; }
 
-  /// Whether there is a group or dataset of that name. Names are paths: "/a/b".
+  /// Whether there is a group or dataset with that name. Names are paths: "/a/b".
   [[nodiscard]] bool has(const std::string& name) const;
   [[nodiscard]] bool is_group(const std::string& name) const;
-  /// The names of what is in a group, in alphabetical order, without the group's own.
+  /// The names of a group's members, in alphabetical order, without the path of the group.
   [[nodiscard]] std::vector<std::string> children(const std::string& group) const;
 
   [[nodiscard]] DatasetInfo info(const std::string& dataset) const;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kSignature("\x89HDF\r\n\x1a\n", 8);
 
-/// A format, and what one of its files has at the root.
+/// A format, and the objects at the root of its files.
 struct Mark {
   const char* object;
   const char* model;

@@ -25,7 +25,7 @@ struct State {
   std::size_t word;
 };
 
-/// The first file and those that follow it, which stay mapped as long as a field needs them.
+/// The first file and its continuations, which stay mapped as long as a field needs them.
 struct Family {
   std::vector<std::unique_ptr<MappedFile>> files;
   std::vector<Words> words;
@@ -39,8 +39,8 @@ void add_file(Family& family, const std::string& path, std::size_t bytes, std::e
   family.words.emplace_back(family.files.back()->text(), bytes, order, path);
 }
 
-/// The states of the file that was added last, from that word on: up to the mark of the end, or to
-/// the last whole one.
+/// Finds the states of the last added file from that word on, up to the end mark or to the last
+/// complete state.
 void find_states(Family& family, std::size_t at) {
   Words& words = family.words.back();
   while (family.layout.state_words <= words.size() &&
@@ -108,7 +108,7 @@ class Reader {
     for (std::size_t n = 0; n < 8; ++n) nodes[n] = words.integer(layout_.connectivity + 9 * s + n);
     for (std::size_t n = 8; n < 10 && layout_.ten_nodes; ++n)
       nodes[n] = words.integer(layout_.more_nodes + 2 * s + n - 8);
-    // a tetrahedron repeats its fourth node; with further ones it has nodes on its edges
+    // a tetrahedron of 4 nodes repeats its fourth; two further nodes mark a tetrahedron of 10 nodes
     const bool tetrahedron = nodes[3] == nodes[4] && nodes[3] == nodes[5] && nodes[3] == nodes[6] &&
                              nodes[3] == nodes[7];
     const bool ten = layout_.ten_nodes && nodes[8] > 0 && nodes[9] > 0 && !tetrahedron;
@@ -123,7 +123,7 @@ class Reader {
       add("solid", nodes, 8, converted_to(CellKind::brick8));
   }
 
-  /// Thick shells are bricks; beams and shells no volumes.
+  /// Thick shells are bricks; beams and shells have no volume.
   void add_other_elements(Words& words) {
     struct Kind {
       const char* name;
@@ -201,7 +201,7 @@ class Reader {
     field.components = static_cast<std::uint32_t>(width);
     field.step = step;
     field.type = family_->words.front().word_bytes() == 4 ? "float" : "double";
-    // of cells, the solids come first
+    // the solids come first among the cells
     const std::size_t others =
         field.location == FieldLocation::cell ? mesh_.cell_count() - tuples : 0;
     field.values = [family = family_, state = family_->states[step], at, width, stride, tuples,
@@ -218,7 +218,7 @@ class Reader {
     mesh_.fields.push_back(std::move(field));
   }
 
-  /// The state has where nodes are; how far they have gone is what people look at.
+  /// The state stores the current positions of nodes, but users look at displacements.
   void add_displacement(std::size_t step, std::size_t at) {
     add_field("displacement", step, at, 3, 3, layout_.nodes);
     ForeignField& field = mesh_.fields.back();

@@ -87,7 +87,7 @@ class Control {
   }
 
  private:
-  /// A count of things of which there cannot be more than words in the file.
+  /// A count of items, at most the number of words in the file.
   std::size_t limited(std::int64_t value, const char* what) {
     if (value < 0 || static_cast<std::uint64_t>(value) > words_.size())
       words_.fail(fmt::format("{} {} are more than the file holds", value, what));
@@ -95,7 +95,7 @@ class Control {
   }
   std::size_t count(std::size_t word, std::int64_t scale) {
     const std::int64_t value = words_.integer(word);
-    // numbers per node or element are small
+    // counts per node or element are small
     if (scale == 0 && (value < 0 || value > 100'000))
       words_.fail(
           fmt::format("control word {}: a small count expected ({} found)", word + 1, value));
@@ -117,15 +117,15 @@ class Control {
     layout_.shells = count(kShells, 1);
   }
 
-  /// Temperatures, between coordinates and velocity: one or three layers, the flux, the added mass,
-  /// the rate, residuals.
+  /// Thermal data between coordinates and velocity: temperatures in one or three layers, the flux,
+  /// the added mass, the rate, residuals.
   void read_node_data() {
     constexpr std::array<std::size_t, 4> kWords{0, 1, 4, 6};
     const std::int64_t thermal = words_.integer(kThermal);
     const std::int64_t rates = words_.integer(kRates);
     if (thermal < 0 || thermal % 10 > 3)
       words_.fail(fmt::format("a thermal flag from 0 to 3 expected ({} found)", thermal));
-    // three layers of temperatures are not told apart
+    // three layers of temperatures are not read as separate fields
     layout_.has_temperature = thermal % 10 == 1 || thermal % 10 == 2;
     layout_.temperatures = kWords[static_cast<std::size_t>(thermal % 10)];
     if (thermal / 10 % 10 == 1) ++layout_.temperatures;
@@ -176,7 +176,7 @@ class Control {
       } else {
         break;
       }
-      // they end with a mark of their own
+      // the titles end with their own end mark
       if (at < words_.size() && words_.real(at) == kEndMark) return at + 1;
     }
     return at;

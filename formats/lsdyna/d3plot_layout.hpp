@@ -20,7 +20,7 @@ class Words {
   [[nodiscard]] std::size_t size() const { return stream_.size() / word_bytes_; }
   [[nodiscard]] std::size_t word_bytes() const { return word_bytes_; }
   [[nodiscard]] std::endian order() const { return order_; }
-  /// The word of that number. Throws InputError when it is beyond the end.
+  /// The word with that number. Throws InputError when it is past the end.
   [[nodiscard]] std::int64_t integer(std::size_t word);
   [[nodiscard]] double real(std::size_t word);
   [[noreturn]] void fail(const std::string& what) const { stream_.fail(what); }
@@ -31,38 +31,39 @@ class Words {
   std::endian order_;
 };
 
-/// How the words of a file are to be read, by its control words: the type of the file and its
-/// dimension are where only they can be. Nothing when they are not there.
+/// The word size and byte order of a file, determined by its control words: they are those for
+/// which the file's type and dimension are valid. Nothing when there are none.
 struct WordKind {
   std::size_t bytes;
   std::endian order;
 };
 std::optional<WordKind> word_kind(std::string_view head);
 
-/// What the control words say (LS-DYNA Database Manual, "State database"), and where things are.
+/// The contents of the control words (LS-DYNA Database Manual, "State database"), and where data
+/// begin.
 struct Layout {
   std::size_t nodes = 0;
   std::size_t solids = 0;
-  bool ten_nodes = false;        ///< solids have two nodes more, which tetrahedra use
+  bool ten_nodes = false;        ///< solids have two more nodes, for tetrahedra
   std::size_t thick_shells = 0;  ///< bricks with values layer by layer
   std::size_t beams = 0;
   std::size_t shells = 0;
   std::size_t globals = 0;
-  std::size_t temperatures = 0;  ///< words a node behind the coordinates: temperature, flux, ...
+  std::size_t temperatures = 0;  ///< words a node after the coordinates: temperature, flux, ...
   bool has_temperature = false;
   bool has_coordinates = false;
   bool has_velocity = false;
   bool has_acceleration = false;
   std::size_t thermal_values = 0;  ///< of a solid
   std::size_t solid_values = 0;    ///< of a solid: 6 stresses, plastic strain, history
-  std::size_t deletion = 0;        ///< 0: none told; 1: of nodes; 2: of elements
-  // places of words in the first file; of elements: solids and thick shells (9 words each), beams
+  std::size_t deletion = 0;        ///< 0: none; 1: of nodes; 2: of elements
+  // places of words in the first file; connectivity: solids and thick shells (9 words each), beams
   // (6), shells (5)
   std::size_t coordinates = 0;
   std::size_t connectivity = 0;
   std::size_t more_nodes = 0;
   std::size_t first_state = 0;
-  // places in a state; of nodes: coordinates, temperatures, velocity, acceleration
+  // places in a state; data of nodes: coordinates, temperatures, velocity, acceleration
   std::size_t node_data = 0;
   std::size_t thermal_data = 0;
   std::size_t solid_data = 0;
@@ -70,11 +71,11 @@ struct Layout {
   std::size_t state_words = 0;
 };
 
-/// Reads the control words and what lies before the first state. Throws InputError naming what the
-/// file holds that is not read.
+/// Reads the control words and everything before the first state. Throws InputError naming data
+/// that are not supported.
 Layout read_layout(Words& words);
 
-/// Where a file's states end: in the place of a time.
+/// Marks the end of a file's states; it is in the place of a time.
 inline constexpr double kEndMark = -999999.0;
 
 }  // namespace hiac::formats::lsdyna

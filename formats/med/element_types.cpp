@@ -9,9 +9,9 @@
 namespace hiac::formats::med {
 namespace {
 
-// The normal of MED's first face points out of the cell: tetrahedra, pyramids and bricks turn the
-// other way than the zoo's, prisms the same way. Mid-edge nodes: round the bottom, round the top,
-// up the sides, as in the zoo.
+// The normal of MED's first face points out of the cell: tetrahedra, pyramids and bricks have the
+// opposite orientation to the zoo's, prisms the same. Mid-edge nodes: round the bottom, round the
+// top, up the sides, as in the zoo.
 constexpr std::array<std::uint8_t, 4> kTetra{0, 2, 1, 3};
 constexpr std::array<std::uint8_t, 5> kPyramid{0, 3, 2, 1, 4};
 constexpr std::array<std::uint8_t, 8> kHexa{0, 3, 2, 1, 4, 7, 6, 5};

@@ -39,7 +39,7 @@ using CellsByType = std::map<std::string, Cells>;
 /// A step by its number and its order within the number.
 using StepKey = std::pair<std::int64_t, std::int64_t>;
 
-/// What the values of one field at one step need.
+/// The data needed to read the values of one field at one step.
 struct FieldPart {
   std::shared_ptr<hdf5::File> file;
   std::string step;  ///< the group
@@ -49,8 +49,8 @@ struct FieldPart {
   std::size_t entries;
   CellsByType by_type;
 
-  /// The values of one support ("NOE", "MAI.TE4", "NOE.TE4"), put in their places: tuple t of item
-  /// i is `place(i) + t`.
+  /// Puts the values of one support ("NOE", "MAI.TE4", "NOE.TE4") into their places: tuple t of
+  /// item i goes to `place(i) + t`.
   template <typename Place>
   void put(const std::string& support, std::size_t items, std::size_t tuples, const Place& place,
            std::vector<double>& values) const {
@@ -102,7 +102,7 @@ struct FieldPart {
   }
 
  private:
-  /// The items that a profile is of: all, or those that it lists, from 1.
+  /// The items in a profile: all of them, or those that it lists, counted from 1.
   [[nodiscard]] std::vector<std::size_t> items_of(const std::string& profile,
                                                   std::size_t items) const {
     std::vector<std::size_t> chosen;
@@ -178,7 +178,7 @@ class Reader {
       steps.emplace_back(key_of(path), path);
     }
     std::sort(steps.begin(), steps.end());
-    // a later step of a moving mesh may repeat the coordinates alone
+    // a later step of a moving mesh may contain only coordinates
     for (const auto& [key, step] : steps) {
       if (file_->has(step + "/NOE/COO")) points_step_ = step;
       if (file_->is_group(step + "/MAI")) cells_step_ = step;
@@ -237,7 +237,7 @@ class Reader {
     }
   }
 
-  /// Polygons are no volume; what else is unknown is counted for the refusal.
+  /// Polygons have no volume; other unknown types are counted for the refusal.
   void add_unknown(const std::string& name, const std::string& group) {
     if (name.starts_with("POE")) return add_polyhedra(name, group);
     const std::string index = group + "/IND";
@@ -248,8 +248,8 @@ class Reader {
                             mesh_.type_place(name, 0, polygons ? kNoVolume : kUnsupported));
   }
 
-  /// IFN says where every polyhedron's faces begin in INN, which says where every face's nodes
-  /// begin in NOD, all counted from 1.
+  /// IFN gives the start of every polyhedron's faces in INN, which gives the start of every face's
+  /// nodes in NOD; all count from 1.
   void add_polyhedra(const std::string& name, const std::string& group) {
     const std::vector<std::int64_t> faces_at = file_->integers(group + "/IFN");
     const std::vector<std::int64_t> nodes_at = file_->integers(group + "/INN");
@@ -275,7 +275,7 @@ class Reader {
     cells_.emplace(name, cells);
   }
 
-  /// The groups of cells, which are unions of families.
+  /// The groups of cells; a group is a union of families.
   void read_groups() {
     std::map<std::int64_t, std::vector<std::string>> groups_of;
     const std::string families = "/FAS/" + name_ + "/ELEME";
@@ -377,7 +377,7 @@ class Reader {
           fmt::format("left out field '{}' at {}", name, fmt::join(left_out, ", ")));
   }
 
-  /// Whether a field on cells has one value a cell, and not several at integration points.
+  /// Whether a field on cells has one value per cell rather than several at integration points.
   [[nodiscard]] bool is_one_a_cell(const std::string& support) const {
     for (const std::string& profile : file_->children(support))
       if (file_->integer_attribute(support + "/" + profile, "NGA").value_or(1) > 1) return false;

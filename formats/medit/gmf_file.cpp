@@ -17,13 +17,13 @@
 namespace hiac::formats::medit {
 namespace {
 
-/// A keyword of cells: its number in binary files, its cells' nodes, what they become.
+/// A keyword of cells: its number in binary files, the number of nodes and the kind of its cells.
 struct CellKeyword {
   std::string_view name;
   std::int32_t code;
   std::size_t nodes;
   std::optional<CellKind> kind;                     ///< none: no volume, unless `corners`
-  std::optional<CellShape> corners = std::nullopt;  ///< of volumes that the zoo has not
+  std::optional<CellShape> corners = std::nullopt;  ///< for volumes that the zoo has no kind for
 };
 
 constexpr std::array<CellKeyword, 16> kCells{
@@ -53,7 +53,7 @@ CellConversion conversion_of(const CellKeyword& keyword) {
   return keyword.corners ? unsupported_with_corners(*keyword.corners) : kNoVolume;
 }
 
-/// What both encodings fill.
+/// The mesh that both encodings are read into.
 class MeshBuilder {
  public:
   void add_vertex(const std::array<double, 3>& point, std::int64_t reference) {
@@ -102,7 +102,8 @@ class TextReader {
   }
 
  private:
-  /// The next word that is not a number, over comments and numbers of keywords that are left out.
+  /// The next word that is not a number; skips comments and the numbers of keywords that are left
+  /// out.
   std::string_view next_keyword() {
     while (true) {
       skip_comments();
@@ -192,7 +193,7 @@ class BinaryReader {
       stream_.fail(fmt::format("version 1 to 4 expected ({} found)", version_));
   }
 
-  /// Places in the file: 32 bits in versions 1 and 2.
+  /// Positions in the file have 32 bits in versions 1 and 2.
   std::int64_t position() {
     return version_ >= 3 ? stream_.read<std::int64_t>("a position")
                          : stream_.read<std::int32_t>("a position");

@@ -5,7 +5,7 @@
 
 namespace hiac::formats::medit {
 
-/// Whether a file begins as a text or binary Gamma Mesh Format file.
+/// Whether these are the first bytes of a text or binary Gamma Mesh Format file.
 bool looks_like_gmf(std::string_view head);
 
 /// Reads a Gamma Mesh Format file: text, or binary of versions 1 to 4 and either byte order.

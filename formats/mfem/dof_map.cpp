@@ -14,11 +14,11 @@ namespace {
 constexpr int kHighestOrder = 8;
 
 using Edge = std::array<std::uint8_t, 2>;
-/// Corners of a face; a triangle has its last one twice.
+/// Corners of a face; a triangle repeats its last one.
 using Corners = std::array<std::uint8_t, 4>;
 using Place = std::array<int, 3>;
 
-// The edges and faces of MFEM's geometries, in its order
+// The edges and faces of MFEM's geometries, in MFEM's order
 constexpr std::array<Edge, 6> kTetrahedron{{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 constexpr std::array<Edge, 12> kCube{{{0, 1},
                                       {1, 2},
@@ -44,10 +44,10 @@ constexpr std::array<Corners, 5> kPrismFaces{
     {{0, 2, 1, 1}, {3, 4, 5, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}};
 constexpr std::array<Corners, 5> kPyramidFaces{
     {{3, 2, 1, 0}, {0, 1, 4, 4}, {1, 2, 4, 4}, {2, 3, 4, 4}, {3, 0, 4, 4}}};
-/// The place of the zoo's face f among MFEM's.
+/// For the zoo's face f, the number of the face in MFEM.
 constexpr std::array<std::size_t, 4> kZooFaces{2, 0, 1, 3};
 
-// The corners' places, in units of the order
+// The positions of the corners, in units of the order
 constexpr std::array<Place, 4> kTetrahedronCorners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 constexpr std::array<Place, 8> kCubeCorners{
     {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
@@ -79,7 +79,7 @@ Shape shape_of_geometry(Geometry geometry) {
 
 bool is_triangle(const Corners& face) { return face[2] == face[3]; }
 
-/// corner + (s (a - corner) + t (b - corner)), all in units of the order but s and t.
+/// order corner + s (a - corner) + t (b - corner).
 Place at(const Place& corner, const Place& a, int s, const Place& b, int t, int order) {
   Place place{};
   for (std::size_t c = 0; c < 3; ++c)
@@ -110,7 +110,7 @@ void add_face(const Shape& shape, std::size_t number, int order,
       points.push_back({at(corner, a, s, b, t, order), Part::face, number});
 }
 
-/// Points inside, as MFEM counts them: i fastest.
+/// Adds the interior points in MFEM's order: i fastest.
 void add_inside(Geometry geometry, int order, std::vector<LatticePoint>& points) {
   std::size_t number = 0;
   for (int k = 1; k < order; ++k)
@@ -194,7 +194,7 @@ DofMap::DofMap(const MeshFile& mesh, const Space& space)
       const Corners& face = shape.faces[f];
       Face found{};
       for (std::size_t v = 0; v < face.size(); ++v) found.vertices[v] = element.vertices[face[v]];
-      // as many as a triangle or a quadrilateral of the order has inside
+      // as many as a triangle or a quadrilateral of the order has in its interior
       found.first = is_triangle(face) ? along * (along > 0 ? along - 1 : 0) / 2 : along * along;
       std::array<std::int64_t, 4> key = found.vertices;
       if (is_triangle(face)) key[3] = -1;
@@ -223,7 +223,7 @@ DofMap::DofMap(const MeshFile& mesh, const Space& space)
 std::size_t DofMap::on_edge(const Element& element, std::size_t edge, const LatticePoint& point,
                             const std::array<std::size_t, 12>& edges) const {
   const Shape shape = shape_of_geometry(element.geometry);
-  // an edge goes from its vertex of the lower number to the other
+  // an edge is directed from its vertex with the lower number to the other
   auto [a, b] = shape.edges[edge];
   if (element.vertices[a] > element.vertices[b]) std::swap(a, b);
   int t = 1;
@@ -234,8 +234,8 @@ std::size_t DofMap::on_edge(const Element& element, std::size_t edge, const Latt
          static_cast<std::size_t>(t - 1);
 }
 
-/// Points inside a face are counted from its first vertex towards its second, row by row towards
-/// its last.
+/// The points in the interior of a face are numbered from its first vertex towards its second, row
+/// by row towards its last.
 std::size_t DofMap::on_face(const Element& element, const Face& face,
                             const LatticePoint& point) const {
   const Shape shape = shape_of_geometry(element.geometry);

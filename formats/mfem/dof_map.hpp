@@ -19,41 +19,41 @@ struct Space {
   bool lobatto = false;
 };
 
-/// The H1 space that a collection's name says; none for other spaces and orders above 8.
+/// The H1 space with a collection's name; none for other spaces and for orders above 8.
 std::optional<Space> space_named(const std::string& collection);
 
-/// Whether the name is of a space of values constant in every element.
+/// Whether that is the name of a space of functions that are constant in every element.
 bool is_piecewise_constant(const std::string& collection);
 
-/// A point of an element: its places along the element's axes, from 0 to the order, and the part
-/// of the element that it is inside of.
+/// A point of an element: its coordinates along the element's axes, from 0 to the order, and the
+/// corner, edge, face or interior that it belongs to.
 struct LatticePoint {
   enum class Part : std::uint8_t { corner, edge, face, inside };
   std::array<int, 3> place;
   Part part;
-  std::size_t number;  ///< of the corner, edge or face in the element; of points inside their own
+  std::size_t number;  ///< of the corner, edge or face; in the interior, of the point
 };
 
-/// The points of an element of that order: its corners in MFEM's order, the edges', the faces',
-/// those inside. Of a tetrahedron edges and faces are in the zoo's order.
+/// The points of an element of that order: its corners in MFEM's order, then those of edges, of
+/// faces and of the interior. The edges and faces of a tetrahedron are in the zoo's order.
 std::vector<LatticePoint> lattice_points(Geometry geometry, int order);
 
-/// Whether elements of a geometry can be of an order: cubes of all up to 8, tetrahedra and prisms
-/// up to 3, pyramids up to 2.
+/// Whether elements of a geometry can have that order: cubes up to 8, tetrahedra and prisms up to
+/// 3, pyramids up to 2.
 bool can_be_of_order(Geometry geometry, int order);
 
-/// The degrees of freedom of every element of a mesh, of a continuous space.
+/// The degrees of freedom of a continuous space on every element of a mesh.
 class DofMap {
  public:
-  /// Elements are of geometries that can be of that order.
+  /// All geometries in the mesh must allow the space's order (can_be_of_order).
   DofMap(const MeshFile& mesh, const Space& space);
 
   [[nodiscard]] std::size_t size() const { return size_; }
-  /// Of the element with that number, at its lattice_points.
+  /// The degrees of freedom of the element with that number, at its lattice_points.
   [[nodiscard]] std::vector<std::size_t> of(std::size_t element) const;
 
  private:
-  /// A face: the vertices of the element that it is first a face of, and its degrees of freedom.
+  /// A face: its vertices as in the first element that has it, and its first degree of freedom.
   struct Face {
     std::array<std::int64_t, 4> vertices;
     std::size_t first;

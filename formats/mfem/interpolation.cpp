@@ -12,7 +12,8 @@ namespace {
 
 using Place = std::array<int, 3>;
 
-/// Lagrange's polynomials along a line: for the target t of `order` parts and every point.
+/// The Lagrange polynomials along a line: the weight of every point at the target t of `order`
+/// parts.
 class Line {
  public:
   Line(const Space& space, int order) : points_(evenly_or_lobatto(space)), order_(order) {}
@@ -37,7 +38,7 @@ class Line {
   int order_;
 };
 
-/// A simplex of 2 or 3 dimensions: targets and points in barycentric places.
+/// The weight in a simplex of 2 or 3 dimensions; targets and points have barycentric coordinates.
 double simplex_weight(std::span<const int> target, std::span<const int> point, const Space& space,
                       int order, const Line& line) {
   const bool same = std::equal(target.begin(), target.end(), point.begin());
@@ -58,7 +59,8 @@ double simplex_weight(std::span<const int> target, std::span<const int> point, c
   return weight;
 }
 
-/// A pyramid's rational functions; of its own order the points are the same.
+/// The weight in a pyramid (rational functions); if the space has the same order, the points
+/// coincide.
 double pyramid_weight(const Place& target, const Place& point, const Space& space, int order) {
   if (space.order == order) return target == point ? 1 : 0;
   const double height = static_cast<double>(target[2]) / order;
@@ -108,7 +110,8 @@ std::vector<double> gauss_lobatto_points(int order) {
   std::vector<double> points(static_cast<std::size_t>(order) + 1, 0.0);
   points.back() = 1;
   constexpr int kSteps = 100;
-  // Newton's iteration for the roots of (1 - x^2) P'(x), from those of Chebyshev's polynomials
+  // Newton's iteration for the roots of (1 - x^2) P'(x), starting from those of the Chebyshev
+  // polynomials
   for (int i = 1; i < order; ++i) {
     double x = -std::cos(std::numbers::pi * i / order);
     for (int step = 0; step < kSteps; ++step) {

@@ -7,15 +7,15 @@
 
 namespace hiac::formats::mfem {
 
-/// For every point of lattice_points(geometry, order) the weights with which the values at those
-/// of the space's order make the function's value there: row by row, one column a value. Orders are
-/// ones that the geometry can be of, the space's not above `order`. Cubes: products of Lagrange
-/// polynomials; simplices: Silvester's (P. Silvester, 1969) at evenly spaced points, and of cubic
-/// ones at Gauss-Lobatto points the polynomials along their edges, the face's centre being in its
-/// place.
+/// For every point of lattice_points(geometry, order), the weights of the values at the space's
+/// points that give the function's value there: row by row, one column per value. The geometry must
+/// allow both orders, and the space's order is at most `order`. Cubes: products of Lagrange
+/// polynomials; simplices: Silvester's polynomials (P. Silvester, 1969) for evenly spaced points;
+/// for cubic ones with Gauss-Lobatto points, Lagrange polynomials along the edges, while the
+/// centres of the faces coincide.
 std::vector<std::vector<double>> interpolation(Geometry geometry, const Space& space, int order);
 
-/// The Gauss-Lobatto points in [0, 1] that a polynomial of that order is told by.
+/// The Gauss-Lobatto points in [0, 1] at which a polynomial of that order is given.
 std::vector<double> gauss_lobatto_points(int order);
 
 }  // namespace hiac::formats::mfem

@@ -10,7 +10,7 @@
 namespace hiac::formats::mfem {
 namespace {
 
-/// What a geometry is called and how many vertices it has.
+/// The name of a geometry and its number of vertices.
 struct GeometryInfo {
   std::string_view name;
   std::size_t vertices;
@@ -24,7 +24,7 @@ constexpr std::array<GeometryInfo, 8> kGeometries{{{"point", 1},
                                                    {"prism", 6},
                                                    {"pyramid", 5}}};
 
-/// The next word, over comments; the cursor stays behind it.
+/// The next word after any comments; moves past it.
 std::string_view next_word(TextCursor& text) {
   while (true) {
     const std::string_view word = text.word();
@@ -37,8 +37,8 @@ std::size_t next_count(TextCursor& text, std::string_view what) {
   return text.count(what, text.left());
 }
 
-/// Elements of a mesh without hanging nodes, or the leaves of one with them. `rank`: the process
-/// whose part of the mesh this is; it knows elements of its neighbours, too.
+/// Reads the elements of a mesh without hanging nodes, or the leaves of one with them. `rank`: the
+/// process that owns this part of the mesh; the file also lists elements of neighbouring processes.
 void read_elements(TextCursor& text, bool refined, std::optional<std::int64_t> rank,
                    MeshFile& mesh) {
   for (std::size_t left = next_count(text, "the number of elements"); left > 0; --left) {
@@ -51,7 +51,7 @@ void read_elements(TextCursor& text, bool refined, std::optional<std::int64_t> r
           fmt::format("geometry 0 to {} expected ({} found)", kGeometries.size() - 1, geometry));
     element.geometry = static_cast<Geometry>(geometry);
     if (refined && text.integer("a refinement") != 0) {
-      text.line();  // a parent, whose children are elements too
+      text.line();  // a parent; its children are listed as elements
       continue;
     }
     for (std::size_t v = 0; v < vertex_count(element.geometry); ++v)
@@ -67,7 +67,8 @@ void skip_elements(TextCursor& text) {
   }
 }
 
-/// Names, in quotes where they hold blanks, each with the number of its attributes and these.
+/// Sets of attributes: each has a name, in quotes if it contains blanks, a count, and its
+/// attributes.
 void skip_attribute_sets(TextCursor& text) {
   for (std::size_t left = next_count(text, "the number of sets"); left > 0; --left) {
     text.skip_space();
@@ -83,7 +84,7 @@ void skip_attribute_sets(TextCursor& text) {
   }
 }
 
-/// Coordinates, or "nodes" where a grid function has them.
+/// Coordinates, or the word "nodes" when a grid function holds them.
 void read_vertices(TextCursor& text, MeshFile& mesh) {
   mesh.vertex_count = next_count(text, "the number of vertices");
   TextCursor ahead = text;
@@ -98,7 +99,7 @@ void read_vertices(TextCursor& text, MeshFile& mesh) {
   }
 }
 
-/// A vertex in the middle of an edge between two others.
+/// A vertex at the middle of an edge between two other vertices.
 struct Middle {
   std::int64_t vertex;
   std::array<std::int64_t, 2> parents;
@@ -115,7 +116,7 @@ std::vector<Middle> read_parents(TextCursor& text) {
   return middles;
 }
 
-/// Puts the vertices that have parents between them, once these have their places.
+/// Places the vertices with parents in the middle between them, once the parents are placed.
 void place_middles(const TextCursor& text, std::vector<Middle> middles, MeshFile& mesh) {
   const std::size_t placed_first = mesh.vertices.size();
   const std::size_t count = placed_first + middles.size();
@@ -147,7 +148,8 @@ void place_middles(const TextCursor& text, std::vector<Middle> middles, MeshFile
   mesh.vertex_count = count;
 }
 
-/// A box in cells, told by their kind, how many there are along each side, and the sides' lengths.
+/// A box divided into cells: the type of the cells, their number along each side, and the side
+/// lengths.
 struct Box {
   std::string type;
   std::array<std::size_t, 3> cells{};
@@ -185,7 +187,7 @@ Box read_box(TextCursor& text) {
   return box;
 }
 
-/// The vertices of the elements that a brick is divided into; 8 is its centre.
+/// The vertices of the elements that a brick is divided into; 8 is the brick's centre.
 struct Division {
   Geometry geometry;
   std::vector<std::array<std::int64_t, 8>> elements;
@@ -209,7 +211,7 @@ Division division_of(const std::string& type, const TextCursor& text) {
   text.fail(fmt::format("type hex, tet, wedge or pyramid expected ({} found)", shown(type)));
 }
 
-/// A box that the file tells by the numbers of its cells.
+/// The mesh of a box: the file gives its numbers of cells and side lengths, and no elements.
 MeshFile read_inline_mesh(TextCursor& text) {
   const Box box = read_box(text);
   const Division division = division_of(box.type, text);

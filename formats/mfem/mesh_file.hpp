@@ -9,7 +9,7 @@
 
 namespace hiac::formats::mfem {
 
-/// MFEM's numbers of the geometries that elements have.
+/// The geometries of elements, with MFEM's numbers.
 enum class Geometry : std::uint8_t {
   point,
   segment,
@@ -42,10 +42,10 @@ struct GridFunction {
 
 struct MeshFile {
   std::vector<Element> elements;
-  std::vector<std::array<double, 3>> vertices;  ///< empty where the nodes say it all
+  std::vector<std::array<double, 3>> vertices;  ///< empty when the nodes give the geometry
   std::size_t vertex_count = 0;
   bool refined = false;  ///< it may have hanging nodes
-  GridFunction nodes;    ///< without values where the mesh is straight
+  GridFunction nodes;    ///< without values when the mesh is straight
 };
 
 std::size_t vertex_count(Geometry geometry);
@@ -53,7 +53,7 @@ std::string_view geometry_name(Geometry geometry);
 
 /// Throws InputError with the line.
 MeshFile read_mesh_file(TextCursor& text);
-/// From the line "FiniteElementSpace" on.
+/// Reads from the line "FiniteElementSpace" on.
 GridFunction read_grid_function(TextCursor& text);
 
 }  // namespace hiac::formats::mfem

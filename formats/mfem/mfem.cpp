@@ -47,7 +47,7 @@ CellConversion conversion_of(Geometry geometry, int order) {
   }
 }
 
-/// A function named by its file, and its space.
+/// A function with the name of its file, and its space.
 struct NamedFunction {
   std::string name;
   GridFunction values;
@@ -99,8 +99,8 @@ class Reader {
     }
   }
 
-  /// The order of the cells: that of the nodes; of tetrahedra the highest of the nodes' and the
-  /// functions'.
+  /// Chooses the order of the cells: that of the nodes or, if all cells are tetrahedra, the highest
+  /// order of the nodes and the functions.
   void choose_order() {
     order_ = nodes_space_.order;
     for (const Element& element : file_.elements)
@@ -156,7 +156,7 @@ class Reader {
     return places;
   }
 
-  /// A continuous function's values at the points of the cells.
+  /// The values of a continuous function at the points of the cells.
   std::vector<double> at_points(const GridFunction& function, const Space& space) const {
     const mfem::DofMap map(file_, space);
     if (function.dofs() != map.size())

@@ -10,7 +10,7 @@ constexpr std::size_t kLarge = 16;
 constexpr std::size_t kFieldsOfSmall = 8;
 constexpr std::size_t kFieldsOfLarge = 4;
 
-/// Commas in the first field make a line free.
+/// A comma in the first field marks a line in free format.
 bool is_free(std::string_view line) {
   return line.substr(0, kSmall + 2).find(',') != std::string_view::npos;
 }
@@ -20,18 +20,19 @@ bool is_blank_or_comment(std::string_view line) {
   return rest.empty() || rest.starts_with('$');
 }
 
-/// What stands before a dollar sign, which begins a comment anywhere.
+/// The line up to a dollar sign, which begins a comment anywhere.
 std::string_view without_comment(std::string_view line) { return line.substr(0, line.find('$')); }
 
 bool continues(std::string_view line) {
   if (line.starts_with('+') || line.starts_with('*')) return true;
-  // the first field is blank, whether a comma ends it or its eighth column
+  // the first field is blank, whether it ends at a comma or at its eighth column
   const std::size_t comma = line.substr(0, kSmall + 2).find(',');
   if (comma != std::string_view::npos) return trimmed(line.substr(0, comma)).empty();
   return line.size() > kSmall && trimmed(line.substr(0, kSmall)).empty();
 }
 
-/// The name of the entry: letters, digits and a star for large fields; "=" of a replicated one.
+/// The name of the entry: letters and digits, and a star for large fields; "=" for a replicated
+/// entry.
 std::string_view name_of(std::string_view line) {
   line = trimmed(line);
   if (line.starts_with('=')) return line.substr(0, 1);

@@ -13,7 +13,7 @@ namespace hiac::formats::nastran {
 /// One entry of the bulk data with its continuations.
 struct Card {
   std::string_view name;                 ///< as written, without the star of large fields
-  std::vector<std::string_view> fields;  ///< those behind the name, without blanks at their ends
+  std::vector<std::string_view> fields;  ///< those after the name, without blanks at their ends
   std::size_t offset = 0;
 
   /// Field `i` from 0; empty when the card is shorter.
@@ -23,19 +23,19 @@ struct Card {
 };
 
 /// Steps through the entries of a bulk data section: small fields of 8 columns, large ones of 16,
-/// free ones parted by commas; continuations are the lines that follow with +, * or blanks in their
-/// first field.
+/// free ones separated by commas; continuations are the following lines with +, * or blanks in
+/// their first field.
 class CardReader {
  public:
   explicit CardReader(TextCursor& cursor) : cursor_(cursor) {}
 
-  /// The next entry; its views hold until the next call. None at the end or behind ENDDATA.
+  /// The next entry; its views are valid until the next call. None at the end or after ENDDATA.
   const Card* next();
 
  private:
   void add_fields(std::string_view line);
   void add_free(std::string_view line);
-  /// Tabs stand for blanks up to the next multiple of eight columns.
+  /// A tab is replaced by blanks up to the next multiple of eight columns.
   std::string_view without_tabs(std::string_view line);
 
   TextCursor& cursor_;

@@ -72,7 +72,7 @@ class BulkReader {
     --depth_;
   }
 
-  /// Executive and case control end at BEGIN BULK; a file without it is bulk data from its start.
+  /// Executive and case control end at BEGIN BULK; without it, the whole file is bulk data.
   static void skip_to_bulk(TextCursor& cursor) {
     while (!cursor.at_end()) {
       const std::string_view line = cursor.line();
@@ -83,7 +83,7 @@ class BulkReader {
     cursor.move_to(0);
   }
 
-  /// Whether entries of that name make the mesh.
+  /// Whether entries with that name describe the mesh.
   static bool is_read(const std::string& name) {
     return name == "GRID" || name == "GRDSET" || name == "INCLUDE" || name == "CIHEX2" ||
            name == "CIHEX3" || kFlat.contains(name) ||
@@ -94,7 +94,7 @@ class BulkReader {
   void read_card(const Card& card, const TextCursor& cursor, const std::string& path) {
     const std::string name = upper(card.name);
     if (name.starts_with('=')) {
-      // it repeats the entry before it, which may be one of loads or of properties
+      // it repeats the preceding entry, which may be a load or a property
       if (repeats_what_is_read_)
         cursor.fail_at(card.offset, "replicated entries ('=') are not supported");
       return;
@@ -210,8 +210,8 @@ class BulkReader {
   }
 
   void include(const Card& card, const TextCursor& cursor, const std::string& path) {
-    // the name may hold commas and blanks: it is taken from the line itself; in quotes it may go on
-    // in the next lines
+    // the name may contain commas and blanks, so it is read from the line itself; a quoted name may
+    // continue on the next lines
     TextCursor again = cursor;
     again.move_to(card.offset);
     std::string name(trimmed(trimmed(again.line()).substr(std::string_view("INCLUDE").size())));
@@ -228,7 +228,7 @@ class BulkReader {
     }
   }
 
-  /// Turns the coordinates of grid points in systems of their own into basic ones.
+  /// Transforms grid points that have their own coordinate system to basic coordinates.
   void place_grids(const std::string& path) {
     if (default_system_ != 0)
       for (const std::size_t grid : unset_systems_)
@@ -268,7 +268,7 @@ class BulkReader {
   std::vector<std::pair<std::size_t, std::int64_t>> systems_of_grids_;
   std::vector<std::size_t> unset_systems_;
   std::int64_t default_system_ = 0;
-  bool repeats_what_is_read_ = false;  ///< an entry that is replicated next
+  bool repeats_what_is_read_ = false;  ///< a following '=' entry repeats one that is read
   int depth_ = 0;
 };
 

@@ -9,7 +9,7 @@
 namespace hiac::formats::nastran {
 namespace {
 
-/// Systems refer to systems, not without end.
+/// The limit of nested references between systems.
 constexpr int kMostReferences = 100;
 
 Point difference(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }

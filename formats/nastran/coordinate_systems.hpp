@@ -9,8 +9,8 @@ namespace hiac::formats::nastran {
 
 using Point = std::array<double, 3>;
 
-/// A coordinate system as its entry defines it: three points, the origin, one on the z axis, one in
-/// the x-z plane, in system `reference`, or three grid points (CORD1).
+/// A coordinate system as its entry defines it: three points (the origin, one on the z axis, one in
+/// the x-z plane) in system `reference`, or three grid points (CORD1).
 struct CoordinateSystem {
   char kind = 'R';  ///< R rectangular, C cylindrical, S spherical
   std::int64_t reference = 0;
@@ -19,7 +19,7 @@ struct CoordinateSystem {
   bool by_grids = false;
 };
 
-/// Turns coordinates of any of the systems into basic ones (Nastran's Quick Reference Guide,
+/// Transforms coordinates in any of the systems to basic ones (Nastran's Quick Reference Guide,
 /// CORD2R, CORD2C, CORD2S: theta and phi in degrees).
 class CoordinateSystems {
  public:

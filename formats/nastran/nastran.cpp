@@ -7,7 +7,7 @@
 namespace hiac::formats {
 namespace {
 
-/// Whether one of the lines is a section or a grid point of a deck.
+/// Whether one of the lines begins a section or a grid point of a deck.
 bool has_deck_line(std::string_view head) {
   TextCursor cursor(head, "");
   while (!cursor.at_end()) {
@@ -21,8 +21,8 @@ bool has_deck_line(std::string_view head) {
   return false;
 }
 
-/// Whether the first line is a comment or a statement of the sections before the bulk data, which
-/// may be longer than what is looked at.
+/// Whether the first line is a comment or a statement of the sections before the bulk data. Those
+/// sections may be longer than the bytes that are examined.
 bool begins_deck(std::string_view head) {
   TextCursor cursor(head, "");
   cursor.skip_space();

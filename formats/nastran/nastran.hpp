@@ -4,8 +4,8 @@
 
 namespace hiac::formats {
 
-/// Nastran bulk data: small, large and free field; the grid points, their coordinate systems, the
-/// solids.
+/// Nastran bulk data: small, large and free field; the grid points, their coordinate systems, and
+/// the solids.
 Format nastran_format();
 
 }  // namespace hiac::formats

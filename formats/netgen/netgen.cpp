@@ -79,8 +79,8 @@ class VolReader {
   }
 
  private:
-  /// The next line that begins with a letter; lines of numbers before it belong to a section that
-  /// is left out.
+  /// The next line that begins with a letter; skips lines of numbers, which belong to a section
+  /// that is left out.
   std::string_view next_keyword() {
     while (!cursor_.at_end()) {
       const std::string_view line = trimmed(cursor_.line());

@@ -55,7 +55,7 @@ void CasePart::read_mesh() {
   std::int64_t last = -1;
   for (const std::int64_t cell : owner) last = std::max(last, cell);
   for (const std::int64_t cell : neighbour) last = std::max(last, cell);
-  // a cell has faces, and so there are fewer cells than faces
+  // every cell has faces, so there are fewer cells than faces
   if (last >= static_cast<std::int64_t>(faces))
     throw InputError(owner_file,
                      fmt::format("names cell {} (fewer than {} expected)", last, faces));
@@ -72,7 +72,7 @@ std::vector<std::vector<std::int64_t>> CasePart::outward_faces(std::size_t cell)
   for (const std::size_t face : faces_of[cell]) {
     std::vector<std::int64_t> corners(nodes.begin() + static_cast<long>(starts[face]),
                                       nodes.begin() + static_cast<long>(starts[face + 1]));
-    // a face turns counter-clockwise seen from outside of its owner
+    // a face turns counter-clockwise seen from outside its owner
     if (owner[face] != static_cast<std::int64_t>(cell))
       std::reverse(corners.begin(), corners.end());
     outward.push_back(std::move(corners));

@@ -29,7 +29,7 @@ bool ends_word(char c) {
   return is_space(c) || c == ';' || c == '(' || c == ')' || c == '{' || c == '}';
 }
 
-/// Components of the types that fields' lists are of.
+/// The number of components of the types in the lists of fields.
 std::size_t components_of(std::string_view type) {
   if (type == "scalar") return 1;
   if (type == "vector") return 3;
@@ -183,7 +183,7 @@ void FoamFile::read_header() {
 std::optional<std::size_t> FoamFile::list_size(std::size_t bytes_each, std::size_t most_equal) {
   if (peek() == '(') return std::nullopt;
   const std::int64_t value = whole();
-  // equal entries are written once
+  // a list of equal entries stores the entry once
   const std::size_t most = peek() == '{' ? most_equal : (text_.size() - at_) / bytes_each;
   if (value < 0 || static_cast<std::uint64_t>(value) > most)
     fail(fmt::format("a count that fits the file expected (at most {}; {} found)", most, value));
@@ -334,12 +334,12 @@ bool FoamFile::find_entry(std::string_view keyword) {
   while (peek() != '\0') {
     const std::string_view found = word();
     if (found == keyword) return true;
-    // directives (#include) have no end but the line's
+    // a directive (#include) ends at the end of its line
     if (found.starts_with('#')) {
       at_ = std::min(text_.find('\n', at_), text_.size());
       continue;
     }
-    // over the entry: to its end, or over a dictionary
+    // skips the entry: up to its semicolon, or past its dictionary
     int depth = 0;
     while (at_ < text_.size() && !(depth == 0 && text_[at_] == ';')) {
       if (text_[at_] == '{') ++depth;

@@ -10,14 +10,14 @@
 
 namespace hiac::formats::openfoam {
 
-/// A field's values, and how many components it has.
+/// A field's values, and its number of components.
 struct FieldValues {
   std::size_t components = 1;
   std::vector<double> values;
 };
 
-/// A patch of a mesh's boundary: faces of that number from start_face on. Of a patch between parts
-/// of a decomposed case (type "processor") also the part on the other side.
+/// A patch of a mesh's boundary: this many faces from start_face on. A patch between parts of a
+/// decomposed case (type "processor") also names the part on the other side.
 struct Patch {
   std::string type;
   std::int64_t faces = 0;
@@ -25,32 +25,33 @@ struct Patch {
   std::int64_t neighbour = -1;
 };
 
-/// One file of a case: its header is read, then one thing after the other. Errors name the file and
-/// the line (in binary parts the byte).
+/// One file of a case: its header is read first, then one item after the other. Errors name the
+/// file and the line (in binary parts the byte).
 class FoamFile {
  public:
-  /// Opens NAME or NAME.gz. Throws InputError when there is neither.
+  /// Opens NAME or NAME.gz. Throws InputError when neither exists.
   explicit FoamFile(const std::string& path);
 
   [[nodiscard]] const std::string& class_name() const { return class_; }
 
-  /// A list of whole numbers. Of equal ones, which are written once, `most_equal` are believed.
+  /// A list of whole numbers. A list of equal numbers stores one of them, and may have at most
+  /// `most_equal` entries.
   std::vector<std::int64_t> labels(std::size_t most_equal);
-  /// A list of lists of whole numbers: for every face where it begins in `nodes`, and the end.
+  /// A list of lists of whole numbers: for every face its start in `nodes`, followed by the end.
   void faces(std::vector<std::size_t>& starts, std::vector<std::int64_t>& nodes);
   /// A list of patches.
   std::vector<Patch> patches();
   /// A list of points.
   std::vector<double> points();
-  /// The values of `internalField` for `count` cells or points; none where it is told by a macro
-  /// that the file does not define ($pressure of an included file) or by code.
+  /// The values of `internalField` for `count` cells or points; none when code or a macro that the
+  /// file does not define gives them ($pressure of an included file).
   std::optional<FieldValues> internal_field(std::size_t count);
   /// The exponents of `dimensions` as a unit: "m s^-1"; empty when there are none.
   std::string unit();
 
-  /// Whether there is such a file, packed or not.
+  /// Whether that file exists, packed or not.
   static bool exists(const std::string& path);
-  /// Whether the file begins as OpenFOAM's files do, with comments and "FoamFile".
+  /// Whether the file begins like OpenFOAM's files, with comments and "FoamFile".
   static bool is_one(const std::string& path);
 
  private:
@@ -62,25 +63,25 @@ class FoamFile {
   double real();
   std::int64_t whole();
   std::size_t count(std::size_t bytes_each);
-  /// Moves behind the keyword at the beginning of an entry; false where there is none.
+  /// Moves past the keyword at the beginning of an entry; false when there is no such entry.
   bool find_entry(std::string_view keyword);
-  /// Over the dictionary that begins here.
+  /// Skips the dictionary that begins here.
   void skip_dictionary();
   void read_header();
-  /// The number of entries of a list; none where the list has no number before it.
+  /// The number of entries of a list; none when no number precedes the list.
   std::optional<std::size_t> list_size(std::size_t bytes_each, std::size_t most_equal);
-  /// A list of tuples, each in brackets where `width` is above 1: between brackets, or, of equal
-  /// ones, once between braces.
+  /// A list of tuples between brackets, or one tuple between braces if all are equal. A tuple has
+  /// brackets of its own if `width` is above 1.
   std::vector<double> reals(std::size_t width, std::size_t most_equal);
   void read_tuple(std::size_t width, std::vector<double>& values);
-  /// A number or a tuple of them; empty where there is something else.
+  /// A number or a tuple of numbers; empty for anything else.
   std::vector<double> uniform_value();
   std::string_view raw(std::size_t bytes);
 
   InputText input_;
   std::string_view text_;
   std::size_t at_ = 0;
-  std::size_t body_ = 0;  ///< behind the header
+  std::size_t body_ = 0;  ///< the position after the header
   std::string class_;
   bool binary_ = false;
   std::size_t label_bytes_ = 4;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kNowhere = ~std::size_t{0};
 
-/// Points that are one lie no further apart than this much of the largest coordinate: parts may be
+/// Copies of one point differ by at most this fraction of the largest coordinate: parts may be
 /// written with few digits.
 constexpr double kSamePlace = 1e-5;
 
@@ -32,7 +32,7 @@ bool same_place(const double* a, const double* b, double slack) {
   return true;
 }
 
-/// The entries of an addressing file; none where there is no such file or it does not fit.
+/// The entries of an addressing file; none when there is no such file or its entries do not fit.
 std::optional<std::vector<std::size_t>> addresses(const CasePart& part, const std::string& name,
                                                   std::size_t count, std::size_t most) {
   const std::string path = part.mesh_file(name);
@@ -48,7 +48,7 @@ std::optional<std::vector<std::size_t>> addresses(const CasePart& part, const st
   return result;
 }
 
-/// By the addressing files; none where they do not fit together.
+/// Joins the parts by their addressing files; none when these are missing or contradict each other.
 std::optional<JoinedParts> join_by_addresses(const std::vector<CasePart>& parts) {
   std::size_t points = 0;
   std::size_t cells = 0;
@@ -84,7 +84,7 @@ std::optional<JoinedParts> join_by_addresses(const std::vector<CasePart>& parts)
   return joined;
 }
 
-/// Points of all parts, one after the other, that become one.
+/// Points of all parts, one after the other, of which some are merged.
 class UnitedPoints {
  public:
   explicit UnitedPoints(std::size_t count) : above_(count) {
@@ -166,7 +166,7 @@ class PatchJoiner {
                                  patch.faces, p, p));
   }
 
-  /// Faces of both sides turn in opposite senses and begin with the same point.
+  /// The two copies of a face turn in opposite senses and begin with the same point.
   void join(std::size_t p, const Patch& patch, const Patch& other, UnitedPoints& united) const {
     const auto q = static_cast<std::size_t>(patch.neighbour);
     const CasePart& a = parts_[p];

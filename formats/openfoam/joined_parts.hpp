@@ -9,21 +9,21 @@
 
 namespace hiac::formats::openfoam {
 
-/// How the parts of a decomposed case make one mesh.
+/// The mesh of a decomposed case in terms of its parts.
 struct JoinedParts {
   std::size_t points = 0;  ///< of the whole
-  /// For every point of every part its place in the whole.
+  /// For every point of every part, its place in the whole mesh.
   std::vector<std::vector<std::size_t>> point_places;
-  /// For every cell of the whole its part and its place there.
+  /// For every cell of the whole mesh, its part and its place there.
   std::vector<std::pair<std::size_t, std::size_t>> cells;
   std::vector<std::string> notes;
 };
 
 /// Joins parts, in the order of their numbers: by pointProcAddressing and cellProcAddressing, which
-/// say what points and cells of the parts were in the whole, where all parts have them and they fit
-/// together; else by the patches of type "processor", whose faces are one with those of the patch
-/// on the other side, face for face, and cells one part after the other. Throws InputError naming
-/// the file where a patch does not meet its other side.
+/// give the places of the parts' points and cells in the whole mesh, if all parts have them and
+/// they are consistent; otherwise by the patches of type "processor", whose faces coincide one by
+/// one with those of the patch on the other side; the cells then follow part after part. Throws
+/// InputError naming the file when a patch does not match its other side.
 ///
 /// OpenFOAM User Guide, "Running applications in parallel"; processorPolyPatch.H (the order of
 /// faces and of their points).

@@ -27,7 +27,7 @@ using openfoam::time_folders;
 using openfoam::TimeFolder;
 namespace fs = std::filesystem;
 
-/// Files of a case may be that many folders below it.
+/// Files of a case may lie this many folders below its root.
 constexpr int kDeepestFile = 4;
 
 bool is_folder(const fs::path& path) {
@@ -35,7 +35,7 @@ bool is_folder(const fs::path& path) {
   return fs::is_directory(path, failed);
 }
 
-/// A folder of a mesh may hold what it is to be made of, and no mesh.
+/// A mesh folder may hold only the input of a mesh generator and no mesh.
 bool has_mesh(const fs::path& root) {
   const fs::path folder = root / "constant" / "polyMesh";
   return FoamFile::exists((folder / "owner").string()) ||
@@ -60,7 +60,7 @@ class Reader {
   Reader(const std::string& path, const ReadOptions& options)
       : subject_(path), options_(options), root_(fs::path(path).parent_path()) {
     if (root_.empty()) root_ = ".";
-    // a file of the case may be in one of its folders
+    // the given file may be in a subfolder of the case
     std::error_code failed;
     fs::path above = fs::absolute(root_, failed);
     for (int i = 0; i < kDeepestFile; ++i, above = above.parent_path())
@@ -82,7 +82,7 @@ class Reader {
   }
 
  private:
-  /// The case itself, or its parts where it has no mesh, or where they have later results.
+  /// The case itself, or its parts if it has no mesh or if they have later results.
   void find_parts() {
     std::vector<CasePart> parts;
     for (fs::path root = part_folder(0); has_mesh(root); root = part_folder(parts.size())) {
@@ -136,7 +136,7 @@ class Reader {
                                            (root_ / "constant" / "polyMesh").string(), found));
   }
 
-  /// Times are those that all parts have.
+  /// The steps are the times that all parts have.
   void choose_step() {
     const auto in_all = [this](const TimeFolder& folder) {
       return std::all_of(parts_.begin(), parts_.end(), [&](const CasePart& part) {
@@ -156,7 +156,7 @@ class Reader {
     }
     step_ = requested_step(options_, mesh_.times, subject_).value_or(common.size() - 1);
     for (CasePart& part : parts_) {
-      // a mesh may have moved at times that others have not
+      // a part may have time folders that other parts do not have
       const auto same = [&](const TimeFolder& folder) {
         return folder.path.filename() == common[step_].path.filename();
       };
@@ -252,7 +252,8 @@ class Reader {
     return parts_.size() == 1 ? mesh_.point_count() : part.point_count();
   }
 
-  /// The values of the whole from those of the parts; points that parts share have one.
+  /// Assembles the values of the whole mesh from those of the parts; a point that parts share gets
+  /// one value.
   [[nodiscard]] std::vector<double> of_whole(
       const ForeignField& field, const std::vector<openfoam::FieldValues>& values) const {
     const std::size_t width = field.components;
@@ -297,7 +298,7 @@ Format openfoam_format() {
     return header != std::string_view::npos &&
            head.find('{', header) == head.find_first_not_of(" \t\r\n", header + 8);
   };
-  // a .foam file is there for its name alone
+  // a .foam file only marks the folder of the case
   format.contains = [](const std::string& path) {
     const std::string extension = fs::path(path).extension().string();
     return extension == ".foam" || extension == ".OpenFOAM";

@@ -54,7 +54,7 @@ FileSet read_index(const std::string& path) {
   return files;
 }
 
-/// The first of the candidates that is there, or nothing.
+/// The first candidate that exists, or nothing.
 std::string existing(const std::vector<std::filesystem::path>& candidates) {
   std::error_code ignored;
   for (const std::filesystem::path& candidate : candidates)

@@ -19,7 +19,7 @@ namespace {
 using plot3d::Grid;
 using plot3d::Solution;
 
-/// The variables of a solution that make one field: from `first` on.
+/// The variables of a solution that form one field: from `first` on.
 struct Variables {
   std::string name;
   std::size_t first;
@@ -66,7 +66,7 @@ void add_fields(const std::shared_ptr<const Solution>& solution,
   }
 }
 
-/// As many variables as every block has.
+/// The number of variables that every block has.
 std::size_t common_count(const Solution& solution) {
   return *std::min_element(solution.variables.begin(), solution.variables.end());
 }

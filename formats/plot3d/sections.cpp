@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMostBlocks = 1'000'000;
 constexpr std::size_t kMostVariables = 1000;
-/// Old systems fill a file's last block with zeros.
+/// Old systems pad the last block of a file with zeros.
 constexpr std::size_t kFileBlock = 512;
 
 /// How a file's numbers are stored.
@@ -27,7 +27,7 @@ struct Encoding {
   std::size_t whole = 4;  ///< bytes of a whole number; 1 in a text
 };
 
-/// A file's contents without record marks: bytes, or of a text its numbers.
+/// A file's contents without record marks: the bytes or, for a text, its numbers.
 class Contents {
  public:
   Contents(const std::string& path, bool swap, bool marks, bool text)
@@ -40,13 +40,13 @@ class Contents {
       bytes_ = file_.text();
   }
 
-  /// Whether the file can be read in this way at all.
+  /// Whether the file can be read in this encoding at all.
   [[nodiscard]] bool fits() const { return fits_; }
-  /// In bytes, of a text in words.
+  /// In bytes; for a text, in words.
   [[nodiscard]] std::size_t size() const { return text_ ? words_.size() : bytes_.size(); }
   [[nodiscard]] std::size_t records() const { return records_; }
 
-  /// Whether the contents end there, but for zeros up to the end of a block.
+  /// Whether the contents end there, apart from zeros up to the end of a block.
   [[nodiscard]] bool end_at(std::size_t expected) const {
     if (expected == size()) return true;
     if (text_ || records_ > 0 || expected > size() || size() % kFileBlock != 0 ||
@@ -75,7 +75,7 @@ class Contents {
     return result;
   }
 
-  /// Every record has its length before it and behind it, up to the end of the file.
+  /// Every record is preceded and followed by its length; the records fill the file.
   bool strip_marks() {
     bytes_ = file_.text();
     const std::string_view all = file_.text();
@@ -95,7 +95,7 @@ class Contents {
     return true;
   }
 
-  /// Words are numbers; Fortran writes "3*1.5" for three equal ones, and a D for the exponent.
+  /// Words are numbers; Fortran writes "3*1.5" for three equal numbers, and a D for the exponent.
   bool read_words() {
     const std::string_view all = file_.text();
     const char* at = all.data();
@@ -127,7 +127,7 @@ class Contents {
     const char* last = buffer.data() + word.size();
     const auto [next, error] = std::from_chars(buffer.data(), last, number);
     if (error != std::errc() || next != last) return false;
-    // more words than a file of that many bytes can stand for are no grid
+    // so many words in a file of this size are not a grid
     if (words_.size() + repeat > 64 * file_.text().size()) return false;
     words_.insert(words_.end(), repeat, number);
     return true;
@@ -144,7 +144,7 @@ class Contents {
   std::vector<double> words_;
 };
 
-/// What a file's first numbers say.
+/// The contents of a file's first numbers.
 struct Header {
   std::vector<Extents> blocks;
   std::vector<std::size_t> further;  ///< a fourth number of every block, of function files
@@ -152,7 +152,7 @@ struct Header {
   std::size_t points = 0;            ///< of all blocks
 };
 
-/// Reads the number of blocks, unless there is one without it, and their extents.
+/// Reads the number of blocks, unless it is omitted for a single block, and their extents.
 std::optional<Header> header_of(const Contents& contents, bool several, bool function,
                                 std::size_t whole) {
   Header header;
@@ -189,7 +189,7 @@ std::optional<Header> header_of(const Contents& contents, bool several, bool fun
 
 std::size_t points_in(const Extents& extents) { return extents[0] * extents[1] * extents[2]; }
 
-/// Tries every encoding of the file; `read(contents, encoding, several)` returns nothing where the
+/// Tries every encoding of the file; `read(contents, encoding, several)` returns nothing when the
 /// file's size does not fit.
 template <typename Read>
 auto read_fitting(const std::string& path, std::string_view what, const Read& read) {
@@ -212,7 +212,7 @@ auto read_fitting(const std::string& path, std::string_view what, const Read& re
   throw InputError(path, fmt::format("is no whole PLOT3D {} (its size fits no dialect)", what));
 }
 
-/// A block's data, plane by plane: `columns` reals a point and perhaps a whole number.
+/// Reads a block's data, plane by plane: `columns` reals per point and, if present, IBLANK.
 void read_planes(const Contents& contents, const Encoding& encoding, const Extents& extents,
                  std::size_t columns, bool planes, std::size_t& at, std::vector<double>& values,
                  std::vector<std::int32_t>* iblank) {
@@ -230,7 +230,7 @@ void read_planes(const Contents& contents, const Encoding& encoding, const Exten
   }
 }
 
-/// Whether the number of records says that every plane is one.
+/// Whether the number of records implies that every plane is a record.
 bool in_planes(const Contents& contents, const Header& header, bool several,
                std::size_t records_a_block) {
   std::size_t planes = several ? 2 : 1;
@@ -263,8 +263,8 @@ std::optional<Grid> grid_in(const Contents& contents, const Encoding& encoding, 
   return std::nullopt;
 }
 
-/// OVERFLOW writes behind the extents how many variables there are; the numbers before each block's
-/// data are then as many as fill the file.
+/// OVERFLOW writes the number of variables after the extents; the count of numbers before each
+/// block's data follows from the file's size.
 std::optional<Solution> overflow_in(const Contents& contents, const Encoding& encoding,
                                     const Header& header) {
   if (contents.size() < header.end + 2 * encoding.whole) return std::nullopt;
@@ -353,7 +353,7 @@ Solution read_function(const std::string& path, const std::vector<Extents>& bloc
 }
 
 bool may_be_grid(std::string_view head) {
-  // a small count in the first four bytes, in either order, or the first of some numbers
+  // a small count in the first four bytes, in either byte order, or a number in a text
   if (head.size() < 12) return false;
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(head[i]); };
   const bool little = byte(3) == 0 && byte(2) == 0 && (byte(0) != 0 || byte(1) != 0);

@@ -23,9 +23,9 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 /// A block has no more nodes or zones than this: Silo counts in 32-bit integers.
 constexpr std::size_t kMost = std::numeric_limits<int>::max();
 
-// Silo's prism has its quadrilateral 0 1 2 3 first and the edge 4 5 over it, 4 next to 0 and 3.
-// Tetrahedra, pyramids and prisms are written in either orientation: each kind of a block is turned
-// when most of its zones are inside out.
+// Silo's prism lists its quadrilateral 0 1 2 3 first and then the opposite edge 4 5, with 4 next to
+// 0 and 3. Tetrahedra, pyramids and prisms occur in either orientation: those of one kind in a
+// block are reversed when most of them are inside out.
 constexpr std::array<std::uint8_t, 6> kPrism{2, 5, 1, 3, 4, 0};
 constexpr std::array<std::uint8_t, 6> kPrismTurned{3, 4, 0, 2, 5, 1};
 constexpr std::array<std::uint8_t, 4> kTetrahedronTurned{0, 2, 1, 3};
@@ -62,13 +62,13 @@ struct Block {
   bool structured = false;
 };
 
-/// The variables of one name.
+/// The variables with one name.
 struct Variable {
   std::string name;
   std::vector<std::pair<std::size_t, Place>> parts;  ///< block and place
 };
 
-/// A variable of a block, of either kind of mesh.
+/// A variable of a block, on either kind of mesh.
 struct Values {
   bool on_nodes = false;
   std::size_t tuples = 0;
@@ -225,8 +225,8 @@ class Reader {
     mesh_.cell_nodes.insert(mesh_.cell_nodes.end(), nodes.begin(), nodes.end());
   }
 
-  /// By the sign of the triple product at the first corner: base 0 1 2 (a prism's: outwards) and a
-  /// corner above.
+  /// Judged by the sign of the triple product at the first corner: base 0 1 2 (of a prism:
+  /// outwards) and a corner above it.
   [[nodiscard]] bool most_inside_out(const std::vector<std::int64_t>& nodes, std::size_t size,
                                      const ZoneType& type) const {
     const bool prism = type.kind == CellKind::prism6;
@@ -269,11 +269,11 @@ class Reader {
       if (zones.facecnt[z] < 0 || zones.facecnt[z] > zones.lfacelist - at) throw fail();
       std::vector<std::vector<std::int64_t>> own;
       for (int f = 0; f < zones.facecnt[z]; ++f) {
-        // a face that is entered from its other side is given as its complement
+        // a face that is seen from its other side is given as its complement
         const int stored = zones.facelist[at++];
         const int face = (stored < 0 ? ~stored : stored) - zones.origin;
         if (face < 0 || face >= zones.nfaces) throw fail();
-        // or few bytes would make much memory
+        // otherwise a small file could demand much memory
         if (++uses[static_cast<std::size_t>(face)] > 2) throw fail();
         own.push_back(faces[static_cast<std::size_t>(face)]);
       }
@@ -312,7 +312,7 @@ class Reader {
     hide_ghosts(*mesh, grid, block);
   }
 
-  /// Zones beyond the real ones are there for their neighbours' sake.
+  /// Zones outside the range of real zones are ghost zones.
   void hide_ghosts(const DBquadmesh& mesh, const StructuredBlock& grid, const Block& block) {
     const std::uint16_t ghost = mesh_.type_place("ghost zone", 8, kNoVolume);
     std::size_t cell = block.first_cell;
@@ -436,7 +436,7 @@ Format silo_format() {
   format.kinds = "tet4 pyr5 prism6 brick8, polyhedra, structured";
   format.fields = "node, cell";
   format.time_steps = "one";
-  // the driver PDB; files of the other are HDF5 files
+  // files of the driver PDB; files of the other driver are HDF5 files
   format.recognizes = [](std::string_view head) {
     return head.starts_with("!<<PDB:") || head.starts_with("!<><PDB>");
   };

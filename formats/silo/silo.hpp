@@ -4,7 +4,7 @@
 
 namespace hiac::formats {
 
-/// Silo files (HDF5): unstructured meshes of zoo zones and of polyhedra, curvilinear and
+/// Silo files (HDF5): unstructured meshes of the zoo's zones and of polyhedra, curvilinear and
 /// rectilinear ones, multi-block meshes over several files, variables on nodes and zones.
 Format silo_format();
 

@@ -9,7 +9,7 @@
 
 namespace hiac::formats::silo {
 
-/// Frees what the library gives.
+/// Frees objects that the library returns.
 struct Free {
   void operator()(DBmultimesh* object) const { DBFreeMultimesh(object); }
   void operator()(DBmultivar* object) const { DBFreeMultivar(object); }
@@ -21,13 +21,13 @@ struct Free {
 template <typename Object>
 using Owned = std::unique_ptr<Object, Free>;
 
-/// Where an object is: its file and its name there, with the folders.
+/// The location of an object: its file and its name in the file, with the folders.
 struct Place {
   std::string file;
   std::string name;
 };
 
-/// Files of one dataset, opened once each.
+/// The files of one dataset, each opened once.
 class SiloFiles {
  public:
   /// Throws InputError naming the file when it cannot be opened.
@@ -37,9 +37,9 @@ class SiloFiles {
   SiloFiles& operator=(const SiloFiles&) = delete;
 
   [[nodiscard]] const std::string& path() const { return path_; }
-  /// The file of that path. Throws as the constructor.
+  /// The file with that path. Throws as the constructor does.
   DBfile* open(const std::string& path);
-  /// The place that a multi-block object of the first file names: "file:folder/name" or a name.
+  /// The location that a multi-block object of the first file names: "file:folder/name" or a name.
   [[nodiscard]] Place place_of(const std::string& name) const;
 
  private:
@@ -47,8 +47,8 @@ class SiloFiles {
   std::map<std::string, DBfile*> files_;
 };
 
-/// `count` numbers of one of Silo's types in double precision. Throws InputError(subject, ...) when
-/// the type is none of numbers.
+/// Converts `count` numbers of one of Silo's types to double precision. Throws InputError(subject,
+/// ...) when the type is not numeric.
 std::vector<double> numbers(const void* data, int type, std::size_t count,
                             const std::string& subject);
 

@@ -23,7 +23,8 @@ class Su2Reader {
       const std::string_view line = trimmed(cursor_.line());
       if (line.empty() || line.starts_with('%')) continue;
       const std::size_t equals = line.find('=');
-      // lines of what is left out: corners of free-form deformation boxes, periodic markers
+      // lines of sections that are left out: corners of free-form deformation boxes, periodic
+      // markers
       if (equals == std::string_view::npos && skipping_) continue;
       if (equals == std::string_view::npos)
         cursor_.fail_at(start, fmt::format("a keyword NAME= expected ({} found)", shown(line)));
@@ -62,7 +63,7 @@ class Su2Reader {
     }
   }
 
-  /// Every zone counts its points from 0.
+  /// Every zone numbers its points from 0.
   void begin_zone(std::string_view number) {
     end_zone();
     zone_ = fmt::format("zone {}", number);
@@ -83,7 +84,7 @@ class Su2Reader {
     }
   }
 
-  /// Moves to the next row, over comments.
+  /// Moves to the next row, skipping comments.
   void begin_row() {
     cursor_.skip_space();
     while (!cursor_.at_end() && cursor_.peek_line().starts_with('%')) {
@@ -134,8 +135,8 @@ class Su2Reader {
 
   TextCursor cursor_;
   ForeignMesh mesh_;
-  bool skipping_ = false;  ///< behind a keyword that is left out
-  std::string zone_;       ///< the zone that is read, where the file has several
+  bool skipping_ = false;  ///< in a section that is left out
+  std::string zone_;       ///< the current zone if the file has several
   std::size_t first_point_ = 0;
   std::size_t first_node_place_ = 0;
   std::size_t first_cell_ = 0;

@@ -96,7 +96,7 @@ PointTable read_node_table(const std::string& path) {
   return table;
 }
 
-// The columns of x, y and z: by name, in any case, or the first three where none is so called.
+// The columns of x, y and z: by name, in any case, or the first three if no column has such a name.
 std::array<std::size_t, 3> coordinate_columns(const PointTable& table) {
   std::array<std::size_t, 3> columns{0, 1, 2};
   std::array<std::size_t, 3> named{};

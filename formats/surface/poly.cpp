@@ -19,7 +19,7 @@ class PolyReader {
   Surface read() {
     read_points();
     read_facets();
-    // lists that a file may leave out at its end
+    // lists that may be missing at the end of a file
     if (!lines_.next_or_none().empty()) read_holes();
     if (!lines_.next_or_none().empty()) read_regions();
     return std::move(surface_);
@@ -60,7 +60,7 @@ class PolyReader {
     }
   }
 
-  // From the line at hand, and on following ones where it is long.
+  // Reads from the current line, and from the following ones if the list is long.
   std::vector<std::uint32_t> read_polygon() {
     const std::uint64_t count = lines_.whole(0, "a polygon's number of corners");
     if (count < 1) lines_.fail("a polygon of at least one corner expected (0 found)");

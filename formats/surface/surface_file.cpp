@@ -54,8 +54,8 @@ std::string extension_of(const std::string& path) {
   return extension;
 }
 
-// Bytes that a soup is sent in: "+", the points' coordinates, and of each polygon the number of its
-// corners and its corners; or "-" and what is wrong.
+// The bytes of a transmitted polygon soup: "+", the points' coordinates, and for each polygon its
+// number of corners and its corners; or "-" and the error.
 template <typename T>
 void append(std::string& bytes, T value) {
   bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
@@ -128,8 +128,8 @@ std::uint64_t size_of_regular_file(const std::string& path) {
   return size;
 }
 
-// CGAL's readers trust the numbers that a file announces, and follow null pointers in damaged PLY
-// files: they work in a process of their own, with memory in proportion to the file.
+// CGAL's readers trust the counts that a file declares, and follow null pointers in damaged PLY
+// files: they run in a process of their own, with memory in proportion to the file.
 Soup read_soup(const std::string& path, const SoupReader& read) {
   constexpr std::uint64_t kLeastBytes = 256 << 20;
   constexpr std::uint64_t kBytesForByte = 100;  // a polygon "3 0 1 2" takes a vector
@@ -145,7 +145,7 @@ Soup read_soup(const std::string& path, const SoupReader& read) {
   return Unpacker(std::string_view(*answer).substr(1), path).soup();
 }
 
-// Corners through which a polygon is cut in triangles: the least is in all of them.
+// The corners with which a polygon is cut into triangles: all share its smallest corner.
 void append_triangles(const Polygon& polygon, Surface& surface) {
   const std::size_t count = polygon.size();
   const auto least = static_cast<std::size_t>(std::ranges::min_element(polygon) - polygon.begin());

@@ -7,24 +7,24 @@
 
 namespace hiac::formats {
 
-/// A surface, and what a user should know about how it came from its file: one sentence each.
+/// A surface, and notes for the user on how it was read, one sentence each.
 struct SurfaceReading {
   Surface surface;
   std::vector<std::string> notes;
-  /// The format knows facets inside, which may end anywhere.
+  /// The format allows interior facets, which may end anywhere.
   bool inner_facets = false;
 };
 
-/// Whether the name is that of a file of surfaces: .stl .ply .obj .off .poly .smesh.
+/// Whether the name has an extension of surface files: .stl .ply .obj .off .poly .smesh.
 bool is_surface_file(const std::string& path);
 
 /// Reads a file of surfaces, by its extension.
 ///
 /// STL (ASCII, binary; equal corners become one point), PLY, OBJ and OFF through CGAL's readers of
-/// polygon soups: polygons of more than three corners are cut in triangles through their least
-/// corner. .poly and .smesh (TetGen 1.5): facets as they are, with holes and regions; points in the
-/// file or in the .node file beside it. Throws InputError when the file cannot be read, is none of
-/// these, or holds no polygon, or coordinates that are not finite.
+/// polygon soups: polygons of more than three corners are cut into triangles that share the
+/// smallest corner. .poly and .smesh (TetGen 1.5): facets as they are, with holes and regions;
+/// points in the file or in the .node file beside it. Throws InputError when the file cannot be
+/// read, has none of these formats, contains no polygon, or has coordinates that are not finite.
 SurfaceReading read_surface(const std::string& path);
 
 }  // namespace hiac::formats

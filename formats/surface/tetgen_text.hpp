@@ -10,15 +10,15 @@
 
 namespace hiac::formats {
 
-/// The lines of one of TetGen's text files that hold something: words, without what is behind '#'.
+/// The non-empty lines of one of TetGen's text files: their words, without comments after '#'.
 class TetgenLines {
  public:
   /// Throws InputError when the file cannot be opened.
   explicit TetgenLines(const std::string& path);
 
-  /// The words of the next line; throws InputError where the file ends, naming what was expected.
+  /// The words of the next line; throws InputError naming what was expected when the file ends.
   std::span<const std::string> next(const char* expected);
-  /// The same; no words where the file ends.
+  /// The same; no words at the end of the file.
   std::span<const std::string> next_or_none();
 
   /// The words of the line last read.
@@ -26,13 +26,13 @@ class TetgenLines {
   /// A word of the line last read as a number, or InputError with the line.
   [[nodiscard]] double real(std::size_t word, const char* what) const;
   [[nodiscard]] std::uint64_t whole(std::size_t word, const char* what) const;
-  /// The same, `otherwise` where the line has no such word.
+  /// The same; `otherwise` when the line has no such word.
   [[nodiscard]] std::uint64_t whole_or(std::size_t word, const char* what,
                                        std::uint64_t otherwise) const;
   /// Three numbers from a word on.
   [[nodiscard]] std::array<double, 3> point(std::size_t word, const char* what) const;
 
-  /// Throws InputError at the line last read.
+  /// Throws InputError naming the line last read.
   [[noreturn]] void fail(const std::string& message) const;
   [[nodiscard]] const std::string& path() const { return path_; }
 
@@ -43,7 +43,7 @@ class TetgenLines {
   std::vector<std::string> words_;
 };
 
-/// TetGen's list of nodes: the number of the first one, positions, and attributes node by node.
+/// TetGen's list of nodes: the number of the first node, positions, and attributes node by node.
 struct TetgenNodes {
   std::uint64_t first = 0;
   std::vector<std::array<double, 3>> points;

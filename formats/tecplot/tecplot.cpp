@@ -21,7 +21,7 @@ namespace {
 using tecplot::TecplotFile;
 using tecplot::Zone;
 
-/// The places of x, y and z among the variables: by name, or else the first three.
+/// The places of x, y and z among the variables: by name, otherwise the first three.
 std::array<std::size_t, 3> coordinate_places(const TecplotFile& file, const std::string& subject) {
   if (file.variables.size() < 3)
     throw InputError(subject, fmt::format("three coordinates expected among the variables ({} "
@@ -89,8 +89,7 @@ void add_elements(const Zone& zone, std::size_t first_node, const std::string& s
   for (const std::int64_t node : zone.connectivity) mesh.cell_nodes.push_back(checked(node));
 }
 
-/// Appends the values of a variable that lives on nodes or on cells; NaN where a zone has it in the
-/// other place.
+/// Appends the values of a variable on nodes or on cells; NaN if the zone has it on the other.
 void append_values(const Zone& zone, std::size_t variable, bool on_cells,
                    std::vector<double>& values) {
   const std::size_t tuples = on_cells ? zone.elements : zone.nodes;
@@ -110,8 +109,8 @@ std::vector<double> times_of(const TecplotFile& file) {
   return times;
 }
 
-/// Zones are pieces of the mesh, and blocks under their names. Where zones have times, those of the
-/// wanted time and those without are taken.
+/// Zones are pieces of the mesh, and become blocks with their names. If zones have times, those of
+/// the requested time and those without a time are read.
 ForeignMesh mesh_of(TecplotFile&& file, const ReadOptions& options, const std::string& subject) {
   ForeignMesh mesh;
   mesh.notes = std::move(file.notes);
@@ -160,8 +159,8 @@ ForeignMesh mesh_of(TecplotFile&& file, const ReadOptions& options, const std::s
   return mesh;
 }
 
-/// Whether the first line that is no comment begins one of the records that come first. A title
-/// alone does not do: solvers' decks have titles too.
+/// Whether the first line that is not a comment begins one of the records that come first. A title
+/// alone is not enough: solvers' decks have titles too.
 bool begins_with_record(std::string_view head) {
   TextCursor cursor(head, "");
   bool title = false;

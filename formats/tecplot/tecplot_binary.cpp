@@ -41,20 +41,20 @@ constexpr std::array<ElementType, 8> kElements{{{"ORDERED", 0, 0},
                                                 {"BRICK", 8, 6},
                                                 {"POLYGON", 0, 0},
                                                 {"POLYHEDRON", 0, 0}}};
-/// From this one on elements are told by their faces.
+/// From this type on, elements are described by their faces.
 constexpr std::int32_t kPolygon = 6;
 
-/// What of a zone's header its data need.
+/// The parts of a zone's header that are needed to read its data.
 struct ZoneHeader {
   std::size_t faces = 0;  ///< of an element
   bool by_points = false;
   bool raw_neighbors = false;
   std::int64_t neighbors = 0;
   std::int32_t neighbor_mode = 0;
-  bool by_faces = false;        ///< polygons or polyhedra; then of the zone
-  std::size_t zone_faces = 0;   ///< its faces,
-  std::size_t face_nodes = 0;   ///< the nodes of all of them,
-  std::size_t outer_faces = 0;  ///< those with connections with other zones, and one more,
+  bool by_faces = false;        ///< polygons or polyhedra; the zone then has
+  std::size_t zone_faces = 0;   ///< faces,
+  std::size_t face_nodes = 0;   ///< nodes of all faces,
+  std::size_t outer_faces = 0;  ///< faces connected with other zones, and one more,
   std::size_t connections = 0;  ///< and these connections
 };
 
@@ -92,7 +92,7 @@ class Reader {
  private:
   std::int32_t integer(std::string_view what) { return stream_.read<std::int32_t>(what); }
 
-  /// A count of things that take at least `bytes` each.
+  /// A count of items that take at least `bytes` each.
   std::size_t count(std::string_view what, std::size_t bytes) {
     const std::int32_t value = integer(what);
     if (value < 0 ||
@@ -100,14 +100,14 @@ class Reader {
       stream_.fail(fmt::format("{}: {} is more than the file holds", what, value));
     return static_cast<std::size_t>(value);
   }
-  /// The extent of a zone; how much it takes is seen with the data.
+  /// The extent of a zone; its size is checked when the data are read.
   std::size_t extent(std::string_view what) {
     const std::int32_t value = integer(what);
     if (value < 0) stream_.fail(fmt::format("{}: not a count ({} found)", what, value));
     return static_cast<std::size_t>(value);
   }
 
-  /// An integer for every character, up to a zero.
+  /// A text that stores an integer for every character, ended by a zero.
   std::string text(std::string_view what) {
     std::string result;
     while (const std::int32_t c = integer(what)) result += static_cast<char>(c);
@@ -149,7 +149,7 @@ class Reader {
     integer("the parent zone");
     const std::int32_t strand = integer("the strand");
     const auto time = stream_.read<double>("the solution time");
-    // zones of no strand are there at all times
+    // zones without a strand exist at all times
     if (strand > 0 || strand == -2 || time != 0) zone.time = time;
     integer("the zone's colour");
     const std::int32_t type = integer("the zone's type");
@@ -208,8 +208,8 @@ class Reader {
     for (int i = 0; i < 3; ++i) integer("a dimension of the cells");
   }
 
-  /// Coordinates take a byte a node at least, elements more. Shared or passive, they take none: of
-  /// those there are none larger than in another zone.
+  /// Coordinates take at least a byte per node, elements more. Shared or passive ones take none,
+  /// but then another zone has at least as many.
   void limit(const Zone& zone, std::size_t count, std::string_view what) {
     if (count > stream_.size())
       stream_.fail(
@@ -297,7 +297,7 @@ class Reader {
       for (const std::size_t v : stored) zone.values[v].push_back(value(types[v]));
   }
 
-  /// Values on cells of an ordered zone are stored as if there were as many cells as nodes along
+  /// Values on cells of an ordered zone are stored as if the cells were as many as the nodes along
   /// all axes but the last.
   void read_block(Zone& zone, std::size_t v, std::int32_t type) {
     constexpr std::array<std::size_t, 6> kBytes{1, 4, 8, 4, 2, 1};
@@ -347,12 +347,12 @@ class Reader {
     return result;
   }
 
-  /// Where the nodes of each face of polyhedra begin, the nodes of all faces, the elements to the
-  /// left and to the right of each (less than 0: none, or in another zone), and connections with
-  /// other zones. All count from 0.
+  /// The start of the nodes of each face of polyhedra, the nodes of all faces, the elements to the
+  /// left and to the right of each face (less than 0: none, or in another zone), and connections
+  /// with other zones. All count from 0.
   void read_faces(Zone& zone, const ZoneHeader& header) {
     const bool solid = zone.element == "POLYHEDRON";
-    // an element has a face, and a face two elements
+    // every element has a face, and a face has at most two elements
     if (zone.elements > 2 * header.zone_faces)
       stream_.fail(fmt::format("zone '{}': {} elements of {} faces", zone.name, zone.elements,
                                header.zone_faces));
@@ -387,7 +387,7 @@ class Reader {
       face.push_back(std::int64_t{nodes[static_cast<std::size_t>(n)]} + 1);
   }
 
-  /// Local and global neighbours, one or many to a face.
+  /// Local and global neighbours, one or several per face.
   void skip_neighbor(std::int32_t mode) {
     const std::size_t each = mode < 2 ? 1 : 2;
     stream_.skip(8, "a neighbour");

@@ -17,10 +17,10 @@ class Tokens {
   /// Skips blanks, commas and comments; false at the end.
   bool skip();
   [[nodiscard]] char front() const { return cursor_.text()[cursor_.offset()]; }
-  /// A text in quotes, a list in brackets with them, or letters and digits up to a mark. Throws
-  /// InputError for a text or a list that does not end.
+  /// A quoted text, a list with its brackets, or letters and digits up to a mark. Throws InputError
+  /// for a text or a list that does not end.
   std::string next();
-  /// Takes a mark if it comes next.
+  /// Consumes a mark if it comes next.
   bool take(char c);
 
  private:

@@ -45,7 +45,7 @@ class Reader {
   }
 
  private:
-  /// In quotes, or the rest of the line.
+  /// A quoted text, or the rest of the line.
   void read_title() {
     tokens_.take('=');
     const std::string_view rest = trimmed(cursor_.peek_line());
@@ -65,7 +65,7 @@ class Reader {
     }
   }
 
-  /// Names in quotes or words, up to the next keyword. Files joined end to end tell them again.
+  /// Quoted names or words, up to the next keyword. Files joined end to end repeat them.
   void read_variables(std::size_t record) {
     std::vector<std::string> names = variable_names();
     if (file_.zones.empty())
@@ -113,7 +113,7 @@ class Reader {
         break;
       const std::size_t start = cursor_.offset();
       const std::string name = upper(tokens_.next());
-      // what is no number is data too
+      // these words are values too, and begin the data
       if (name == "NAN" || name == "INF" || name == "INFINITY") {
         cursor_.move_to(start);
         break;
@@ -242,7 +242,8 @@ class Reader {
     }
   }
 
-  /// Takes shared variables from earlier zones; returns those whose values the zone has not itself.
+  /// Takes shared variables from earlier zones; returns the variables that the zone does not store
+  /// itself.
   std::set<std::size_t> share(const Header& header, std::size_t start, Zone& zone) const {
     std::set<std::size_t> given;
     if (const std::string* passive = value(header, "PASSIVEVARLIST")) {
@@ -275,7 +276,7 @@ class Reader {
     return given;
   }
 
-  /// D=(1,2,FECONNECT): variables, and with that word the elements, of the zone before.
+  /// D=(1,2,FECONNECT): the variables, and with FECONNECT the elements, of the preceding zone.
   void duplicate(const Header& header, std::size_t start, Zone& zone,
                  std::set<std::size_t>& given) const {
     const std::string* list = value(header, "D");
@@ -289,7 +290,7 @@ class Reader {
     }
   }
 
-  /// The place of the zone whose elements the zone shares, if it shares any.
+  /// The place of the zone whose elements this zone shares, if it shares any.
   std::optional<std::size_t> shared_elements(const Header& header) const {
     if (const std::string* shared = value(header, "CONNECTIVITYSHAREZONE")) {
       const std::vector<std::size_t> from = number_list(*shared);
@@ -304,7 +305,7 @@ class Reader {
     return zone.cell_centered[variable] ? zone.elements : zone.nodes;
   }
 
-  /// The next value of the data; "3*1.5" stands for three.
+  /// The next value of the data; "3*1.5" stands for three values.
   double next_value() {
     if (repeats_ > 0) {
       --repeats_;
@@ -323,7 +324,7 @@ class Reader {
     return repeated_;
   }
 
-  /// Blanks, commas and comments may part numbers.
+  /// Skips blanks, commas and comments, which may separate numbers.
   void skip_to_number() { tokens_.skip(); }
 
   double number() {
@@ -375,7 +376,7 @@ class Reader {
     if (value(header, "FACENEIGHBORCONNECTIONS") != nullptr) skip_numbers();
   }
 
-  /// Moves over the neighbours of faces, to the next word that is no number.
+  /// Skips the neighbours of faces, up to the next word that is not a number.
   void skip_numbers() {
     while (tokens_.skip() && (std::isdigit(static_cast<unsigned char>(tokens_.front())) != 0 ||
                               tokens_.front() == '-'))
@@ -387,8 +388,8 @@ class Reader {
     return cursor_.integer(what);
   }
 
-  /// How many nodes each face has (a polygon's have two), their nodes, the elements to the left and
-  /// to the right of each, and connections with other zones.
+  /// The number of nodes of each face (of a polygon: two), their nodes, the elements to the left
+  /// and to the right of each face, and connections with other zones.
   void read_faces(const Header& header, std::size_t start, Zone& zone) {
     const auto size = [&](const char* name) {
       const std::string* found = value(header, name);
@@ -409,7 +410,7 @@ class Reader {
     if (solid) zone.polyhedra.resize(zone.elements);
     for (int side = 0; side < 2; ++side)
       for (const auto& face : faces) {
-        // none: 0; in another zone: less
+        // 0: no element; negative: an element of another zone
         const std::int64_t element = next_integer("the element beside a face");
         if (element > 0 && static_cast<std::uint64_t>(element) > zone.elements)
           cursor_.fail(fmt::format("there is no element {} beside a face (1 to {} expected)",

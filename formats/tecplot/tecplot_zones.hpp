@@ -21,12 +21,11 @@ struct Zone {
   std::vector<bool> cell_centered;          ///< for every variable
   std::vector<std::vector<double>> values;  ///< for every variable
   std::vector<std::int64_t> connectivity;   ///< node numbers from 1
-  /// Of an element "POLYHEDRON" its faces, each a list of node numbers from 1; of "POLYGON"
-  /// nothing.
+  /// The faces of an element "POLYHEDRON", each a list of node numbers from 1; empty for "POLYGON".
   std::vector<std::vector<std::vector<std::int64_t>>> polyhedra;
 };
 
-/// What a file holds.
+/// The contents of a file.
 struct TecplotFile {
   std::string title;
   std::vector<std::string> variables;

@@ -18,7 +18,7 @@ namespace {
 /// Edges in the order of the ten-node tetrahedra that `tetgen -o2` writes (found by its library).
 constexpr std::array<ShapeEdge, 6> kEdges{{{2, 3}, {0, 3}, {0, 1}, {1, 2}, {1, 3}, {0, 2}}};
 
-/// Lines of words in which everything behind # is a comment.
+/// Lines of words in which # begins a comment.
 class WordLines {
  public:
   explicit WordLines(const InputText& text) : cursor_(text.text(), text.path()) {}
@@ -35,7 +35,7 @@ class WordLines {
     skip_comments();
     return cursor_.count(what, cursor_.left());
   }
-  /// A count at the end of a file's first line, which some leave out: none.
+  /// A count at the end of a file's first line; 0 when it is omitted.
   std::size_t count_in_line(std::string_view what) {
     const std::string_view rest = trimmed(cursor_.peek_line());
     return rest.empty() || rest.starts_with('#') ? 0 : count(what);

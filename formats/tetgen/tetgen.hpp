@@ -4,7 +4,7 @@
 
 namespace hiac::formats {
 
-/// TetGen meshes: .node and .ele beside each other; either is named.
+/// TetGen meshes: .node and .ele in one folder; the path names either.
 Format tetgen_format();
 
 }  // namespace hiac::formats

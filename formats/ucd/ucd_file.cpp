@@ -19,7 +19,7 @@ namespace {
 constexpr char kBinaryMark = 7;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-/// A cell type in AVS's own order, and in the order of those who put the bottom first.
+/// A cell type in AVS's own order, and in the order of programs that put the bottom first.
 struct UcdType {
   std::string_view name;
   std::size_t nodes;
@@ -30,12 +30,12 @@ struct UcdType {
 constexpr std::array<std::uint8_t, 4> kTetrahedron{0, 1, 3, 2};
 constexpr std::array<std::uint8_t, 5> kPyramid{1, 2, 3, 4, 0};
 constexpr std::array<std::uint8_t, 5> kPyramidMirrored{1, 4, 3, 2, 0};
-// a prism's top first is the zoo's bottom first: the zoo's prism turns the other way round
+// top first in AVS's prism is bottom first in the zoo's, which has the opposite orientation
 constexpr std::array<std::uint8_t, 6> kPrism{0, 1, 2, 3, 4, 5};
 constexpr std::array<std::uint8_t, 6> kPrismMirrored{0, 2, 1, 3, 5, 4};
 constexpr std::array<std::uint8_t, 8> kBrick{4, 5, 6, 7, 0, 1, 2, 3};
 
-/// In the order of the numbers that binary files have for them.
+/// In the order of their numbers in binary files.
 const std::array<UcdType, 8>& types() {
   static const std::array<UcdType, 8> table{
       {{"pt", 1, kNoVolume, kNoVolume},
@@ -52,7 +52,8 @@ const std::array<UcdType, 8>& types() {
   return table;
 }
 
-/// The type of that name in a text; some write it in capitals or shorten it to three letters.
+/// The type with that name in a text; some programs write it in capitals or shorten it to three
+/// letters.
 const UcdType* type_named(std::string_view word) {
   for (const UcdType& type : types())
     if (type.name == word) return &type;
@@ -64,14 +65,14 @@ const UcdType* type_named(std::string_view word) {
   return nullptr;
 }
 
-/// Moves over blank lines and comments before the counts.
+/// Skips blank lines and comments before the counts.
 void skip_preamble(TextCursor& cursor) {
   while (!cursor.at_end() &&
          (trimmed(cursor.peek_line()).empty() || trimmed(cursor.peek_line()).starts_with('#')))
     cursor.line();
 }
 
-/// What both encodings begin with.
+/// The counts at the beginning of both encodings.
 struct Counts {
   std::size_t nodes = 0;
   std::size_t cells = 0;
@@ -79,7 +80,7 @@ struct Counts {
   std::size_t cell_data = 0;
 };
 
-/// The cells of all types, and the field of their materials.
+/// Adds all cell types to the mesh, in AVS's own order.
 void begin_mesh(ForeignMesh& mesh) {
   for (const UcdType& type : types())
     mesh.types.push_back({std::string(type.name), type.nodes, type.own});
@@ -101,7 +102,7 @@ double orientation(CellKind kind, const std::array<Point, 8>& p) {
          edge[0][2] * (edge[1][0] * edge[2][1] - edge[1][1] * edge[2][0]);
 }
 
-/// Takes, for every type, the order in which most of its cells are positively oriented.
+/// Chooses, for every type, the order in which most of its cells are positively oriented.
 void choose_orders(ForeignMesh& mesh) {
   const NumberIndex index(mesh.node_numbers);
   std::array<std::int64_t, 8> balance{};
@@ -187,7 +188,8 @@ class TextReader {
     mesh_.fields.push_back(field_of("Material Id", FieldLocation::cell, 1, std::move(materials)));
   }
 
-  /// Numbers of components, a line "name, unit" for each, a tuple for each node or cell.
+  /// Reads the counts of components, a line "name, unit" for each, and a tuple for each node or
+  /// cell.
   void read_data(std::size_t total, FieldLocation location) {
     if (total == 0) return;
     const bool on_nodes = location == FieldLocation::node;
@@ -273,7 +275,7 @@ class BinaryReader {
     return value;
   }
 
-  /// The byte order is the one in which the announced sizes make the file's size.
+  /// The byte order for which the declared counts give the file's size.
   void read_counts() {
     std::array<std::size_t, kHeadIntegers> head{};
     for (const bool swapped : {false, true}) {
@@ -366,7 +368,7 @@ class BinaryReader {
     cursor_.bytes(4 * total, "active data");
   }
 
-  /// Labels are parted by full stops and end with a zero byte.
+  /// Labels are separated by full stops and end with a zero byte.
   static std::string next_label(std::string_view& labels) {
     const std::size_t end =
         std::min(labels.find_first_of(std::string_view(".\0", 2)), labels.size());

@@ -88,14 +88,14 @@ std::optional<Counts> counts_of(ByteStream& stream, const Variant& variant) {
   return counts;
 }
 
-/// The size of a file with those counts, without what may follow the mesh.
+/// The size of a file with those counts, without anything that follows the mesh.
 std::size_t bytes_of(const Counts& counts, const Variant& variant) {
   std::size_t integers = 7 + 4 * counts[1] + 5 * counts[2];
   for (std::size_t s = 0; s < kSolidNodes.size(); ++s) integers += kSolidNodes[s] * counts[3 + s];
   return 4 * integers + 3 * variant.real_bytes * counts[0] + (variant.marked ? 16 : 0);
 }
 
-/// The variant that the file's name tells (mesh.lb8.ugrid), or else the one whose size fits.
+/// The variant that the file's name gives (mesh.lb8.ugrid), otherwise the one whose size fits.
 std::pair<const Variant*, Counts> variant_of(ByteStream& stream, const std::string& path) {
   for (const Variant& variant : kVariants) {
     if (path.find(fmt::format(".{}.", variant.name)) == std::string::npos) continue;

@@ -16,8 +16,8 @@ constexpr std::array<std::uint8_t, 15> kPrism15{0, 4, 2, 9, 13, 11, 5, 3, 1, 14,
 constexpr std::array<std::uint8_t, 20> kBrick20{0, 2, 4,  6,  12, 14, 16, 18, 1,  3,
                                                 5, 7, 13, 15, 17, 19, 8,  9,  10, 11};
 
-/// Surfaces end in a digit that tells their shape: linear, parabolic, cubic triangle;
-/// quadrilateral.
+/// The number of nodes of a surface. The last digit of its descriptor is the shape: linear,
+/// parabolic, cubic triangle; quadrilateral.
 std::size_t surface_nodes(std::int64_t descriptor) {
   constexpr std::array<std::size_t, 7> kNodes{0, 3, 6, 9, 4, 8, 12};
   const auto digit = static_cast<std::size_t>(descriptor % 10);

@@ -7,9 +7,9 @@
 
 namespace hiac::formats::unv {
 
-/// The element of an FE descriptor (universal file datasets 780 and 2412, appendix). Parabolic
-/// solids list the nodes of an edge between its corners, going round the bottom, then the vertical
-/// edges, then the top.
+/// The element with an FE descriptor (universal file datasets 780 and 2412, appendix). Parabolic
+/// solids list the nodes of an edge between its corners, round the bottom, then the vertical edges,
+/// then the top.
 struct UnvElement {
   ForeignType type;
   bool is_beam = false;  ///< it has a record of orientations before its nodes

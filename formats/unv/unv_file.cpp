@@ -49,11 +49,11 @@ class UnvReader {
       if (!trimmed(cursor_.line()).empty()) ++stray_lines_;
     if (cursor_.at_end()) return false;
     cursor_.line();
-    // a mark at the end that opens nothing
+    // an end mark that does not begin a dataset
     if (cursor_.at_end()) return false;
     const std::size_t start = cursor_.offset();
     const std::string_view line = cursor_.line();
-    // binary variants (58b) have words behind the number
+    // binary variants (58b) have further words after the number
     const auto dataset = to_integer(line.substr(0, 6));
     if (!dataset)
       cursor_.fail_at(start,
@@ -175,7 +175,7 @@ class UnvReader {
     if (known != elements_.end() && !open_.contains(descriptor)) return known->second;
     auto element = unv_element(descriptor);
     if (!element) {
-      // springs, dampers, gaps, rigid bodies: as many nodes as the file says
+      // springs, dampers, gaps, rigid bodies: the file gives the number of nodes
       if (nodes < 0 || static_cast<std::uint64_t>(nodes) > cursor_.left())
         cursor_.fail_at(start, fmt::format("{} nodes of an element announced", nodes));
       element = UnvElement{
@@ -191,7 +191,7 @@ class UnvReader {
   void read_units() {
     const std::size_t start = cursor_.offset();
     const std::string_view line = cursor_.line();
-    // some write the code one column to the right: the whole word counts
+    // some programs write the code one column to the right, so the whole word is read
     TextCursor words(line, cursor_.subject());
     const std::string_view word = words.word();
     const std::int64_t code = to_integer(word).value_or(0);
@@ -243,7 +243,7 @@ class UnvReader {
   std::shared_ptr<InputText> text_;
   TextCursor cursor_;
   ForeignMesh mesh_;
-  std::size_t end_ = 0;  ///< where the dataset's last line begins
+  std::size_t end_ = 0;  ///< the start of the dataset's last line
   std::map<std::int64_t, UnvElement> elements_;
   std::map<std::int64_t, std::uint16_t> types_;
   std::set<std::int64_t> open_;  ///< descriptors whose number of nodes is the file's

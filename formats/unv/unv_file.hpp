@@ -7,8 +7,8 @@
 
 namespace hiac::formats::unv {
 
-/// What a universal file holds. Values of results are read when they are asked for. Throws
-/// InputError naming file and line.
+/// The contents of a universal file. The values of results are read on request. Throws InputError
+/// naming file and line.
 ForeignMesh read_unv(const std::shared_ptr<InputText>& text);
 
 }  // namespace hiac::formats::unv

@@ -18,7 +18,7 @@ constexpr std::size_t kIntegerColumns = 10;
 constexpr std::size_t kRealColumns = 13;
 constexpr std::size_t kRealsInLine = 6;
 constexpr std::size_t kMostValues = 200;
-/// Where the six of a symmetric tensor go: xx, yy, zz, xy, yz, xz.
+/// The places of the six components of a symmetric tensor: xx, yy, zz, xy, yz, xz.
 constexpr std::array<std::size_t, 6> kTensorPlaces{0, 3, 1, 5, 4, 2};
 
 // codes of datasets 55 and 2414
@@ -61,7 +61,7 @@ double real_at(const Line& line, std::size_t i, const TextCursor& cursor) {
   return *value;
 }
 
-/// What the six integers that both datasets have say.
+/// The six integers that both datasets have.
 struct Codes {
   std::int64_t analysis;
   std::int64_t characteristic;
@@ -103,7 +103,7 @@ std::string result_name(std::int64_t result) {
   }
 }
 
-/// The head of dataset 55 behind its five texts.
+/// The head of dataset 55 after its five texts.
 UnvResult head_55(TextCursor& cursor, Codes& codes) {
   UnvResult result;
   for (int i = 0; i < 5; ++i) cursor.line();
@@ -166,7 +166,7 @@ class Values {
   TextCursor& cursor() { return cursor_; }
   Line line() { return next_line(cursor_); }
 
-  /// `count` values, six a line.
+  /// Reads `count` values, six a line.
   void read(std::size_t count, double* to) {
     Line line{};
     for (std::size_t i = 0; i < count; ++i) {
@@ -180,7 +180,7 @@ class Values {
   const UnvResult& result_;
 };
 
-/// What values are looked up in.
+/// The tables for looking up values.
 struct Places {
   std::shared_ptr<InputText> text;
   NumberIndex nodes;

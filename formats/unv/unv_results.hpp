@@ -15,7 +15,7 @@ namespace hiac::formats::unv {
 struct UnvResult {
   std::string name;
   FieldLocation location = FieldLocation::node;
-  std::int64_t step = 0;  ///< its number where it has no time
+  std::int64_t step = 0;  ///< its number when it has no time
   double time = 0;
   std::size_t values = 0;  ///< a tuple's, in the file
   bool symmetric = false;  ///< a symmetric tensor: xx, xy, yy, xz, yz, zz
@@ -23,9 +23,9 @@ struct UnvResult {
   std::size_t end = 0;
 };
 
-/// Reads the head of dataset 55 (data at nodes) or 2414 (analysis data); the cursor stands behind
-/// the dataset's number, `end` is the offset of its last line. None, with a note, where its values
-/// are of a kind that is not read.
+/// Reads the head of dataset 55 (data at nodes) or 2414 (analysis data); the cursor is after the
+/// dataset's number, `end` is the offset of its last line. None, with a note, when its values are
+/// of a kind that is not supported.
 std::optional<UnvResult> read_result_head(TextCursor cursor, std::int64_t dataset, std::size_t end,
                                           std::vector<std::string>& notes);
 

@@ -9,7 +9,7 @@
 namespace hiac::formats::vtk {
 namespace {
 
-/// A VTK type with one number of nodes that is one of the zoo's kinds.
+/// A VTK type with a number of nodes for which the zoo has a kind.
 struct ConvertedType {
   int type;
   std::size_t nodes;
@@ -47,7 +47,8 @@ constexpr std::array<ConvertedType, 20> kTypes{{
     {VTK_CONVEX_POINT_SET, 4, CellKind::tetrahedron4, {}},
 }};
 
-/// Files name linear types for cells with as many nodes as quadratic ones; VTK takes the first.
+/// Some files give linear types to cells with as many nodes as quadratic ones; VTK uses the first
+/// nodes.
 struct MisnamedType {
   int type;
   std::size_t nodes;
@@ -63,8 +64,8 @@ constexpr std::array<MisnamedType, 6> kMisnamed{{
     {VTK_PYRAMID, 13, CellKind::pyramid5},
 }};
 
-/// A VTK type whose first nodes are the corners of a shape; more than those it has, and not as many
-/// as make a kind.
+/// A VTK type whose first nodes are the corners of a shape, and which has more nodes than these but
+/// not as many as one of the zoo's kinds.
 struct CorneredType {
   int type;
   CellShape shape;
@@ -154,7 +155,7 @@ CellConversion conversion_of(int type, std::size_t nodes) {
 }
 
 std::string cell_type_name(int type) {
-  // "vtkQuadraticTetra"; what VTK does not know it calls "UnknownClass"
+  // "vtkQuadraticTetra"; VTK calls types that it does not know "UnknownClass"
   const std::string name = vtkCellTypes::GetClassNameFromTypeId(type);
   return name.starts_with("vtk") ? name.substr(3) : fmt::format("type {}", type);
 }

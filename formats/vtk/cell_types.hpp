@@ -7,8 +7,9 @@
 
 namespace hiac::formats::vtk {
 
-/// How a cell of VTK type `type` with `nodes` nodes is converted. Node orders: see kTypes. A cell
-/// of a linear type with as many nodes as a quadratic one has further nodes, which VTK ignores too.
+/// How a cell of VTK type `type` with `nodes` nodes is converted. Node orders: see kTypes. If a
+/// cell of a linear type has as many nodes as a quadratic one, the further nodes are ignored, as in
+/// VTK.
 CellConversion conversion_of(int type, std::size_t nodes);
 
 /// VTK's name of a cell type without its prefix: "Tetra", "QuadraticHexahedron", ...

@@ -25,7 +25,7 @@ struct StoredCell {
 };
 
 /// The cells of an unstructured grid, or of a structured one as hexahedra, one after the other.
-/// Looks at arrays alone: no VTK cell is made, so that a damaged grid cannot mislead VTK.
+/// Reads only arrays: no VTK cell is created, so a damaged grid cannot mislead VTK.
 class DatasetCells {
  public:
   /// Throws InputError(subject, ...) when the arrays do not fit each other.
@@ -36,8 +36,8 @@ class DatasetCells {
   /// The number of entries of all cells together.
   [[nodiscard]] std::size_t entry_count() const;
 
-  /// The cell of that number; its points are valid until the next call, and exist, unless the cell
-  /// is a polyhedron, of which only the type is told.
+  /// The cell with that number; its points are valid until the next call, and exist. For a
+  /// polyhedron only the type is set.
   StoredCell cell(std::size_t index);
 
   /// Whether the cell is a duplicate (ghost), refined away or hidden.

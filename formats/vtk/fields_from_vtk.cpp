@@ -21,9 +21,9 @@
 namespace hiac::formats::vtk {
 namespace {
 
-/// Rows of numbers up to this length are worth keeping as text.
+/// Rows of numbers up to this length are kept as text.
 constexpr vtkIdType kShortRow = 16;
-/// Integers beyond this are not all doubles.
+/// Not all integers beyond this are representable as doubles.
 constexpr double kLargestExactInteger = 9007199254740992.0;  // 2^53
 
 bool is_time(const std::string& name) { return name == "TimeValue" || name == "TIME"; }
@@ -56,7 +56,7 @@ void copy_tuples(const Number* from, std::size_t width, const TupleChoice& choic
       to[t * width + c] = static_cast<double>(from[choice.chosen[t] * width + c]);
 }
 
-/// For arrays that have no row of numbers in memory (bits).
+/// For arrays that have no contiguous numbers in memory (bits).
 void copy_tuples_slowly(vtkDataArray& array, const TupleChoice& choice, std::vector<double>& to) {
   const auto width = static_cast<std::size_t>(array.GetNumberOfComponents());
   for (std::size_t i = 0; i < to.size(); ++i) {

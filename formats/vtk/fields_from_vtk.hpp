@@ -14,20 +14,20 @@ class vtkFieldData;
 
 namespace hiac::formats::vtk {
 
-/// Which tuples of an array become a mesh's.
+/// The tuples of an array that are taken into a mesh.
 struct TupleChoice {
   std::size_t total = 0;  ///< how many the array must have
   bool all = true;
   std::span<const std::uint32_t> chosen;  ///< their numbers, unless all are chosen
 };
 
-/// The array's numbers in double precision. Of an array of doubles that is taken whole the result
-/// shares the storage.
+/// The array's numbers in double precision. An array of doubles of which all tuples are taken
+/// shares its storage with the result.
 SharedArray<double> values_of(const vtkSmartPointer<vtkDataArray>& array,
                               const TupleChoice& choice);
 
 /// Moves the dataset's point and cell data into `mesh`: an array is released as soon as it is
-/// converted. Arrays that are no numbers are left out with a note. Throws InputError(subject, ...)
+/// converted. Arrays that are not numeric are left out with a note. Throws InputError(subject, ...)
 /// when an array does not fit the points or cells.
 void move_fields(vtkDataSet& dataset, const TupleChoice& points, const TupleChoice& cells,
                  const std::string& subject, ZooMesh& mesh, std::vector<std::string>& notes);
@@ -36,7 +36,7 @@ void move_fields(vtkDataSet& dataset, const TupleChoice& points, const TupleChoi
 /// numbers under their names. Longer arrays are left out with a note.
 void add_metadata(vtkFieldData& data, ZooMesh& mesh, std::vector<std::string>& notes);
 
-/// The time that the dataset's own data tell, if any.
+/// The time in the dataset's own data, if there is one.
 std::vector<double> times_of(vtkFieldData& data);
 
 /// All point and cell data with their ranges.

@@ -18,7 +18,7 @@ namespace {
 
 using Faces = std::vector<std::vector<std::int64_t>>;
 
-/// The faces of prisms over a polygon of `sides` corners.
+/// The faces of prisms over a polygon with `sides` corners.
 Faces faces_of_prism(std::span<const vtkIdType> points, std::size_t sides) {
   Faces faces(2);
   for (std::size_t i = 0; i < sides; ++i) {
@@ -67,7 +67,7 @@ class Converter {
     mesh_.cell_nodes.insert(mesh_.cell_nodes.end(), cell.points.begin(), cell.points.end());
   }
 
-  /// Every number in VTK's list of faces is compared with what is there.
+  /// Checks every number in VTK's list of faces against the list's length and the number of points.
   [[nodiscard]] Faces faces_of(std::size_t index) const {
     auto* grid = vtkUnstructuredGrid::SafeDownCast(&dataset_);
     vtkIdTypeArray* list = grid == nullptr ? nullptr : grid->GetFaces();
@@ -122,7 +122,7 @@ class Converter {
 bool has_cells_beyond_the_zoo(vtkDataSet& dataset, const std::string& subject) {
   auto* grid = vtkUnstructuredGrid::SafeDownCast(&dataset);
   if (grid == nullptr || grid->GetCellTypesArray() == nullptr) return false;
-  // most types are beyond the zoo with no number of nodes: their cells need not be looked at
+  // most types are supported with any number of nodes or left out: their cells need no check
   constexpr std::size_t kMany = 1000;
   std::array<bool, 256> suspect{};
   for (std::size_t type = 0; type < suspect.size(); ++type)

@@ -31,7 +31,7 @@ SharedArray<double> coordinates_of(vtkDataSet& dataset, const TupleChoice& choic
   return xyz;
 }
 
-/// Frees an unstructured grid's cells; its points and its data stay.
+/// Frees the cells of an unstructured grid; its points and data are kept.
 void release_cells(vtkDataSet& dataset) {
   auto* grid = vtkUnstructuredGrid::SafeDownCast(&dataset);
   if (grid != nullptr && grid->GetCells() != nullptr) grid->GetCells()->Initialize();

@@ -14,7 +14,7 @@
 namespace hiac::formats::vtk {
 namespace {
 
-/// The sentence in VTK's text, which is "ERROR: In FILE, line N\nCLASS (ADDRESS): sentence\n\n".
+/// The sentence in VTK's message, which is "ERROR: In FILE, line N\nCLASS (ADDRESS): sentence\n\n".
 std::string sentence_of(std::string text) {
   if (const std::size_t address = text.find("): "); address != std::string::npos)
     text.erase(0, address + 3);
@@ -59,7 +59,7 @@ class CapturingWindow : public vtkOutputWindow {
  private:
   static constexpr std::size_t kMostWarnings = 8;
 
-  /// The first says what is wrong; a reader that stumbled can print one for every number.
+  /// The first message states the error; after an error, a reader can print one for every number.
   void keep_error(const char* text) {
     const std::lock_guard lock(mutex_);
     if (first_error_.empty()) first_error_ = sentence_of(text);

@@ -6,8 +6,9 @@
 
 namespace hiac::formats::vtk {
 
-/// Takes what VTK would print for as long as the object lives. One at a time in a process: VTK's
-/// output is global (nested captures give the outer one its messages back when they end).
+/// Captures the messages that VTK would print, for as long as the object lives. One at a time in a
+/// process: VTK's output is global (when a nested capture ends, the outer one gets its messages
+/// back).
 class MessageCapture {
  public:
   MessageCapture();
@@ -15,12 +16,12 @@ class MessageCapture {
   MessageCapture(const MessageCapture&) = delete;
   MessageCapture& operator=(const MessageCapture&) = delete;
 
-  /// Throws InputError(subject, ...) with VTK's first error when there was one. Generic warnings
-  /// count as errors: of numbers that they could not read, VTK's readers say no more than that.
+  /// Throws InputError(subject, ...) with VTK's first error if there was one. Generic warnings
+  /// count as errors: they are all that VTK's readers report for numbers that they could not read.
   void throw_on_error(const std::string& subject) const;
-  /// Whether VTK has told an error, or a generic warning.
+  /// Whether VTK has reported an error or a generic warning.
   [[nodiscard]] bool any_error() const;
-  /// The different warnings so far, a few of them.
+  /// The distinct warnings so far, at most a few.
   [[nodiscard]] std::vector<std::string> warnings() const;
 
  private:

@@ -71,7 +71,7 @@ AsciiNumber judge_real(std::string_view word, std::size_t bytes, double& value) 
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (end != word.data() + word.size()) return AsciiNumber::malformed;
   if (error == std::errc::result_out_of_range) {
-    // too small is as good as zero; too large is not a number of this type
+    // an underflow is harmless; after an overflow the word is not a number of this type
     value = std::strtod(std::string(word).c_str(), nullptr);
     if (std::isinf(value)) return AsciiNumber::malformed;
   } else if (error != std::errc()) {

@@ -52,7 +52,7 @@ void set_cells(const ZooMesh& mesh, const WrittenCells& table, vtkUnstructuredGr
   grid.SetCells(types, array);
 }
 
-/// A VTK array that looks at the values; the mesh outlives it.
+/// A VTK array that refers to the values; the mesh must outlive it.
 vtkSmartPointer<vtkDoubleArray> array_of(std::span<const double> values, std::size_t components) {
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetNumberOfComponents(static_cast<int>(components));
@@ -106,7 +106,7 @@ void add_metadata(const ZooMesh& mesh, vtkUnstructuredGrid& grid) {
   }
 }
 
-/// A number of the system, or one of VTK's own.
+/// The reason for an error code, which is one of the system or one of VTK's own.
 std::string reason_of(unsigned long code) {
   if (code > vtkErrorCode::NoError && code < vtkErrorCode::FirstVTKErrorCode)
     return std::strerror(static_cast<int>(code));

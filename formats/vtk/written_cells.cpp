@@ -8,7 +8,8 @@
 namespace hiac::formats::vtk {
 namespace {
 
-/// The wedge as the brick that it is, edge 6-7 in one node; quadratic, its middle too.
+/// The wedge as a brick whose edge 6-7 is one node; in the quadratic wedge, so is the edge's
+/// middle.
 constexpr std::array<std::uint8_t, 8> kWedge7{0, 1, 2, 3, 4, 5, 6, 6};
 constexpr std::array<std::uint8_t, 20> kWedge18{0, 1,  2,  3,  4, 5,  6,  6,  7,  8,
                                                 9, 10, 11, 12, 6, 13, 14, 15, 16, 17};

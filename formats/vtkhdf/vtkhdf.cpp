@@ -29,13 +29,13 @@ const std::string kRoot = "/VTKHDF";
 const std::string kSteps = "/VTKHDF/Steps";
 const std::string kGhosts = "vtkGhostType";
 
-/// Where something begins in a dataset and how many entries it has.
+/// A range of entries in a dataset: its first entry and its length.
 struct Run {
   std::uint64_t begin = 0;
   std::uint64_t count = 0;
 };
 
-/// A dataset's rows from `run` on, as they are laid out: all further dimensions whole.
+/// The rows of a dataset in `run`, with all further dimensions complete.
 Slab rows(const File& file, const std::string& dataset, const Run& run) {
   Slab slab;
   slab.count = file.info(dataset).shape;
@@ -58,7 +58,7 @@ class Reader {
       step_ = times_.size() - 1;
   }
 
-  /// The times and the parts of the step, without their cells.
+  /// Reads the times and the parts of the step, without their cells.
   ForeignMesh outline() {
     ForeignMesh mesh;
     mesh.times = times_;
@@ -81,18 +81,18 @@ class Reader {
   }
 
  private:
-  /// The type of a file that does not say it, as the first ones of version 1.0 do not.
+  /// The type of a file that does not state it, such as early files of version 1.0.
   [[nodiscard]] std::string type_by_contents() const {
     const bool grid = file_->has(kRoot + "/Connectivity") && file_->has(kRoot + "/Types");
     return grid ? "UnstructuredGrid" : "";
   }
 
-  /// The step's entry of one of the lists of offsets; 0 where there is no such list.
+  /// The step's entry in one of the lists of offsets; 0 when there is no such list.
   [[nodiscard]] std::uint64_t at_step(const std::string& list) const {
     const std::string dataset = kSteps + "/" + list;
     if (times_.empty() || !file_->has(dataset)) return 0;
     const std::vector<std::int64_t> offsets = file_->integers(dataset);
-    // some lists have a column a topology
+    // some lists have a column per topology
     const std::size_t width = std::max<std::size_t>(offsets.size() / times_.size(), 1);
     if (offsets.size() < times_.size() || offsets[step_ * width] < 0)
       file_->fail(dataset, "has no offset of every step");
@@ -110,7 +110,7 @@ class Reader {
     return count;
   }
 
-  /// What the parts have of one thing, and where the chosen part's begins at this step.
+  /// The range of the chosen part at this step, from the part's counts and the step's offset.
   [[nodiscard]] Run run_of(const std::string& counts, const std::string& step_offsets,
                            std::size_t part, std::uint64_t extra) const {
     const std::vector<std::int64_t> numbers = file_->integers(kRoot + "/" + counts);
@@ -171,7 +171,8 @@ class Reader {
     mesh_.cell_nodes = std::move(nodes);
   }
 
-  /// Where a field's rows begin: at the offset of its own that it has, or where its mesh's begin.
+  /// The rows of a field: from the field's own offset if it has one, otherwise where its mesh
+  /// begins.
   [[nodiscard]] Run field_run(const std::string& group, const std::string& name,
                               const Run& mesh) const {
     const std::string own = group + "Offsets/" + name;
@@ -180,7 +181,7 @@ class Reader {
     return {at_step(own) + (mesh.begin - at_step(list)), mesh.count};
   }
 
-  /// `extents`: of an image, the points or cells along z, y, x.
+  /// `extents`: for an image, the points or cells along z, y, x.
   void read_fields(const std::string& group, FieldLocation location, const Run& run,
                    const std::vector<std::uint64_t>& extents) {
     if (!file_->is_group(kRoot + "/" + group)) return;
@@ -257,7 +258,7 @@ class Reader {
                   {n[2] - 1, n[1] - 1, n[0] - 1});
   }
 
-  /// An image is declared by a few numbers: its fields prove that it is there.
+  /// A few numbers can declare an image of any size: its fields prove that it exists.
   [[nodiscard]] bool has_image_field(const StructuredBlock& block) const {
     for (const std::string group : {"PointData", "CellData"}) {
       if (!file_->is_group(kRoot + "/" + group)) continue;

@@ -19,12 +19,12 @@ namespace {
 
 constexpr const char* kRoot = "/VTKHDF";
 
-/// The library cannot do what it is asked to.
+/// The library could not do what was requested.
 struct Refused : std::runtime_error {
   Refused() : std::runtime_error("HDF5 refuses") {}
 };
 
-/// An object of the library, closed at the end.
+/// An HDF5 object, closed by the destructor.
 class Handle {
  public:
   using Close = herr_t (*)(hid_t);
@@ -51,7 +51,7 @@ class Writer {
                        H5Gclose);
   }
 
-  /// `memory`: the numbers' type; they are stored as they are.
+  /// `memory`: the type of the numbers in memory, which is also stored.
   void dataset(const std::string& name, const std::vector<hsize_t>& shape, hid_t memory,
                const void* data) const {
     const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
@@ -62,7 +62,7 @@ class Writer {
     const bool empty = std::find(shape.begin(), shape.end(), 0U) != shape.end();
     if (empty) return;
     check(H5Dwrite(set.get(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, data));
-    // closing it tells of nothing that is lost
+    // closing the dataset reports no lost data
     check(H5Dflush(set.get()));
   }
   void count(const std::string& name, std::int64_t value) const {
@@ -125,7 +125,7 @@ void write_cells(const Writer& writer, const ZooMesh& mesh, const vtk::WrittenCe
                  connectivity.data());
 }
 
-/// What fields are stored as, in the groups PointData and CellData.
+/// The names under which fields are stored in the groups PointData and CellData.
 struct StoredFields {
   std::set<std::string> point;
   std::set<std::string> cell;
@@ -163,7 +163,7 @@ StoredFields write_fields(const Writer& writer, const ZooMesh& mesh, const std::
   return stored;
 }
 
-/// The one step: all lists begin at 0.
+/// Writes the one step: all lists begin at 0.
 void write_step(const Writer& writer, double time, const StoredFields& fields) {
   const std::string steps = std::string(kRoot) + "/Steps";
   writer.group(steps);
@@ -181,7 +181,7 @@ void write_step(const Writer& writer, double time, const StoredFields& fields) {
   for (const std::string& name : fields.cell) writer.count(steps + "/CellDataOffsets/" + name, 0);
 }
 
-/// The time among the metadata; notes tell what else of these is left out.
+/// The time in the metadata; notes name the other metadata, which are left out.
 std::optional<double> time_of(const ZooMesh& mesh, std::vector<std::string>& notes) {
   std::optional<double> time;
   for (const auto& [key, text] : mesh.metadata) {
@@ -201,7 +201,7 @@ std::vector<std::string> write_vtkhdf(const std::string& path, const ZooMesh& me
   std::vector<std::string> notes;
   const vtk::WrittenCells table = vtk::written_cells(mesh, "VTKHDF", path, notes);
   const std::optional<double> time = time_of(mesh, notes);
-  // what the library cannot write, it tries to write again at exit, and breaks down over it
+  // the library would try again at exit to write what it could not write, and would crash
   H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   OutputFile file(path);
@@ -210,7 +210,7 @@ std::vector<std::string> write_vtkhdf(const std::string& path, const ZooMesh& me
     const std::string root = kRoot;
     for (const std::string& group : {root, root + "/PointData", root + "/CellData"})
       writer.group(group);
-    // older readers know version 1, which has no steps
+    // older readers know only version 1, which has no steps
     writer.attribute("Version", {time ? 2 : 1, 0}, root);
     writer.type_attribute("UnstructuredGrid");
     writer.count(root + "/NumberOfPoints", static_cast<std::int64_t>(mesh.node_count()));

@@ -22,7 +22,7 @@ constexpr int kMostNesting = 8;
 
 bool is_blank(char c) { return c == ' ' || (c >= '\t' && c <= '\r') || c == ','; }
 
-/// All numbers of a text, or nothing where one of its words is none.
+/// All numbers of a text; nothing when one of its words is not a number.
 template <typename T>
 bool parse_all(std::string_view text, std::vector<T>& values) {
   const char* at = text.data();
@@ -39,7 +39,7 @@ bool parse_all(std::string_view text, std::vector<T>& values) {
   }
 }
 
-/// An entity that a document declares: "&NAME;" and what stands for it.
+/// An entity that a document declares: "&NAME;" and its replacement.
 struct Entity {
   std::string reference;
   std::string value;
@@ -62,7 +62,7 @@ std::vector<Entity> entities_of(std::string_view document) {
   return entities;
 }
 
-/// A value stored in another type and byte order, as T.
+/// A value that is stored in another type and byte order, as T.
 template <typename Stored, typename T>
 T converted(const char* at, bool swap) {
   std::array<char, sizeof(Stored)> bytes;
@@ -208,7 +208,7 @@ std::vector<T> DataItems::numbers(const pugi::xml_node& item) {
   return values;
 }
 
-/// Start, stride and count along every dimension of another item.
+/// Selects by start, stride and count along every dimension of another item.
 template <typename T>
 std::vector<T> DataItems::selected(const pugi::xml_node& item) {
   const std::vector<std::int64_t> wanted = integers(item_in(item, 0));
@@ -239,7 +239,7 @@ std::vector<T> DataItems::selected(const pugi::xml_node& item) {
   }
 }
 
-/// JOIN($0, $1, $2): tuples of what other items hold; of one item alone what it holds.
+/// JOIN($0, $1, $2): tuples of the values of other items; of a single item, its values.
 template <typename T>
 std::vector<T> DataItems::joined(const pugi::xml_node& item) {
   const std::string function = item.attribute("Function").as_string();

@@ -21,7 +21,7 @@ class DataItems {
 
   /// The DataItem below `parent`, or the one that it refers to.
   [[nodiscard]] pugi::xml_node item_in(const pugi::xml_node& parent, std::size_t number = 0) const;
-  /// The node itself, or the one that its Reference attribute names by an XPath.
+  /// The node itself, or the node that its Reference attribute names by an XPath.
   [[nodiscard]] pugi::xml_node resolved(const pugi::xml_node& node) const;
 
   /// The item's declared extents.
@@ -58,12 +58,12 @@ class DataItems {
 /// The text without blanks at either end.
 std::string stripped(const char* text);
 
-/// Whether two words are the same but for the case of their letters, which XDMF 3 does not look at.
+/// Whether two words are equal apart from case, which XDMF 3 ignores.
 bool same_word(std::string_view a, std::string_view b);
 
-/// The document with the entities that it declares itself (<!ENTITY HeavyData "mesh.h5">) in the
-/// places of their references (&HeavyData;). Throws InputError(subject, ...) where that makes it
-/// larger than ten times its size.
+/// The document with references to the entities that it declares itself (<!ENTITY HeavyData
+/// "mesh.h5">, &HeavyData;) replaced. Throws InputError(subject, ...) when that makes it larger
+/// than ten times its size.
 std::string with_entities(std::string_view document, const std::string& subject);
 
 }  // namespace hiac::formats::xdmf

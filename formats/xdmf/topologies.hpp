@@ -17,11 +17,12 @@ struct Topology {
   int vtk_type;         ///< the VTK cell with that node order
 };
 
-/// By its name, whatever its case and underscores ("Tet_10" is "TETRAHEDRON_10").
+/// The topology with that name, in any case and with any underscores ("Tet_10" is
+/// "TETRAHEDRON_10").
 std::optional<Topology> topology_named(const std::string& name);
 
-/// Adds the cells of a mixed topology, whose nodes are counted from `first_point` on. Throws
-/// InputError(subject, ...) where its numbers make no cells.
+/// Adds the cells of a mixed topology; its node numbers are relative to `first_point`. Throws
+/// InputError(subject, ...) when its numbers do not form cells.
 void add_mixed_cells(const std::vector<std::int64_t>& numbers, std::int64_t first_point,
                      const std::string& subject, ForeignMesh& mesh);
 

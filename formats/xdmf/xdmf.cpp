@@ -27,13 +27,13 @@ using xdmf::DataItems;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr int kMostDepth = 32;
 
-/// The document and its numbers, which the fields need as long as they live.
+/// The document and its numbers; every field keeps them alive.
 struct Document {
   pugi::xml_document xml;
   std::unique_ptr<DataItems> items;
 };
 
-/// A uniform grid: its parts may stand in another grid, from where they are included.
+/// A uniform grid; it may include parts that are defined in another grid.
 struct Leaf {
   std::string name;
   pugi::xml_node topology;
@@ -43,13 +43,13 @@ struct Leaf {
   std::size_t cells = 0;
 };
 
-/// One attribute over some of the leaves.
+/// One attribute on some of the leaves.
 struct FieldParts {
   std::string name;
   FieldLocation location;
   std::uint32_t components;
   std::string type;
-  std::vector<pugi::xml_node> items;  ///< one a leaf; null where that has none
+  std::vector<pugi::xml_node> items;  ///< one per leaf; null when the leaf has none
 };
 
 class Reader {
@@ -132,7 +132,7 @@ class Reader {
     }
   }
 
-  /// The leaves of a grid at the step.
+  /// Collects the leaves of a grid at the chosen step.
   void collect(const pugi::xml_node& grid, int depth) {
     if (depth > kMostDepth) throw InputError(path_, "its grids are nested too deeply");
     if (is_temporal(grid)) {
@@ -153,7 +153,7 @@ class Reader {
     add_grid(grid);
   }
 
-  /// What a grid has, what it includes by XInclude in its place.
+  /// The children of a grid, in which every XInclude is replaced by the nodes that it includes.
   std::vector<pugi::xml_node> parts_of(const pugi::xml_node& grid) {
     std::vector<pugi::xml_node> parts;
     for (const pugi::xml_node child : grid.children()) {
@@ -185,7 +185,7 @@ class Reader {
       if (name == "Attribute") leaf.attributes.push_back(part);
     }
     if (!leaf.topology || !leaf.geometry) items().fail(grid, "has no Topology or no Geometry");
-    // functions over one mesh stand in grids of their own
+    // a grid with the mesh of an earlier grid only adds attributes to it
     for (Leaf& other : leaves_) {
       if (other.topology != leaf.topology || other.geometry != leaf.geometry) continue;
       other.attributes.insert(other.attributes.end(), leaf.attributes.begin(),
@@ -216,7 +216,7 @@ class Reader {
     add_points(leaf.geometry);
     const pugi::xml_node item = items().item_in(leaf.topology);
     std::vector<std::int64_t> numbers = items().integers(item);
-    // Fortran programs count from 1
+    // Fortran programs number from 1
     const std::int64_t offset = leaf.topology.attribute("BaseOffset").as_llong(0);
     if (xdmf::same_word(type, "Mixed")) {
       if (offset != 0) items().fail(leaf.topology, "is mixed and has a BaseOffset");
@@ -257,8 +257,8 @@ class Reader {
     }
   }
 
-  /// A structured mesh: points as listed, from three axes, or from an origin and a spacing. XDMF
-  /// lists all that belongs to it along z, y, x.
+  /// A structured mesh: points as a list, from three axes, or from an origin and a spacing. XDMF
+  /// gives all its parts in the order z, y, x.
   void add_structured(const Leaf& leaf, const std::string& type) {
     const pugi::xml_attribute dimensions = leaf.topology.attribute("Dimensions")
                                                ? leaf.topology.attribute("Dimensions")
@@ -287,7 +287,7 @@ class Reader {
     add_bricks(mesh_, block, first_point, {}, "");
   }
 
-  /// A grid that is declared by its axes is as large as a field over it.
+  /// A grid declared by its axes takes few bytes: a field on it proves its size.
   void require_field(const Leaf& leaf, const StructuredBlock& block) {
     for (const pugi::xml_node attribute : leaf.attributes)
       if (items().reals(items().item_in(attribute)).size() >= block.cell_count()) return;

@@ -97,7 +97,7 @@ void CellCollector::finish_cell(std::size_t index, CellKind kind) {
   if (!result_.all_kept) result_.kept.push_back(static_cast<CellId>(index));
 }
 
-/// From the first gap on, it has to be noted which cells are kept.
+/// Lists the cells kept so far; from the first cell left out on, every kept cell is listed.
 void CellCollector::start_kept() {
   result_.all_kept = false;
   for (CellId i = 0; i < result_.kinds.size(); ++i) result_.kept.push_back(i);

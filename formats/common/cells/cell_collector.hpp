@@ -21,8 +21,8 @@ struct ConvertedCells {
   std::vector<NodeId> nodes;
   bool all_kept = true;
   std::vector<CellId> kept;  ///< the file's cell of every cell; empty when all were kept
-  /// For every entry of `nodes` its place among the nodes of the file's cell; empty unless asked
-  /// for.
+  /// For every entry of `nodes` its place among the nodes of the file's cell; empty unless
+  /// requested (keep_places).
   std::vector<std::uint8_t> places;
 };
 

@@ -22,8 +22,8 @@ struct CellConversion {
   CellKind kind{};
   /// Node i of the kind is node permutation[i] of the format's cell; empty: the same order.
   std::span<const std::uint8_t> permutation;
-  /// For an unsupported cell: the linear kind that its corners make, if they make one; its node i
-  /// is node permutation[i].
+  /// For an unsupported cell: the linear kind that its corners form, if there is one; its node i is
+  /// node permutation[i].
   std::optional<CellKind> corners;
   /// The cell has more nodes than its kind; a note says that the further nodes are left out.
   bool further_nodes = false;
@@ -34,7 +34,7 @@ constexpr CellConversion converted_to(CellKind kind,
                                       std::span<const std::uint8_t> permutation = {}) {
   return {CellFate::converted, kind, permutation, std::nullopt, false};
 }
-/// A volume cell that the zoo has no kind for; its corners make `corners`.
+/// A volume cell that the zoo has no kind for; its corners form `corners`.
 constexpr CellConversion unsupported_with(CellKind corners,
                                           std::span<const std::uint8_t> permutation = {}) {
   return {CellFate::unsupported, {}, permutation, corners, false};

@@ -15,7 +15,7 @@ constexpr std::string_view kMidNodes = "has repeated corners but mid-edge nodes 
 using Corners = std::array<std::uint8_t, 8>;
 using Polygon = std::vector<unsigned>;
 
-/// For every corner the first corner with the same node.
+/// For every corner, the first corner with the same node.
 Corners first_of(CellKind kind, std::span<const NodeId> nodes) {
   Corners first{};
   for (std::size_t i = 0; i < corner_count(kind); ++i) {
@@ -32,7 +32,7 @@ Polygon turned(Polygon polygon) {
   return polygon;
 }
 
-/// A face after its nodes are merged: its distinct corners in their order round it.
+/// A face after its nodes are merged: its distinct corners in cyclic order.
 Polygon merged_face(const ShapeFace& face, const Corners& first) {
   Polygon polygon;
   for (std::size_t i = 0; i < face.corner_count; ++i) {

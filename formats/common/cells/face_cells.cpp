@@ -25,7 +25,7 @@ bool has(const Face& face, std::int64_t node) {
   return std::find(face.begin(), face.end(), node) != face.end();
 }
 
-/// The node that an edge joins with `node` and that is not in `base`; -1 when there is not one.
+/// The neighbour of `node` along an edge that is not in `base`; -1 when there is not exactly one.
 std::int64_t partner(Faces faces, std::int64_t node, const Face& base) {
   std::int64_t found = -1;
   for (const Face& face : faces) {
@@ -58,7 +58,7 @@ const Face* first_of_size(Faces faces, std::size_t size) {
   return nullptr;
 }
 
-/// Two triangles with one node in common, the wedge's node 6: 6 2 3 and 6 4 5 round them.
+/// Two triangles with one node in common, the wedge's node 6; they are 6 2 3 and 6 4 5.
 std::optional<Face> wedge_nodes(Faces faces) {
   std::vector<const Face*> triangles;
   for (const Face& face : faces)
@@ -76,7 +76,7 @@ std::optional<Face> wedge_nodes(Faces faces) {
   return std::nullopt;
 }
 
-/// The nodes in the order of the shape, as far as that can be seen from one face and its edges.
+/// The nodes in the order of the shape, as far as one face and its edges determine it.
 std::optional<Face> numbered(Faces faces, CellShape shape) {
   const Face* triangle = first_of_size(faces, 3);
   const Face* quadrilateral = first_of_size(faces, 4);
@@ -93,7 +93,7 @@ std::optional<Face> numbered(Faces faces, CellShape shape) {
     case CellShape::wedge:
       return wedge_nodes(faces);
   }
-  // but for the prism, the zoo's base turns counter-clockwise seen from inside
+  // the zoo's base turns counter-clockwise seen from inside, except the prism's
   if (shape != CellShape::prism) std::reverse(base.begin(), base.end());
   const bool pointed = shape == CellShape::tetrahedron || shape == CellShape::pyramid;
   return with_partners(faces, base, pointed ? 1 : base.size());

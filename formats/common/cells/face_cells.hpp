@@ -15,8 +15,8 @@ struct FaceCell {
   std::vector<std::int64_t> nodes;
 };
 
-/// The shape of the zoo whose faces are these, each a list of nodes that turns counter-clockwise
-/// seen from outside; nothing when it is none. Proven by comparing all faces with the shape's.
+/// The shape of the zoo that has these faces, each a list of nodes that turns counter-clockwise
+/// seen from outside; nothing when there is none. Verified by comparing all faces with the shape's.
 std::optional<FaceCell> cell_of_faces(std::span<const std::vector<std::int64_t>> faces);
 
 }  // namespace hiac::formats

@@ -9,7 +9,7 @@ namespace {
 
 constexpr NodeId kUnused = ~NodeId{0};
 
-/// The tuples `chosen` of a field.
+/// A field restricted to the tuples `chosen`.
 SharedArray<double> chosen_tuples(std::span<const double> values, std::size_t width,
                                   const std::vector<std::uint64_t>& chosen) {
   std::vector<double> result;

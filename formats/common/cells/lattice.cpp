@@ -10,7 +10,7 @@ namespace {
 using Point = std::array<double, 3>;
 using Nodes = std::span<const std::optional<std::size_t>>;
 
-/// The points i, j, k of the lattice divide the reference cell's sides in `order` parts.
+/// The lattice points i, j, k divide the sides of the reference cell into `order` parts.
 template <typename Contains>
 std::vector<Point> grid_points(std::size_t order, const Contains& contains) {
   const auto p = static_cast<double>(order);
@@ -32,7 +32,7 @@ Point mean_of(std::span<const Point> corners, std::span<const std::uint8_t> plac
   return mean;
 }
 
-/// Order 2: the centres of the faces and of the cell, where the grid has none.
+/// Order 2: adds the centres of the faces and of the cell that the grid does not contain.
 void add_centres(CellShape shape, std::vector<Point>& points);
 
 std::optional<std::size_t> place_of(const Lattice& lattice, const Point& point) {
@@ -70,7 +70,7 @@ Point between(const Point& a, const Point& b, double t) {
   return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
 }
 
-/// The Lagrange polynomial of the nodes on the edge a b, at `third` thirds of it.
+/// The Lagrange polynomial of the nodes on the edge a b, at `third` thirds of the edge.
 std::optional<Weights> on_edge(const Lattice& lattice, Nodes nodes, const Point& a, const Point& b,
                                std::size_t third) {
   const auto p = static_cast<double>(lattice.order);
@@ -120,7 +120,8 @@ std::optional<Weights> in_triangle(const Lattice& lattice, Nodes nodes,
   return weights;
 }
 
-/// The cubic of a triangle's edges, at its centre: shape_functions.hpp.
+/// The value at the centre of a triangle that the cubic shape functions of its edges give
+/// (shape_functions.hpp).
 Weights from_edges(const std::vector<Weights>& rows, const ShapeFace& face) {
   const auto edges = topology_of(CellShape::tetrahedron).edges;
   const auto in_face = [&](std::uint8_t corner) {
@@ -137,7 +138,7 @@ Weights from_edges(const std::vector<Weights>& rows, const ShapeFace& face) {
   return weights;
 }
 
-/// Of a cubic kind's node that is no corner.
+/// The weights of node n of a cubic kind; n is not a corner.
 std::optional<Weights> weights_of_node(const Lattice& lattice, Nodes nodes, CellKind kind,
                                        std::size_t n, const std::vector<Weights>& before) {
   const auto points = reference_nodes(kind);

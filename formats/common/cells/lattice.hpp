@@ -22,17 +22,17 @@ struct Lattice {
 /// The lattice of a shape other than the wedge, of an order from 2 on.
 Lattice lattice_of(CellShape shape, std::size_t order);
 
-/// A value at a point as a sum of values at others: places and weights.
+/// A value at a point as a weighted sum of values at other points: places and weights.
 using Weights = std::vector<std::pair<std::size_t, double>>;
 
-/// The kind that cells of that order come closest to: the quadratic one of order 2, else the cubic.
+/// The nearest kind for cells of that order: the quadratic one for order 2, else the cubic one.
 CellKind nearest_kind(const Lattice& lattice);
 
-/// For every node of the nearest kind its value as the cell's interpolant has it, from the values
-/// at the cell's nodes; `nodes[p]` is the node at the lattice's point p, if there is one. On an
-/// edge that is the Lagrange polynomial of the edge's nodes, on a triangle that of the triangle's
-/// (the cubic without its centre where those are not all there). Nothing where a corner or a node
-/// of an edge is missing.
+/// For every node of the nearest kind, the value of the cell's interpolant there, as weights of the
+/// values at the cell's nodes; `nodes[p]` is the node at the lattice point p, if there is one. On
+/// an edge the interpolant is the Lagrange polynomial of the edge's nodes, on a triangle that of
+/// the triangle's nodes (if some of them are missing, the cubic without a centre node). Nothing
+/// when a corner or a node of an edge is missing.
 std::optional<std::vector<Weights>> weights_of_nearest(
     const Lattice& lattice, std::span<const std::optional<std::size_t>> nodes);
 

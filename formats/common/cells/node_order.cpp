@@ -13,8 +13,8 @@ namespace hiac::formats {
 namespace {
 
 constexpr std::size_t kGrain = 4096;
-/// Coordinates are often stored in single precision: a place is not known better than this part of
-/// the cell's size, which matters where an edge's ends coincide.
+/// Coordinates are often stored in single precision: positions are accurate to this fraction of the
+/// cell's size only, which matters where the ends of an edge coincide.
 constexpr double kCoordinateError = 1e-6;
 /// The most edge nodes that a kind has: the cubic brick's.
 constexpr std::size_t kMostEdgeNodes = 24;
@@ -25,7 +25,7 @@ double distance(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/// One cell's edge nodes, their places on the straight edges, and those edges' lengths.
+/// The edge nodes of one cell, their expected places on the straight edges, and the edge lengths.
 struct EdgeNodes {
   std::size_t count = 0;
   std::array<Point, kMostEdgeNodes> nodes;
@@ -60,7 +60,7 @@ EdgeNodes edge_nodes_of(const ZooMesh& mesh, CellId cell) {
   return result;
 }
 
-/// How well an edge node lies, from well to badly.
+/// How well an edge node is placed, from good to bad.
 enum class Placement : std::uint8_t { fine, misplaced, exchanged };
 
 Placement placement_of(const EdgeNodes& cell, std::size_t i) {
@@ -78,7 +78,7 @@ Placement placement_of(const EdgeNodes& cell, std::size_t i) {
   return result;
 }
 
-/// A cell's worst edge node and how it lies.
+/// The worst-placed edge node of a cell and how it is placed.
 struct WorstNode {
   std::size_t index = 0;
   Placement placement = Placement::fine;
@@ -99,7 +99,7 @@ void lower(std::atomic<std::size_t>& value, std::size_t candidate) {
   }
 }
 
-/// What was found of one kind's cells.
+/// The findings for the cells of one kind.
 struct KindFindings {
   std::atomic<std::size_t> cells = 0;
   std::atomic<std::size_t> misplaced = 0;  ///< cells with misplaced nodes, exchanged ones included

@@ -7,8 +7,8 @@
 
 namespace hiac::formats {
 
-// An edge node of a higher-order cell has its place on the straight edge: the middle; of cubic
-// cells the thirds. Lengths are parts of that edge's length.
+// The expected place of an edge node of a higher-order cell is on the straight edge: at the middle,
+// or in cubic cells at the thirds. Lengths are in units of that edge's length.
 //
 // A circular edge of arc angle a has its middle tan(a/4)/2 off the chord's middle: 0.21 for a
 // quarter of a circle, 0.29 for a third, 1/2 for a half, so truly curved cells pass, and so do
@@ -19,16 +19,17 @@ namespace hiac::formats {
 inline constexpr double kFarFromPlace = 0.5;
 /// or farther than this and nearer to another edge node's place.
 inline constexpr double kFarAndNearerToAnother = 0.3;
-/// A misplaced node is exchanged when it lies this near to another edge node's place, in lengths of
-/// that one's edge: in cells with straight edges a permuted order puts it there exactly.
+/// A misplaced node is exchanged when it is this close to another edge node's place, in lengths of
+/// that node's edge: in cells with straight edges a permuted order puts it there exactly.
 inline constexpr double kInAnothersPlace = 0.01;
 /// Meshes that are tangled or extremely curved have some cells with misplaced nodes; a wrong node
 /// order misplaces nodes in nearly all cells of the kind.
 inline constexpr double kMostMisplacedCells = 0.05;
 
-/// Throws InputError(subject, ...) when the edge nodes of higher-order cells are not in the order
-/// expected: when any are exchanged, or more than kMostMisplacedCells of a kind's cells have
-/// misplaced ones. Fewer are noted. Parallel; the same for any number of threads.
+/// Throws InputError(subject, ...) when the edge nodes of higher-order cells are not in the
+/// expected order: when any node is exchanged, or when more than kMostMisplacedCells of the cells
+/// of a kind have misplaced nodes. If fewer do, a note says so. Parallel; the same for any number
+/// of threads.
 void check_edge_nodes(const ZooMesh& mesh, const std::string& subject,
                       std::vector<std::string>& notes);
 

@@ -12,7 +12,7 @@
 namespace hiac::formats {
 namespace {
 
-/// Six times the volume between a face, divided in triangles from its first node, and a point.
+/// Six times the volume between a point and a face, divided into triangles from its first node.
 double volume_below(const FaceNodes& face, std::span<const double> from,
                     const std::function<std::span<const double>(std::int64_t)>& position) {
   const auto arrow = [&](std::int64_t node) {
@@ -32,7 +32,7 @@ double volume_below(const FaceNodes& face, std::span<const double> from,
 
 using Edge = std::pair<std::int64_t, std::int64_t>;
 
-/// The faces at every edge, whichever way they go along it.
+/// The faces at every edge, in whichever direction they run along it.
 std::map<Edge, std::vector<std::size_t>> faces_at_edges(const std::vector<FaceNodes>& faces) {
   std::map<Edge, std::vector<std::size_t>> at;
   for (std::size_t f = 0; f < faces.size(); ++f)

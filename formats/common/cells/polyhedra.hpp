@@ -13,8 +13,8 @@ namespace hiac::formats {
 
 using FaceNodes = std::vector<std::int64_t>;
 
-/// The faces of the polyhedron with that place in the list. Throws InputError(subject, ...) when
-/// the list is damaged.
+/// The faces of the polyhedron at that place in the list. Throws InputError(subject, ...) when the
+/// list is damaged.
 std::vector<FaceNodes> faces_of(const ForeignPolyhedra& polyhedra, std::size_t place,
                                 const std::string& subject);
 

@@ -9,7 +9,7 @@ namespace hiac::formats {
 namespace {
 
 constexpr std::size_t kHighestOrder = 9;
-/// Nodes lie nearer to their places than this part of the spacing.
+/// Nodes must be closer to their places than this fraction of the spacing.
 constexpr double kFurthest = 1.0 / 3;
 
 using Point = std::array<double, 3>;
@@ -30,7 +30,7 @@ std::vector<double> shape_functions_at(CellKind kind, const Point& at) {
   return values;
 }
 
-/// For every node of the file its squared distances from the lattice's points as the corners put
+/// For every node of the file, its squared distances from the lattice points as the corners map
 /// them, in units of the cell's size, summed over the cells.
 std::vector<double> distances(const CellConversion& conversion, const Lattice& lattice,
                               std::span<const NodePositions> cells) {
@@ -82,7 +82,7 @@ std::optional<Match> match(const CellConversion& conversion, const Lattice& latt
   return result;
 }
 
-/// The kind's own nodes are left out of `left_out`; where they are not nodes of the file, all are.
+/// The nodes of the file that no node of the kind takes over unchanged (with a single weight).
 std::vector<RecognizedCell::LeftOut> nodes_left_out(const Lattice& lattice, const Match& match,
                                                     const RecognizedCell& cell) {
   std::vector<RecognizedCell::LeftOut> result;

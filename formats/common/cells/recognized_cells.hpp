@@ -19,9 +19,10 @@ using NodePositions = std::vector<std::array<double, 3>>;
 struct RecognizedCell {
   CellKind kind;
   std::size_t order;
-  /// For every node of the kind, in the zoo's order, its value from those at the file's nodes.
+  /// For every node of the kind, in the zoo's order, its value as weights of the values at the
+  /// file's nodes.
   std::vector<Weights> weights;
-  /// A node of the file that is none of the kind's: its place, and the kind's shape functions
+  /// A node of the file that is not a node of the kind: its place, and the kind's shape functions
   /// there.
   struct LeftOut {
     std::size_t place;
@@ -30,11 +31,11 @@ struct RecognizedCell {
   std::vector<LeftOut> left_out;
 };
 
-/// Recognizes a type of cell of which only the corners are known (CellConversion::corners) by where
-/// its further nodes lie: each is taken to be at that evenly spaced point of the cell that it is
-/// nearest to in the mean of the cells given. So it does not matter in which order a format lists
-/// the nodes of edges, faces and inside. Nothing when no order from 2 to 9 fits, one point being
-/// the nearest to two nodes, or nodes being further away than a third of the spacing.
+/// Recognizes a cell type of which only the corners are known (CellConversion::corners) by the
+/// positions of its other nodes: each is assigned to the evenly spaced point that it is nearest to
+/// on average over the given cells. The order in which a format lists the nodes of edges, faces and
+/// the interior is therefore irrelevant. Nothing when no order from 2 to 9 fits, that is, when one
+/// point is the nearest to two nodes, or nodes are further away than a third of the spacing.
 std::optional<RecognizedCell> recognized_cell(const CellConversion& conversion,
                                               std::span<const NodePositions> cells);
 

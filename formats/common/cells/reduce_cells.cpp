@@ -17,9 +17,9 @@
 namespace hiac::formats {
 namespace {
 
-/// Cells by which a type is recognized.
+/// The number of cells used to recognize a type.
 constexpr std::size_t kSamples = 64;
-/// Differences to which values agree, in units of the largest.
+/// Values that differ by less than this, relative to the largest value, are the same.
 constexpr double kSameDouble = 1e-12;
 constexpr double kSameSingle = 1e-6;
 
@@ -50,7 +50,7 @@ PointValues point_values(std::string name, std::size_t width, std::vector<double
   return result;
 }
 
-/// What is known of a type of cell beyond the zoo.
+/// The findings for a cell type that the zoo does not have.
 struct RichType {
   std::optional<RecognizedCell> cell;
   std::size_t count = 0;
@@ -94,7 +94,7 @@ class Reducer {
   }
 
  private:
-  /// The places of the cell's nodes among the points; empty where it leaves nodes out.
+  /// The places of the cell's nodes among the points; empty when the cell leaves nodes out.
   std::vector<std::size_t> places_of(std::size_t cell) const {
     std::vector<std::size_t> places;
     for (const std::int64_t number : rewrite_.nodes_of(cell)) {
@@ -131,7 +131,8 @@ class Reducer {
     }
   }
 
-  /// How far what the nearest kind makes of a cell is from what is in the file.
+  /// Measures how far the interpolant of the nearest kind is from the file's values at the nodes
+  /// left out.
   void measure(std::size_t cell) {
     const auto found = rich_.find(mesh_.cell_types[cell]);
     if (found == rich_.end() || !found->second.cell) return;
@@ -153,7 +154,7 @@ class Reducer {
           for (std::size_t n = 0; n < nodes.size(); ++n)
             sum += left_out.shape_functions[n] * nodes[n];
           const double error = std::abs(sum - value(left_out.place));
-          // NaN on both sides is no error; on one it is
+          // NaN in both is no error, NaN in one of them is
           if (error > found->second.errors[v] ||
               (std::isnan(sum) != std::isnan(value(left_out.place))))
             found->second.errors[v] = std::isnan(error) ? HUGE_VAL : error;
@@ -162,7 +163,7 @@ class Reducer {
     }
   }
 
-  /// Which types are turned, and what there is to say about them.
+  /// Decides which types are converted, and writes the notes about them.
   void judge() {
     for (auto& [type, rich] : rich_) {
       const std::string what = fmt::format("{} {} of {} nodes", rich.count, mesh_.types[type].name,
@@ -223,7 +224,7 @@ class Reducer {
       double heaviest = 0;
       for (const auto& [node, weight] : weights) {
         points.emplace_back(places[node], weight);
-        // of the two thirds of an edge each has its heaviest weight at another node
+        // the two nodes on the thirds of an edge have their heaviest weights at different nodes
         if (std::abs(weight) > heaviest * (1 + kSameDouble)) {
           heaviest = std::abs(weight);
           anchor = places[node] + 1;
@@ -263,7 +264,7 @@ class Reducer {
     rewrite_.keep();
   }
 
-  /// The mean of nodes, as a point that all who share them have in common.
+  /// The point at the mean of nodes; cells with the same nodes share it.
   std::int64_t centre_of(std::span<const std::int64_t> numbers, std::size_t cell) {
     std::set<std::size_t> places;
     for (const std::int64_t number : numbers) places.insert(rewrite_.place_of(number, cell));
@@ -274,7 +275,7 @@ class Reducer {
     return rewrite_.point(std::move(weights), 0);
   }
 
-  /// Notes how much values differ over the nodes of a centre.
+  /// Records the range of values over the nodes that a centre is the mean of.
   void widen(const PointValues& values, const Weights& weights) {
     double& range = ranges_[values.name];
     for (std::size_t c = 0; c < values.width; ++c) {
@@ -298,7 +299,7 @@ class Reducer {
         mesh_.type_place("part of a polyhedron", 5, converted_to(CellKind::pyramid5));
     rewrite_.replace();
     ++divided_;
-    // the zoo's bases turn counter-clockwise seen from the apex, and so the other way than faces
+    // the zoo's bases turn counter-clockwise seen from the apex, opposite to these faces
     for (const FaceNodes& face : faces) {
       if (face.size() == 3) {
         rewrite_.add(tetrahedron, std::array{face[0], face[2], face[1], centre}, {});

@@ -4,10 +4,10 @@
 
 namespace hiac::formats {
 
-/// The conversion of a format's cell that has the corners of the shape in the usual right-handed
-/// order and behind them, if it is quadratic, a node for every edge in the order `edges` (of the
-/// format's corners). None: the zoo's own order of edges, which is that of VTK, Abaqus, Exodus and
-/// others (of a prism: 0-1, 1-2, 2-0, 3-4, 4-5, 5-3, 0-3, 1-4, 2-5).
+/// The conversion of a format's cell that lists the corners of the shape in the usual right-handed
+/// order and then, if it is quadratic, one node per edge in the order `edges` (pairs of the
+/// format's corners). Without `edges`: the zoo's order of edges, which VTK, Abaqus, Exodus and
+/// others use (of a prism: 0-1, 1-2, 2-0, 3-4, 4-5, 5-3, 0-3, 1-4, 2-5).
 CellConversion solid_conversion(CellKind kind, std::span<const ShapeEdge> edges = {});
 
 /// The same with the corners in another order: node i of the kind is the format's corner
@@ -19,7 +19,7 @@ CellConversion ordered_conversion(CellKind kind, std::span<const std::uint8_t> c
 /// (CalculiX's results, Nastran).
 CellConversion vertical_edges_first(CellKind kind);
 
-/// A volume that the zoo has no kind for, whose first nodes are the corners of the shape.
+/// A volume cell that the zoo has no kind for and whose first nodes are the corners of the shape.
 CellConversion unsupported_with_corners(CellShape shape);
 
 }  // namespace hiac::formats

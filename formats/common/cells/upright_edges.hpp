@@ -6,8 +6,8 @@
 
 namespace hiac::formats {
 
-// The edges of elements in the order in which several formats list the nodes on them: round the
-// bottom, up the sides, round the top. Corners as in the zoo, the prism right-handed.
+// The edges of elements in the order in which several formats list their nodes: round the bottom,
+// up the sides, round the top. Corners as in the zoo, the prism right-handed.
 
 inline constexpr std::array<ShapeEdge, 6> kUprightTetrahedron{
     {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};

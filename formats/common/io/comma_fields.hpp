@@ -15,12 +15,12 @@ class CommaFields {
  public:
   explicit CommaFields(std::string_view line) : at_(line.data()), end_(at_ + line.size()) {}
 
-  /// Whether the line has no further field; a comma at its end opens none.
+  /// Whether the line has no further field; a comma at its end starts no field.
   [[nodiscard]] bool at_end() {
     skip_blanks();
     return at_ == end_;
   }
-  /// The next field as an integer; none when it is empty or not one.
+  /// The next field as an integer; none when it is empty or not an integer.
   std::optional<std::int64_t> integer() {
     skip_blanks();
     const char* at = at_;
@@ -34,7 +34,7 @@ class CommaFields {
     step_over(at);
     return negative ? -value : value;
   }
-  /// The next field as a real; none when it is not one, 0 when it is empty.
+  /// The next field as a real; none when it is not a real, 0 when it is empty.
   std::optional<double> real() {
     skip_blanks();
     double value = 0;

@@ -29,7 +29,7 @@ constexpr std::uintmax_t kBytesPerSecond = 1'000'000;
 /// How a request ended; the first byte of every answer.
 enum class Outcome : char { done = 'd', failed = 'f', no_memory = 'm' };
 
-/// A descriptor, closed at the end.
+/// A file descriptor, closed by the destructor.
 class Descriptor {
  public:
   explicit Descriptor(int descriptor) : descriptor_(descriptor) {
@@ -69,7 +69,7 @@ bool send_all(int socket, const void* data, std::size_t size) {
   return true;
 }
 
-// ---- the side that reads the file
+// ---- the process that reads the file
 
 void pack_type(PackWriter& out, const ForeignType& type) {
   out.text(type.name);
@@ -92,7 +92,7 @@ void pack_field(PackWriter& out, const ForeignField& field) {
   out.number(field.step ? *field.step + 1 : 0);
 }
 
-/// Writes all but the fields' values, and frees what the fields will not need.
+/// Writes everything except the values of the fields, and frees what the fields do not need.
 void pack_mesh(PackWriter& out, ForeignMesh& mesh) {
   out.consume(mesh.xyz);
   out.consume(mesh.node_numbers);
@@ -161,7 +161,7 @@ void silence() {
 
 [[noreturn]] void serve(int socket, int memory, const std::string& path,
                         const std::function<ForeignMesh(const std::string&)>& open) {
-  // an interrupt ends the parent, and with it this process
+  // an interrupt ends the parent process, and this process with it
   signal(SIGINT, SIG_IGN);
   for (const int fatal : {SIGTERM, SIGSEGV, SIGBUS, SIGFPE, SIGABRT, SIGILL})
     signal(fatal, SIG_DFL);
@@ -185,7 +185,7 @@ void silence() {
   _exit(0);
 }
 
-// ---- the side that asks
+// ---- the process that requests
 
 ForeignType unpack_type(PackReader& in) {
   ForeignType type;
@@ -243,7 +243,7 @@ ForeignMesh unpack_mesh(PackReader& in) {
   return mesh;
 }
 
-/// The process that reads, seen from outside.
+/// The reading process, as the requesting process sees it.
 class Session {
  public:
   Session(std::string path, std::string library,
@@ -273,7 +273,7 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  /// What `unpack(reader)` makes of the answer to the request under way.
+  /// The result of `unpack(reader)` on the answer to the current request.
   template <typename Unpack>
   auto answered(const Unpack& unpack) {
     Outcome outcome{};
@@ -312,7 +312,7 @@ class Session {
     return status;
   }
 
-  /// The child has ended: says how.
+  /// Reports how the child process ended.
   [[noreturn]] void throw_end() {
     if (child_ >= 0) end_ = wait();
     if (WIFSIGNALED(end_) && (WTERMSIG(end_) == SIGXCPU || WTERMSIG(end_) == SIGKILL))

@@ -11,7 +11,7 @@ void prefer_large_pages(const void* data, std::size_t bytes) {
   const auto begin = reinterpret_cast<std::uintptr_t>(data);
   const std::uintptr_t first = (begin + kLargePage - 1) & ~(kLargePage - 1);
   const std::uintptr_t last = (begin + bytes) & ~(kLargePage - 1);
-  // advice: where the system does not follow it, small pages serve as well
+  // only advice: if the system ignores it, small pages work as well
   if (first < last) madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
 }
 

@@ -9,8 +9,8 @@ namespace hiac::formats {
 /// back, and the first access to every page costs a fault.
 void prefer_large_pages(const void* data, std::size_t bytes);
 
-/// Reserves room for that many elements, on large pages. Too much does no harm: the system
-/// allocates memory when it is written.
+/// Reserves room for that many elements, on large pages. Reserving too much is harmless: the system
+/// allocates memory only when it is written.
 template <typename T>
 void reserve_large(std::vector<T>& values, std::size_t count) {
   if (count <= values.capacity()) return;

@@ -31,7 +31,7 @@ void write_all(int descriptor, std::string_view bytes, std::size_t at, const std
 }  // namespace
 
 MappedFile::MappedFile(const std::string& path) {
-  // a pipe is opened at once, whether or not anything writes to it, and refused below
+  // opens a pipe without waiting for a writer; the check below refuses it
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor < 0) fail(path, "cannot be opened");
   struct stat status {};

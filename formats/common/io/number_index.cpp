@@ -5,7 +5,7 @@
 namespace hiac::formats {
 namespace {
 
-/// A table may have this many places for every number.
+/// A table may have at most this many places per number.
 constexpr std::uint64_t kTablePlaces = 8;
 
 }  // namespace

@@ -10,8 +10,8 @@
 namespace hiac::formats {
 
 /// Finds the place of a number in a file's list of node or cell numbers, which may be sparse and in
-/// any order. Consecutive numbers take no memory, numbers with few gaps a table, others a sorted
-/// list.
+/// any order. Consecutive numbers take no memory; numbers with few gaps take a table, others a
+/// sorted list.
 class NumberIndex {
  public:
   static constexpr std::size_t kNone = ~std::size_t{0};
@@ -28,7 +28,7 @@ class NumberIndex {
     return find_sorted(number);
   }
 
-  /// The places of entries whose number an earlier entry has, each with that entry's place.
+  /// The places of entries that repeat the number of an earlier entry, each with the earlier place.
   [[nodiscard]] const std::vector<std::pair<std::size_t, std::size_t>>& repeated() const {
     return repeated_;
   }

@@ -9,7 +9,7 @@
 namespace hiac::formats {
 
 /// Writes numbers, texts and arrays one after the other into a file, for a PackReader of the same
-/// program: no format to keep. Every item begins at a multiple of eight bytes.
+/// program: the layout need not stay stable. Every item begins at a multiple of eight bytes.
 class PackWriter {
  public:
   explicit PackWriter(int descriptor) : descriptor_(descriptor) {}
@@ -29,7 +29,7 @@ class PackWriter {
   }
 
  private:
-  /// Throws std::bad_alloc when there is no room.
+  /// Throws std::bad_alloc when the file cannot grow.
   void bytes(const void* data, std::size_t count);
 
   int descriptor_;

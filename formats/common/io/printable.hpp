@@ -5,7 +5,7 @@
 
 namespace hiac::formats {
 
-/// Text from a file as it may stand in a message of one line.
+/// Text from a file in a form that fits a message of one line.
 inline std::string printable(std::string text) {
   for (char& c : text)
     if (std::iscntrl(static_cast<unsigned char>(c)) != 0) c = ' ';

@@ -6,7 +6,7 @@
 
 namespace hiac::formats {
 
-/// The product of extents that a file declares, or the largest number where it is larger.
+/// The product of extents that a file declares; the largest number when it overflows.
 template <std::unsigned_integral Count>
 Count product(const std::vector<Count>& factors) {
   Count result = 1;

@@ -13,14 +13,14 @@
 namespace hiac::formats {
 namespace {
 
-/// Error messages show at most so much of a word.
+/// Error messages show at most this many characters of a word.
 constexpr std::size_t kShownBytes = 40;
-/// No number of a file is longer; anything longer is not one.
+/// No number in a file is longer; a longer word is not a number.
 constexpr std::size_t kLongestNumber = 128;
 
 bool is_exponent_letter(char c) { return c == 'd' || c == 'D' || c == 'q' || c == 'Q'; }
 
-/// A number with a Fortran exponent: D for E, or a sign alone. Nothing when it is not one.
+/// A number with a Fortran exponent: D for E, or a sign alone. Nothing when it is not a number.
 std::optional<double> fortran_real(std::string_view word) {
   if (word.size() >= kLongestNumber) return std::nullopt;
   std::array<char, kLongestNumber + 1> copy{};
@@ -49,7 +49,7 @@ std::optional<double> word_real(const char* first, const char* last) {
   double value = 0;
   const auto [stop, error] = std::from_chars(first, last, value);
   if (stop == last && error == std::errc()) return value;
-  // too small for a double is zero, too large is infinite: the gate and ranges tell
+  // a number too small for a double is zero, one too large infinite: the gate and ranges report it
   if (stop == last && error == std::errc::result_out_of_range) {
     const std::string_view word(first, static_cast<std::size_t>(last - first));
     const bool small =

@@ -9,7 +9,7 @@
 namespace hiac::formats {
 
 /// A place in a text file that moves forward, word by word or line by line. Errors name the file
-/// and the line, which is counted only then.
+/// and the line, which is counted only when an error occurs.
 class TextCursor {
  public:
   /// `text` must outlive the cursor; `subject` is the file's name.
@@ -29,7 +29,7 @@ class TextCursor {
   }
   [[nodiscard]] const std::string& subject() const { return subject_; }
 
-  /// The rest of the current line, without its end (\n, \r\n); moves behind it.
+  /// The rest of the current line, without its end (\n, \r\n); the cursor moves past the end.
   std::string_view line() {
     const std::string_view rest(at_, left());
     const std::size_t length = rest.find('\n');
@@ -44,26 +44,26 @@ class TextCursor {
     return copy.line();
   }
 
-  /// The next bytes as they are. Throws InputError when there are not so many.
+  /// The next bytes, unchanged. Throws InputError when fewer are left.
   std::string_view bytes(std::size_t count, std::string_view what) {
     if (count > left()) fail_in_data(count, what);
     at_ += count;
     return {at_ - count, count};
   }
 
-  /// Moves over blanks and ends of lines.
+  /// Skips blanks and ends of lines.
   void skip_space() {
     while (at_ != end_ && is_space(*at_)) ++at_;
   }
-  /// The next word, over ends of lines; empty at the end of the file.
+  /// The next word, on this line or a later one; empty at the end of the file.
   std::string_view word() {
     skip_space();
     const char* start = at_;
     while (at_ != end_ && !is_space(*at_)) ++at_;
     return {start, static_cast<std::size_t>(at_ - start)};
   }
-  /// The next word as a number, over ends of lines. Throws InputError: "FILE:LINE: `what` expected
-  /// ('x' found)". Reals may have a Fortran exponent (1.0D+5, 1.0+5).
+  /// The next word as a number, on this line or a later one. Throws InputError: "FILE:LINE: `what`
+  /// expected ('x' found)". Reals may have a Fortran exponent (1.0D+5, 1.0+5).
   std::int64_t integer(std::string_view what) {
     skip_space();
     const char* at = at_;
@@ -81,7 +81,8 @@ class TextCursor {
   /// A count: not negative, and no more than `limit` (what the rest of the file can hold).
   std::size_t count(std::string_view what, std::size_t limit);
 
-  /// Throws InputError "FILE:LINE: `what`", of the line of the cursor, or of the place given.
+  /// Throws InputError "FILE:LINE: `what`", for the cursor's line or for the line of the given
+  /// place.
   [[noreturn]] void fail(const std::string& what) const { fail_at(offset(), what); }
   [[noreturn]] void fail_at(std::size_t offset, const std::string& what) const;
   /// Throws InputError "FILE: at byte N: ...": binary data end too early.

@@ -20,7 +20,7 @@
 namespace hiac::formats {
 namespace {
 
-/// For every cell whether it is in the block that is asked for; empty: all are wanted.
+/// For every cell, whether it is in the requested block; empty: all cells are wanted.
 std::vector<bool> wanted_cells(const ForeignMesh& foreign, const ReadOptions& options,
                                const std::string& subject) {
   if (!options.block) return {};
@@ -67,7 +67,7 @@ std::vector<std::uint64_t> cell_starts(const ForeignMesh& foreign) {
 
 class Assembler {
  public:
-  /// `reason`: why cells are left that cannot be converted.
+  /// `reason`: why some cells cannot be converted.
   Assembler(ForeignMesh&& foreign, const ReadOptions& options, const std::string& subject,
             std::string reason)
       : foreign_(std::move(foreign)),
@@ -192,7 +192,7 @@ class Assembler {
     }
   }
 
-  /// The time of the fields goes among the metadata; a note tells which fields are of another.
+  /// Adds the time of the fields to the metadata; a note names the fields that have another time.
   void note_time() {
     std::optional<std::size_t> last = step_;
     for (const ForeignField* field : fields_)
@@ -277,7 +277,7 @@ Inventory inventory_of(const ForeignMesh& foreign, std::string_view format,
 
 namespace {
 
-/// What `work` gives. Names from the file may stand in its errors.
+/// The result of `work`; names from the file in its errors are made printable on one line.
 template <typename Work>
 auto with_errors_of_one_line(const Work& work) {
   try {

@@ -26,8 +26,8 @@ Reading assemble_piece(ForeignMesh&& foreign, const ReadOptions& options,
 Inventory inventory_of(const ForeignMesh& foreign, std::string_view format,
                        const std::string& subject);
 
-/// Makes a format, whose name is set, read and list its files through these two: `open` finds out
-/// what a file holds (without a request where it is to be listed).
+/// Gives a format, whose name is set, the functions that read and list its files; both use `open`,
+/// which returns the contents of a file (for a listing it is called without requests).
 void read_through(
     Format& format,
     std::function<ForeignMesh(const std::string& path, const ReadOptions& options)> open);

@@ -53,7 +53,7 @@ struct ForeignField {
   std::optional<std::size_t> step;  ///< place in ForeignMesh::times; none: it holds at all times
   std::string type = "double";      ///< the format's number type
   /// A tuple for every point, every cell, or every entry of ForeignMesh::cell_nodes; NaN where the
-  /// file has none. Throws InputError.
+  /// file has no value. Throws InputError.
   std::function<std::vector<double>()> values;
 };
 
@@ -61,8 +61,8 @@ struct ForeignField {
 ForeignField field_of(std::string name, FieldLocation location, std::uint32_t components,
                       std::vector<double>&& values);
 
-/// The contents of a file, with its own numbers and node orders. A reader makes it, and `assemble`
-/// turns it into a zoo mesh.
+/// The contents of a file, with its own numbers and node orders. A reader produces it, and
+/// `assemble` turns it into a zoo mesh.
 struct ForeignMesh {
   std::vector<double> xyz;
   /// The number of every point; empty: points are numbered from first_node on.
@@ -82,12 +82,12 @@ struct ForeignMesh {
   std::vector<std::pair<std::string, std::string>> metadata;
   std::vector<std::string> notes;
 
-  /// The place of the type of that name and number of nodes, which is added when it is new. Throws
-  /// InputError when there are 65536 already.
+  /// The place of the type with that name and number of nodes, which is added if it is new. Throws
+  /// InputError when there are already 65536 types.
   std::uint16_t type_place(std::string_view name, std::size_t nodes,
                            const CellConversion& conversion);
 
-  /// Adds a polyhedron whose faces are these, each a list of node numbers.
+  /// Adds a polyhedron with these faces, each a list of node numbers.
   void add_polyhedron(std::string_view type_name,
                       const std::vector<std::vector<std::int64_t>>& faces);
 

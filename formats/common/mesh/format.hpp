@@ -16,16 +16,16 @@ namespace hiac::formats {
 /// The options that choose the parts of a file to read.
 struct ReadOptions {
   std::optional<double> time;        ///< the step of this time
-  bool nearest_time = false;         ///< or, where there is none, of the nearest one
+  bool nearest_time = false;         ///< take the nearest step if none has that time
   std::optional<std::size_t> step;   ///< the step of this number, from 0
   std::optional<std::string> block;  ///< only the block with this name
-  /// Leave volume cells out that the zoo has no kind for, instead of refusing the file.
+  /// Leave out volume cells that the zoo has no kind for, instead of refusing the file.
   bool skip_unsupported = false;
   /// Read volume cells of orders or node counts that the zoo has no kind for (27-node bricks, say)
-  /// as the linear kind that their corners make.
+  /// as the linear kind that their corners form.
   bool corners_of_unsupported = false;
-  /// Turn such cells into cubic or quadratic ones, and polyhedra into tetrahedra and pyramids; a
-  /// note states the largest error that this makes.
+  /// Convert such cells to cubic or quadratic ones, and polyhedra to tetrahedra and pyramids; a
+  /// note states the largest error of the conversion.
   bool approximate = false;
 };
 
@@ -76,10 +76,10 @@ struct Format {
 
   /// Whether a file that begins with these bytes is of this format.
   std::function<bool(std::string_view head)> recognizes;
-  /// For formats that are kept in a container (HDF5, say): whether the file is one and holds this
-  /// format. Throws InputError when the container is damaged. Empty: no container.
+  /// For formats that are stored in a container (HDF5, say): whether the file is such a container
+  /// and holds this format. Throws InputError when the container is damaged. Empty: no container.
   std::function<bool(const std::string& path)> contains;
-  /// For formats that the first bytes do not prove: whether a file that begins with these bytes,
+  /// For formats that the first bytes do not identify: whether a file that begins with these bytes,
   /// has one of the extensions and is recognized by no other format may be of this format. Empty:
   /// never.
   std::function<bool(std::string_view head)> plausible;

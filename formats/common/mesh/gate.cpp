@@ -37,7 +37,7 @@ void finish_reading(Reading& reading, const std::string& subject) {
     auto& metadata = reading.mesh.metadata;
     const bool named = std::any_of(metadata.begin(), metadata.end(),
                                    [](const auto& entry) { return entry.first == "source"; });
-    // a mesh that was exported before keeps the name that it had first
+    // a mesh that was exported before keeps its original name
     if (!named)
       metadata.emplace(metadata.begin(), "source",
                        std::filesystem::path(subject).filename().string());

@@ -6,7 +6,7 @@
 namespace hiac::formats {
 namespace {
 
-/// For every entry whether no later one has its number.
+/// For every entry, whether it is the last one with its number.
 std::vector<bool> last_ones(const std::vector<std::int64_t>& numbers) {
   std::unordered_map<std::int64_t, std::size_t> last;
   last.reserve(numbers.size());

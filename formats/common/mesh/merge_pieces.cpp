@@ -11,7 +11,7 @@
 namespace hiac::formats {
 namespace {
 
-/// One array of all pieces, one after the other; the pieces' own are released.
+/// Concatenates one array of all pieces and releases the pieces' own arrays.
 template <typename T, typename Member>
 std::vector<T> joined(std::vector<Reading>& pieces, const Member& member) {
   std::size_t total = 0;
@@ -26,7 +26,7 @@ std::vector<T> joined(std::vector<Reading>& pieces, const Member& member) {
   return all;
 }
 
-/// Index of the first node of every piece, and after the last the number of nodes.
+/// Index of the first node of every piece, followed by the number of nodes.
 std::vector<std::size_t> node_offsets(const std::vector<Reading>& pieces) {
   std::vector<std::size_t> offsets{0};
   for (const Reading& piece : pieces) offsets.push_back(offsets.back() + piece.mesh.node_count());
@@ -54,7 +54,7 @@ bool equal_values(const ZooMesh& mesh, NodeId a, NodeId b) {
   return true;
 }
 
-/// For every node the one that stands for it, itself for most.
+/// For every node its representative, which for most nodes is the node itself.
 std::vector<NodeId> representatives(const ZooMesh& mesh, const std::vector<std::size_t>& offsets) {
   std::vector<NodeId> result(mesh.node_count());
   std::iota(result.begin(), result.end(), NodeId{0});
@@ -71,7 +71,7 @@ std::vector<NodeId> representatives(const ZooMesh& mesh, const std::vector<std::
   for (auto begin = order.begin(); begin != order.end();) {
     auto end = begin + 1;
     while (end != order.end() && !compare(*begin, *end)) ++end;
-    // ascending node numbers: two of one piece are neighbours
+    // node numbers ascend, so two nodes of one piece are neighbours here
     const bool unique = std::adjacent_find(begin, end, [&](NodeId a, NodeId b) {
                           return piece_of(a) == piece_of(b);
                         }) == end;
@@ -91,12 +91,12 @@ std::vector<double> compacted(std::span<const double> values, std::size_t width,
   return result;
 }
 
-/// Makes the nodes that have one place one; returns how many are gone.
+/// Merges the nodes that share a place; returns how many were removed.
 std::size_t merge_border_nodes(ZooMesh& mesh, const std::vector<std::size_t>& offsets) {
   std::vector<NodeId> number = representatives(mesh, offsets);
   std::vector<NodeId> kept;
   for (NodeId node = 0; node < number.size(); ++node) {
-    // a representative comes before those that it stands for
+    // a representative precedes the nodes that it represents
     if (number[node] == node) {
       number[node] = static_cast<NodeId>(kept.size());
       kept.push_back(node);

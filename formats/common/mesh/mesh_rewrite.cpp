@@ -11,7 +11,7 @@
 namespace hiac::formats {
 namespace {
 
-/// What is done to the values of fields.
+/// How the values of fields are transformed.
 struct Change {
   std::vector<Weights> made;
   std::vector<std::size_t> parents;
@@ -164,7 +164,7 @@ void MeshRewrite::rewrite_fields() {
     field.values = [change, tuples, old = std::move(field.values), location = field.location,
                     width = std::size_t{field.components}] {
       std::vector<double> values = old();
-      // what does not fit is refused by who takes it
+      // the receiver of the values refuses what does not fit
       if (values.size() != tuples * width) return values;
       return changed(*change, location, width, std::move(values));
     };

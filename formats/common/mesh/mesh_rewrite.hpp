@@ -12,15 +12,15 @@
 
 namespace hiac::formats {
 
-/// Rewrites the cells of a foreign mesh, one after the other: each stays or is replaced by other
-/// cells, which may use new points that are means of its points. The mesh's fields, blocks and cell
-/// numbers follow.
+/// Rewrites the cells of a foreign mesh, one after the other: each cell is kept or replaced by
+/// other cells, which may use new points that are weighted means of its points. The mesh's fields,
+/// blocks and cell numbers are updated accordingly.
 class MeshRewrite {
  public:
   /// `mesh` must outlive the rewrite. Throws as NumberIndex does.
   MeshRewrite(ForeignMesh& mesh, std::string subject);
 
-  /// The cells' numbers of nodes as they are in the mesh, until finish().
+  /// The node numbers of the cells as the mesh has them, until finish().
   [[nodiscard]] std::span<const std::int64_t> nodes_of(std::size_t cell) const;
   /// The place of the point with that number. Throws InputError naming the cell.
   [[nodiscard]] std::size_t place_of(std::int64_t number, std::size_t cell) const;
@@ -32,10 +32,10 @@ class MeshRewrite {
 
   /// Keeps the next cell of the mesh as it is.
   void keep();
-  /// Replaces the next cell of the mesh by the cells that are added until the next such call.
+  /// Replaces the next cell of the mesh by the cells that are added until the next keep or replace.
   void replace();
-  /// A cell of that type. `entries`: of every node the mean of entries of the replaced cell that
-  /// its values are, for fields on corners; empty where there are none.
+  /// Adds a cell of that type. `entries`, for fields on corners: for every node, the mean of
+  /// entries of the replaced cell that gives its values; empty when there are no such fields.
   void add(std::uint16_t type, std::span<const std::int64_t> nodes,
            std::span<const Weights> entries);
 

@@ -12,7 +12,7 @@
 
 namespace hiac::formats {
 
-/// Turns the node numbers of a file's cells into places of its points, cell after cell, and makes
+/// Turns the node numbers of a file's cells into places of its points, cell after cell, and creates
 /// the mid-edge nodes that cells leave out: one for every edge, after the points.
 class NodeResolver {
  public:
@@ -24,11 +24,11 @@ class NodeResolver {
     std::span<const NodeId> nodes;  ///< in the file's order; valid until the next call
     const CellConversion* conversion;
   };
-  /// The cell with that place, whose node numbers begin at `begin`. Throws InputError(subject, ...)
-  /// naming the cell when a node does not exist.
+  /// Resolves the cell at that place, whose node numbers begin at `begin`. Throws
+  /// InputError(subject, ...) naming the cell when a node does not exist.
   Cell resolve(std::size_t cell, std::size_t begin);
 
-  /// The ends of the edges in whose middles nodes were made.
+  /// The ends of the edges that got a new node in the middle.
   [[nodiscard]] const std::vector<std::pair<NodeId, NodeId>>& made() const { return made_; }
 
  private:
@@ -53,8 +53,8 @@ class NodeResolver {
   std::vector<std::pair<NodeId, NodeId>> made_;
 };
 
-/// The places, among the nodes of the file's cell, of the ends of the edge that the left-out node
-/// at `place` is the middle of. `conversion` is to a quadratic kind.
+/// The node at `place` is left out and is the middle of an edge: the places of that edge's ends
+/// among the nodes of the file's cell. `conversion` is to a quadratic kind.
 std::pair<std::size_t, std::size_t> edge_ends(const CellConversion& conversion, std::size_t place);
 
 }  // namespace hiac::formats

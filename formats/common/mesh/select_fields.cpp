@@ -16,7 +16,7 @@ constexpr std::array<std::pair<std::string_view, FieldLocation>, 3> kLocations{
      {"cell/", FieldLocation::cell},
      {"corner/", FieldLocation::corner}}};
 
-/// The fields with that name, in the place that a prefix of the name says.
+/// The fields with that name, at the location that a prefix of the name gives.
 std::vector<Field> fields_named(const ZooMesh& mesh, const std::string& name) {
   std::vector<Field> found;
   for (const Field& field : mesh.fields)
@@ -31,7 +31,7 @@ std::vector<Field> fields_named(const ZooMesh& mesh, const std::string& name) {
   return found;
 }
 
-/// The scalar that `reference` names, a component or a magnitude, if it does name one.
+/// The scalar that `reference` names, a component or a magnitude, if it names one.
 std::optional<Field> scalar_named(const ZooMesh& mesh, const std::string& reference) {
   const std::size_t colon = reference.rfind(':');
   if (colon == std::string::npos) return std::nullopt;
@@ -45,7 +45,7 @@ std::optional<Field> scalar_named(const ZooMesh& mesh, const std::string& refere
   }
 }
 
-/// The fields that a request without a new name asks for; empty when there are none.
+/// The fields that a request without a new name selects; empty when there are none.
 std::vector<Field> fields_for(const ZooMesh& mesh, const std::string& name) {
   std::vector<Field> found = fields_named(mesh, name);
   if (!found.empty()) return found;

@@ -13,7 +13,7 @@ namespace {
 /// Listings print six digits.
 constexpr double kSameTime = 1e-6;
 
-/// The times before and after one that is not there.
+/// The times before and after a time that the file does not have.
 std::string neighbours(double time, std::span<const double> times) {
   std::optional<double> before, after;
   for (const double t : times) {
@@ -64,8 +64,8 @@ std::string last_step_note(std::size_t steps, double time) {
 }
 
 std::string time_text(double time) {
-  // what a solver adds up, and what it stores in fewer digits, differ from the number that is meant
-  // in the sixteenth
+  // the times that a solver sums up, or stores in fewer digits, differ from the intended number in
+  // the sixteenth digit
   return fmt::format("{:.15g}", time);
 }
 

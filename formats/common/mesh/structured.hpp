@@ -14,21 +14,21 @@ namespace hiac::formats {
 struct StructuredBlock {
   std::array<std::size_t, 3> points{};
 
-  /// Throws InputError(subject, ...) when the points are more than `limit`.
+  /// Throws InputError(subject, ...) when there are more than `limit` points.
   [[nodiscard]] std::size_t point_count() const { return points[0] * points[1] * points[2]; }
-  /// 0 where the block is a surface or a line.
+  /// 0 when the block is a surface or a line.
   [[nodiscard]] std::size_t cell_count() const;
 };
 
-/// The block whose extents were read from a file. Throws InputError(subject, ...) when one is not
+/// The block with the extents that a file declares. Throws InputError(subject, ...) when one is not
 /// positive, or when there are more than `limit` points, the most that the file can hold.
 StructuredBlock structured_block(std::span<const std::int64_t> extents, std::size_t limit,
                                  const std::string& subject);
 
-/// Adds the block's bricks, between points that are (or will be) numbered from `first_point` on,
-/// and the block under `name` unless that is empty. Bricks with a hidden point are left out:
-/// `hidden` says so for every point of the block, or is empty. Returns which of the block's cells
-/// were added, in order; empty means all. A surface (one point along an axis) adds no cell.
+/// Adds the block's bricks, whose points are (or will be) numbered from `first_point` on, and the
+/// block under `name` unless that is empty. Bricks with a hidden point are left out: `hidden` has a
+/// flag for every point of the block, or is empty. Returns which of the block's cells were added,
+/// in order; empty means all. A surface (one point along an axis) adds no cell.
 std::vector<std::size_t> add_bricks(ForeignMesh& mesh, const StructuredBlock& block,
                                     std::size_t first_point, const std::vector<bool>& hidden,
                                     const std::string& name);

@@ -15,7 +15,8 @@ struct UsedPoints {
   std::vector<std::uint32_t> chosen;  ///< the used points' numbers; empty when all are used
 };
 
-/// Finds the used points and, unless all are, renumbers `nodes`; a note says how many are not.
+/// Finds the used points and, unless all are used, renumbers `nodes`; a note counts the unused
+/// ones.
 UsedPoints use_points(std::vector<NodeId>& nodes, std::size_t point_count,
                       std::vector<std::string>& notes);
 

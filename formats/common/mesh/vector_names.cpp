@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::array<char, 3> kAxes{'X', 'Y', 'Z'};
 
-/// The places of stem + X, Y and Z, where all three are there.
+/// The places of stem + X, Y and Z, if all three exist.
 std::optional<std::vector<std::size_t>> axes_of(const std::vector<std::string>& names,
                                                 const std::string& stem) {
   std::vector<std::size_t> parts;

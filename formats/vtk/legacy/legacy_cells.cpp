@@ -39,7 +39,7 @@ class CellWalk {
   }
 
  private:
-  /// The number of entries of the next cell, which are still in the list.
+  /// The number of entries of the next cell; they remain in the list.
   std::size_t cell_length() {
     if (cells_.has_offsets) {
       const std::size_t before = used_;

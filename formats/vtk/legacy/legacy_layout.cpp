@@ -1,6 +1,6 @@
-// Based on: the VTK User's Guide, "VTK File Formats", and the reader's actual habits (vtkDataReader
-// and its kin of VTK 9.1), which this walk follows word by word so that the reader meets nothing
-// that has not been seen here.
+// Based on: the VTK User's Guide, "VTK File Formats", and the behaviour of the reader
+// (vtkDataReader and its subclasses in VTK 9.1), which this code follows word by word, so that the
+// reader sees only input that has been checked here.
 #include "formats/vtk/legacy/legacy_layout.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ using Dataset = LegacyLayout::Dataset;
 
 constexpr NumberType kInt{Family::signed_integer, 4};
 constexpr std::string_view kMagic = "# vtk DataFile Version";
-/// VTK's reader calls itself once more at each change between point and cell data.
+/// VTK's reader recurses at each change between point and cell data.
 constexpr int kMostDataSections = 64;
 
 class LegacyWalk {
@@ -68,7 +68,8 @@ class LegacyWalk {
     if (layout_.binary) words_.set_binary();
   }
 
-  /// Sections up to the first POINT_DATA or CELL_DATA, whose keyword it leaves in data_keyword_.
+  /// Reads sections up to the first POINT_DATA or CELL_DATA, and stores that keyword in
+  /// data_keyword_.
   void read_geometry() {
     while (!words_.at_end()) {
       const std::string keyword = words_.keyword("a section");
@@ -155,7 +156,7 @@ class LegacyWalk {
         words_.fail("too many points (fewer than 2147483648 in all three dimensions expected)");
     }
     layout_.points = points;
-    // VTK counts the cells of flat grids too, by the dimensions that are not flat
+    // VTK counts the cells of flat grids too, as the product over the dimensions that are not flat
     layout_.cells = 1;
     for (const std::size_t n : dimensions_) layout_.cells *= std::max<std::size_t>(n - 1, 1);
     if (cells == 0)
@@ -230,12 +231,13 @@ class LegacyWalk {
     if (layout_.dataset == Dataset::rectilinear_grid &&
         !(has_coordinates_[0] && has_coordinates_[1] && has_coordinates_[2]))
       words_.fail("the file ends too soon (X_, Y_ and Z_COORDINATES expected)");
-    // what has no coordinates of its own is all but empty without data, whatever size it declares
+    // without data, a grid with implicit coordinates is a few words long, whatever size it declares
     if (layout_.dataset != Dataset::structured_grid && data_keyword_.empty())
       words_.fail("the file ends too soon (POINT_DATA or CELL_DATA expected)");
   }
 
-  /// POINT_DATA or CELL_DATA, whose keyword has been read, up to the next or the file's end.
+  /// Reads POINT_DATA or CELL_DATA, after its keyword, up to the next such keyword or the file's
+  /// end.
   void read_data_section() {
     if (++data_sections_ > kMostDataSections)
       words_.fail(
@@ -270,7 +272,7 @@ class LegacyWalk {
     const std::string name(next_name());
     if (keyword == "color_scalars") {
       const std::size_t components = words_.count("the number of components");
-      // the reader turns them into bytes, which cannot hold what is not finite
+      // the reader converts them to bytes, which cannot hold values that are not finite
       if (!layout_.binary) {
         read_array({Family::real, 4}, count, components);
         return;
@@ -290,7 +292,7 @@ class LegacyWalk {
     keep(name, read_type(!may_be_text), count, fixed, on_points);
   }
 
-  /// The components of an attribute that always has as many; 0 for other words.
+  /// The number of components of an attribute for which it is fixed; 0 for other words.
   static std::size_t fixed_components(const std::string& keyword, bool on_points) {
     if (keyword == "vectors" || keyword == "normals") return 3;
     if (keyword == "tensors6") return 6;
@@ -299,7 +301,7 @@ class LegacyWalk {
     return keyword == "edge_flags" && on_points ? 1 : 0;
   }
 
-  /// After SCALARS name type: the optional number of components, then LOOKUP_TABLE and its name.
+  /// After "SCALARS name type": the optional number of components, then LOOKUP_TABLE and its name.
   std::size_t scalar_components() {
     std::size_t components = 1;
     std::string keyword = words_.keyword("LOOKUP_TABLE");
@@ -324,7 +326,7 @@ class LegacyWalk {
     walk_legacy_values(words_, type, 4 * size, false);
   }
 
-  /// FIELD name n and its n arrays; in point and cell data they have a tuple for each.
+  /// FIELD name n and its n arrays; in point and cell data each has a tuple per point or cell.
   void read_field(std::optional<bool> on_points) {
     next_name();
     const std::size_t arrays = words_.count("the number of arrays");
@@ -350,7 +352,7 @@ class LegacyWalk {
     }
   }
 
-  /// The next word as a name, in its own case.
+  /// The next word as a name, with its case kept.
   std::string_view next_name() {
     const std::size_t before = words_.at();
     words_.keyword("a name");
@@ -382,7 +384,7 @@ class LegacyWalk {
                                   on_points, values.has_not_finite});
   }
 
-  /// Walks through an array that is no attribute.
+  /// Walks through an array that is not an attribute.
   LegacyValues read_array(const NumberType& type, std::size_t tuples, std::size_t components) {
     return walk_legacy_array(words_, type, tuples, components, false);
   }

@@ -10,7 +10,7 @@
 
 namespace hiac::formats::vtk {
 
-/// Where an array of a legacy file lies and how it is stored.
+/// The position of an array in a legacy file, and how it is stored.
 struct LegacyArray {
   std::string name;
   NumberType type{};
@@ -22,8 +22,8 @@ struct LegacyArray {
   bool has_not_finite = false;  ///< ASCII values that are nan or inf
 };
 
-/// What a legacy VTK file holds and where: the result of checking it before VTK's reader, which
-/// trusts every number that a file declares, may touch it.
+/// The contents of a legacy VTK file and their positions: the result of checking the file before it
+/// is given to VTK's reader, which trusts every number that a file declares.
 struct LegacyLayout {
   enum class Dataset : std::uint8_t {
     unstructured_grid,
@@ -41,8 +41,8 @@ struct LegacyLayout {
 };
 
 /// Walks through a whole legacy VTK file: every section is known, every array is complete, counts
-/// fit each other, cells name existing points, polyhedra's face lists are whole. Takes no memory to
-/// speak of. Throws InputError(subject, ...) naming the line (the byte in binary files).
+/// are consistent, cells name existing points, and polyhedra's face lists are complete. Needs very
+/// little memory. Throws InputError(subject, ...) naming the line (the byte in binary files).
 LegacyLayout check_legacy_file(std::string_view text, const std::string& subject);
 
 }  // namespace hiac::formats::vtk

@@ -17,7 +17,7 @@ LegacyValues walk_binary_values(LegacyWords& words, const NumberType& type, std:
   words.to_binary_values();
   const std::size_t begin = words.at();
   const bool bits = type.family == Family::bit;
-  // by division first: a product could overflow
+  // the division comes first, because the product could overflow
   if (count / 8 > words.left() || (bits ? (count + 7) / 8 : count * type.bytes) > words.left())
     words.fail_at(begin, fmt::format("the file ends too soon ({} values of {} bytes expected, {} "
                                      "bytes found)",
@@ -49,8 +49,8 @@ LegacyValues walk_ascii_values(LegacyWords& words, const NumberType& type, std::
   return values;
 }
 
-/// A text of binary data: its length in 1, 2, 4 or 8 big-endian bytes, as the two highest bits of
-/// the first byte say (3, 2, 1, 0), and then its characters.
+/// A text of binary data: its length in 1, 2, 4 or 8 big-endian bytes, selected by the two highest
+/// bits of the first byte (3, 2, 1, 0), and then its characters.
 void skip_binary_text(LegacyWords& words) {
   const std::string_view rest = words.text().substr(words.at());
   const unsigned tag = rest.empty() ? 0 : static_cast<unsigned char>(rest[0]) >> 6;

@@ -9,16 +9,16 @@
 
 namespace hiac::formats::vtk {
 
-/// Where an array's values lie in a legacy file: bytes [begin, end).
+/// The position of an array's values in a legacy file: bytes [begin, end).
 struct LegacyValues {
   std::size_t begin = 0;
   std::size_t end = 0;
   bool has_not_finite = false;  ///< ASCII values that are nan or inf
 };
 
-/// Walks through `count` values from where `words` is. Throws through `words` when they are not all
-/// there, or a word is not a number of the type; values that are not finite are noted if they may
-/// be there.
+/// Walks through `count` values from the position of `words`. Throws through `words` when values
+/// are missing, or a word is not a number of the type; values that are not finite are recorded if
+/// they are allowed.
 LegacyValues walk_legacy_values(LegacyWords& words, const NumberType& type, std::size_t count,
                                 bool may_be_not_finite);
 

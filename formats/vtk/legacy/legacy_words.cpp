@@ -20,7 +20,7 @@ std::string lower(std::string_view word) {
   return result;
 }
 
-/// A word as it may be shown in a message: short and printable.
+/// A word in a form for messages: short and printable.
 std::string shown(std::string_view word) {
   std::string result(word.substr(0, 40));
   for (char& c : result)

@@ -9,8 +9,8 @@
 
 namespace hiac::formats::vtk {
 
-/// Reads a legacy VTK file word by word and line by line, as VTK's reader does, and knows where it
-/// is when something is wrong.
+/// Reads a legacy VTK file word by word and line by line, as VTK's reader does, and knows its
+/// position for error messages.
 class LegacyWords {
  public:
   LegacyWords(std::string_view text, std::string subject)
@@ -33,9 +33,9 @@ class LegacyWords {
   double number(const std::string& what);
   /// The rest of the line, without its end.
   std::string_view line();
-  /// Skips blanks and line ends, then says whether that was all.
+  /// Skips blanks and line ends, then returns whether the file ends there.
   bool at_end() { return goes_on_with("") && left() == 0; }
-  /// Skips blanks and line ends, then says whether the text goes on with `keyword` (lower case).
+  /// Skips blanks and line ends, then returns whether `keyword` (lower case) comes next.
   bool goes_on_with(std::string_view keyword);
   /// Moves past the end of the current line, where binary values begin.
   void to_binary_values();
@@ -58,7 +58,7 @@ class IntegerStream {
   IntegerStream(std::string_view text, std::size_t at, const NumberType& type, bool binary)
       : text_(text), at_(at), type_(type), binary_(binary) {}
 
-  /// The next integer. The array has been walked before: it is there and is an integer.
+  /// The next integer. The array has been checked before, so the integer exists and is valid.
   std::int64_t next();
   [[nodiscard]] std::size_t at() const { return at_; }
 

@@ -31,7 +31,7 @@ namespace {
 using vtk::LegacyArray;
 using vtk::LegacyLayout;
 
-/// A dataset and what is to be said about how it was read.
+/// A dataset and the notes on how it was read.
 struct LegacyDataset {
   vtkSmartPointer<vtkDataSet> dataset;
   std::string title;
@@ -66,7 +66,7 @@ vtkSmartPointer<vtkDataSet> read_with(const std::string& path) {
   reader->ReadAllTCoordsOn();
   reader->ReadAllFieldsOn();
   auto dataset = vtkSmartPointer<Dataset>::New();
-  // not through the pipeline: its search for the dimensions takes data for keywords
+  // bypasses the pipeline, whose search for the dimensions mistakes data for keywords
   reader->ReadMeshSimple(path, dataset);
   return dataset;
 }
@@ -85,8 +85,8 @@ vtkSmartPointer<vtkDataSet> read_dataset(const std::string& path, LegacyLayout::
   return nullptr;
 }
 
-/// C++ streams do not read "nan" and "inf", and so VTK's reader stops there. It is given a copy
-/// with zeros in their places; afterwards the values are set.
+/// C++ streams do not read "nan" and "inf", and so VTK's reader stops there. It gets a copy with
+/// zeros in their places; afterwards the values are restored.
 std::unique_ptr<MemoryFile> without_not_finite(std::string_view text, const LegacyLayout& layout,
                                                const std::string& subject) {
   std::unique_ptr<MemoryFile> copy;
@@ -119,7 +119,8 @@ void restore_not_finite(std::string_view text, const LegacyArray& array, vtkData
   });
 }
 
-/// VTK keeps one array of a name, the last. Removes the others from the layout, with a note.
+/// Of several arrays with one name VTK keeps the last. Removes the others from the layout, with a
+/// note.
 void drop_replaced_arrays(LegacyLayout& layout) {
   std::vector<LegacyArray> kept;
   for (std::size_t i = 0; i < layout.attributes.size(); ++i) {

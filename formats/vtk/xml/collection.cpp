@@ -27,22 +27,22 @@ namespace {
 constexpr std::array<std::string_view, 3> kTrees{
     "vtkMultiBlockDataSet", "vtkPartitionedDataSetCollection", "vtkPartitionedDataSet"};
 
-/// A file that another names: a block, or the part of a step.
+/// A file that another file names: a block, or a part of a step.
 struct Member {
   std::string path;
-  std::vector<std::string> names;  ///< its own and those of the blocks that it is in
+  std::vector<std::string> names;  ///< its own name and those of the enclosing blocks
 };
 
 bool is_tree(std::string_view type) {
   return std::find(kTrees.begin(), kTrees.end(), type) != kTrees.end();
 }
 
-/// Surfaces, tables and nothing: datasets that hold no volume cell.
+/// Surfaces and tables: datasets that contain no volume cell.
 bool holds_no_volume(std::string_view type) {
   return type == "PolyData" || type == "PPolyData" || type == "Table" || type == "PTable";
 }
 
-/// What is in the member files, some of which hold no volume cells.
+/// The contents of the member files, some of which contain no volume cells.
 class Members {
  public:
   Members(std::vector<Member>&& members, const ReadOptions& options, std::string subject)
@@ -100,7 +100,8 @@ class Members {
       notes_.push_back(fmt::format("left out {} files of surfaces or tables", surfaces));
   }
 
-  /// Files of files: not again one of the kind that this is, or they would name each other.
+  /// The format of a member. A member must not be a list of files of the same kind, otherwise files
+  /// could name each other.
   [[nodiscard]] const Format& format_of(const Member& member) const {
     const std::string own = vtk::xml_file_type(file_head(subject_));
     const std::string type = vtk::xml_file_type(file_head(member.path));
@@ -112,7 +113,7 @@ class Members {
   }
 
   [[nodiscard]] Reading read_member(const Member& member, const ReadOptions& options) const {
-    // a dataset may be empty, or hold surfaces alone
+    // a dataset may be empty or contain only surfaces
     const vtk::XmlReader reader = vtk::xml_reader(vtk::xml_file_type(file_head(member.path)));
     Reading reading = reader.read ? reader.read(member.path, options)
                                   : format_of(member).read(member.path, options);
@@ -120,7 +121,8 @@ class Members {
     return reading;
   }
 
-  /// Every piece gets the fields that any has, in one order; NaN where it has not got them itself.
+  /// Gives every piece all fields that any piece has, in one order; NaN where the piece lacks a
+  /// field.
   void complete_fields(std::vector<Reading>& pieces) const {
     std::vector<Field> all;
     const auto is = [](const Field& a) {
@@ -291,7 +293,7 @@ Format vtm_format() {
   format.time_steps = "one";
   format.recognizes = [](std::string_view head) { return is_tree(vtk::xml_file_type(head)); };
   format.read = [](const std::string& path, const ReadOptions& options) {
-    // the files know the time
+    // only the named files can state a time
     if (options.step.value_or(0) > 0 || options.time)
       throw UsageError(fmt::format("{}: {} holds one step", options.time ? "time" : "step", path));
     return Members(tree(path), options, path).read();

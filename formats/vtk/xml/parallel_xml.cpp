@@ -12,7 +12,7 @@
 namespace hiac::formats {
 namespace {
 
-/// The paths of the pieces that a file of a parallel run names, relative to it.
+/// The paths of the pieces in the master file of a parallel run, relative to that file.
 std::vector<std::string> piece_paths(const std::string& path, const std::string& type) {
   const MappedFile file(path);
   const vtk::XmlText text(file.text(), type, path);
@@ -26,8 +26,8 @@ std::vector<std::string> piece_paths(const std::string& path, const std::string&
   return paths;
 }
 
-/// The format of the master files of a parallel run, whose pieces are files of `piece`, a format
-/// that holds datasets of that type.
+/// The format of the master files of a parallel run whose pieces have the format `piece`, which
+/// stores datasets of that type.
 Format parallel_format(Format piece, std::string_view name, std::string_view extension,
                        const std::string& type) {
   Format format = std::move(piece);

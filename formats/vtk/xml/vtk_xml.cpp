@@ -34,7 +34,8 @@ namespace {
 
 using Arrays = std::vector<XmlArray>;
 
-/// Calls `use(array, on_points)` for the ASCII arrays of a piece with values that are not finite.
+/// Calls `use(array, on_points)` for the ASCII arrays of a piece that have values that are not
+/// finite.
 template <typename Use>
 void for_each_not_finite_array(const XmlPiece& piece, const Use& use) {
   for (const XmlArray& array : piece.point_data)
@@ -104,14 +105,14 @@ class XmlFile {
     reader_.UpdatePiece(static_cast<int>(index), static_cast<int>(layout_.pieces.size()), 0);
     auto dataset = vtkSmartPointer<vtkUnstructuredGrid>::New();
     dataset->ShallowCopy(reader_.GetOutputAsDataSet());
-    // the reader must not hold on to what is converted and released
+    // the reader must not keep references to data that are converted and released
     reader_.GetOutputAsDataSet()->Initialize();
     check_read(dataset, piece.points, piece.cells);
     restore_not_finite(piece, *dataset, 0, 0);
     return dataset;
   }
 
-  /// What is left to ask of the dataset where the file told the steps.
+  /// The options for the dataset; if the file declares its steps, the step has already been chosen.
   [[nodiscard]] ReadOptions dataset_options() const {
     ReadOptions options = options_;
     if (step_) options.step.reset();
@@ -119,7 +120,7 @@ class XmlFile {
     return options;
   }
 
-  /// Adds the step's time and what VTK warned of.
+  /// Adds the step's time and VTK's warnings.
   void complete(Reading& reading) const {
     add_warnings(reading.notes);
     if (!step_) return;
@@ -139,7 +140,7 @@ class XmlFile {
     for (std::string& warning : messages_.warnings()) notes.push_back(std::move(warning));
   }
 
-  /// The file's, of one step.
+  /// The text of the file, reduced to one step if it has several.
   [[nodiscard]] std::string_view text() const { return step_ ? step_->text : file_.text(); }
 
   static void disable_texts(vtkDataArraySelection& selection, const Arrays& arrays) {
@@ -159,13 +160,13 @@ class XmlFile {
                                           points, cells, found_points, found_cells));
   }
 
-  /// Where an array's text begins in the file.
+  /// The position of an array's text in the file.
   [[nodiscard]] std::size_t place_of(const XmlArray& array) const {
     return static_cast<std::size_t>(array.data.data() - text().data());
   }
 
-  /// C++ streams do not read "nan" and "inf", and so VTK's reader stops there. It is given a copy
-  /// with zeros in their places; afterwards the values are set.
+  /// C++ streams do not read "nan" and "inf", and so VTK's reader stops there. It gets a copy with
+  /// zeros in their places; afterwards the values are restored.
   void hide_not_finite() {
     for (const XmlPiece& piece : layout_.pieces)
       for_each_not_finite_array(piece, [&](const XmlArray& array, bool) {
@@ -274,7 +275,7 @@ XmlReader xml_reader(std::string_view type) {
 
 namespace {
 
-/// What the three structured XML formats have in common.
+/// The common part of the three structured XML formats.
 Format structured_format(std::string_view name, std::string_view extension,
                          const std::string& type) {
   Format format;

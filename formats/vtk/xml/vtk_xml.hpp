@@ -8,16 +8,16 @@
 
 namespace hiac::formats::vtk {
 
-/// How the XML files of one type of dataset are read.
+/// The functions that read the XML files of one type of dataset.
 struct XmlReader {
   /// All pieces of a file as one mesh, which may be empty (see finish_reading, gate.hpp).
   std::function<Reading(const std::string& path, const ReadOptions& options)> read;
-  /// What a file holds.
+  /// The inventory of a file.
   std::function<Inventory(const std::string& path)> inspect;
 };
 
 /// The reader of "UnstructuredGrid", "StructuredGrid", "ImageData" or "RectilinearGrid"; an empty
-/// one for another type.
+/// one for other types.
 XmlReader xml_reader(std::string_view type);
 
 }  // namespace hiac::formats::vtk

@@ -1,5 +1,5 @@
-// Based on: "VTK XML Formats" (VTK file formats documentation), and the reader's actual habits
-// (vtkXMLDataParser of VTK 9.1), which trusts the headers checked here.
+// Based on: "VTK XML Formats" (VTK file formats documentation), and the behaviour of the reader
+// (vtkXMLDataParser of VTK 9.1), which trusts the headers that are checked here.
 #include "formats/vtk/xml/xml_array.hpp"
 
 #include <algorithm>
@@ -56,12 +56,12 @@ class ByteRun {
         text_(array.data.substr(std::min(at, array.data.size()))),
         subject_(subject) {}
 
-  /// How many characters of the file `bytes` bytes take.
+  /// The number of characters that encode `bytes` bytes in the file.
   [[nodiscard]] std::size_t length(std::size_t bytes) const {
     return array_.encoding == Encoding::base64 ? base64_length(bytes) : bytes;
   }
 
-  /// Throws unless `bytes` bytes are there.
+  /// Throws unless there are `bytes` bytes.
   void require(std::size_t bytes) const {
     if (bytes > text_.size() || length(bytes) > text_.size())
       fail_short(array_, bytes, text_.size(), "bytes", subject_);
@@ -73,7 +73,7 @@ class ByteRun {
         fail_short(array_, plain, i, "base64 digits", subject_);
   }
 
-  /// The bytes [first, first + count); they are there.
+  /// The bytes [first, first + count), which must exist.
   [[nodiscard]] Bytes read(std::size_t first, std::size_t count) const {
     Bytes result;
     result.reserve(count);
@@ -109,15 +109,15 @@ struct Blocks {
   std::size_t size = 0;  ///< of a block, uncompressed
   std::size_t last = 0;  ///< of the last one
   std::vector<std::size_t> compressed;
-  std::size_t data_at = 0;  ///< where the first block begins in the array's data
+  std::size_t data_at = 0;  ///< the start of the first block in the array's data
 
   [[nodiscard]] std::size_t total() const {
     return compressed.empty() ? 0 : (compressed.size() - 1) * size + last;
   }
 };
 
-/// No data that the compressor wrote expands more than this: deflate's limit is 1032, LZ4's 255. A
-/// block that claims more is damaged, and is not given memory.
+/// Compressed data do not expand more than this: deflate's limit is 1032, LZ4's 255. A block that
+/// declares more is damaged, and no memory is allocated for it.
 std::size_t largest_expansion(Compressor compressor) {
   switch (compressor) {
     case Compressor::zlib:

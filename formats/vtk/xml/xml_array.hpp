@@ -18,7 +18,7 @@ struct XmlStorage {
   Compressor compressor = Compressor::none;
 };
 
-/// One array of an XML file: where its data lie and how they are written.
+/// One array of an XML file: the position of its data and their encoding.
 struct XmlArray {
   enum class Encoding : std::uint8_t { ascii, base64, raw };
   std::string name;
@@ -29,9 +29,10 @@ struct XmlArray {
   bool has_not_finite = false;
 };
 
-/// Checks that the array's data hold `values` numbers (texts: at least that many bytes) and are
-/// whole: all words there and numbers, or headers that fit each other and the bytes that are there.
-/// Notes values that are not finite where `may_be_not_finite`. Throws InputError(subject, ...).
+/// Checks that the array's data contain `values` numbers (texts: at least that many bytes) and are
+/// complete: all words exist and are numbers, or the headers are consistent with each other and
+/// with the bytes. If `may_be_not_finite`, records values that are not finite. Throws
+/// InputError(subject, ...).
 void check_xml_array(XmlArray& array, std::size_t values, const XmlStorage& storage,
                      bool may_be_not_finite, const std::string& subject);
 

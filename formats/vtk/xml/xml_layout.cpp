@@ -105,7 +105,7 @@ class LayoutCheck {
     }
   }
 
-  /// The element of that name, of which there is at most one: of several VTK takes another.
+  /// The element with that name, which may occur only once: of several, VTK would take another one.
   [[nodiscard]] pugi::xml_node section_of(pugi::xml_node parent, const char* name) const {
     const pugi::xml_node section = parent.child(name);
     if (section.next_sibling(name)) text_.fail(fmt::format("a second {} element", name));
@@ -155,7 +155,7 @@ class LayoutCheck {
     check(array, 3 * count, false);
   }
 
-  /// The array of that name in a piece's cells.
+  /// The array with that name in a piece's cells.
   [[nodiscard]] pugi::xml_node cells_array(pugi::xml_node cells, const char* name) const {
     return cells.find_child_by_attribute("DataArray", "Name", name);
   }
@@ -187,8 +187,8 @@ class LayoutCheck {
     return read_xml_integers(array, first, count, text_.storage(), text_.subject());
   }
 
-  /// Polyhedra: `faceoffsets` says where each cell's list of faces ends (-1 for other cells), a
-  /// list being the number of faces and for each its number of nodes and its nodes.
+  /// Polyhedra: `faceoffsets` gives the end of each cell's list of faces (-1 for other cells); a
+  /// list is the number of faces and for each face its number of nodes and its nodes.
   void check_faces(pugi::xml_node cells, const XmlPiece& piece) const {
     const XmlArray ends = checked_cells_array(cells, "faceoffsets", piece.cells);
     const std::vector<std::int64_t> end = integers(ends, 0, piece.cells);
@@ -235,7 +235,7 @@ class LayoutCheck {
       if (layout_.type == "RectilinearGrid") check_axes(element, piece.extent);
       piece.point_data = check_data(section_of(element, "PointData"), piece.points);
       piece.cell_data = check_data(section_of(element, "CellData"), piece.cells);
-      // what has no coordinates of its own is all but empty without data, whatever it declares
+      // without data, a grid with implicit coordinates is almost empty, whatever size it declares
       if (layout_.type != "StructuredGrid" && piece.point_data.empty() && piece.cell_data.empty())
         text_.fail("a piece holds no data, only its extent");
       layout_.pieces.push_back(std::move(piece));
@@ -264,7 +264,8 @@ class LayoutCheck {
       text_.fail(fmt::format("a piece has {} arrays of coordinates (3 expected)", axis));
   }
 
-  /// The pieces' cells are the whole extent's, each once: VTK leaves the rest undefined.
+  /// The pieces must cover every cell of the whole extent once: VTK leaves cells without a piece
+  /// undefined.
   void check_cover(const Extent& whole) const {
     constexpr std::size_t kMostPieces = 10'000;  // every pair is compared
     if (layout_.pieces.size() > kMostPieces)
@@ -296,7 +297,7 @@ class LayoutCheck {
     return common;
   }
 
-  /// VTK reads of every piece the arrays that the first one has.
+  /// VTK reads from every piece the arrays that the first piece has.
   void check_same_arrays() const {
     for (const XmlPiece& piece : layout_.pieces) {
       if (piece.points == 0 && piece.cells == 0) continue;
@@ -331,7 +332,7 @@ std::string xml_file_type(std::string_view head) {
   const std::string_view tag = head.substr(root, head.find('>', root) - root);
   constexpr std::string_view kKey = "type=";
   for (std::size_t at = tag.find(kKey); at != std::string_view::npos; at = tag.find(kKey, at + 1)) {
-    // not the end of another attribute's name, header_type's say
+    // not the end of another attribute's name, such as header_type
     const bool whole_name = std::string_view(" \t\r\n").find(tag[at - 1]) != std::string_view::npos;
     const std::string_view value = tag.substr(at + kKey.size());
     if (!whole_name || value.empty()) continue;

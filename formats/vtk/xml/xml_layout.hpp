@@ -19,8 +19,9 @@ struct XmlPiece {
   std::vector<XmlArray> cell_data;
 };
 
-/// What a VTK XML file (.vtu, .vts, .vti, .vtr) holds and where: the result of checking it before
-/// VTK's reader, which trusts every number that a file declares, may touch it.
+/// The contents of a VTK XML file (.vtu, .vts, .vti, .vtr) and their positions: the result of
+/// checking the file before it is given to VTK's reader, which trusts every number that a file
+/// declares.
 struct XmlLayout {
   std::string type;  ///< "UnstructuredGrid", ...
   XmlStorage storage;
@@ -29,11 +30,11 @@ struct XmlLayout {
   std::vector<XmlPiece> pieces;
 };
 
-/// Checks that the file, of one time step (xml_steps.hpp), is whole: well-formed to its last
-/// closing tag, every array complete in its encoding, counts that fit each other, connectivity as
-/// long as the offsets say, whole face lists of polyhedra, pieces that carry the same arrays and
-/// together cover a structured extent. Memory: the file's text without appended data, for a while.
-/// Throws InputError(subject, ...).
+/// Checks that the file, of one time step (xml_steps.hpp), is complete: well-formed to its last
+/// closing tag, every array complete in its encoding, consistent counts, connectivity as long as
+/// the offsets say, complete face lists of polyhedra, pieces that have the same arrays and together
+/// cover a structured extent. Memory: the file's text without appended data, temporarily. Throws
+/// InputError(subject, ...).
 XmlLayout check_xml_file(std::string_view text, const std::string& type,
                          const std::string& subject);
 

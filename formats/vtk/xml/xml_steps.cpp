@@ -27,7 +27,7 @@ struct Attribute {
   std::string_view value;
 };
 
-/// A tag from its '<' to behind its '>'.
+/// A tag from its '<' to just after its '>'.
 struct Tag {
   Span whole;
   std::string_view name;  ///< with the '/' of a closing tag
@@ -66,7 +66,7 @@ class Steps {
     throw InputError(subject_, printable(what));
   }
 
-  /// The next tag from `at` on; comments and declarations are passed over.
+  /// The next tag from `at` on; skips comments and declarations.
   [[nodiscard]] std::optional<Tag> next_tag(std::size_t at) const {
     while (true) {
       const std::size_t begin = text_.find('<', at);
@@ -89,7 +89,7 @@ class Steps {
     }
   }
 
-  /// Behind the '>' of the tag that begins there; attributes may have one in their values.
+  /// The position after the '>' of the tag that begins there; attribute values may contain '>'.
   [[nodiscard]] std::size_t tag_end(std::size_t begin) const {
     std::size_t at = begin + 1;
     while (true) {
@@ -146,7 +146,7 @@ class Steps {
     return std::nullopt;
   }
 
-  /// Behind the element that the tag begins.
+  /// The position after the element that the tag begins.
   [[nodiscard]] std::size_t element_end(const Tag& tag) const {
     if (tag.empty) return tag.whole.end;
     for (auto next = next_tag(tag.whole.end); next; next = next_tag(next->whole.end))
@@ -154,8 +154,8 @@ class Steps {
     fail(fmt::format("is not well-formed: a {} is not closed", tag.name));
   }
 
-  /// Where the file tells no times, they are the steps' numbers, if these go from 0 on without a
-  /// gap.
+  /// The times of a file that does not state them: the numbers of its steps, if these go from 0 on
+  /// without a gap.
   [[nodiscard]] std::vector<double> counted_steps(std::size_t at) const {
     std::set<std::size_t> steps;
     for (auto tag = next_tag(at); tag && tag->name != "AppendedData"; tag = next_tag(at)) {
@@ -169,7 +169,7 @@ class Steps {
     return {steps.begin(), steps.end()};
   }
 
-  /// Notes what is to be blanked so that the arrays of the chosen step remain.
+  /// Records what must be blanked so that only the arrays of the chosen step remain.
   void sort_arrays(std::size_t at, const XmlStep& chosen) {
     std::vector<bool> told(chosen.times.size(), false);
     bool any = false;

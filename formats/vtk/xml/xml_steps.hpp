@@ -14,18 +14,19 @@ namespace hiac::formats::vtk {
 struct XmlStep {
   std::vector<double> times;  ///< of all steps
   std::size_t step = 0;
-  /// The file as if it held this step alone: what says that there are steps, and the arrays of the
-  /// others, are blanks, so that everything else stays in its place.
+  /// The file reduced to this step: the attributes that declare steps, and the arrays of the other
+  /// steps, are replaced by blanks, so that everything else keeps its position.
   std::string text;
 };
 
-/// The step that the options ask for, or the last, of a file whose element of the type's name tells
-/// its steps (TimeValues) and whose arrays say to which they belong (TimeStep; to all where they do
-/// not say). Nothing where a file does not tell steps. Throws InputError(subject, ...), UsageError
-/// where there is no such step.
+/// The requested step, or the last one, of a file that declares its steps in the element named like
+/// the type (TimeValues; without it, two or more steps numbered from 0 have their numbers as times)
+/// and the steps of an array in the array (TimeStep; without it, an array belongs to all steps).
+/// Nothing when a file does not declare steps. Throws InputError(subject, ...), and UsageError when
+/// there is no such step.
 ///
-/// As vtkXMLWriter writes them with appended data. (Inline, VTK 9.1 writes all arrays as those of
-/// step 0, in pieces that are no pieces; its own reader cannot tell them apart, and they are
+/// This is what vtkXMLWriter writes with appended data. (Inline, VTK 9.1 assigns all arrays to step
+/// 0, in elements that are not real pieces; its own reader cannot distinguish them, and they are
 /// refused here.)
 std::optional<XmlStep> xml_step(std::string_view text, const std::string& type,
                                 const ReadOptions& options, const std::string& subject);

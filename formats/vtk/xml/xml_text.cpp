@@ -25,7 +25,7 @@ std::string_view trimmed(std::string_view text) {
 /// VTK's reader and ours follow nested elements by recursion.
 constexpr int kMostDepth = 100;
 
-/// The number of elements that are nested in one another.
+/// The depth to which elements are nested.
 int depth_of(pugi::xml_document& document) {
   struct : pugi::xml_tree_walker {
     bool for_each(pugi::xml_node&) override {
@@ -42,7 +42,7 @@ int depth_of(pugi::xml_document& document) {
 
 XmlText::XmlText(std::string_view text, const std::string& type, std::string subject)
     : text_(text), subject_(std::move(subject)) {
-  // entities could multiply the text without bound; VTK's files have none
+  // entities could multiply the text without bound; VTK's files contain none
   const std::size_t appended_at = text.find(kAppended);
   const std::string_view elements = text.substr(0, appended_at);
   if (elements.find("<!DOCTYPE") != std::string_view::npos) fail("has a document type definition");
@@ -51,7 +51,7 @@ XmlText::XmlText(std::string_view text, const std::string& type, std::string sub
     parsed =
         document_.load_buffer(text.data(), text.size(), pugi::parse_minimal, pugi::encoding_utf8);
   } else {
-    // what is appended need not be XML: the elements are closed as if it were not there
+    // appended data need not be XML: the elements are closed as if they were not there
     const std::size_t tag_end = text.find('>', appended_at);
     if (tag_end == std::string_view::npos) fail("ends too soon (appended data expected)");
     std::string closed(text.substr(0, tag_end + 1));
@@ -105,7 +105,7 @@ void XmlText::find_appended_data(pugi::xml_node root) {
   if (encoding != "raw" && encoding != "base64")
     fail(fmt::format("unknown encoding '{}' of appended data", encoding));
   appended_raw_ = encoding == "raw";
-  // the closing tags prove that the file is whole
+  // the closing tags prove that the file is complete
   const std::size_t end = appended_.rfind(kAppendedEnd);
   if (end == std::string_view::npos ||
       appended_.substr(end).find(kFileEnd) == std::string_view::npos)

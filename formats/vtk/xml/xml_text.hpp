@@ -10,19 +10,19 @@
 
 namespace hiac::formats::vtk {
 
-/// The elements of a VTK XML file, and the place of its appended data.
+/// The elements of a VTK XML file, and the position of its appended data.
 class XmlText {
  public:
-  /// Throws InputError(subject, ...) when the text is not well-formed to its end, or its root is
-  /// not a VTKFile of that type with attributes that the reader knows.
+  /// Throws InputError(subject, ...) when the text is not well-formed to its end, or when its root
+  /// is not a VTKFile of that type with attributes that the reader knows.
   XmlText(std::string_view text, const std::string& type, std::string subject);
 
-  /// The element that bears the type's name.
+  /// The element with the type's name.
   [[nodiscard]] pugi::xml_node primary() const { return primary_; }
   [[nodiscard]] const XmlStorage& storage() const { return storage_; }
   [[nodiscard]] const std::string& subject() const { return subject_; }
 
-  /// The array that a DataArray (or Array) element describes, not yet looked into.
+  /// The array that a DataArray (or Array) element describes; its data are not yet checked.
   [[nodiscard]] XmlArray array(pugi::xml_node element) const;
 
   [[noreturn]] void fail(const std::string& what) const;
@@ -40,7 +40,7 @@ class XmlText {
   bool appended_raw_ = false;
 };
 
-/// The non-negative integer that an attribute says. Throws through `text` when it is none.
+/// The non-negative integer in an attribute. Throws through `text` when it is not one.
 std::size_t count_attribute(const XmlText& text, pugi::xml_node element, const char* name);
 
 }  // namespace hiac::formats::vtk

@@ -8,8 +8,8 @@
 
 namespace hiac {
 
-/// The numbers of the frames of a scene that are asked for: all of them, or `one`. Throws
-/// UsageError "frame N: ..." when that is not there, or the scene has no camera path.
+/// The numbers of the requested frames of a scene: all of them, or `one`. Throws UsageError "frame
+/// N: ..." when that frame does not exist, or when the scene has no camera path.
 std::vector<std::uint32_t> frames_of(const Scene& scene, const std::optional<std::uint32_t>& one);
 
 }  // namespace hiac

@@ -15,7 +15,7 @@
 
 namespace hiac {
 
-// Nothing is kept of a stage that was cancelled: each result is stored when it is complete.
+// A cancelled stage leaves nothing behind: each result is stored only when it is complete.
 const OrderBasis& Ordering::basis() {
   if (basis_) return *basis_;
   FaceAdjacency adjacency = run_stage(monitor_, "adjacency", [&] { return adjacency_of_mesh(); });
@@ -31,8 +31,8 @@ const OrderBasis& Ordering::basis() {
 }
 
 // A stored adjacency that leaves faces out costs hours, not correctness: each unmatched face is
-// compared with others. A boundary has some n^(2/3) faces; where there are many more, the little
-// that it takes to compute the adjacency is well spent.
+// compared with others. A boundary has about n^(2/3) faces; where many more are unmatched,
+// computing the adjacency is cheap in comparison.
 FaceAdjacency Ordering::adjacency_of_mesh() const {
   if (!mesh_.adjacency) return build_face_adjacency(mesh_);
   const auto stored = mesh_.adjacency->neighbors.view();

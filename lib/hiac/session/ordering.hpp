@@ -11,32 +11,34 @@
 
 namespace hiac {
 
-/// A visibility order with the hashes that it belongs to, and what was met on the way.
+/// A visibility order with the hashes that identify its mesh and view, and findings made on the
+/// way.
 struct MeshOrder {
   OrderRecord record;
-  /// Of an order that was made by the exact algorithm; none of others.
+  /// For orders made by the exact algorithm; none for others.
   std::optional<OrderStatistics> statistics;
   double planarity = 0;
   std::uint64_t overlapping_pairs = 0;
 };
 
-/// Orders one mesh for any number of views; what does not depend on the view is made once, when it
-/// is first needed.
+/// Orders one mesh for any number of views; whatever does not depend on the view is computed once,
+/// when it is first needed.
 class Ordering {
  public:
-  /// The mesh has to outlive it.
+  /// The mesh must outlive this object.
   Ordering(const ZooMesh& mesh, Monitor monitor) : mesh_(mesh), monitor_(std::move(monitor)) {}
 
-  /// Cells that overlap will be looked for, and each two of them put into one group. Before the
-  /// first order.
+  /// From now on overlapping cells are searched for, and every two that overlap go into one group.
+  /// To be called before the first order.
   void look_for_overlaps(double planarity) { overlap_planarity_ = planarity; }
 
   /// The exact visibility order for a scene's camera (a scene of one frame).
   MeshOrder exact(const Scene& scene);
 
-  /// What all views have in common. Uses the adjacency that the mesh brings, or computes it.
+  /// The part of the order that all views share. Uses the adjacency stored with the mesh, or
+  /// computes it.
   const OrderBasis& basis();
-  /// What the mesh's orders are known by: the hash of its geometry (geometry_hash).
+  /// The hash of the mesh's geometry (geometry_hash), which orders of this mesh refer to.
   const std::string& mesh_hash();
 
  private:
@@ -49,14 +51,14 @@ class Ordering {
   std::string mesh_hash_;
 };
 
-/// Orders that came in an order file, or behind a mesh.
+/// Orders read from an order file, or stored with a mesh.
 struct GivenOrders {
   std::string subject;             ///< the file, for errors
   std::vector<ExtraChunk> chunks;  ///< of type kOrderChunk
 };
 
-/// The first of the orders that belongs to a mesh and to a scene's view. Throws InputError(subject,
-/// ...) saying what does not fit when there is none.
+/// The first of the orders that fits the mesh and the scene's view. Throws InputError(subject, ...)
+/// naming the mismatch when none fits.
 OrderRecord fitting_order(const GivenOrders& orders, const std::string& mesh_hash,
                           const ZooMesh& mesh, const Scene& scene);
 

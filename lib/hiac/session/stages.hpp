@@ -9,7 +9,7 @@
 
 namespace hiac {
 
-/// Tells a monitor of one stage for as long as it lives.
+/// Reports one stage to a monitor for as long as the object lives.
 class StageClock {
  public:
   StageClock(const Monitor& monitor, std::string name)

@@ -38,7 +38,8 @@ Vec position(const ZooMesh& mesh, NodeId node) {
 // The camera --------------------------------------------------------------------------------------
 
 constexpr double kFov = 30;
-/// How much of the image the model may fill; curved cells can bulge a little beyond their nodes.
+/// The fraction of the image that the model may fill; curved cells can bulge a little beyond their
+/// nodes.
 constexpr double kFilled = 0.94;
 constexpr Vec kTowardsEye{0.55, -0.75, 0.45};
 constexpr Vec kUp{0, 0, 1};
@@ -130,7 +131,7 @@ std::optional<FieldRange> first_field(const ZooMesh& mesh) {
   return std::nullopt;
 }
 
-/// The mean of a cell's values at its conventional nodes.
+/// The mean of the values at a cell's conventional nodes.
 double cell_value(const ZooMesh& mesh, const Field& field, CellId cell) {
   if (field.location == FieldLocation::cell) return field.values[cell];
   const std::size_t corners = corner_count(mesh.kinds[cell]);
@@ -143,7 +144,7 @@ double cell_value(const ZooMesh& mesh, const Field& field, CellId cell) {
 
 // Optical depth -----------------------------------------------------------------------------------
 
-/// Calls visit(a, b, c) for triangles that make up the cell's faces, their corners' positions.
+/// Calls visit(a, b, c) with the corner positions of triangles that together form the cell's faces.
 template <typename Visit>
 void for_each_triangle(const ZooMesh& mesh, CellId cell, const Visit& visit) {
   const auto nodes = mesh.cell_nodes(cell);
@@ -154,13 +155,13 @@ void for_each_triangle(const ZooMesh& mesh, CellId cell, const Visit& visit) {
   }
 }
 
-/// An image of so few pixels that only its covered share and sums over it are meant.
+/// A coarse image, used only for the share of it that is covered and for sums over its pixels.
 class Silhouette {
  public:
   Silhouette(const Camera& camera, const ImageSize& size)
       : eye_(camera.eye), frame_(frame_of(view_direction(camera))), covered_(kWidth * kHeight) {
     focal_ = 0.5 * kHeight / std::tan(0.5 * camera.fov * std::numbers::pi / 180);
-    // pixels are as high as the image's, and as wide as makes its aspect
+    // the rows span the height of the image, and the width of a pixel follows from its aspect
     stretch_ = static_cast<double>(kWidth) * size.height / (kHeight * double{1} * size.width);
   }
 
@@ -179,7 +180,7 @@ class Silhouette {
               1, std::memory_order_relaxed);
   }
 
-  /// How much length of ray, summed over the pixels, runs through a unit of volume at a point.
+  /// The length of ray in a unit of volume at a point, summed over the pixels.
   [[nodiscard]] double length_per_volume(const Vec& point) const {
     const Vec towards = point - eye_;
     const double depth = dot(towards, frame_.ahead);
@@ -221,7 +222,7 @@ class Silhouette {
   std::vector<std::atomic<unsigned char>> covered_;
 };
 
-/// What one cell adds to the optical depth summed over the pixels, for the extinction `weight`.
+/// What one cell contributes to the optical depth summed over the pixels, for extinction `weight`.
 double cell_depth(const ZooMesh& mesh, CellId cell, double weight, Silhouette& silhouette) {
   const auto nodes = mesh.cell_nodes(cell);
   const std::size_t corners = corner_count(mesh.kinds[cell]);
@@ -239,7 +240,7 @@ double cell_depth(const ZooMesh& mesh, CellId cell, double weight, Silhouette& s
 }
 
 /// The mean over the covered pixels of the optical depth of an extinction that grows from 0 at the
-/// field's lowest value to 1 at its highest (1 everywhere where these are the same).
+/// field's lowest value to 1 at its highest (1 everywhere when these are equal).
 double mean_optical_depth(const ZooMesh& mesh, const FieldRange& range, Silhouette& silhouette) {
   constexpr std::size_t kGrain = 4096;
   const double extent = range.high - range.low;
@@ -300,7 +301,7 @@ Scene starter_view(const ZooMesh& mesh, const std::string& subject) {
     throw InputError(subject, "nothing to look at (all nodes lie at one point)");
   Silhouette silhouette(scene.camera, scene.image);
   const double depth = mean_optical_depth(mesh, *range, silhouette);
-  // a field that is at its lowest almost everywhere absorbs next to nothing: leave it at 1
+  // a field that is at its lowest almost everywhere absorbs almost nothing: leave it at 1
   const double largest = depth > 0 && std::isfinite(1 / depth) ? rounded(1 / depth, 1 / depth) : 1;
   scene.volume.color = color_over(*range);
   scene.volume.extinction = extinction_over(*range, largest);
