@@ -105,7 +105,7 @@ TEST_F(ExternalFiles, NamesAreJudgedByTheInputsFolder) {
               ThrowsMessage<InputError>(HasSubstr("outside the input's folder")));
   const std::string beside = folder_.file("").substr(0, folder_.file("").size() - 1) + "-2/b.vtu";
   EXPECT_THAT([&] { file_beside(sub, beside); },
-              ThrowsMessage<InputError>(HasSubstr("--allow-external reads it")));
+              ThrowsMessage<InputError>(HasSubstr("NamedFiles::outside_too reads it")));
 }
 
 }  // namespace

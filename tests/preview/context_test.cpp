@@ -33,8 +33,8 @@ TEST_F(PreviewContext, RefusesADeviceThatIsNotThere) {
     const preview::Context other("no such device");
     FAIL();
   } catch (const UsageError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("--device"));
-    EXPECT_THAT(error.what(), HasSubstr("no such device"));
+    EXPECT_THAT(error.what(), HasSubstr("there is no such device"));
+    EXPECT_THAT(error.what(), HasSubstr("found no such device"));
   }
   EXPECT_THROW(preview::Context("4711"), UsageError);
 }

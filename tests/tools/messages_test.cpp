@@ -198,7 +198,7 @@ TEST_F(Messages, TimesAreToldAsTheyAreMeant) {
   EXPECT_EQ(taken("nearest:-5"), 0);
   EXPECT_EQ(run("$CONVERT a.pvd -o t.zoo --time 0.9"), 2);
   EXPECT_THAT(complaint(), HasSubstr("has no such time (its neighbours are 0.3 and 2; --time "
-                                     "nearest:0.9 takes the nearest"));
+                                     "nearest:TIME takes the nearest"));
   EXPECT_EQ(run("$CONVERT a.pvd -o t.zoo --time 3"), 2);
   EXPECT_THAT(complaint(), HasSubstr("(its neighbours are 2, the last; "));
   EXPECT_EQ(run("$CONVERT a.pvd -o t.zoo --time nearest:x"), 2);

@@ -222,12 +222,9 @@ void list_input(Tool& tool, const Options& options) {
   tool.facts()["inventory"] = inventory_facts(inventory);
 }
 
-/// Refuses a destination that cannot be written before anything is read.
-void check_output(const Tool& tool, const Options& options) {
-  if (!options.to_stdout()) {
-    as_option("-o ", [&] { formats::format_to_write(options.output); });
-    return;
-  }
+/// Refuses a mesh on stdout that would not fit there, before anything is read.
+void check_stdout(const Tool& tool, const Options& options) {
+  if (!options.to_stdout()) return;
   if (isatty(STDOUT_FILENO) != 0)
     throw UsageError("a mesh is not printed on a terminal (write it with -o FILE, or pipe it on)");
   if (tool.common().json == "-")
@@ -247,7 +244,7 @@ bool keeps_format(const Options& options) {
 void claim_files(Tool& tool, const Options& options) {
   RunFiles files{{options.input}, {}};
   if (!options.list && !options.to_stdout()) {
-    formats::format_to_write(options.output);
+    as_option("-o ", [&] { formats::format_to_write(options.output); });
     files.outputs.push_back({"-o", options.output, FileKind::mesh, keeps_format(options)});
   }
   tool.claim(std::move(files));
@@ -295,7 +292,7 @@ void convert(Tool& tool, const Options& options) {
   claim_files(tool, options);
   require_input(options);
   if (options.list) return with_options_named([&] { list_input(tool, options); });
-  check_output(tool, options);
+  check_stdout(tool, options);
   formats::Reading reading =
       tool.timed("read", [&] { return with_options_named([&] { return read_input(options); }); });
   ZooMesh& mesh = reading.mesh;

@@ -16,6 +16,7 @@
 #include "hiac/base/error.hpp"
 #include "hiac/base/progress.hpp"
 #include "hiac/frame/renderable.hpp"
+#include "hiac/image/composite.hpp"
 #include "hiac/image/image_io.hpp"
 #include "hiac/render/engine.hpp"
 #include "hiac/render/explain_pixel.hpp"
@@ -230,6 +231,7 @@ std::optional<Image> read_under(const Options& options, const ImageSize& size) {
   if (!color_channels(under))
     throw InputError(options.under, fmt::format("a picture without colour (channels {})",
                                                 fmt::join(under.channels(), " ")));
+  if (const auto bad = not_finite_in(under)) throw InputError(options.under, *bad);
   return under;
 }
 
