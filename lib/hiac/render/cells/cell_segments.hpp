@@ -38,8 +38,8 @@ void collect_runs(const TileTarget& to, const CrossingRuns& runs, double allowed
                   CellSegments& segments);
 
 /// Composites those of the first `count` segments that are done; no two of them may belong to one
-/// pixel. Returns how many of them begin before the previous segment of their pixel ends, by more
-/// than the frame's tolerance.
+/// pixel. Returns how many of them begin before the previous segment of their pixel ends by more
+/// than the frame's tolerance, and are longer than that tolerance.
 std::uint64_t composite_segments(const Frame& frame, const CellSegments& segments,
                                  std::size_t count, TileBuffer& buffer);
 
