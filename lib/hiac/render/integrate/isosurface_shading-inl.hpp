@@ -30,8 +30,8 @@ HWY_INLINE V dot(const V (&a)[3], const V (&b)[3]) {
   return hn::MulAdd(a[0], b[0], hn::MulAdd(a[1], b[1], hn::Mul(a[2], b[2])));
 }
 
-// (R.V)^shininess where R.V > 0, else 0. Rounding may make the cosine larger than 1; it is clamped,
-// because a huge exponent would amplify the excess.
+// (R.V)^shininess where R.V > 0, else 0. Rounding may make the cosine larger than 1; the power is
+// limited, because a huge exponent would amplify the excess.
 template <class D, class V>
 HWY_NOINLINE V highlight(D d, double shininess, V cosine) {
   const V smallest = hn::Set(d, 1e-300);
