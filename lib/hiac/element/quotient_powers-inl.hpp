@@ -20,12 +20,11 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Approximates f(z) = P(z) / (1 + h z)^p, P of degree d and -1 < h < 1, by the polynomial on [-1,
-// 1]
+// Approximates f(z) = P(z) / (1 + h z)^p, P of degree d and -1 < h < 1, on [-1, 1] by
 //     Q = (P - T_m L) / (1 + h z)^p,
-// where L, of degree less than p, makes the division exact: L agrees with P / T_m at the pole z =
-// -1/h in its first p Taylor coefficients. Q is of degree m - 1, m >= d, and its error is T_m L /
-// (1 + h z)^p.
+// where L, of degree less than p, makes the division exact: L agrees with P / T_m at the pole
+// z = -1/h in its first p Taylor coefficients. Q is of degree m - 1, m >= d, and its error is
+// T_m L / (1 + h z)^p.
 //
 // With s = -h z, s = 1 at the pole, and r and g of Taper,
 //     P = h^-d sum of e_k s^k,  e_k = (-1)^k h^(d-k) p_k,
