@@ -11,8 +11,7 @@ namespace hiac {
 struct ScreenBounds {
   double x0 = std::numeric_limits<double>::infinity(), y0 = x0, x1 = -x0, y1 = -x0;
   double nearest = x0, farthest = -x0;
-  bool in_front =
-      true;  ///< everything lies in front of the eye; otherwise there are no bounds on the screen
+  bool in_front = true;  ///< all lies in front of the eye; else no bounds on the screen
 
   void include(double x, double y) {
     x0 = std::min(x0, x);
