@@ -166,7 +166,7 @@ void add_surfaces(const Frame& frame, const CellOptics& cell, const Surfaces& su
 /// How far the errors of the offsets may move a crossed surface along the ray.
 double cut_doubt(const CutFacts& cut);
 
-/// The error of an isosurface's shade if its normal is wrong by `angle` (radians). The vectors are
+/// The error of an isosurface's shade if its normal is wrong by `angle`. The vectors are
 /// unit vectors in the lights' frame.
 ErrorBound shade_bound(const FrameIsosurface& surface, std::span<const FrameLight> lights,
                        const std::array<double, 3>& normal, const std::array<double, 3>& ray,
