@@ -13,20 +13,20 @@ struct PixelRect {
   bool operator==(const PixelRect&) const = default;
 };
 
-/// What a pixel is made of its samples by: their mean, or a mean weighted by the biquadratic
-/// B-spline three pixels wide (Williams, Max, Stein 1998, section 5.3).
+/// How a pixel is computed from its samples: as their mean, or as a mean weighted by the
+/// biquadratic B-spline three pixels wide (Williams, Max, Stein 1998, section 5.3).
 enum class SampleFilter : std::uint8_t { box, bspline };
 
-/// `samples` x `samples` rays a pixel, through the centres of the squares that it is cut into.
+/// `samples` x `samples` rays per pixel, through the centres of equal squares.
 struct Supersampling {
   std::uint32_t samples = 1;
   SampleFilter filter = SampleFilter::box;
 };
 
-/// All of a picture.
+/// The part that is the whole picture.
 PixelRect whole_picture(ImageSize size);
 
-/// Throws UsageError when the part is empty or reaches beyond the picture.
+/// Throws UsageError if the part is empty or reaches beyond the picture.
 void require_inside(const PixelRect& part, ImageSize size);
 
 }  // namespace hiac

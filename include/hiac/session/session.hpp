@@ -14,8 +14,8 @@
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/scene/scene.hpp"
 
-/// From a mesh and a specification to a picture: what every front end calls (a command, a window, a
-/// script). How to read and write meshes, specifications and images is in zoo_container.hpp,
+/// Makes a picture of a mesh and a specification: the interface for all front ends (commands,
+/// windows, scripts). Meshes, specifications and images are read and written by zoo_container.hpp,
 /// scene_parser.hpp and image_io.hpp.
 namespace hiac {
 
@@ -23,50 +23,50 @@ struct PixelExplanation;
 struct RenderStatistics;
 struct MeshOrder;
 
-/// How a front end watches work and stops it. All of it is optional.
+/// How a front end watches work and stops it. Every member is optional.
 struct Monitor {
-  Progress* progress = nullptr;                ///< told of every stage, and how far the drawing is
-  const Cancellation* cancellation = nullptr;  ///< requested: the work throws Cancelled
-  /// Called when a stage ends, also by an exception: its name and what it took. Must not throw.
+  Progress* progress = nullptr;                ///< receives every stage and the progress of drawing
+  const Cancellation* cancellation = nullptr;  ///< if requested, the work throws Cancelled
+  /// Called when a stage ends, also by an exception, with its name and duration. Must not throw.
   std::function<void(const std::string& stage, double seconds)> stage_ended = {};
-  /// A line for people about what was found.
+  /// Called with a human-readable line about a finding.
   std::function<void(const std::string& line)> note = {};
 };
 
-/// What is wanted of a picture besides the specification. The default: all of it, with the
-/// background, one ray a pixel, no further channels.
+/// The options of a picture besides the specification. Default: the whole picture with its
+/// background, one ray per pixel, no further channels.
 struct PictureRequest {
   std::optional<PixelRect> part;          ///< none: the whole picture
   std::optional<Supersampling> sampling;  ///< none: one ray through each pixel's centre
   /// Further channels, by name: "depth", "mean_depth", "transparency", "cells", "witness", "error".
   std::vector<std::string> channels;
-  bool background = true;  ///< composite the specification's background behind
-  /// A picture of the same size to composite behind instead; has to outlive the call.
+  bool background = true;  ///< composite the specification's background behind the volume
+  /// A picture of the same size to composite behind instead; must outlive the call.
   const Image* under = nullptr;
 };
 
-/// A picture and what was met while it was made.
+/// A picture and the facts recorded while it was made.
 struct Picture {
   Image image;  ///< "R" "G" "B" "A", premultiplied, linear; then the further channels
-  std::uint64_t segments = 0;    ///< of rays, one for each cell that a ray meets
-  std::uint64_t violations = 0;  ///< segments that the order had in the wrong place
+  std::uint64_t segments = 0;    ///< ray segments, one for each cell that a ray meets
+  std::uint64_t violations = 0;  ///< segments out of order
   std::uint64_t covered_pixels = 0;
   double mean_optical_depth = 0, largest_optical_depth = 0;  ///< over the covered pixels
   std::string mesh_hash;                                     ///< content_hash of the mesh
-  // in full, for those who know the types
+  // complete results, for callers who know the types
   std::shared_ptr<const MeshOrder> order;
   std::shared_ptr<const RenderStatistics> statistics;
 };
 
-/// What the ray of one pixel meets (explain_pixel.hpp), and the order that it rests on.
+/// What the ray of one pixel meets (explain_pixel.hpp), and the order used for it.
 struct Explanation {
   std::shared_ptr<const PixelExplanation> pixel;
   std::shared_ptr<const MeshOrder> order;
 };
 
-/// Draws one mesh as often as one likes. What does not depend on the view is made once. The same
-/// input gives the same bits, whatever the number of threads, and whether or not work was cancelled
-/// before. For one thread at a time.
+/// Draws one mesh any number of times. Data that do not depend on the view are computed once. The
+/// same input gives the same bits, whatever the number of threads, and whether or not work was
+/// cancelled before. May be used by one thread at a time.
 class Session {
  public:
   explicit Session(ZooMesh mesh, Monitor monitor = {});
@@ -76,35 +76,36 @@ class Session {
 
   [[nodiscard]] const ZooMesh& mesh() const;
 
-  /// Throws InputError when the mesh, or something in the scene, cannot be drawn, and UsageError
-  /// when a field does not exist. To be called once a mesh and specification, before `picture`,
+  /// Throws InputError if the mesh, or something in the scene, cannot be drawn, and UsageError if a
+  /// field does not exist. Must be called once for each mesh and specification, before `picture`,
   /// which does not check them.
   void require_drawable(const Scene& scene);
 
-  /// The same, but cells that are turned inside out in part are left out of all pictures from now
-  /// on. Returns these, ascending.
+  /// Does the same, but leaves cells that are partly turned inside out out of all further pictures.
+  /// Returns these cells, ascending.
   std::vector<CellId> skip_invalid_cells(const Scene& scene);
 
-  /// Looks for cells that overlap before the first order is made, so that each two of them are put
-  /// in order pixel by pixel. `planarity`: how deep they may overlap, relative to their size.
-  /// Throws UsageError when the orders are given.
+  /// Requests a search for overlapping cells before the first order is made, so that every two
+  /// overlapping cells are sorted pixel by pixel. `planarity`: the permitted depth of an overlap,
+  /// relative to the cells' size. Throws UsageError if orders are given.
   void look_for_overlaps(double planarity);
 
-  /// Takes orders that were made before, chunks of an order file or behind a mesh, in place of
-  /// making them. `subject` names their source in errors.
+  /// Uses existing orders, from chunks of an order file or of a mesh file, instead of making them.
+  /// `subject` names their source in errors.
   void use_orders(std::string subject, std::vector<ExtraChunk> chunks);
 
-  /// Throws InputError when orders are given and none of them fits the scene.
+  /// Throws InputError if orders are given and none of them fits the scene.
   void require_order(const Scene& scene);
 
-  /// The visibility order for a scene of one frame (camera_path.hpp), made or among those given.
+  /// The visibility order for a scene of one frame (camera_path.hpp), made or taken from the given
+  /// ones.
   std::shared_ptr<const MeshOrder> order(const Scene& scene);
 
-  /// The picture of a scene of one frame. Throws UsageError where the request does not fit the
-  /// scene, and what `order` throws.
+  /// The picture of a scene of one frame. Throws UsageError if the request does not fit the scene,
+  /// and whatever `order` throws.
   Picture picture(const Scene& scene, const PictureRequest& request = {});
 
-  /// How one pixel of a scene of one frame comes about.
+  /// Explains how one pixel of a scene of one frame is computed.
   Explanation explain(const Scene& scene, std::uint32_t x, std::uint32_t y, bool background = true);
 
  private:
@@ -112,14 +113,14 @@ class Session {
   std::unique_ptr<State> state_;
 };
 
-/// Throws UsageError when the request does not fit a picture of that size: to be asked before a
-/// long computation. Returns the part that is wanted.
+/// Returns the requested part. Throws UsageError if the request does not fit a picture of that
+/// size: to be called before a long computation.
 PixelRect require_possible(const PictureRequest& request, ImageSize size);
 
-/// A first image specification for a mesh: every node of its cells in sight from a raised corner,
-/// the first field that has values, coloured over its range, and an extinction that grows with it
-/// such that the optical depth is about 1 in the mean over the pixels that the mesh covers.
-/// Throws InputError(subject, ...) for a mesh without cells or without such a field.
+/// A first image specification for a mesh: all nodes of its cells are visible from a raised corner,
+/// the first field that has values is coloured over its range, and the extinction grows with it
+/// such that the mean optical depth over the pixels that the mesh covers is about 1. Throws
+/// InputError(subject, ...) for a mesh without cells or without such a field.
 Scene starter_view(const ZooMesh& mesh, const std::string& subject = "mesh");
 
 }  // namespace hiac

@@ -6,10 +6,11 @@
 namespace hiac {
 namespace {
 
-// Of its size: more than rounding of middles.
+// Relative to the cell's size: larger than the rounding of edge midpoints.
 constexpr double kStraight = 1e-14;
 
-// Whose isoparametric interpolant is the polynomial.
+// Whether a cell is a tetrahedron with straight edges, whose isoparametric interpolant is the
+// polynomial.
 bool is_straight_tetrahedron(const ZooMesh& mesh, CellId cell) {
   const CellKind kind = mesh.kinds[cell];
   return shape_of(kind) == CellShape::tetrahedron &&

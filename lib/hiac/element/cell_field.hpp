@@ -11,18 +11,19 @@
 
 namespace hiac {
 
-/// One scalar field in one cell: its values at the nodes, the range that its interpolant keeps to
-/// (interpolant_range.hpp), and how exactly it is wanted.
+/// One scalar field in one cell: its values at the nodes, the range of its interpolant
+/// (interpolant_range.hpp), and the required accuracy.
 struct CellField {
   std::array<double, kMaxNodesPerCell> values;
   double least, most;
-  double allowed = 0;  ///< absolute error of the field that is allowed
-  /// Instead of the isoparametric interpolant. Apart, because fields are copied, mostly without.
+  double allowed = 0;  ///< allowed absolute error of the field
+  /// If set, it replaces the isoparametric interpolant. Shared, because fields are copied, and most
+  /// have none.
   std::shared_ptr<const WorldPolynomial> polynomial;
 };
 
-/// A field in a cell, less `level`. A polynomial that the nodes do not determine is taken as
-/// constant; check_renderable has refused such cells.
+/// A field in a cell, minus `level`. A polynomial that the nodes do not determine is replaced by a
+/// constant; check_renderable refuses such cells beforehand.
 CellField cell_field(const ZooMesh& mesh, CellId cell, const FieldValues& field, double level = 0);
 
 /// The positions of a cell's nodes; entries beyond them are not set.

@@ -8,7 +8,7 @@
 namespace hiac {
 namespace {
 
-// From Bernstein coefficients to those of powers, along one coordinate: binomial(p, k) times the
+// Converts Bernstein coefficients to those of powers along one coordinate: binomial(p, k) times the
 // k-th difference.
 void to_powers(CubePolynomial& f, std::size_t stride) {
   constexpr std::array<std::array<double, 4>, 4> kBinomial{{{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}}};
@@ -47,7 +47,7 @@ CubePolynomial from_coefficients(CellKind kind, const InterpolantCoefficients& b
   return f;
 }
 
-// The shape functions of a kind, but for that of the first node.
+// The shape functions of a kind, except that of the first node.
 std::vector<CubePolynomial> shape_polynomials(CellKind kind) {
   std::vector<CubePolynomial> of_node(node_count(kind));
   std::array<double, kMaxNodesPerCell> values{};
@@ -59,7 +59,7 @@ std::vector<CubePolynomial> shape_polynomials(CellKind kind) {
   return of_node;
 }
 
-// Of values that are zero at the first node.
+// The polynomial of values that are zero at the first node.
 CubePolynomial cube_polynomial(CellKind kind, std::span<const double> values) {
   static const auto kShapes = [] {
     std::vector<std::vector<CubePolynomial>> shapes;
@@ -90,7 +90,8 @@ Vector cross(const Vector& a, const Vector& b) {
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-// Of a pyramid's map, in which x, y, q and z are u w, v w, u v w and 1 - w.
+// Finds the inverse of A and the twist (twisted_pyramid) of a pyramid's map, in which x, y, q and z
+// are u w, v w, u v w and 1 - w.
 void untwist(const std::array<CubePolynomial, 3>& position, std::array<Vector, 3>& inverse,
              Vector& twist) {
   const auto column = [&](std::size_t k) {
@@ -108,8 +109,9 @@ void untwist(const std::array<CubePolynomial, 3>& position, std::array<Vector, 3
 
 }  // namespace
 
-// Degrees and pole orders by order. Shape functions have as many factors x y / (1 - z), or
-// x (1 - y) / (2 - y - z), as those of an edge on a triangle have (shape_functions.cpp).
+// Degrees and pole orders by order. The number of factors x y / (1 - z), or
+// x (1 - y) / (2 - y - z), in shape functions is that of an edge on a triangle
+// (shape_functions.cpp).
 LineQuotient quotient_along_lines(CellKind kind) {
   constexpr std::array<LineQuotient, 3> kPyramids{{{2, 1}, {3, 1}, {5, 2}}};
   constexpr std::array<LineQuotient, 3> kWedges{{{3, 1}, {5, 2}, {7, 3}}};
@@ -159,7 +161,7 @@ CellPolynomials::CellPolynomials(CellKind kind, std::span<const CellMap::Point> 
     for (std::size_t k = 0; k < node_count(map_kind); ++k) coordinate[k] = nodes[k][a] - origin[a];
     position[a] = cube_polynomial(map_kind, coordinate);
     if (!of_reference) continue;
-    // x = u v: what has u v and u v w has x and x w
+    // x = u v: coefficients of u v and u v w become those of x and x w
     for (const std::size_t k : {std::size_t{0}, std::size_t{4}}) {
       position[a].c[k + 1] = position[a].c[k + 3];
       position[a].c[k + 3] = 0;

@@ -23,7 +23,7 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Collapsed coordinates from which those where rays enter and leave the cell may be found.
+// Collapsed coordinates from which Newton's iteration finds those of entry and exit points.
 template <class V>
 struct RayStarts {
   LanePoint<V> front, back;
@@ -36,7 +36,7 @@ class CellRays {
   using V = hn::Vec<D>;
   using M = hn::Mask<D>;
 
-  // Relative to the cell's origin. `starts` come to be those for the next segments.
+  // `origin` is relative to the cell's origin. `starts` is updated for the next segments.
   CellRays(D d, const CellPolynomials& cell, const V (&origin)[3], const V (&direction)[3], V front,
            V back, RayStarts<V>& starts)
       : d_(d),
@@ -63,18 +63,19 @@ class CellRays {
     }
   }
 
-  // How exact coordinates need be where only their decay says how exact a series is.
+  // Sets the accuracy required of coordinates where the accuracy of a series is known only from its
+  // decay.
   void set_accuracy(V accuracy) { accuracy_ = accuracy; }
 
-  // Where the rays are known to be near the front, or near the back.
+  // Sets known coordinates of the rays near the front, or near the back, as starts.
   void start_at(const LanePoint<V>& known) {
     LanePoint<V> at = known;
     if (cell_.of_reference) at.c[0] = hn::Mul(at.c[0], at.c[1]);
     starts_ = {at, at};
   }
 
-  // Turns to the part [begin, end] of the rays. False where halves of it are to be taken: fields on
-  // the whole of it would need too many points.
+  // Selects the part [begin, end] of the rays. Returns false if the part must be halved, because
+  // fields on the whole part would need too many points.
   HWY_INLINE bool open(double begin, double end, M& active) {
     begin_ = begin;
     end_ = end;
@@ -94,8 +95,9 @@ class CellRays {
     return outcome_ != Outcome::hopeless;
   }
 
-  // Collapsed coordinates at the Chebyshev points of that part; of an even degree where the cell is
-  // not affine. Lanes for which they are not found are taken off `active`.
+  // Computes the collapsed coordinates at the Chebyshev points of that part; their degree must be
+  // even if the cell is not affine. Lanes whose coordinates are not found are removed from
+  // `active`.
   HWY_NOINLINE void sample(const ChebyshevPoints& points, M& active) {
     if (cell_.affine)
       sample_line(points);
@@ -118,7 +120,7 @@ class CellRays {
     return {width(0), width(1)};
   }
 
-  // From where the halves of the part are found.
+  // The starts for the two halves of the part.
   struct Halves {
     RayStarts<V> front, back;
   };
@@ -132,14 +134,14 @@ class CellRays {
     return {{front, front}, {back, back}};
   }
 
-  // A field's values at the points of sample(), front to back, in its bounds.
+  // Computes a field's values at the points of sample(), front to back, clamped to its bounds.
   HWY_NOINLINE void values(const CellPolynomials::Field& field, std::size_t degree,
                            V* value) const {
     with_shape(cell_.shape,
                [&]<CellShape kShape>() HWY_ATTR { values_of_shape<kShape>(field, degree, value); });
   }
 
-  // What of a field's values is rounding (FieldAlongRay::rounding).
+  // The rounding error of a field's values (FieldAlongRay::rounding).
   HWY_INLINE V rounding(const CellPolynomials::Field& field) const {
     const V farthest = hn::Max(hn::Abs(front_), hn::Abs(back_));
     V from = hn::Zero(d_), step = hn::Zero(d_);
@@ -173,7 +175,7 @@ class CellRays {
 
   using Outcome = typename InverseSeries<D>::Outcome;
 
-  // Reference coordinates at a point of the part, by `inverse` alone.
+  // Reference coordinates of a point of the part, computed from `inverse` alone.
   [[nodiscard]] HWY_INLINE LanePoint<V> on_line(double part) const {
     const V at = hn::Set(d_, begin_ + (end_ - begin_) * part);
     LanePoint<V> xi;
@@ -181,7 +183,7 @@ class CellRays {
     return xi;
   }
 
-  // sample() in affine cells.
+  // Does the work of sample() in affine cells.
   HWY_INLINE void sample_line(const ChebyshevPoints& points) {
     with_shape(cell_.shape, [&]<CellShape kShape>() HWY_ATTR {
       for (std::size_t j = 0; j <= points.degree(); ++j)
@@ -189,11 +191,12 @@ class CellRays {
     });
   }
 
-  // In twisted pyramids: with p what `inverse` gives, xi = p - twist q makes q (1 - z) = x y
+  // Does the work of sample() in twisted pyramids: with p the result of `inverse`, xi = p - twist q
+  // turns q (1 - z) = x y into
   //     alpha q^2 + beta q - p_0 p_1 = 0,  alpha = twist_2 - twist_0 twist_1,
   //     beta = 1 - p_2 + twist_0 p_1 + twist_1 p_0.
-  // 2 alpha q + beta is the Jacobian's determinant by that of A and 1 - z: positive, so that q is
-  // the root in which the square root is added.
+  // 2 alpha q + beta is the Jacobian's determinant divided by that of A and by 1 - z. It is
+  // positive, so that q is the root in which the square root is added.
   HWY_INLINE void sample_twisted(const ChebyshevPoints& points, M& active) {
     const std::size_t degree = points.degree();
     const V one = hn::Set(d_, 1.0), zero = hn::Zero(d_);
@@ -207,7 +210,7 @@ class CellRays {
       const V square = hn::MulAdd(two_alpha, product, hn::Mul(beta, beta));
       active = hn::And(active, hn::Ge(square, zero));
       const V root = hn::Sqrt(hn::Max(square, zero));
-      // without cancellation
+      // the form without cancellation
       const M plus = hn::Ge(beta, zero);
       const V q = hn::Div(hn::IfThenElse(plus, product, hn::Sub(root, beta)),
                           hn::IfThenElse(plus, hn::Add(root, beta), two_alpha));
@@ -217,7 +220,7 @@ class CellRays {
     }
   }
 
-  // By the series, or from where it has them.
+  // Does the work of sample() by the series, or by Newton's iteration from its result.
   HWY_INLINE void sample_series(const ChebyshevPoints& points, M& active) {
     const std::size_t degree = points.degree();
     for (std::size_t j = 0; 2 * j <= degree; ++j)
@@ -244,7 +247,7 @@ class CellRays {
     }
   }
 
-  // The same where they are known at the points of another degree.
+  // Does the work of sample() if coordinates are known at the points of another degree.
   HWY_INLINE void sample_map_again(const ChebyshevPoints& points, M& active) {
     const std::size_t degree = points.degree();
     LanePoint<V> before[kMostChebyshevDegree + 1];
@@ -256,7 +259,7 @@ class CellRays {
     }
   }
 
-  // `part`: of the part at hand.
+  // Finds the coordinates at the fraction `part` of the current part.
   HWY_INLINE void find_at(double part, LanePoint<V>& at, M& active) const {
     const double u = begin_ + (end_ - begin_) * part;
     const V t = hn::MulAdd(hn::Set(d_, u), hn::Sub(back_, front_), front_);
@@ -286,14 +289,14 @@ class CellRays {
   RayStarts<V>& starts_;
   V origin_[3], direction_[3];
   CollapsedCell<D> collapsed_;
-  LanePoint<V> xi_front_, xi_change_;  // by `inverse`: of affine cells, twisted pyramids
-  InverseSeries<D> series_;            // of cells with straight edges
+  LanePoint<V> xi_front_, xi_change_;  // from `inverse`: for affine cells, twisted pyramids
+  InverseSeries<D> series_;            // for cells with straight edges
   Outcome outcome_ = Outcome::hopeless;
   bool by_series_;
-  double begin_ = 0, end_ = 1;  // of the part at hand
-  std::size_t sampled_ = 0;     // the degree of the points known on it; 0: none
+  double begin_ = 0, end_ = 1;  // of the current part
+  std::size_t sampled_ = 0;     // the degree of the known points; 0: none
   V accuracy_ = hn::Zero(d_);
-  LanePoint<V> at_[kMostChebyshevDegree + 1];  // what is sampled
+  LanePoint<V> at_[kMostChebyshevDegree + 1];  // the sampled coordinates
 };
 
 }  // namespace hiac::HWY_NAMESPACE

@@ -56,7 +56,7 @@ class SurfaceBuilder {
   }
 
   CellSurface surface_;
-  Corner face_ = 0;  // at hand
+  Corner face_ = 0;  // current
   std::array<std::array<Corner, CellSurface::kMostCorners>, CellSurface::kMostCorners> edge_;
 };
 

@@ -56,7 +56,7 @@ const ChebyshevPowers& chebyshev_powers() {
 
 namespace {
 
-// Of one of the points of `wanted` from some of `known`: Lagrange's weights.
+// The prediction of one of the points of `wanted` from some of `known`: Lagrange's weights.
 PointPrediction prediction(const ChebyshevPoints& wanted, std::size_t point,
                            const ChebyshevPoints& known, const std::vector<std::size_t>& from) {
   PointPrediction p{point, from, std::vector<double>(from.size(), 1)};

@@ -18,13 +18,13 @@ class ChebyshevPoints {
 
   /// The j-th point from the front, in [0, 1].
   [[nodiscard]] double place(std::size_t j) const { return place_[j]; }
-  /// What coefficient k has of the value at the j-th point from the front.
+  /// The weight in coefficient k of the value at the j-th point from the front.
   [[nodiscard]] double transform(std::size_t k, std::size_t j) const { return transform_[k][j]; }
-  /// What the coefficient of x^k has of the value at the j-th point from the front, in the
-  /// polynomial through them.
+  /// The weight of the value at the j-th point from the front in the coefficient of x^k of the
+  /// polynomial through the values.
   [[nodiscard]] double power(std::size_t k, std::size_t j) const { return power_[k][j]; }
 
-  /// `values[j * stride]`: at the j-th point from the front.
+  /// Computes the coefficients. `values[j * stride]`: the value at the j-th point from the front.
   void coefficients(const double* values, std::size_t stride, double* c) const;
 
  private:
@@ -34,7 +34,7 @@ class ChebyshevPoints {
       power_{};
 };
 
-/// 1 <= n <= kMostChebyshevDegree.
+/// The points for n intervals, 1 <= n <= kMostChebyshevDegree.
 const ChebyshevPoints& chebyshev_points(std::size_t n);
 
 /// Chebyshev polynomials in powers, up to that of degree kMostChebyshevDegree + 1: the coefficient
@@ -43,19 +43,20 @@ using ChebyshevPowers =
     std::array<std::array<double, kMostChebyshevDegree + 2>, kMostChebyshevDegree + 2>;
 const ChebyshevPowers& chebyshev_powers();
 
-/// How points between known ones are found from these: by polynomials through what is known.
+/// How a value at a point is predicted from known points: by the polynomial through the known
+/// values.
 struct PointPrediction {
-  std::size_t point;              ///< of what is wanted
-  std::vector<std::size_t> from;  ///< of what is known
+  std::size_t point;              ///< index of the predicted point
+  std::vector<std::size_t> from;  ///< indices of known points
   std::vector<double> weights;    ///< of these
 };
 
-/// The Chebyshev points of an even n <= kMostChebyshevDegree but for the ends, in an order in which
-/// each can be predicted from those before it and the ends.
+/// The Chebyshev points, without the ends, of an even n <= kMostChebyshevDegree, in an order in
+/// which each can be predicted from the previous ones and the ends.
 const std::vector<PointPrediction>& points_in_turn(std::size_t n);
 
-/// Those of `wanted`, all predicted from those of `known`; both even and at most
-/// kMostChebyshevDegree. What is among the known ones is from that alone.
+/// The points of `wanted`, all predicted from those of `known`; both numbers are even and at most
+/// kMostChebyshevDegree. A point that is itself known is predicted from that point alone.
 const std::vector<PointPrediction>& points_from(std::size_t known, std::size_t wanted);
 
 }  // namespace hiac

@@ -45,20 +45,19 @@ class CollapsedCell {
 
   CollapsedCell(D d, const CellPolynomials& cell) : d_(d), cell_(cell) {}
 
-  // In the cell to within kMargin.
+  // Whether points are in the cell to within kMargin.
   [[nodiscard]] HWY_INLINE M inside(const LanePoint<V>& at) const {
     const V low = hn::Set(d_, -kMargin), high = hn::Set(d_, 1 + kMargin);
     const auto holds = [&](V x) { return hn::And(hn::Ge(x, low), hn::Le(x, high)); };
     return hn::And(holds(at.c[0]), hn::And(holds(at.c[1]), holds(at.c[2])));
   }
 
-  // In the reference cell quotients are in [0, 1].
+  // A quotient that is in [0, 1] for points of the reference cell.
   [[nodiscard]] HWY_INLINE V quotient(V a, V b) const {
     return near_cell(hn::Div(a, at_least_tiny(b)));
   }
 
-  // What x is divided by in collapsed(), and y in pyramids, in cells that taper to an edge or a
-  // tip.
+  // The divisor of x in collapsed(), and of y in pyramids, in cells that taper to an edge or a tip.
   [[nodiscard]] HWY_INLINE V width_of(const LanePoint<V>& xi) const {
     const V one = hn::Set(d_, 1.0), width = hn::Sub(one, xi.c[2]);
     return cell_.shape == CellShape::wedge ? hn::Add(width, hn::Sub(one, xi.c[1])) : width;
@@ -86,15 +85,15 @@ class CollapsedCell {
     }
   }
 
-  // Newton's iteration from `at` for the point that the map takes to `target`. True where it
-  // converges to one in the cell; the others are put into the middle.
+  // Finds, by Newton's iteration from `at`, the point that the map takes to `target`. Returns the
+  // lanes in which it converges to a point in the cell; the others are set to the middle.
   HWY_INLINE M find(const LanePoint<V>& target, LanePoint<V>& at, M active) const {
     const std::size_t degree = cell_.position[0].degree;
     if (degree == 1) return find_by<1>(target, at, active);
     return degree == 2 ? find_by<2>(target, at, active) : find_by<3>(target, at, active);
   }
 
-  // How wide the reference cell is along collapsed coordinates.
+  // The width of the reference cell along collapsed coordinates.
   [[nodiscard]] HWY_INLINE LanePoint<V> widths(const LanePoint<V>& at) const {
     const V one = hn::Set(d_, 1.0);
     if (cell_.of_reference) return {{one, one, one}};
@@ -115,10 +114,10 @@ class CollapsedCell {
   }
 
  private:
-  static constexpr double kMargin = 1e-3;  // outside the cell roots belong to other branches
+  static constexpr double kMargin = 1e-3;  // farther outside, roots belong to other branches
   static constexpr int kMostSteps = 10;
-  // the next step would be as short as this one squared
-  static constexpr double kLastStep = 0x1p26;  // its inverse
+  // the next step would be about the square of this one
+  static constexpr double kLastStep = 0x1p26;  // 1 / the step length
 
   template <std::size_t P>
   HWY_NOINLINE M find_by(const LanePoint<V>& target, LanePoint<V>& at, M active) const {
@@ -147,7 +146,7 @@ class CollapsedCell {
     return found;
   }
 
-  // Over what distance the Jacobian changes: it vanishes where the cell tapers.
+  // The distance over which the Jacobian changes: it vanishes at the narrow end of the cell.
   [[nodiscard]] HWY_INLINE V nearness(const LanePoint<V>& at) const {
     return hn::Min(hn::Abs(widths(at).c[0]), hn::Set(d_, 1.0));
   }

@@ -24,8 +24,8 @@ struct LanePoint {
   V c[3];
 };
 
-// How many powers of u the coefficient of v^j w^k of a shape's fields has, of order P: those of
-// which shape functions are made (counted by cube_polynomial_test.cpp).
+// The number of powers of u in the coefficient of v^j w^k of a shape's fields of order P: those
+// that occur in shape functions (checked by cube_polynomial_test.cpp).
 constexpr std::size_t terms_of_u(CellShape shape, std::size_t P, std::size_t j, std::size_t k) {
   switch (shape) {
     case CellShape::tetrahedron:
@@ -44,7 +44,7 @@ constexpr std::size_t terms_of_u(CellShape shape, std::size_t P, std::size_t j, 
   return (j < 2 && k < 2) ? P + 1 : (j < 2 || k < 2) ? 2 : 0;
 }
 
-// A polynomial of kTerms coefficients, by Horner's rule.
+// The value of a polynomial of kTerms coefficients, by Horner's rule.
 template <std::size_t kTerms, class D, class V = hn::Vec<D>>
 HWY_INLINE V line_of(D d, const double* c, V u) {
   V line = hn::Set(d, c[kTerms - 1]);
@@ -52,7 +52,7 @@ HWY_INLINE V line_of(D d, const double* c, V u) {
   return line;
 }
 
-// What w^K has in a cube polynomial of a shape's field.
+// The coefficient of w^K in a cube polynomial of a shape's field.
 template <std::size_t P, CellShape kShape, std::size_t K, class D, class V = hn::Vec<D>>
 HWY_INLINE V plane_of(D d, const CubePolynomial& f, const LanePoint<V>& at) {
   constexpr std::size_t kTop = [] {
@@ -72,7 +72,7 @@ HWY_INLINE V plane_of(D d, const CubePolynomial& f, const LanePoint<V>& at) {
   return plane;
 }
 
-// The field, of order P, by Horner's rule.
+// The value of a field of order P, by Horner's rule.
 template <std::size_t P, CellShape kShape, class D, class V = hn::Vec<D>>
 HWY_INLINE V value_of(D d, const CubePolynomial& f, const LanePoint<V>& at) {
   V sum = plane_of<P, kShape, P>(d, f, at);
@@ -81,13 +81,13 @@ HWY_INLINE V value_of(D d, const CubePolynomial& f, const LanePoint<V>& at) {
   return hn::MulAdd(sum, at.c[2], plane_of<P, kShape, 0>(d, f, at));
 }
 
-// The same with its gradient.
+// Computes the value and the gradient of a polynomial.
 template <std::size_t P, class D, class V = hn::Vec<D>>
 HWY_INLINE void value_and_gradient(D d, const CubePolynomial& f, const LanePoint<V>& at, V& value,
                                    V (&gradient)[3]) {
   constexpr std::size_t kN = P + 1;
   const V u = at.c[0], v = at.c[1], w = at.c[2];
-  if constexpr (P == 1) {  // as most maps are
+  if constexpr (P == 1) {  // the usual case for maps
     const auto along_u = [&](std::size_t k) {
       return hn::MulAdd(hn::Set(d, f.c[k + 1]), u, hn::Set(d, f.c[k]));
     };
@@ -123,8 +123,8 @@ HWY_INLINE void value_and_gradient(D d, const CubePolynomial& f, const LanePoint
   }
 }
 
-// Linear systems of a Jacobian whose rows are r_0, r_1, r_2: with r_1 x r_2 the solution of J x = b
-// is (b_0 r_1 x r_2 + r_0 x (b_2 r_1 - b_1 r_2)) / det J.
+// Solves linear systems of a Jacobian whose rows are r_0, r_1, r_2: with r_1 x r_2 the solution of
+// J x = b is (b_0 r_1 x r_2 + r_0 x (b_2 r_1 - b_1 r_2)) / det J.
 template <class V>
 struct JacobianSolver {
   V row[3][3];

@@ -10,7 +10,7 @@
 namespace hiac {
 namespace {
 
-// A point of the face's plane in the two coordinates in which the face is widest.
+// A point of the face's plane, in the two coordinates in which the face is widest.
 struct Planar {
   double x, y;
 };
@@ -31,7 +31,7 @@ struct Carrier {
                                : kind_of(CellShape::brick, face.order)) {
     const std::size_t n = face.count, per_edge = static_cast<std::size_t>(face.order) - 1;
     for (std::size_t k = 0; k < n; ++k) nodes[k] = k;
-    // their first edges go around that face
+    // the kind's first edges go around that face
     for (std::size_t k = 0; k < n * per_edge; ++k) nodes[n + k] = corner_count(kind) + k;
     if (face.centred) nodes[n + n * per_edge] = hiac::node_count(kind) - 1;
   }
@@ -43,7 +43,8 @@ double on_triangle(std::span<const Planar> p, std::span<const double> g) {
   return sum == 0 ? g[0] : (a * g[0] + b * g[1] + c * g[2]) / sum;
 }
 
-// The bilinear map's inverse by Newton's iteration: as many steps as it ever needs, always.
+// The offset on a quadrilateral, by Newton's iteration for the bilinear map's inverse. The number
+// of steps is fixed at the largest that is ever needed.
 double on_quadrilateral(std::span<const Planar> p, std::span<const double> g) {
   constexpr int kSteps = 16;
   const Planar pu = p[1] - p[0], pv = p[3] - p[0], puv = (p[2] - p[1]) - pv;
@@ -59,7 +60,7 @@ double on_quadrilateral(std::span<const Planar> p, std::span<const double> g) {
   return (1 - v) * ((1 - u) * g[0] + u * g[1]) + v * ((1 - u) * g[3] + u * g[2]);
 }
 
-// The isoparametric interpolant, by Newton's iteration in the same way.
+// The offset on a face of higher order: the isoparametric interpolant, by the same iteration.
 double on_higher_order(const FaceOffsets& face,
                        const std::array<Planar, FaceOffsets::kMostNodes>& p) {
   constexpr int kSteps = 16;
@@ -91,7 +92,7 @@ double on_higher_order(const FaceOffsets& face,
   return value;
 }
 
-// Of the face's interpolant.
+// The range of the face's interpolant.
 ValueRange range_of(const FaceOffsets& face) {
   const auto [least, most] = std::ranges::minmax(std::span(face.offsets).first(face.node_count()));
   if (face.order == CellOrder::linear || least == most) return {least, most};

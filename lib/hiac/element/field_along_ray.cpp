@@ -12,7 +12,8 @@
 namespace hiac {
 namespace {
 
-// Numbers of intervals between Chebyshev points; each has the points of the one before.
+// Numbers of intervals between Chebyshev points; the points of each include those of the previous
+// one.
 constexpr std::array<std::size_t, 3> kAdaptiveDegrees{4, 8, 16};
 constexpr std::size_t kMostDegree = kAdaptiveDegrees.back();
 static_assert(kMostDegree <= kMaxFieldDegree && kMostDegree <= kMostChebyshevDegree);
@@ -33,7 +34,7 @@ BernsteinPolynomial without_tail(const double* c, std::size_t degree, double neg
   return bernstein_from_chebyshev({c, degree + 1});
 }
 
-// Of fields that are polynomials in the world; 0 where none is.
+// The highest degree of fields that are polynomials in the world; 0 if none is.
 std::size_t degree_in_world(std::span<const CellField> fields) {
   std::size_t degree = 0;
   for (const CellField& field : fields)
@@ -63,7 +64,7 @@ std::size_t degree_along_lines(CellKind kind) {
 struct FieldAlongRay::Samples {
   std::array<std::array<double, kMostDegree + 1>, kMostFields> values;
   std::array<CellMap::Point, kMostDegree + 1> xi;
-  std::size_t stride = 0;  // of the points known; 0: none
+  std::size_t stride = 0;  // of the known points; 0: none
 };
 
 FieldAlongRay::FieldAlongRay(CellKind kind, const CellMap& map, std::span<const CellField> fields)
@@ -91,8 +92,8 @@ void FieldAlongRay::evaluate(const CellMap::Point& xi,
     const CellField& field = fields_[f];
     double value = 0;
     for (std::size_t k = 0; k < node_count(kind_); ++k) value += shape[k] * field.values[k];
-    // inside the cell the interpolant keeps to its range; where the map has no inverse (the cell
-    // has no volume, the stretch no length) nothing more is known
+    // inside the cell the interpolant stays in its range; if the map has no inverse (cell of volume
+    // 0, stretch of length 0), nothing more is known
     values[f] = std::min(std::max(field.least, value), field.most);
   }
 }
@@ -129,7 +130,8 @@ void FieldAlongRay::sample(const RayStretch& stretch, double begin, double end, 
   samples.stride = stride;
 }
 
-// An affine map takes the ray to a straight line; in the world it is one.
+// The fields as exact polynomials: an affine map takes the ray to a straight line, and in the world
+// it is one.
 FieldAlongRay::Piece FieldAlongRay::exact(const RayStretch& stretch) const {
   const ChebyshevPoints& points = chebyshev_points(exact_degree_);
   CellMap::Point front = stretch.at(stretch.front), back = stretch.at(stretch.back);

@@ -16,10 +16,10 @@ namespace hiac {
 struct RayStretch {
   std::array<double, 3> origin, direction;
   double front, back;
-  /// Reference coordinates of a place of the ray in the cell, where one is known; else not numbers.
+  /// Reference coordinates of a point of the ray in the cell, if known; otherwise NaN.
   CellMap::Point known{std::numeric_limits<double>::quiet_NaN()};
 
-  /// Where to look for those of other places: there, or in the cell's middle.
+  /// The start for finding those of other points: `known`, or the cell's middle.
   [[nodiscard]] const CellMap::Point& guess(const CellMap& map) const {
     return std::isnan(known[0]) ? map.middle() : known;
   }
@@ -30,8 +30,8 @@ struct RayStretch {
   }
 };
 
-/// The degree of a kind's shape functions along lines through the reference cell; 0 where they are
-/// not polynomials (pyramids, wedges).
+/// The degree of a kind's shape functions along lines through the reference cell; 0 if they are not
+/// polynomials (pyramids, wedges).
 std::size_t degree_along_lines(CellKind kind);
 
 /// The isoparametric interpolants of up to two fields along a ray through a cell, as polynomials.
@@ -52,18 +52,19 @@ class FieldAlongRay {
 
   /// Replaces `pieces` by those of a stretch inside the cell, front to back.
   ///
-  /// Fields that are polynomials in the world (CellField::polynomial) are so along the ray.
+  /// Fields that are polynomials in the world (CellField::polynomial) are polynomials along the
+  /// ray.
   ///
   /// Where the map is affine the fields of tetrahedra (degree 1, 2, 3 by order), prisms (2, 3, 4)
-  /// and bricks (3, 4, 5) are polynomials, and taken as such. Else, and in pyramids and wedges,
-  /// whose shape functions are rational, they are analytic, and interpolated in Chebyshev points,
-  /// more and more until the last coefficients are below the error allowed or below rounding, and
-  /// on halves of the stretch when too many would be needed (L. N. Trefethen, "Approximation
-  /// Theory and Approximation Practice", 2013, chapters 3 and 8).
+  /// and bricks (3, 4, 5) are polynomials and treated as such. Otherwise, and in pyramids and
+  /// wedges, whose shape functions are rational, they are analytic. They are interpolated at more
+  /// and more Chebyshev points until the last coefficients are below the allowed error or below
+  /// rounding, and on halves of the stretch if too many points would be needed (L. N. Trefethen,
+  /// "Approximation Theory and Approximation Practice", 2013, chapters 3 and 8).
   void along(const RayStretch& stretch, std::vector<Piece>& pieces) const;
 
-  /// What of a field's values on a stretch is rounding: of the ray's points, seen through the
-  /// field, and of the field itself.
+  /// The rounding error of a field's values on a stretch: that of the ray's points, propagated
+  /// through the field, and that of the field itself.
   [[nodiscard]] double rounding(const RayStretch& stretch, const CellField& field) const;
 
  private:
@@ -78,7 +79,7 @@ class FieldAlongRay {
   CellKind kind_;
   const CellMap& map_;
   std::span<const CellField> fields_;
-  bool in_world_;             // a field is a polynomial there
+  bool in_world_;             // a field is a polynomial in the world
   std::size_t exact_degree_;  // 0: not a polynomial
 };
 

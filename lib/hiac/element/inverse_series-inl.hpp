@@ -20,13 +20,13 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Where a trilinear map takes places from that lie along rays, in powers of the place, z from -1 to
-// 1: about the middle the map is
+// The preimages of points along rays under a trilinear map, as power series in the position z from
+// -1 to 1. About the middle the map is
 //     X = X_0 + J x + E x_0 x_1 + F x_0 x_2 + G x_1 x_2 + H x_0 x_1 x_2,
-// x being the coordinates less the middle's. Along X = X_0 + z h the coefficients of x follow one
-// after another: the first is J^-1 h, and J x_k is made up by what the products have of those
-// before (the method of undetermined coefficients: D. E. Knuth, The Art of Computer Programming,
-// vol. 2, section 4.7).
+// with x the coordinates minus those of the middle. Along X = X_0 + z h the coefficients of x
+// follow one after another: the first is J^-1 h, and J x_k follows from the products of the
+// previous coefficients (the method of undetermined coefficients: D. E. Knuth, The Art of Computer
+// Programming, vol. 2, section 4.7).
 template <class D>
 class InverseSeries {
  public:
@@ -35,10 +35,10 @@ class InverseSeries {
 
   enum class Outcome { converged, unfinished, hopeless };
 
-  // `middle`: the coordinates of the place z = 0; `weight`: what each of them counts. Converged
-  // where in all lanes of `active` the last two coefficients are below `accuracy`; hopeless where
-  // even the Chebyshev polynomial of kMostChebyshevDegree will not be as exact as 2^3 of that, to
-  // judge by how the first few fall off.
+  // Expands the series. `middle`: the coordinates at z = 0; `weight`: the weight of each
+  // coordinate. The outcome is converged if in all lanes of `active` the last two coefficients are
+  // below `accuracy`; it is hopeless if, extrapolated from the decay of the first few, even the
+  // Chebyshev polynomial of kMostChebyshevDegree would miss 2^3 times that accuracy.
   HWY_NOINLINE Outcome expand(D d, const std::array<CubePolynomial, 3>& map,
                               const LanePoint<V>& middle, const LanePoint<V>& weight,
                               const V (&step)[3], V accuracy, M active) {
@@ -59,7 +59,7 @@ class InverseSeries {
     return Outcome::unfinished;
   }
 
-  // The coordinates of the places -z and z.
+  // Computes the coordinates at -z and z.
   HWY_INLINE void at(D d, double z, LanePoint<V>& front, LanePoint<V>& back) const {
     const V place = hn::Set(d, z), square = hn::Set(d, z * z);
     std::size_t k = degree_ & ~std::size_t{1};
@@ -79,11 +79,12 @@ class InverseSeries {
   }
 
  private:
-  static constexpr std::size_t kMostDegree = 24;  // less one
+  static constexpr std::size_t kMostDegree = 24;  // of coefficients: degrees are below it
   static constexpr std::size_t kProbe = 8;
 
-  // Whether Chebyshev coefficients of kMostChebyshevDegree are too large, if those of powers fall
-  // off from kProbe on as they did from half of it: T_n has z^n by 2^(n-1).
+  // Whether Chebyshev coefficients of kMostChebyshevDegree would be too large, if the coefficients
+  // of powers decay beyond kProbe as they did from half of it: T_n contains z^n with the factor
+  // 2^(n-1).
   static HWY_INLINE M exceeds(D d, V early, V both, V accuracy) {
     const V rate = hn::Div(both, early);
     V left = both;
@@ -93,7 +94,7 @@ class InverseSeries {
     return hn::Gt(left, hn::Mul(hn::Set(d, 0x1p3 * kLeading), accuracy));
   }
 
-  // Coefficients of z^0 and z^1, and the constants of those that follow.
+  // Computes the coefficients of z^0 and z^1, and the constants for the following ones.
   HWY_INLINE void start(D d, const std::array<CubePolynomial, 3>& map, const LanePoint<V>& middle,
                         const V (&step)[3]) {
     JacobianSolver<V> solver;
@@ -114,7 +115,7 @@ class InverseSeries {
     vw_[1] = hn::Zero(d);
   }
 
-  // The coefficient of z^n.
+  // Computes the coefficient of z^n.
   HWY_INLINE void append(D d, std::size_t n) {
     V uv = hn::Zero(d), uw = uv, vw = uv, uvw = uv;
     for (std::size_t k = 1; k < n; ++k) {

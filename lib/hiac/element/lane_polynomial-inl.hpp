@@ -19,20 +19,20 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// A polynomial of z in [-1, 1] in every lane, in powers of z; all of one degree. Those that are
-// interpolated have coefficients in powers that are small like their Chebyshev coefficients.
+// A polynomial of z in [-1, 1] in every lane, in powers of z; all lanes have the same degree. The
+// coefficients of interpolated polynomials decay like their Chebyshev coefficients.
 template <class V>
 struct LanePolynomial {
   std::size_t degree = 0;
   V c[kMaxFieldDegree + 1];
 };
 
-// The polynomial of degree n with these values at the n + 1 Chebyshev points, which are
+// Computes the polynomial of degree n with given values at the n + 1 Chebyshev points; `value` is
 // overwritten.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE void powers_from_points(D d, const ChebyshevPoints& points, std::size_t n, V* value,
                                    V* c) {
-  // even powers have the sums of values at points that lie opposite, odd ones their differences
+  // even powers depend on the sums of values at opposite points, odd powers on their differences
   const std::size_t pairs = (n + 1) / 2;
   for (std::size_t j = 0; j < pairs; ++j) {
     const V front = value[j], back = value[n - j];
@@ -52,9 +52,9 @@ HWY_INLINE void powers_from_points(D d, const ChebyshevPoints& points, std::size
   }
 }
 
-// Some steps of Horner's scheme for coefficients about another point, from step `r` on: each adds
-// `by` times the next coefficient to those of r and above, the highest first. Together they load
-// and store every coefficient once.
+// Performs kSteps steps, from step `r` on, of Horner's scheme for the coefficients about another
+// point: each step adds `by` times the next coefficient to those of r and above, the highest first.
+// The steps are interleaved, so that every coefficient is loaded and stored once.
 template <std::size_t kSteps, class V>
 HWY_INLINE void shift_steps(V by, V* c, std::size_t degree, std::size_t r) {
   V next[kSteps];
@@ -71,7 +71,7 @@ HWY_INLINE void shift_steps(V by, V* c, std::size_t degree, std::size_t r) {
   }
 }
 
-// What is left of a polynomial on [middle - half, middle + half], as one on [-1, 1].
+// Restricts a polynomial to [middle - half, middle + half], mapped to [-1, 1].
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE void keep_part(D, LanePolynomial<V>& f, V middle, V half) {
   const std::size_t n = f.degree;
@@ -85,12 +85,13 @@ HWY_INLINE void keep_part(D, LanePolynomial<V>& f, V middle, V half) {
   }
 }
 
-// What of a polynomial in powers of z is even, and what is odd over z, by z^2.
+// The even part of a polynomial in powers of z, and its odd part divided by z, both evaluated from
+// z^2.
 template <class V>
 struct EvenAndOdd {
   V even, odd;
 };
-// Coefficients up to that of z^(2 kTop + 1); those that are not there are zero.
+// Evaluates both parts from the coefficients up to that of z^(2 kTop + 1), padded with zeros.
 template <std::size_t kTop, class V>
 HWY_INLINE EvenAndOdd<V> even_and_odd(const V* c, V square) {
   EvenAndOdd<V> at{c[2 * kTop], c[2 * kTop + 1]};

@@ -17,7 +17,7 @@ constexpr std::size_t kDegree = LeastInterpolant::kMostDegree;
 constexpr double kLeastPivot = 1e-10;
 constexpr double kLeastSeen = 0.25;
 
-// How many monomials are of less than a degree.
+// The number of monomials below a degree.
 constexpr std::size_t below(std::size_t degree) { return degree * (degree + 1) * (degree + 2) / 6; }
 static_assert(below(kDegree + 1) == kTerms);
 
@@ -46,8 +46,9 @@ const std::array<double, kTerms>& scales() {
   return all;
 }
 
-// The coordinates of mean 0 and covariance 1: with the QR factorisation P = Q R of the points less
-// their mean, y = sqrt(n) R^-T p. False where the points lie in a plane to within kLeastPivot.
+// Computes the coordinates of mean 0 and covariance 1: with the QR factorisation P = Q R of the
+// points minus their mean, y = sqrt(n) R^-T p. Returns false if the points lie in a plane to within
+// kLeastPivot.
 bool normalise(std::span<const Vector> points, LeastInterpolant& result) {
   const auto n = static_cast<double>(points.size());
   for (const Vector& p : points)
@@ -69,10 +70,11 @@ bool normalise(std::span<const Vector> points, LeastInterpolant& result) {
   return true;
 }
 
-// The functionals: a row each, what it makes of the scaled monomials, and what of the values.
+// The functionals: for each a row, its values on the scaled monomials, and its result on the given
+// values.
 class Functionals {
  public:
-  // One functional a point: the value there.
+  // Starts with one functional per point: the value there.
   Functionals(std::span<const Vector> points, std::span<const double> values,
               const LeastInterpolant& frame)
       : rows_(points.size(), kTerms),
@@ -92,8 +94,8 @@ class Functionals {
     }
   }
 
-  // Takes an orthonormal basis of them: of the rows V = R^T Q^T, those of Q^T. False where the rows
-  // depend on each other.
+  // Replaces the functionals by an orthonormal basis: the rows V = R^T Q^T by those of Q^T. Returns
+  // false if the rows are linearly dependent.
   bool orthonormalise() {
     const Eigen::MatrixXd transposed = rows_.transpose();
     const Eigen::HouseholderQR<Eigen::MatrixXd> qr(transposed);
@@ -106,8 +108,8 @@ class Functionals {
     return true;
   }
 
-  // Turns the functionals that are left to the left singular vectors of what they make of the forms
-  // of a degree, and takes those with singular values above a threshold: they see a form each.
+  // Rotates the remaining functionals to the left singular vectors of their rows in a degree, and
+  // selects those with singular values above a threshold: each of them sees a form.
   void see(std::size_t degree, double threshold) {
     const Eigen::Index left = rows_.rows() - seen_;
     if (left == 0) return;
@@ -122,11 +124,11 @@ class Functionals {
     }
   }
 
-  // The sum of forms that the functionals make of it what they make of the values.
+  // Computes the sum of forms on which every functional has the same result as on the values.
   void solve(LeastInterpolant& result) const {
     Eigen::VectorXd c = Eigen::VectorXd::Zero(kTerms);
     for (Eigen::Index k = seen_; k-- > 0;) {
-      // rows of higher degrees do not see forms of lower ones
+      // rows of higher degrees vanish on forms of lower degrees
       const std::size_t degree = degrees_[static_cast<std::size_t>(k)];
       const Eigen::Index from = first_of(degree), to = first_of(degree + 1);
       const double rest =
@@ -165,7 +167,7 @@ std::optional<LeastInterpolant> least_interpolant(std::span<const Vector> points
   if (!functionals.orthonormalise()) return std::nullopt;
   for (std::size_t degree = 0; degree < kDegree; ++degree)
     functionals.see(degree, degree <= complete ? kLeastPivot : kLeastSeen);
-  // of degree 5 is nearly all of what is left
+  // nearly all of the remaining rows lies in degree 5
   functionals.see(kDegree, 0);
   functionals.solve(result);
   return result;

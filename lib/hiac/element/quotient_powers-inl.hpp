@@ -20,19 +20,20 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Of f(z) = P(z) / (1 + h z)^p, P of degree d and -1 < h < 1, the polynomial on [-1, 1]
+// Approximates f(z) = P(z) / (1 + h z)^p, P of degree d and -1 < h < 1, on [-1, 1] by
 //     Q = (P - T_m L) / (1 + h z)^p,
-// where L, of degree less than p, leaves no remainder: it agrees with P / T_m at the pole z = -1/h
-// to as many derivatives. Q is of degree m - 1, m >= d, and what it is off is T_m L / (1 + h z)^p.
+// where L, of degree less than p, makes the division exact: L agrees with P / T_m at the pole
+// z = -1/h in its first p Taylor coefficients. Q is of degree m - 1, m >= d, and its error is
+// T_m L / (1 + h z)^p.
 //
 // With s = -h z, s = 1 at the pole, and r and g of Taper,
 //     P = h^-d sum of e_k s^k,  e_k = (-1)^k h^(d-k) p_k,
 //     T_m = (-1)^m T_m(1/h) (1 + t_1 (s - 1) + t_2 (s - 1)^2 + ...),  T_m(1/h) = (r^m + r^-m) / 2,
 //     t_1 = m g (1 - r^2m) / (1 + r^2m),  t_2 = g^2 (m^2 - t_1) / 2,
 // the last by Chebyshev's differential equation; L = a_0 + a_1 (s - 1) + a_2 (s - 1)^2 is the
-// quotient of both series. As 1 - s is at least 1 - |h|, Q is off by at most the sum of
-// |a_i| / (1 - |h|)^(p-i). Its coefficients in powers follow from the lowest one on, which rounding
-// cannot spoil: each takes h times the one before it, p times over.
+// quotient of both series. As 1 - s is at least 1 - |h|, the error of Q is at most the sum of
+// |a_i| / (1 - |h|)^(p-i). Its coefficients in powers are computed from the lowest one on, which is
+// stable: each step subtracts h times the previous coefficient, |h| < 1, p times over.
 template <std::size_t p, std::size_t d, class D, class V = hn::Vec<D>>
 class QuotientPowers {
  public:
@@ -40,19 +41,19 @@ class QuotientPowers {
   static constexpr std::size_t kMostM = kMostChebyshevDegree + 1;
   static_assert(kMostM % 2 == 1);
 
-  // `points`: those of degree d. `taper`: none in lanes that do not count.
+  // `points`: those of degree d. `taper`: no taper in inactive lanes.
   QuotientPowers(D tag, const ChebyshevPoints& points, const Taper<D>& taper)
       : tag_(tag), points_(points), taper_(taper), square_(hn::Mul(taper.r, taper.r)) {
-    // 2 (r / h)^d, and with the sign of (-1)^(m-d)
+    // 2 (r / h)^d, with the sign of (-1)^(m-d)
     const V half = hn::Set(tag, 0.5);
     scale_ = power_of<d>(hn::MulAdd(square_, half, half));
     scale_ = hn::Add(scale_, scale_);
     if constexpr (d % 2 == 0) scale_ = hn::Neg(scale_);
   }
 
-  // Q with the least m with which it is off by no more than `negligible` in all lanes of `active`,
-  // from the values of f at the Chebyshev points of degree d. False where m would have to be more
-  // than kMostM, in lanes that come off `active`.
+  // Computes Q, from the values of f at the Chebyshev points of degree d, with the smallest m for
+  // which its error is at most `negligible` in all lanes of `active`. Returns false if m would have
+  // to exceed kMostM; the lanes concerned are removed from `active`.
   HWY_NOINLINE bool expand(const V* values, V negligible, hn::Mask<D>& active,
                            LanePolynomial<V>& q) const {
     V numerator[d + 1];
@@ -77,7 +78,7 @@ class QuotientPowers {
   }
 
  private:
-  // P in powers.
+  // Computes the coefficients of P in powers of z.
   HWY_INLINE void numerator_powers(const V* values, V* powers) const {
     const V one = hn::Set(tag_, 1.0);
     V value[d + 1];
@@ -89,7 +90,8 @@ class QuotientPowers {
     powers_from_points(tag_, points_, d, value, powers);
   }
 
-  // The Taylor coefficients at s = 1 of the sum of e_k s^k times scale_, but for (-1)^m r^(m-d).
+  // Computes the Taylor coefficients at s = 1 of the sum of e_k s^k times scale_, without the
+  // factor (-1)^m r^(m-d).
   HWY_INLINE void about_pole(const V* numerator, V (&b)[p]) const {
     V power = scale_;
     for (V& v : b) v = hn::Zero(tag_);
@@ -103,7 +105,7 @@ class QuotientPowers {
     }
   }
 
-  // L is the quotient of series whose first coefficients are `b` and 1, t_1, t_2.
+  // Computes L: the quotient of the series whose first coefficients are `b` and 1, t_1, t_2.
   HWY_INLINE void quotient(double m, V t1, const V (&b)[p], V (&a)[p]) const {
     a[0] = b[0];
     if constexpr (p > 1) a[1] = hn::NegMulAdd(b[0], t1, b[1]);
@@ -115,7 +117,7 @@ class QuotientPowers {
     }
   }
 
-  // What Q is off, over r^(m-d); r^2m does not count in it.
+  // A bound of the error of Q, divided by r^(m-d); r^2m is negligible in it.
   [[nodiscard]] HWY_INLINE V bound(double m, const V (&b)[p]) const {
     V a[p];
     quotient(m, hn::Mul(hn::Set(tag_, m), taper_.g), b, a);
@@ -125,10 +127,10 @@ class QuotientPowers {
     return off;
   }
 
-  // Q. `power`: r^(m-d).
+  // Computes Q. `power`: r^(m-d).
   HWY_INLINE void divide(const V* numerator, std::size_t m, V power, const V (&b)[p],
                          LanePolynomial<V>& q) const {
-    // with r^2m = x, 1 - x for 1 / (1 + x): what that is off by Q is off by far more
+    // with x = r^2m, uses 1 - x for 1 / (1 + x): the error of Q is far larger than that of this
     const V one = hn::Set(tag_, 1.0), fallen = hn::Mul(power, power_of<d>(taper_.r));
     const V rest = hn::NegMulAdd(fallen, fallen, one), scale = hn::Mul(power, rest);
     const auto count = static_cast<double>(m);
@@ -147,7 +149,7 @@ class QuotientPowers {
       line[2] = hn::Mul(hn::Mul(taper_.h, taper_.h), a[2]);
     }
     for (std::size_t i = 0; i < p; ++i) line[i] = hn::Mul(line[i], scale);
-    // T_m is odd: of T_m L powers of either parity have other terms
+    // T_m is odd: even and odd powers of T_m L have different terms
     const auto& chebyshev = chebyshev_powers()[m];
     V before[p];
     for (V& v : before) v = hn::Zero(tag_);

@@ -20,7 +20,8 @@ struct EndWidths {
   V front, back;
 };
 
-// Along the part, z from -1 to 1, a width is in proportion to 1 + h z; r = h / (1 + sqrt(1 - h^2)).
+// The taper of a part of a ray: along it, z from -1 to 1, the width is proportional to 1 + h z;
+// r = h / (1 + sqrt(1 - h^2)).
 template <class D, class V = hn::Vec<D>>
 struct Taper {
   V r, h;
@@ -28,8 +29,8 @@ struct Taper {
   V g;            // (1 + r^2) / (1 - r^2)
 
   // With the widths a and b: h = (b - a) / (a + b), r = (b - a) / (a + b + 2 sqrt(a b)),
-  // 1 - |h| = 2 min(a, b) / (a + b), g = (a + b) / (2 sqrt(a b)). Lanes that are not `active` have
-  // no taper; a width that vanishes is as good as none.
+  // 1 - |h| = 2 min(a, b) / (a + b), g = (a + b) / (2 sqrt(a b)). Inactive lanes get no taper, and
+  // a width of 0 is replaced by a tiny one.
   Taper(D d, const EndWidths<V>& widths, hn::Mask<D> active) {
     const V one = hn::Set(d, 1.0), tiny = hn::Set(d, 1e-60);
     const V a = hn::IfThenElse(active, hn::Max(widths.front, tiny), one);

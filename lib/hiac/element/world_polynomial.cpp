@@ -13,7 +13,7 @@ namespace hiac {
 namespace {
 
 constexpr double kLeastPivot = 1e-10;
-// as many as a 20-node brick has nodes
+// the number of nodes of a 20-node brick
 constexpr std::size_t kMostEquations = 20;
 
 constexpr std::array<Exponents, 6> kPrism{
@@ -25,7 +25,7 @@ constexpr std::array<Exponents, 20> kQuadraticBrick{
      {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {2, 1, 0}, {2, 0, 1}, {1, 2, 0}, {1, 0, 2},
      {0, 2, 1}, {0, 1, 2}, {1, 1, 1}, {2, 1, 1}, {1, 2, 1}, {1, 1, 2}}};
 
-// Empty where the paper has none.
+// The monomials that the paper lists for a kind; empty if it lists none.
 std::span<const Exponents> terms_of(CellKind kind) {
   switch (kind) {
     case CellKind::tetrahedron4:

@@ -12,26 +12,28 @@ namespace hiac {
 
 /// A field in one cell as a polynomial in x, y and z that takes its values at the cell's nodes.
 ///
-/// Where Williams, Max and Stein (1998), section 3 and appendix C, list monomials for the kind, as
-/// many as nodes, it is the sum of these:
+/// For the kinds for which Williams, Max and Stein (1998), section 3 and appendix C, list
+/// monomials, as many as nodes, it is a sum of these:
 ///
 ///     tetrahedron   1, x, y, z; all of degree 2; all of degree 3           (1), (3)
 ///     prism6        1, x, y, z, xz, yz                                     (13)
 ///     brick8        1, x, y, z, xy, xz, yz, xyz                            (2)
 ///     brick20       degree 2; x2y, x2z, xy2, xz2, y2z, yz2, xyz, x2yz, xy2z, xyz2   (14)
 ///
-/// In all other kinds (pyramids, wedges, prisms of order 2 and 3, cubic bricks) it is the least
-/// interpolant (least_interpolant.hpp) with all polynomials of complete_degree, of degree 2 in
-/// pyramid5 and wedge7, 3 in pyramid13 and prism15, 3 or 4 in wedge18, 5 at most in the others.
+/// For all other kinds (pyramids, wedges, prisms of order 2 and 3, cubic bricks) it is the least
+/// interpolant (least_interpolant.hpp), which contains all polynomials of complete_degree. Its
+/// degree is 2 in pyramid5 and wedge7, 3 in pyramid13 and prism15, 3 or 4 in wedge18, and at most 5
+/// in the others.
 ///
-/// Tetrahedra with straight edges have their isoparametric interpolant; so do bricks and prisms of
-/// the paper's kinds that lie along the axes (prisms along z), and affine ones of the others. In
-/// all other cells the function is another one, and neighbours differ on the face between them. The
-/// paper's depends on how the cell lies in the world, and does not exist where the nodes do not
-/// determine it (a square brick turned by 45 degrees: xy vanishes at its nodes); the least
-/// interpolant goes with the cell. It does not stand in for the paper's: turned by a little less
-/// such bricks have the paper's function, of values far beyond those at the nodes, so that a mesh
-/// would be drawn well or badly by how single cells lie.
+/// The function equals the isoparametric interpolant in tetrahedra with straight edges, in bricks
+/// and prisms of the paper's kinds that lie along the axes (prisms along z), and in affine cells of
+/// the other kinds. In all other cells it differs from that interpolant, and neighbours differ on
+/// the face between them. The paper's function depends on the orientation of the cell in the world,
+/// and does not exist if the nodes do not determine it (a square brick turned by 45 degrees: xy
+/// vanishes at its nodes); the least interpolant moves with the cell. It is not used as a
+/// substitute where the paper's function does not exist: for bricks turned by slightly less that
+/// function exists, with values far beyond those at the nodes, so that the quality of a picture
+/// would depend on the orientation of single cells.
 class WorldPolynomial {
  public:
   static constexpr std::size_t kMostTerms = LeastInterpolant::kMostTerms;
@@ -40,24 +42,24 @@ class WorldPolynomial {
   /// Whether the paper lists monomials for the kind.
   static bool is_of_paper(CellKind kind);
 
-  /// The degree up to which it has all polynomials: the kind's order, but 2 for pyramid21 and
-  /// prism24, at whose nodes some cubic polynomials vanish.
+  /// The degree up to which the function reproduces all polynomials: the kind's order, but 2 for
+  /// pyramid21 and prism24, at whose nodes some cubic polynomials vanish.
   static std::size_t complete_degree(CellKind kind);
 
-  /// Of the values at the nodes of a cell. Nothing where these do not determine it: a pivot of the
-  /// normalised equations of the paper's kinds is below 1e-10; nodes of another cell coincide, or
-  /// all lie in a plane.
+  /// The polynomial through the values at the nodes of a cell. Nothing if the nodes do not
+  /// determine it: for the paper's kinds, if a pivot of the normalised equations is below 1e-10;
+  /// for the others, if nodes coincide or all lie in a plane.
   static std::optional<WorldPolynomial> through(const ZooMesh& mesh, CellId cell,
                                                 std::span<const double> values);
 
-  /// At a point relative to the cell's first node.
+  /// The value at a point, which is relative to the cell's first node.
   [[nodiscard]] double at(const Point& point) const;
   [[nodiscard]] Point gradient(const Point& point) const;
 
-  /// Of none of its monomials is the degree greater; nor is it along a line.
+  /// A bound of the degree of its monomials, and of its degree along a line.
   [[nodiscard]] std::size_t degree() const { return degree_; }
 
-  /// Numbers between which it stays in the cell.
+  /// Bounds of its values in the cell.
   [[nodiscard]] double least() const { return c_[0] - reach_; }
   [[nodiscard]] double most() const { return c_[0] + reach_; }
 
@@ -68,7 +70,7 @@ class WorldPolynomial {
 
   std::span<const Exponents> terms_;
   std::size_t degree_ = 0;
-  // what becomes 0, and rows of a map to coordinates that run from -1 to 1 in the cell at most
+  // origin and rows of a map to coordinates that stay within [-1, 1] in the cell
   Point origin_{};
   std::array<Point, 3> to_box_{};
   std::array<double, kMostTerms> c_{};

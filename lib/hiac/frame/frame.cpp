@@ -12,13 +12,12 @@
 namespace hiac {
 namespace {
 
-// Optical depth of the longest ray in the mesh, with the largest extinction of all: where a
-// function would be above that it is not, and what is drawn as opaque begins 1e-15 of the mesh's
-// depth later.
+// The largest optical depth of the longest ray in the mesh. Extinction is limited accordingly; an
+// opaque region then begins up to 1e-15 of the mesh's depth later.
 constexpr double kThickestMesh = 1e30;
 
-// Segments may begin this much before the one in front of them ended, relative to the depth of the
-// mesh: faces computed by different routes differ by rounding.
+// Segments may begin this much before the end of the segment in front, relative to the depth of the
+// mesh: faces computed in different ways differ by rounding.
 constexpr double kWitnessTolerance = 1e-9;
 
 double depth_of_mesh(const ZooMesh& mesh, const Projector& projector) {
@@ -84,7 +83,7 @@ Frame::Frame(const ZooMesh& of_mesh, const Scene& scene, const Projector& of_sce
   witness_tolerance = kWitnessTolerance * depth;
   const double longest =
       depth * std::max(projector.ray_scale(0, 0), projector.ray_scale(scene.image.width, 0));
-  // of a mesh without depth nothing is seen but surfaces
+  // of a mesh of depth 0 only surfaces are visible
   const double most_extinction = kThickestMesh / std::max(longest, 1 / kThickestMesh);
   optics = make_optics_tables(scene.volume, scene.render.integration, most_extinction);
   const bool polynomial = scene.render.interpolation == Interpolation::polynomial;
@@ -100,8 +99,8 @@ Frame::Frame(const ZooMesh& of_mesh, const Scene& scene, const Projector& of_sce
   optics.steep =
       is_steep(optics, largest_magnitude(color_field()), largest_magnitude(extinction), longest);
   // What lies behind a transparency T adds at most T times the largest light to a pixel and T to
-  // its alpha, and hides T times the background. With emission rays are not ended: light grows with
-  // a ray's length.
+  // its alpha, and hides T times the background. With emission, rays are not terminated early:
+  // light grows with a ray's length.
   largest_light = std::max(optics.largest_color, isosurfaces.largest_light);
   if (optics.emission) largest_light = optics.largest_color * longest + isosurfaces.largest_light;
   const double behind =

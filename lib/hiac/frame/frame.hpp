@@ -14,17 +14,17 @@
 
 namespace hiac {
 
-/// What a picture says of its pixels besides their colour.
+/// What a picture records about its pixels besides their colour.
 enum class Details : std::uint8_t {
   none,
   described,  ///< PixelDetails
-  bounded     ///< these, with bounds of errors
+  bounded     ///< PixelDetails with error bounds
 };
 
 /// Everything that does not change while one image is made. Shared by all tiles, read only.
 struct Frame {
-  /// The frame of a scene. `projector`: of the scene; it and the mesh must outlive the frame.
-  /// Requires what check_renderable (renderable.hpp) lets pass.
+  /// The frame of a scene. `projector` is that of the scene; it and the mesh must outlive the
+  /// frame. Mesh and scene must pass check_renderable (renderable.hpp).
   Frame(const ZooMesh& mesh, const Scene& scene, const Projector& projector,
         Details details = Details::none);
   Frame(const Frame&) = delete;
@@ -34,17 +34,17 @@ struct Frame {
   const ZooMesh& mesh;
   const Projector& projector;
   std::vector<ProjectedNode> nodes;
-  std::vector<CellKernel> kernel_cells;  ///< what kernel_cells() says
+  std::vector<CellKernel> kernel_cells;  ///< result of kernel_cells()
   OpticsTables optics;
-  FrameField color, extinction;  ///< one and the same where optics.same_field
+  FrameField color, extinction;  ///< equal if optics.same_field
   Isosurfaces isosurfaces;
   /// Pixels with less transparency than this are finished.
   double least_transparency = 0;
-  /// Segments may overlap the one before by this much of the ray parameter: rounding.
+  /// Segments may overlap the previous one by this much of the ray parameter, because of rounding.
   double witness_tolerance = 0;
-  bool with_details;  ///< pixels' details are asked for
-  bool with_error;    ///< among them bounds of errors
-  /// Of what a ray meets, seen through nothing: any channel.
+  bool with_details;  ///< pixels' details are requested
+  bool with_error;    ///< with error bounds
+  /// The largest light of anything that a ray meets, at transparency 1 in front, any channel.
   double largest_light = 0;
   double depth = 0;         ///< extent of the mesh in the ray parameter
   double tolerance = 0;     ///< absolute error allowed per pixel and channel
@@ -53,7 +53,7 @@ struct Frame {
   [[nodiscard]] const FrameField& color_field() const {
     return optics.same_field ? extinction : color;
   }
-  /// has_curved_faces, which no kernel is for.
+  /// Whether a cell has curved faces (has_curved_faces); no kernel draws such cells.
   [[nodiscard]] bool is_curved(CellId cell) const {
     return kernel_cells[cell] == CellKernel::none_curved;
   }

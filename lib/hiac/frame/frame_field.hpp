@@ -7,7 +7,7 @@
 
 namespace hiac {
 
-/// A scalar field and, where a transfer function reads it, the function's interval of each value.
+/// A scalar field and, if a transfer function uses it, the function's interval for each value.
 struct FrameField : FieldValues {
   std::vector<ScalarIntervals> intervals;
 };

@@ -18,24 +18,26 @@ namespace {
 
 constexpr std::size_t kGrain = std::size_t{1} << 14;
 
-// A face that has the value of a surface at all its corners, in a cell that is below it elsewhere.
+// A face at all of whose corners the field equals a surface's value, in a cell that is below the
+// value elsewhere.
 struct TouchedFace {
   std::uint32_t surface;
-  std::array<NodeId, 4> nodes;  // ascending; a triangle's last is none
+  std::array<NodeId, 4> nodes;  // ascending; the last of a triangle is unused
   std::size_t cut;              // index into the cuts
   std::uint8_t face;
 
   [[nodiscard]] auto key() const { return std::tie(surface, nodes); }
 };
 
-// What some consecutive cells have.
+// The cuts of some consecutive cells.
 struct CellCuts {
-  std::vector<std::uint32_t> count;  // of cuts, by cell
+  std::vector<std::uint32_t> count;  // number of cuts, by cell
   std::vector<IsosurfaceCut> cuts;
   std::vector<TouchedFace> touched;  // `cut` counts from these cells' first
 };
 
-// Of values between `least` and `most`; only touched from below where it is the most.
+// Whether a cell with values between `least` and `most` meets the surface; if the value is `most`,
+// the surface is only touched from below.
 bool is_met(const FrameIsosurface& surface, double least, double most) {
   return least < surface.value && surface.value <= most;
 }
@@ -65,14 +67,14 @@ class CutFinder {
       const FrameIsosurface& surface = all_.surfaces[s];
       const CellField& field = values_[surface.field];
       if (!is_met(surface, field.least, field.most)) continue;
-      // of higher orders the field may be above the value between the nodes
+      // in cells of higher order the field may exceed the value between the nodes
       const double most = std::ranges::max(std::span(field.values).first(nodes));
       const bool touched = most == surface.value && add_touched(cell, s, result);
       if (surface.value < field.most || touched) result.cuts.push_back({s, 0});
     }
   }
 
-  // What most cells do; found for linear ones without their interpolants.
+  // Whether no surface crosses a linear cell, as in most cells; found without the interpolant.
   [[nodiscard]] bool lies_between_surfaces(CellId cell) const {
     if (order_of(mesh_.kinds[cell]) != CellOrder::linear) return false;
     const auto nodes = mesh_.cell_nodes(cell);
@@ -91,7 +93,7 @@ class CutFinder {
     return true;
   }
 
-  // False when no whole face has the value.
+  // Adds the face that has the value at all its corners. Returns false if there is none.
   bool add_touched(CellId cell, std::uint32_t s, CellCuts& result) const {
     const auto nodes = mesh_.cell_nodes(cell);
     const CellKind kind = mesh_.kinds[cell];
@@ -115,7 +117,7 @@ class CutFinder {
 
   const ZooMesh& mesh_;
   const Isosurfaces& all_;
-  std::vector<CellField> values_;  // of the cell at hand, by field
+  std::vector<CellField> values_;  // of the current cell, by field
 };
 
 // Closes the faces that a surface touches from below on both sides.
@@ -162,13 +164,13 @@ FrameLight frame_light(const Light& light, const Projector& projector) {
   return result;
 }
 
-// Differences from a surface's value below this vanish in products.
+// Differences from a surface's value below this may underflow in products.
 constexpr double kVanishing = 0x1p-500;
-// What the largest of a field may become: products of two stay finite.
+// The largest exponent of a scaled field: products of two values stay finite.
 constexpr int kMostExponent = 400;
 
-// A power of two by which a field and a surface's value are multiplied: 1, but where some of the
-// field's differences from the value are that small. Only a value close to 0 has such.
+// The power of two by which a field and a surface's value are multiplied: 1, unless some of the
+// field's differences from the value are that small, which is possible only for a value close to 0.
 double scale_for(std::span<const double> values, double value) {
   if (!(std::abs(value) < kVanishing)) return 1;
   double least = std::numeric_limits<double>::infinity(), most = std::abs(value);
@@ -178,17 +180,17 @@ double scale_for(std::span<const double> values, double value) {
     if (std::isfinite(v)) most = std::max(most, std::abs(v));
   }
   if (!(least < kVanishing)) return 1;
-  // 2^1023 is the largest power of two: what remains below is of fields that are all denormal
+  // 2^1023 is the largest power of two; fields whose values are all denormal stay smaller
   return std::ldexp(1.0, std::clamp(kMostExponent - std::ilogb(most), 0, 1023));
 }
 
-// The fields of the surfaces, each once in every unit that a surface needs.
+// The fields of the surfaces, each once for every scale that a surface needs.
 class SurfaceFields {
  public:
   SurfaceFields(const ZooMesh& mesh, bool polynomial) : mesh_(mesh), polynomial_(polynomial) {}
 
-  // The place of a surface's field in `all`, and what multiplies its value: the surface is the same
-  // in every unit.
+  // The index of a surface's field in `all`, and the factor of the surface's value: the surface is
+  // the same at every scale.
   std::pair<std::size_t, double> place_of(const Isosurface& surface, std::vector<FrameField>& all) {
     if (!given_.contains(surface.field))
       given_.emplace(surface.field, scalar_field(mesh_, surface.field));

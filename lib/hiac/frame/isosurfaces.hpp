@@ -12,12 +12,12 @@
 
 namespace hiac {
 
-/// An isosurface as the engine draws it. See Isosurface (scene.hpp) for the numbers.
+/// An isosurface as the engine draws it. See Isosurface (scene.hpp) for its parameters.
 struct FrameIsosurface {
   std::size_t field;  ///< index into Isosurfaces::fields
   double value;
   Color color;
-  double log_transparency;  ///< log(1 - opacity), seen face-on; -infinity where it is opaque
+  double log_transparency;  ///< log(1 - opacity), seen face-on; -infinity if opaque
   double ambient, diffuse, specular, shininess;
 };
 
@@ -36,9 +36,10 @@ struct IsosurfaceCut {
 /// The scene's isosurfaces and the cells that they cross.
 ///
 /// A ray crosses a surface where its field goes from below the value to the value or above it, or
-/// back, inside a cell, its two faces included. All cells that share a face have the same values
-/// there, and the question `below?` has one answer for a face and a ray whoever asks
-/// (face_value.hpp), so that every passage is drawn once, in the cell that has its two sides:
+/// back, inside a cell including its entry and exit faces. All cells that share a face have the
+/// same values there, and the test `below?` has one result for a face and a ray in both cells
+/// (face_value.hpp), so that every crossing is drawn once, in the cell that contains both of its
+/// sides:
 ///
 /// - One, two or three nodes of a tetrahedron may have the value (section 5.1). Where a whole face
 ///   has it the surface lies in the face, and the cell in which the field falls below it draws it.
@@ -51,17 +52,18 @@ struct IsosurfaceCut {
 /// - A cell that has the value everywhere counts as not below it, and draws nothing.
 ///
 /// Where values jump across a face (cell and corner fields) nothing is drawn at the jump, even if
-/// the value lies between: there is no point at which the field takes it. So the surfaces of
-/// constant cells are none, and those of corner fields end at the faces where they do not fit.
+/// the value lies between: there is no point at which the field takes it. Therefore constant cells
+/// have no surfaces, and surfaces of corner fields end at the faces where they do not fit.
 ///
-/// Several surfaces at one depth of a ray are composited in the order of the scene, the first in
-/// front.
+/// Several surfaces at one depth of a ray are composited in the order of the scene, the first one
+/// in front.
 struct Isosurfaces {
   std::vector<FrameField> fields;  ///< without intervals
   std::vector<FrameIsosurface> surfaces;
   std::vector<FrameLight> lights;
-  double largest_light = 0;  ///< bound of what a surface shines with, any channel
-  /// Cuts of cell c: first[c] to first[c + 1]; both empty where the scene has no isosurface.
+  double largest_light = 0;  ///< upper bound of a surface's light, any channel
+  /// The cuts of cell c are first[c] to first[c + 1]; both arrays are empty if the scene has no
+  /// isosurface.
   std::vector<std::uint64_t> first;
   std::vector<IsosurfaceCut> cuts;
 
@@ -71,8 +73,8 @@ struct Isosurfaces {
     return std::span(cuts).subspan(first[cell], first[cell + 1] - first[cell]);
   }
 
-  /// A surface's field less its value at a corner of a cell: a difference of doubles has the right
-  /// sign, and is 0 where they are equal alone.
+  /// A surface's field minus its value, at a corner of a cell: a difference of doubles has the
+  /// correct sign, and is 0 only if they are equal.
   [[nodiscard]] double offset(const FrameIsosurface& surface, CellId cell, std::uint64_t entry,
                               NodeId node) const {
     const FrameField& field = fields[surface.field];
@@ -80,7 +82,7 @@ struct Isosurfaces {
   }
 };
 
-/// Bound of what a surface shines with, any channel.
+/// An upper bound of the light of a surface, any channel.
 double largest_light(const Isosurface& surface, std::span<const Light> lights);
 
 /// Throws UsageError, as scalar_field does, when a field does not exist.

@@ -13,9 +13,9 @@
 namespace hiac {
 namespace {
 
-// Width in pixels of a projected triangle below which digits of depth are lost that matter: with an
-// ulp of a coordinate of about 1e-13, depths on wider ones keep to 1e-9 of their range, as the
-// witness asks.
+// Width in pixels of a projected triangle below which too many digits of depth are lost: with an
+// ulp of a coordinate of about 1e-13, depths on wider triangles are accurate to 1e-9 of their
+// range, as the witness requires.
 constexpr double kThinnest = 0x1p-13;
 
 bool is_thin(const ProjectedNode& a, const ProjectedNode& b, const ProjectedNode& c) {

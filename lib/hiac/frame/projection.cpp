@@ -16,7 +16,7 @@ namespace {
 
 // Beyond this many pixels from the centre a projected coordinate has lost too many digits to be
 // scan converted (an ulp is then 3e-11 pixels); such nodes, close to the eye plane, count as not
-// projectable, and their cells are met by their rays in world space.
+// projectable, and their cells are intersected with rays in world space.
 constexpr double kFarthestPixel = 131072;
 
 double at_center(long double extended) {

@@ -19,14 +19,14 @@ struct ProjectedNode {
   double x, y, depth;
 };
 
-/// The map from world to screen, and the rays of pixels back into the world (sections 4, 5.1).
+/// The map from the world to the screen, and the rays of pixels in the world (sections 4, 5.1).
 ///
 /// The ray through the screen point (x, y) is origin(x, y) + t direction(x, y). The parameter t is
 /// the distance from the eye plane along the view direction in perspective, and from the plane
-/// through `look_at` in orthographic (where the eye's distance would only cost digits).
+/// through `look_at` in orthographic (where the eye's distance would only cost precision).
 class Projector {
  public:
-  /// Throws InputError when the camera cannot be (which the scene's parser has excluded).
+  /// Throws InputError if the camera is impossible (the scene's parser excludes that).
   Projector(const Camera& camera, ImageSize size);
 
   [[nodiscard]] bool perspective() const { return perspective_; }
@@ -34,11 +34,11 @@ class Projector {
   [[nodiscard]] double near() const { return near_; }
   [[nodiscard]] double far() const { return far_; }
 
-  /// In extended precision, rounded once: what is found from projected nodes is then known to what
-  /// their coordinates can tell, however far away the eye. False when the point cannot be
-  /// projected: it lies beside or behind the eye.
+  /// Projects a point in extended precision, rounding once: projected nodes are then as accurate as
+  /// doubles allow, however far away the eye is. Returns false if the point cannot be projected,
+  /// because it lies beside or behind the eye.
   bool project(std::span<const double, 3> point, ProjectedNode& node) const;
-  /// x, y and depth (ProjectedNode) without that rounding.
+  /// The point's x, y and depth (ProjectedNode) without that rounding.
   [[nodiscard]] std::array<long double, 3> project_extended(std::span<const double, 3> point) const;
   /// The ray parameter of the plane parallel to the screen through a point.
   [[nodiscard]] double parameter(std::span<const double, 3> point) const;
@@ -48,13 +48,13 @@ class Projector {
   [[nodiscard]] std::array<double, 3> camera_vector(const std::array<double, 3>& v) const;
 
   [[nodiscard]] std::array<double, 3> origin(double x, double y) const;
-  /// A point, and that origin, in the world's axes from the eye or, orthographic, look_at: what
-  /// is computed with these keeps the digits that coordinates far from zero would cost.
+  /// A point, and the origin of a ray, in world axes relative to the eye or, orthographic, to
+  /// look_at: this preserves the digits that coordinates far from zero would lose.
   [[nodiscard]] std::array<double, 3> relative(std::span<const double, 3> point) const;
   [[nodiscard]] std::array<double, 3> relative_origin(double x, double y) const;
   [[nodiscard]] std::array<double, 3> direction(double x, double y) const;
-  /// Perspective: the direction's components along right and up, that along forward being 1.
-  /// Orthographic: the origin's, from look_at.
+  /// Perspective: the direction's components along right and up, where that along forward is 1.
+  /// Orthographic: those of the origin, relative to look_at.
   [[nodiscard]] std::array<double, 2> slopes(double x, double y) const;
   /// The slopes, and the range of t that z-clipping leaves, in extended precision.
   [[nodiscard]] std::array<long double, 2> extended_slopes(double x, double y) const;
@@ -65,9 +65,10 @@ class Projector {
       std::span<const double, 3> point) const;
   [[nodiscard]] std::array<long double, 3> extended_camera_vector(
       const std::array<long double, 3>& v) const;
-  /// What rays are made of, for many at a time: with a = (x - center_x) / pixels_per_unit() and
-  /// b = (center_y - y) / pixels_per_unit(), relative_origin(x, y) is 0 and direction(x, y) is
-  /// forward + a right + b up in perspective; a right + b up and forward in orthographic.
+  /// The vectors from which rays are computed, for many at a time: with a = (x - center_x) /
+  /// pixels_per_unit() and b = (center_y - y) / pixels_per_unit(), relative_origin(x, y) is 0 and
+  /// direction(x, y) is forward + a right + b up in perspective; a right + b up and forward in
+  /// orthographic.
   struct Axes {
     std::array<double, 3> right, up, forward;
     double center_x, center_y;
@@ -75,7 +76,7 @@ class Projector {
   [[nodiscard]] Axes axes() const { return {right_, up_, forward_, center_x_, center_y_}; }
   /// Distance from the eye plane along the view direction at the ray parameter t.
   [[nodiscard]] double distance(double t) const { return t + offset_; }
-  /// Pixels per world unit: of things parallel to the screen, in perspective at t = 1.
+  /// Pixels per world unit, parallel to the screen; in perspective at t = 1.
   [[nodiscard]] double pixels_per_unit() const { return scale_; }
   /// World length per unit of t on the ray through (x, y).
   [[nodiscard]] double ray_scale(double x, double y) const;
@@ -92,7 +93,7 @@ class Projector {
   double center_x_, center_y_;
   double near_, far_;
   long double extended_near_, extended_far_;
-  double offset_;  // distance of the eye plane from where t is 0
+  double offset_;  // distance from the eye plane at t = 0
 };
 
 /// All nodes of a mesh. Nodes that cannot be projected have depth NaN.

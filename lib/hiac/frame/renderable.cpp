@@ -55,14 +55,14 @@ std::string cell_name(const ZooMesh& mesh, std::size_t cell) {
   return fmt::format("cell {} ({})", cell, kind_name(mesh.kinds[cell]));
 }
 
-// What there is more of than the one that is named.
+// The message's addition about failures other than the first.
 std::string others(const Failures& failures) {
   return failures.count == 1 ? "" : fmt::format("; {} cells in all", failures.count);
 }
 
 // Whether the cell's surface turns the other way at some corners than at others (the Jacobian
 // changes its sign). A closed surface with convex planar faces that turns the same way at all
-// corners bounds a convex body. Three edges in a plane turn no way.
+// corners bounds a convex body. Three edges in a plane have no orientation.
 bool turns_both_ways(const ZooMesh& mesh, std::size_t cell, double planarity) {
   const CellShape shape = shape_of(mesh.kinds[cell]);
   if (shape == CellShape::tetrahedron) return false;
@@ -104,7 +104,7 @@ bool has_bent_face(const ZooMesh& mesh, std::size_t cell, double planarity) {
   return false;
 }
 
-// What is wrong with a cell's geometry: nothing, or how the expected and the found read.
+// What is wrong with a cell's geometry, as the words for expected and found; null if nothing is.
 const char* fault_of(const ZooMesh& mesh, std::size_t cell, double planarity) {
   if (!has_curved_faces(mesh, static_cast<CellId>(cell), planarity)) {
     const bool bent =
@@ -139,8 +139,8 @@ void check_geometry(const ZooMesh& mesh, double planarity) {
       fmt::format("{}{})", fault_of(mesh, failures.first, planarity), others(failures)));
 }
 
-// Whether every cell's nodes determine the polynomial that fields are to be interpolated by.
-// `skip_invalid`: but those that are left out.
+// Checks that every cell's nodes determine the polynomial that interpolates fields. `skip_invalid`:
+// except for cells that are left out.
 void check_polynomials(const ZooMesh& mesh, double planarity, bool skip_invalid) {
   const std::array<double, kMaxNodesPerCell> any{};
   const Failures failures = count_failures(mesh.cell_count(), [&](std::size_t cell) {
@@ -159,7 +159,8 @@ void check_polynomials(const ZooMesh& mesh, double planarity, bool skip_invalid)
       fmt::format("`render.interpolation` = \"polynomial\": {}{})", fault, others(failures)));
 }
 
-// The cells' values of a field, by entry of ZooMesh::nodes (nodes and corners) or by cell.
+// Checks the values of a field that cells use, by entry of ZooMesh::nodes (nodes and corners) or by
+// cell.
 void check_field(const ZooMesh& mesh, const std::string& name) {
   const Field field = scalar_field(mesh, name);
   const auto values = field.values.view();
@@ -167,7 +168,7 @@ void check_field(const ZooMesh& mesh, const std::string& name) {
   Failures failures = count_failures(values.size(), bad);
   if (failures.count == 0) return;
   if (field.location == FieldLocation::node) {
-    // nodes of no cell may hold anything
+    // nodes that belong to no cell may have any value
     std::vector<std::uint8_t> used(mesh.node_count(), 0);
     for (const NodeId node : mesh.nodes) used[node] = 1;
     failures = count_failures(values.size(), [&](std::size_t i) { return used[i] != 0 && bad(i); });
@@ -187,7 +188,7 @@ void check_field(const ZooMesh& mesh, const std::string& name) {
                                failures.count, values[failures.first], place, failures.first));
 }
 
-// Values whose differences and products numbers cannot hold.
+// Checks that differences and products of values do not overflow.
 void check_size(const std::string& name, std::span<const double> values) {
   const Failures failures = count_failures(values.size(), [&](std::size_t i) {
     return std::isfinite(values[i]) && std::abs(values[i]) > kLargestNumber;
@@ -215,7 +216,7 @@ double diagonal_of(const ZooMesh& mesh) {
   return std::hypot(most[0] - least[0], most[1] - least[1], most[2] - least[2]);
 }
 
-// A pixel is at most as bright as colours may be.
+// Checks that no pixel can be brighter than colours may be.
 void check_brightness(const ZooMesh& mesh, const Scene& scene) {
   const auto refuse = [](const std::string& key, double most) {
     throw InputError(fmt::format("key `{}`", key),
@@ -247,7 +248,7 @@ VisibilityOrder without_cells(const VisibilityOrder& order, std::span<const Cell
   std::vector<CellId> kept;
   std::vector<CellGroup> groups;
   auto group = order.groups.begin();
-  const CellGroup* of_group = nullptr;  // that the last of `groups` is what is left of
+  const CellGroup* of_group = nullptr;  // the group whose remaining cells form the last of `groups`
   for (std::uint32_t rank = 0; rank < order.cells.size(); ++rank) {
     for (; group != order.groups.end() && rank >= group->first + group->count; ++group) {
     }

@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// crossing_x of row_crossing.hpp, not fused either.
+// crossing_x of row_crossing.hpp in vectors; the operations are not fused either.
 template <class V>
 HWY_INLINE V crossing_x(V center, V x, V y, V slope) {
   return hn::Add(x, hn::Mul(hn::Sub(center, y), slope));

@@ -6,9 +6,9 @@
 namespace hiac {
 
 // Where a row of pixel centres crosses a projected edge. Every scan of every kind of cell computes
-// crossings by these functions, so that an edge lies alike to a pixel's centre for all cells around
-// it. `V` is double or a vector of them. The operations are not fused: they give the same numbers
-// in scalars and in vectors, on every machine.
+// crossings by these functions, so that an edge lies on the same side of a pixel's centre for all
+// cells around it. `V` is double or a vector of doubles. The operations are not fused: they give
+// the same numbers in scalars and in vectors, on every machine.
 
 /// The change of x by y along the edge from a to b.
 inline double edge_slope(const ProjectedNode& a, const ProjectedNode& b) {
@@ -20,8 +20,8 @@ inline double crossing_x(double center, double x, double y, double slope) {
   return x + (center - y) * slope;
 }
 
-/// What to subtract from crossing_x before rounding up to the first pixel whose centre lies right
-/// of the crossing or on it.
+/// The number to subtract from crossing_x before rounding up, to obtain the first pixel whose
+/// centre lies on the crossing or right of it.
 inline double to_first_pixel(double slope) { return 0.5 + on_crossing(slope); }
 
 }  // namespace hiac

@@ -22,7 +22,7 @@ std::vector<double> merged(std::span<const double> a, std::span<const double> b)
   return all;
 }
 
-// The function on the intervals between `breakpoints`, which hold all of its own.
+// The table of a function on the intervals between `breakpoints`, which include all of its own.
 template <std::size_t N>
 TransferTable<N> tabulate(const PiecewiseLinear<N>& function, std::span<const double> breakpoints) {
   if (breakpoints.size() > kMostBreakpoints)
@@ -55,8 +55,8 @@ std::vector<std::uint8_t> zero_intervals(const TransferTable<N>& table) {
 
 using ExtinctionPoint = PiecewiseLinear<1>::Point;
 
-// Where the function between two points, one of them above `most`, is `most`. Not at the lower
-// point, whose own value stays what it is.
+// The scalar between two points, one of them above `most`, at which the function is `most`. It is
+// never the lower point itself, whose value does not change.
 double scalar_of(const ExtinctionPoint& low, const ExtinctionPoint& high, double most) {
   const double share = (most - low.value[0]) / (high.value[0] - low.value[0]);
   const double scalar = low.scalar + share * (high.scalar - low.scalar);
@@ -94,11 +94,11 @@ double steepest(const TransferTable<N>& table) {
 
 bool is_steep(const OpticsTables& optics, double largest_color_field,
               double largest_extinction_field, double longest) {
-  // Fields along rays of other cells than linear tetrahedra are known to less than 2^-40.
+  // In cells other than linear tetrahedra, fields along rays have an error below 2^-40.
   constexpr double kMost = 0x1p40;
   const double color = steepest(optics.color) * largest_color_field;
   const double depth = steepest(optics.extinction) * largest_extinction_field * longest;
-  // a product that is no number counts as steep
+  // a NaN counts as steep
   return !(depth <= kMost && color <= kMost * std::max(1.0, optics.largest_color));
 }
 

@@ -26,7 +26,7 @@ struct TransferTable {
 /// The volume's optics by scalar: colour (chromaticity or emission) and extinction. When both
 /// depend on the same field their intervals are the same, cut at the breakpoints of either.
 struct OpticsTables {
-  /// The functions themselves, with none but their own breakpoints.
+  /// The functions themselves, with only their own breakpoints.
   PiecewiseLinear<3> color_function;
   PiecewiseLinear<1> extinction_function;
   TransferTable<3> color;
@@ -34,28 +34,29 @@ struct OpticsTables {
   bool same_field = true;
   bool emission = false;
   PieceRule rule = PieceRule::exact;
-  bool unsliced = false;  ///< segments are not cut at breakpoints (with mean_color alone)
+  bool unsliced = false;  ///< segments are not cut at breakpoints (only with mean_color)
   /// Functions are so steep (is_steep) that rounding of a field may change the optical depth of a
-  /// ray by more than 1, or colours by more than they are.
+  /// ray by more than 1, or colours by more than their size.
   bool steep = false;
-  /// Largest colour component that the colour function takes anywhere.
+  /// The largest colour component of the colour function.
   double largest_color = 0;
   /// For every interval of its table: whether the function is zero on all of it.
   std::vector<std::uint8_t> no_color, no_extinction;
 };
 
-/// Extinction above `most_extinction` is taken as that much: the function gets a bend where it
-/// rises above it.
+/// The tables of a volume. Extinction is limited to `most_extinction`: the function gets a
+/// breakpoint where it rises above that.
 OpticsTables make_optics_tables(const Volume& volume, Integration integration,
                                 double most_extinction = std::numeric_limits<double>::infinity());
 
-/// See OpticsTables::steep. `largest_color_field`, `largest_extinction_field`: the fields' largest
-/// magnitudes; `longest`: ray in the mesh, world units.
+/// Whether functions are steep (OpticsTables::steep). `largest_color_field`,
+/// `largest_extinction_field`: the fields' largest magnitudes; `longest`: the length of the longest
+/// ray in the mesh, world units.
 bool is_steep(const OpticsTables& optics, double largest_color_field,
               double largest_extinction_field, double longest);
 
-/// For one scalar: how many breakpoints lie below it, and how many do not lie above it. Equal, the
-/// scalar is inside an interval, and both are that interval's number.
+/// For one scalar, the number of breakpoints below it, and the number of breakpoints not above it.
+/// If they are equal, the scalar is inside an interval, and both are that interval's number.
 struct ScalarIntervals {
   std::uint16_t low, high;
 };

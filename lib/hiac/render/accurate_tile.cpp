@@ -6,10 +6,9 @@
 namespace hiac {
 namespace {
 
-// Between two looks at whether a tile's pixels are all opaque.
+// The number of cells between two tests whether a tile's pixels are all opaque.
 constexpr std::size_t kCellsPerLook = 256;
-// The order leads all over the arrays of cells: their kernels are fetched this many cells before
-// they are asked for.
+// The order accesses the arrays of cells at random: kernels are prefetched this many cells ahead.
 constexpr std::size_t kFetchAhead = 16;
 
 }  // namespace

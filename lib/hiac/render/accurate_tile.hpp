@@ -17,7 +17,7 @@ namespace hiac {
 /// One tile, drawn by the accurate engine (engine.hpp).
 class AccurateTile final : public DrawnTile {
  public:
-  /// Draws the cells at these positions of the order. All arguments must outlive it.
+  /// Draws the cells at these positions of the order. All arguments must outlive this object.
   AccurateTile(const Frame& frame, const SplattedCells& splatted, const VisibilityOrder& order,
                const TileRect& tile, std::span<const std::uint32_t> ranks);
 
@@ -44,7 +44,7 @@ class AccurateTile final : public DrawnTile {
   TileBuffer buffer_;
   TileCounts counts_;
   PixelRefinement refinement_;
-  // of the run at hand
+  // of the current run
   SegmentList segments_;
   std::vector<CellId> cells_;
 };

@@ -10,8 +10,8 @@ namespace hiac {
 /// Draws cells in a tile, in the order given.
 using DrawCells = void (*)(const TileTarget& to, std::span<const CellId> cells);
 
-/// What draws a cell: a kernel, or render_general_cells. It does not depend on the channels that
-/// are asked for.
+/// The function that draws a cell: a kernel, or render_general_cells. It does not depend on the
+/// requested channels.
 DrawCells draw_for(const Frame& frame, CellId cell);
 
 }  // namespace hiac

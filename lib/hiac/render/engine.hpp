@@ -19,17 +19,16 @@ namespace hiac {
 /// composited in double precision. Groups of cells are put in order pixel by pixel. The same input
 /// gives the same image, bit for bit, whatever the number of threads.
 ///
-/// Requires what check_renderable (renderable.hpp) lets pass.
-/// `with_background`: composite the scene's background behind the volume.
-/// `progress`: told how many tiles are done, where there is one.
-/// `channels`: what the picture says of its pixels besides. They change none of the others. Throws
-/// UsageError for the error of an integration other than exact, or of splats: no bound is claimed
-/// of those.
+/// Requires what check_renderable (renderable.hpp) lets pass. `with_background`: composite the
+/// scene's background behind the volume. `progress`: receives the number of finished tiles; may be
+/// null. `channels`: what the picture says of its pixels besides. They change none of the others.
+/// Throws UsageError for the error of an integration other than exact, or of splats: no bound is
+/// claimed of those.
 RenderResult render(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
                     bool with_background, Progress* progress = nullptr,
                     std::span<const Channel> channels = {});
 
-/// The same picture part by part. What the parts share is made once.
+/// Renders a picture part by part. What the parts share is computed once.
 class PartRenderer {
  public:
   /// Mesh, order and scene must outlive it. `channels` and what is thrown are those of render.
@@ -45,7 +44,7 @@ class PartRenderer {
   [[nodiscard]] RenderResult render(const PixelRect& part, bool with_background,
                                     Progress* progress = nullptr) const;
 
-  /// What making it took; not in the parts' statistics.
+  /// The time that construction took; the parts' statistics do not include it.
   [[nodiscard]] double prepare_seconds() const;
 
  private:

@@ -24,7 +24,7 @@
 namespace hiac {
 namespace {
 
-// Psi is found to this.
+// The accuracy of Psi.
 constexpr double kPsiTolerance = 1e-13;
 
 void require_explainable(const Scene& scene, std::uint32_t x, std::uint32_t y) {
@@ -38,13 +38,13 @@ void require_explainable(const Scene& scene, std::uint32_t x, std::uint32_t y) {
         "expected)");
 }
 
-// `fields`: of extinction and, where it has its own, of colour.
+// Psi of a segment. `fields`: that of extinction and, if it differs, that of colour.
 double mean_transparency(const OpticsTables& optics, std::span<const FieldAlongRay::Piece> fields,
                          double length) {
   if (!(length > 0)) return 1;
   const PiecewiseLinear<3> one(std::vector<PiecewiseLinear<3>::Point>{{0, {1, 1, 1}}});
   double light = 0, transparency = 1;
-  // a medium that emits 1 everywhere shines with length times Psi
+  // the light of a medium that emits 1 everywhere is the length times Psi
   for (const FieldAlongRay::Piece& piece : fields) {
     const double part = (piece.end - piece.begin) * length;
     const SegmentRadiance r = integrate_segment(
@@ -63,7 +63,7 @@ void append(const SegmentList& all, std::size_t i, SegmentList& list) {
 
 class RayFollower {
  public:
-  // `background`: the largest channel of what is behind.
+  // `background`: the largest channel of the background.
   RayFollower(const Frame& frame, const TileRect& tile, int x, int y, double background)
       : frame_(frame),
         tile_(tile),
@@ -90,7 +90,7 @@ class RayFollower {
             buffer_.details[at_].violations > violations);
   }
 
-  // Cells that the engine puts in order along the ray.
+  // Follows cells that the engine sorts along the ray.
   void follow_group(std::span<const CellId> cells) {
     SegmentList found, others;
     std::vector<CellId> owners;
@@ -111,7 +111,7 @@ class RayFollower {
   [[nodiscard]] std::vector<PixelSegment> take_rows() { return std::move(rows_); }
   [[nodiscard]] Color color() const { return color_of(buffer_); }
   [[nodiscard]] double transparency() const { return buffer_.transparency[at_]; }
-  // Of the finished pixel, as the picture's channel has it.
+  // The error bound of the finished pixel, as in the picture's channel.
   [[nodiscard]] std::optional<double> error(PixelRefinement& refinement) const {
     if (!frame_.with_error) return std::nullopt;
     return refinement.error(buffer_, at_, background_);

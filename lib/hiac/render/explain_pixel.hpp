@@ -15,7 +15,7 @@ namespace hiac {
 struct SegmentEnd {
   double depth = 0;  ///< distance from the eye plane along the view direction
   double color_field = 0, extinction_field = 0;
-  Color kappa{};   ///< what the colour function is there: chromaticity, or emission
+  Color kappa{};   ///< value of the colour function: chromaticity, or emission
   double tau = 0;  ///< extinction coefficient per world unit of length
 };
 
@@ -23,7 +23,7 @@ struct SegmentEnd {
 struct MetIsosurface {
   std::size_t surface = 0;  ///< index into Scene::isosurfaces
   double depth = 0;         ///< as SegmentEnd::depth
-  Color color{};            ///< what it shines with, premultiplied by its opacity
+  Color color{};            ///< its light, premultiplied by its opacity
   double opacity = 0;       ///< at the angle at which it is seen
 };
 
@@ -32,7 +32,7 @@ struct PixelSegment {
   CellId cell = 0;
   CellKind kind{};
   bool in_group = false;      ///< the cell's place was found pixel by pixel (CellGroup)
-  bool out_of_order = false;  ///< the segment began before the one in front of it had ended
+  bool out_of_order = false;  ///< the segment begins before the end of the one in front
   SegmentEnd front, back;
   double length = 0;  ///< world units
   /// Psi = int_0^1 exp(-A(u)) du of the segment's volume, u its part from the front and A(u) the
@@ -46,11 +46,11 @@ struct PixelSegment {
   std::optional<double> error;  ///< bound (pixel_error); none where none is claimed
 };
 
-/// How one pixel comes about.
+/// How one pixel is computed.
 struct PixelExplanation {
   std::uint32_t x = 0, y = 0;
   std::vector<PixelSegment> segments;  ///< front to back, as they were composited
-  bool ended = false;  ///< too little is seen through the segments to look behind them
+  bool ended = false;                  ///< the transparency of the segments is too small to go on
   double transparency = 1;
   Color background{};  ///< behind; black without one
   /// "R" "G" "B" "A" of the picture.
@@ -66,8 +66,8 @@ struct PixelExplanation {
 /// are those of its kernel to within rounding. Cells without extinction (nor emission) are empty
 /// space, and no segments, unless an isosurface crosses them.
 ///
-/// Requires what check_renderable (renderable.hpp) lets pass. Throws UsageError when the pixel is
-/// not in the picture, or cells are splatted: splats are not segments.
+/// Requires what check_renderable (renderable.hpp) lets pass. Throws UsageError if the pixel is not
+/// in the picture, or if cells are splatted: splats are not segments.
 PixelExplanation explain_pixel(const ZooMesh& mesh, const VisibilityOrder& order,
                                const Scene& scene, std::uint32_t x, std::uint32_t y,
                                bool with_background);

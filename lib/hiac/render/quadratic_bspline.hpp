@@ -8,8 +8,8 @@ namespace hiac {
 inline constexpr double kBsplineReach = 1.5;
 
 /// The quadratic B-spline: a box of a pixel's width convolved with itself twice (section 5.3). Its
-/// integral is 1, and so is the sum of its values at any points that lie a pixel apart.
-/// `offset`: from its middle, in pixels.
+/// integral is 1, and so is the sum of its values at any points that lie a pixel apart. `offset`:
+/// distance from its middle, in pixels.
 inline double quadratic_bspline(double offset) {
   const double d = std::abs(offset);
   if (d <= 0.5) return 0.75 - d * d;

@@ -21,11 +21,12 @@
 namespace hiac {
 namespace {
 
-// Pixel centres farther than this from the picture's first are not counted: beyond, projected
-// coordinates have lost digits that matter, and parallel views have no end.
+// Pixel centres farther than this from the picture's first are not counted: farther away, projected
+// coordinates lose too many digits, and parallel views are unbounded.
 constexpr int kFarthestCount = 262144;
 
-// More than on_crossing may put a pixel centre left of an edge that it counts as lying on.
+// An upper bound of how far left of an edge a pixel centre may be that on_crossing counts as lying
+// on it.
 constexpr double kLeftOfEdge = kBesideCrossing;
 
 int first_counted(double coordinate) {
@@ -218,7 +219,7 @@ BoundsOfCell splat_bounds(const Frame& frame, const SplattedCells& splatted) {
   return [&](CellId cell) -> std::optional<ScreenBounds> {
     if (!splatted.holds(cell)) return std::nullopt;
     const Splat splat = splat_of(frame, cell);
-    // what the view clips is not splatted
+    // cells that the view clips are not splatted
     return ScreenBounds{splat.x - kBsplineReach,
                         splat.y - kBsplineReach,
                         splat.x + kBsplineReach,

@@ -14,9 +14,9 @@
 namespace hiac {
 
 /// Subpixel splatting (Williams, Max, Stein 1998, section 5.3): a cell whose projection covers too
-/// few pixel centres for rays to see it with its right weight acts as if all of it lay at its
-/// centre of gravity. Its optical depth there, a delta function, is convolved with the biquadratic
-/// B-spline, so that it is spread over 3 x 3 pixels.
+/// few pixel centres for rays to sample it with the correct weight is treated as if it were
+/// concentrated at its centre of gravity. Its optical depth there, a delta function, is convolved
+/// with the biquadratic B-spline, so that it is spread over 3 x 3 pixels.
 ///
 /// With V the volume and tau the extinction at the centre of gravity (fields there by their
 /// interpolants), the optical depth of the cell, integrated over the screen in pixels, is tau V
@@ -27,15 +27,14 @@ namespace hiac {
 /// gravity, for either glow.
 ///
 /// The kernel reaches pixels that the cell does not cover, and of cells that do not cover each
-/// other a visibility order may have any first. In a pixel splats therefore come by the depth of
-/// their centres of gravity, among themselves and among the ray segments that begin before and
-/// behind them. In a tile with splats segments are put in order by depth too, 256 cells at a time;
-/// there the witness sees what is wrong between these.
+/// other a visibility order may have any first. In a pixel, splats are therefore sorted by the
+/// depth of their centres of gravity, among themselves and among the ray segments that begin before
+/// and behind them. In a tile with splats, segments are sorted by depth too, 256 cells at a time;
+/// there the witness detects errors of the order between these batches.
 ///
-/// Where extinction is thin over a pixel, the picture so is the exact one convolved with the
-/// kernel. Where it is thick, optical depth is what is blurred, rather than light; and as section
-/// 5.3 says, of two cells smaller than a pixel, one before the other, neither hides the other
-/// entirely.
+/// Where the optical depth of a pixel is small, the picture is the exact one convolved with the
+/// kernel. Where it is large, optical depth is blurred rather than light; and as section 5.3 says,
+/// of two cells smaller than a pixel, one before the other, neither hides the other entirely.
 ///
 /// A cell is splatted when fewer than scene.render.splat_below pixel centres lie in its projection,
 /// whether or not they are pixels of the picture, counted as the engine finds them. A cell smaller
@@ -58,7 +57,7 @@ class SplattedCells {
   std::vector<std::uint8_t> is_splatted_;  // a flag a cell; empty where none is
 };
 
-/// A cell's centre of gravity, and all that a splat is but optics.
+/// A cell's centre of gravity, and the data of its splat except optics.
 struct Splat {
   double x, y;    ///< pixel coordinates
   double t;       ///< ray parameter

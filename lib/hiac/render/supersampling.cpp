@@ -45,7 +45,7 @@ std::vector<double> filter_weights(const Supersampling& sampling) {
   return weights;
 }
 
-// What of a sample counts for a channel that not every sample has a number for.
+// The weight of a sample in a channel that is infinite in some samples.
 double share_of(Channel channel, std::span<const double> sample) {
   return channel == Channel::mean_depth ? sample[3] : 1;
 }
@@ -95,7 +95,7 @@ class SampleSum {
   // first; all of their columns.
   void add(const Image& band, std::size_t first) {
     const std::size_t channels = sum_.channel_count(), width = sum_.width() * channels;
-    // along the rows first, then across them
+    // first along the rows, then across them
     std::vector<double> rows(band.height() * width, 0.0);
     parallel_for(band.height(), 1, [&](IndexRange range) {
       for (std::size_t y = range.begin; y < range.end; ++y)
@@ -158,7 +158,7 @@ class SampleSum {
   Image sum_;
 };
 
-// Of the sums themselves.
+// Adds the rounding error of the sums to the channel `error`.
 void add_rounding(const Supersampling& sampling, Image& image) {
   const auto error = image.channel_index(channel_name(Channel::error));
   if (!error) return;
@@ -177,7 +177,7 @@ std::size_t rows_of_band(const PixelRect& part, std::size_t columns) {
   return std::max<std::size_t>(1, pixels / (columns * kTileHeight)) * kTileHeight;
 }
 
-// An error of A changes what is seen of the background.
+// Composites the background; an error of A changes the visible share of it.
 void put_background_behind(const Scene& scene, const PixelRect& part, Image& image) {
   const auto error = image.channel_index(channel_name(Channel::error));
   for (std::uint32_t y = 0; y < part.height; ++y)

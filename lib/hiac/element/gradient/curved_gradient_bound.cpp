@@ -15,14 +15,14 @@ namespace hiac {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Parts of a cell that are looked at before it is given up.
+// The number of parts of a cell that are examined before giving up.
 constexpr std::size_t kMostParts = 73;
-// Of a product of three derivatives, of the product of their largest coefficients: coefficients are
-// means of at most 343 products of products.
+// Rounding of a product of three derivatives, relative to the product of their largest
+// coefficients: coefficients are means of at most 343 products of products.
 constexpr double kProductRounding = 512 * kUnit;
 
-// A polynomial on the cube, its Bernstein coefficients times the three binomial coefficients:
-// products are plain convolutions of these. The first coordinate runs fastest.
+// A polynomial on the cube, as its Bernstein coefficients times the three binomial coefficients:
+// products of polynomials are plain convolutions of these. The first coordinate runs fastest.
 struct Polynomial {
   std::array<std::size_t, 3> size{};  // degrees + 1
   std::vector<double> c;
@@ -49,7 +49,7 @@ void add_product(const Polynomial& a, const Polynomial& b, double sign, Polynomi
 // The coordinates of a part of a cell and a field on it, in Bernstein form on the cube.
 struct Part {
   std::array<std::array<double, InterpolantCoefficients::kMost>, 4> net;
-  bool at_v = true, at_w = true;  // whether v, w come to 1
+  bool at_v = true, at_w = true;  // whether v, w reach 1
 };
 
 class Bound {
@@ -83,7 +83,8 @@ class Bound {
  private:
   [[nodiscard]] std::size_t count() const { return side_ * side_ * side_; }
 
-  // The half of every axis that a bit of `which` says: De Casteljau's algorithm in the middle.
+  // The octant of a part given by the bits of `which`, one half per axis: De Casteljau's algorithm
+  // in the middle.
   [[nodiscard]] Part octant(Part part, unsigned which) const {
     std::size_t stride = 1;
     for (unsigned axis = 0; axis < 3; ++axis, stride *= side_) {
@@ -104,7 +105,7 @@ class Bound {
     return part;
   }
 
-  // Of a net by one of the cube's coordinates; `largest`: of its coefficients.
+  // The derivative of a net by one of the cube's coordinates; `largest`: its largest coefficient.
   [[nodiscard]] Polynomial derivative(const std::array<double, InterpolantCoefficients::kMost>& net,
                                       std::size_t axis, double& largest) const {
     std::array<std::size_t, 3> size{side_, side_, side_};
@@ -171,7 +172,7 @@ class Bound {
     steepest_ = std::max(steepest_, (1 + 16 * kUnit) * steepest);
   }
 
-  // What a determinant of three rows may be wrong by: six products of differences.
+  // The rounding error of a determinant of three rows: six products of differences.
   [[nodiscard]] double rounding_of(const std::array<std::size_t, 3>& rows,
                                    const std::array<double, 4>& largest) const {
     const auto [a, b, c] = rows;
@@ -181,8 +182,8 @@ class Bound {
            6 * kProductRounding * largest[a] * largest[b] * largest[c];
   }
 
-  // Whether the coefficient is 0 in every cell, as the collapse has it: its determinant is
-  // (1 - v) (1 - w)^2 in tetrahedra, (1 - w)^2 in pyramids, 1 - v in prisms, 2 - v - w in wedges.
+  // Whether the coefficient is 0 in every cell because of the collapse, whose determinant is (1 -
+  // v) (1 - w)^2 in tetrahedra, (1 - w)^2 in pyramids, 1 - v in prisms, 2 - v - w in wedges.
   [[nodiscard]] bool vanishes(const Part& part, std::size_t j, std::size_t k) const {
     const std::size_t last = 3 * (side_ - 1) - 1;
     const bool v = part.at_v && j == last, w = part.at_w && k == last;

@@ -21,13 +21,13 @@ struct Edge {
   std::uint8_t from, to;
 };
 
-// Bit d of a cube's corner is its coordinate d. A column's edges at the eight of them, by number:
-// the column does not change along its own coordinate.
+// A column's edges at the eight corners of the cube, by corner number; bit d of the number is
+// coordinate d. A column does not change along its own coordinate.
 using EdgesOfColumn = std::array<Edge, 8>;
 using EdgesOfColumns = std::array<EdgesOfColumn, 3>;
 
 // A wedge's first column is b p E0 + b y E1 + a z E2 with a + b = 1, p = 1 - y (inverse_map.cpp),
-// weights that sum to between 1/2 and 1; the three determinants are looked at one by one.
+// weights that sum to between 1/2 and 1; the three determinants are examined one by one.
 constexpr std::array<Edge, 3> kWedgeEdges{{{0, 1}, {3, 2}, {4, 5}}};
 constexpr double kLeastWedgeWeight = 0.5;
 
@@ -61,8 +61,9 @@ constexpr EdgesOfColumns edges_of(CellShape shape) {
 
 using Column = std::array<Vector, 8>;
 
-// Visits the corners (0 or 1 each) at which the two columns that change along each coordinate are
-// taken, and the Bernstein coefficient of degree (2, 2, 2) that their product belongs to.
+// Visits all combinations of corners (0 or 1 each) at which the two columns that change along each
+// coordinate are evaluated, with the Bernstein coefficient of degree (2, 2, 2) to which their
+// product belongs.
 template <typename Visit>
 void for_products(const Visit& visit) {
   for (unsigned bits = 0; bits < 64; ++bits) {
@@ -86,7 +87,7 @@ double longest(const Column& column) {
   return most;
 }
 
-// Makes the interval include the determinant everywhere on the cube.
+// Extends the interval to include the determinant everywhere on the cube.
 void include_determinant(const std::array<Column, 3>& columns, Interval& interval) {
   std::array<double, 27> sum{}, count{};
   for_products([&](const std::array<std::size_t, 3>& corner, std::size_t coefficient) {

@@ -8,8 +8,8 @@
 namespace hiac {
 namespace {
 
-// Divided by its largest component or, for vectors that belong together, by theirs: no product of
-// such can overflow or vanish.
+// Divides a vector by a number: its largest component or, for vectors that belong together, the
+// largest of all. Products of such vectors neither overflow nor underflow to 0.
 Vector scaled(const Vector& v, double by) { return {v[0] / by, v[1] / by, v[2] / by}; }
 
 }  // namespace

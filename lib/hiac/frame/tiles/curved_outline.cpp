@@ -24,7 +24,8 @@ Homogeneous homogeneous(const Frame& frame, NodeId node) {
   return {p.x * w, p.y * w, w, w};
 }
 
-// Control points of a curve of degree 1, 2 or 3 through evenly spaced points.
+// Replaces evenly spaced points by the control points of the curve of degree 1, 2 or 3 through
+// them.
 void to_controls(std::size_t degree, std::array<double, 4>& p) {
   if (degree == 2) p[1] = 2 * p[1] - 0.5 * (p[0] + p[2]);
   if (degree != 3) return;
@@ -33,8 +34,8 @@ void to_controls(std::size_t degree, std::array<double, 4>& p) {
   p[2] = (18 * two - 9 * one - 5 * p[3] + 2 * p[0]) / 6;
 }
 
-// Nodes of edges that count as straight lie on these: faces around an edge have it where it says
-// itself that it is (winding numbers), to rounding.
+// Moves nodes of edges that count as straight onto these edges: all faces around an edge then agree
+// with the edge itself about its position (winding numbers), to rounding.
 void straighten(const FaceForm& form, std::span<double> coordinate) {
   const std::size_t corners = form.shape.corner_count(), n = form.shape.degree;
   for (std::size_t k = 0; k < corners; ++k) {

@@ -9,15 +9,15 @@
 
 namespace hiac {
 
-/// What is known of a pixel besides its light. Depths are ray parameters.
+/// Facts about a pixel besides its light. Depths are ray parameters.
 struct PixelFacts {
-  /// Where the first segment begins that shines or absorbs, or the first isosurface is.
+  /// The start of the first segment that emits or absorbs, or the first isosurface.
   double first = std::numeric_limits<double>::infinity();
   double weight = 0, weighted_depth = 0;  ///< sums of opacities, and of these times their depths
   std::uint32_t cells = 0, violations = 0;
 };
 
-/// A tile as an engine has drawn it: all that pictures and their channels are made of.
+/// A tile as drawn by an engine: the source of pictures and their channels.
 class DrawnTile {
  public:
   DrawnTile() = default;
@@ -27,15 +27,15 @@ class DrawnTile {
 
   [[nodiscard]] virtual const TilePixels& pixels() const = 0;
   [[nodiscard]] virtual const TileCounts& counts() const = 0;
-  /// Of a pixel, an index into planes. Needs Frame::with_details.
+  /// The facts of a pixel, given by its index in the planes. Needs Frame::with_details.
   [[nodiscard]] virtual const PixelFacts& facts(std::size_t at) const = 0;
-  /// The bound of a pixel's error with something behind it whose largest channel is `background`;
-  /// not a number where nothing is known. Needs Frame::with_error.
+  /// The bound of a pixel's error over a background whose largest channel is `background`; NaN if
+  /// unknown. Needs Frame::with_error.
   [[nodiscard]] virtual double error(std::size_t at, double background) = 0;
 };
 
-/// An engine: draws the cells at some positions of the visibility order (TileBins), front to back,
-/// in one tile, which it hands to `take`. Called by several threads at a time.
+/// An engine: draws the cells at given positions of the visibility order (TileBins), front to back,
+/// in one tile, and passes the tile to `take`. Called by several threads at a time.
 using TakeTile = std::function<void(DrawnTile&)>;
 using DrawTile = std::function<void(const TileRect& tile, std::span<const std::uint32_t> ranks,
                                     const TakeTile& take)>;

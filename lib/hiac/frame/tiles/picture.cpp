@@ -13,7 +13,7 @@
 namespace hiac {
 namespace {
 
-// One channel of a finished pixel. `background`: the largest channel behind it.
+// The value of one channel of a finished pixel. `background`: the largest channel behind it.
 double channel_value(Channel channel, const Projector& projector, DrawnTile& tile, std::size_t at,
                      double background) {
   const PixelFacts& pixel = tile.facts(at);
@@ -33,10 +33,10 @@ double channel_value(Channel channel, const Projector& projector, DrawnTile& til
       break;
   }
   const double error = tile.error(at, background);
-  return std::isnan(error) ? kInfinity : error;  // nothing is known
+  return std::isnan(error) ? kInfinity : error;  // the bound is unknown
 }
 
-// What a tile leaves behind besides its pixels.
+// The results of a tile besides its pixels.
 struct TileSummary {
   TileCounts counts;
   double optical_depth_sum = 0, optical_depth_most = 0;
@@ -50,7 +50,7 @@ struct TileSummary {
   }
 };
 
-// Writes what of a tile lies in the part of the picture that the image shows.
+// Writes the pixels of a tile that lie in the part of the picture shown by the image.
 TileSummary write_tile(DrawnTile& drawn, const TileRect& tile, const Frame& frame,
                        const Scene& scene, const PictureParts& wanted, Image& image) {
   TileSummary summary{.counts = drawn.counts()};

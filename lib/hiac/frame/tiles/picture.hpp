@@ -16,36 +16,35 @@ namespace hiac {
 
 struct RenderStatistics {
   std::uint64_t segments = 0;    ///< ray segments integrated, one for each cell that a ray meets
-  std::uint64_t violations = 0;  ///< segments that the order had in the wrong place (section 4)
+  std::uint64_t violations = 0;  ///< segments out of order (section 4)
   double mean_optical_depth = 0,
          largest_optical_depth = 0;  ///< over the pixels that the mesh covers
   std::uint64_t covered_pixels = 0;
-  std::uint64_t splatted_cells = 0;  ///< in the whole picture, also where a part is rendered
+  std::uint64_t splatted_cells = 0;  ///< in the whole picture, even if only a part is rendered
   double prepare_seconds = 0, tile_seconds = 0;
 
-  /// Those of two parts of a picture together.
+  /// Adds the statistics of another part of the picture.
   RenderStatistics& operator+=(const RenderStatistics& other);
 };
 
 struct RenderResult {
-  /// "R" "G" "B" "A", premultiplied, linear; A is 1 - transparency; then the channels asked for.
+  /// "R" "G" "B" "A", premultiplied, linear; A is 1 - transparency; then the requested channels.
   Image image;
   RenderStatistics statistics;
 };
 
-/// What is wanted of a picture.
+/// Which part of a picture is requested, and how.
 struct PictureParts {
-  PixelRect part;        ///< which pixels; inside the picture
+  PixelRect part;        ///< the pixels; must lie inside the picture
   bool with_background;  ///< composite the scene's background behind the volume
   std::span<const Channel> channels = {};
 };
 
-/// What the frame has to know of pixels for some channels.
+/// The details of pixels that some channels require.
 Details details_for(std::span<const Channel> channels);
 
-/// The picture that an engine draws tile by tile, in parallel, whatever the engine: its image,
-/// what it counts, and the time that the tiles take. `progress`: told how many tiles are done,
-/// where there is one.
+/// Draws a picture tile by tile, in parallel, with any engine; returns the image and the
+/// statistics. `progress`: receives the number of finished tiles; may be null.
 RenderResult draw_picture(const Frame& frame, const Scene& scene, const TileBins& bins,
                           const PictureParts& wanted, const DrawTile& draw, Progress* progress);
 

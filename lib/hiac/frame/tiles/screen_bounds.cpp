@@ -9,7 +9,7 @@
 namespace hiac {
 namespace {
 
-// Control point k of an edge or a face.
+// Includes control point k of an edge or a face.
 template <class Controls>
 void include(ScreenBounds& box, const Controls& controls, std::size_t k) {
   box.include(controls[0][k], controls[1][k], controls[2][k], controls[3][k]);
@@ -34,7 +34,7 @@ ScreenBounds bounds_of_curved(const Frame& frame, CellId cell) {
   return box;
 }
 
-// Of a cell that reaches beside or behind the eye: how far it reaches.
+// The bounds of a cell that reaches beside or behind the eye: only its range of ray parameters.
 ScreenBounds bounds_beside_eye(const Frame& frame, std::span<const NodeId> corners) {
   ScreenBounds box;
   box.in_front = false;

@@ -7,11 +7,11 @@
 
 namespace hiac {
 
-/// A bounding box on the screen, pixels, and of ray parameters; of nothing, at first.
+/// A bounding box on the screen, in pixels, and of ray parameters; initially empty.
 struct ScreenBounds {
   double x0 = std::numeric_limits<double>::infinity(), y0 = x0, x1 = -x0, y1 = -x0;
   double nearest = x0, farthest = -x0;
-  bool in_front = true;  ///< all lies in front of the eye; else there are no bounds on the screen
+  bool in_front = true;  ///< all lies in front of the eye; else no bounds on the screen
 
   void include(double x, double y) {
     x0 = std::min(x0, x);
@@ -23,7 +23,7 @@ struct ScreenBounds {
     nearest = std::min(nearest, t);
     farthest = std::max(farthest, t);
   }
-  /// A control point (curved_outline.hpp).
+  /// Includes a control point (curved_outline.hpp).
   void include(double x, double y, double w, double t) {
     in_front = in_front && w > 0;
     include(x / w, y / w);
@@ -31,7 +31,8 @@ struct ScreenBounds {
   }
 };
 
-/// Those of a cell: by its corners, or by the control points of its curved edges and faces.
+/// The bounds of a cell, from its corners, or from the control points of its curved edges and
+/// faces.
 ScreenBounds screen_bounds(const Frame& frame, CellId cell);
 
 }  // namespace hiac

@@ -12,8 +12,8 @@ namespace hiac {
 inline constexpr std::size_t kTileWidth = 64;
 inline constexpr std::size_t kTileHeight = 32;
 
-/// Planes of a tile's pixels are rows of kTileStride doubles. The slack after each row lets vectors
-/// overhang its end.
+/// Planes of a tile's pixels are rows of kTileStride doubles. The padding after each row lets
+/// vectors extend beyond its end.
 inline constexpr std::size_t kTileStride = kTileWidth + 8;
 
 /// The coordinate of the centre of a column or row of pixels (ProjectedNode), a whole number.
@@ -44,11 +44,11 @@ struct TileRect {
 
 /// Light and transparency of a tile's pixels, accumulated front to back.
 struct TilePixels {
-  // one after another in memory, so that a kernel needs one address for all of them
+  // consecutive in memory, so that a kernel needs one address for all of them
   using Plane = std::array<double, kTileStride * kTileHeight>;
   alignas(64) Plane red, green, blue;  ///< premultiplied, without background
   Plane transparency;                  ///< of all that lies in front so far
-  Plane last;  ///< ray parameter at which the last segment ended; -infinity where there was none
+  Plane last;  ///< ray parameter at which the last segment ended; -infinity if none
 };
 
 /// Events counted while a tile is drawn.

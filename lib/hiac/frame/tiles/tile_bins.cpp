@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kWidth = static_cast<int>(kTileWidth), kHeight = static_cast<int>(kTileHeight);
 constexpr std::size_t kCellsPerChunk = 1 << 14;
-// The visibility order is far from the order in memory: without this, most of the time of dealing
-// cells out goes into waiting for their ranges.
+// The visibility order differs from the order in memory: without prefetching, most of the time
+// would be spent waiting for the cells' ranges.
 constexpr std::size_t kFetchAhead = 24;
 
 // Tiles by column and row, half open.
@@ -35,7 +35,7 @@ class Binner {
                            static_cast<int>(part.x + part.width),
                            static_cast<int>(part.y + part.height))) {}
 
-  // The tiles that there are.
+  // The range of all tiles.
   [[nodiscard]] const TileRange& all() const { return all_; }
 
   [[nodiscard]] TileRange range(CellId cell) const {
@@ -45,7 +45,8 @@ class Binner {
   }
 
  private:
-  // Of a cell that reaches beside or behind the eye nothing is known but how far it reaches.
+  // The tiles that a cell may cover: all of them if it reaches beside or behind the eye, because it
+  // then has no bounds on the screen.
   [[nodiscard]] TileRange tiles_of(const ScreenBounds& box) const {
     if (box.nearest > frame_.projector.far() || box.farthest < frame_.projector.near()) return {};
     if (!box.in_front) return all_;
@@ -57,7 +58,7 @@ class Binner {
             std::min(range.column1, all_.column1), std::min(range.row1, all_.row1)};
   }
 
-  // Of columns [x0, x1) and rows [y0, y1), neither empty.
+  // The tiles that contain columns [x0, x1) and rows [y0, y1), neither of which is empty.
   static TileRange tiles_between(int x0, int y0, int x1, int y1) {
     return {x0 / kWidth, y0 / kHeight, (x1 - 1) / kWidth + 1, (y1 - 1) / kHeight + 1};
   }
@@ -87,8 +88,9 @@ void for_each_tile(const TileRange& range, const TileRange& all, const Visit& vi
             static_cast<std::size_t>(column - all.column0));
 }
 
-// Cells of a chunk in a tile, by chunk and then tile, become the place in the tile's run where the
-// chunk begins to write. Returns where the tiles' runs begin, and where the last ends.
+// Replaces the number of a chunk's cells in a tile, by chunk and then tile, by the position in the
+// tile's run where the chunk begins to write. Returns where the tiles' runs begin, and where the
+// last one ends.
 std::vector<std::uint64_t> places_of_counts(std::span<std::uint32_t> counts,
                                             std::size_t tile_count) {
   std::vector<std::uint32_t> lengths(tile_count, 0);  // a run holds a cell once
@@ -113,7 +115,7 @@ TileBins bin_cells(const Frame& frame, const VisibilityOrder& order, ImageSize s
   const std::size_t tile_count = bins.tiles.size(), cells = order.cells.size();
   const std::size_t chunks = (cells + kCellsPerChunk - 1) / kCellsPerChunk;
 
-  // in the order in which cells lie in memory, which the visibility order is far from
+  // in memory order, which differs from the visibility order
   const std::size_t range_count = frame.mesh.cell_count();
   const auto ranges = unset_array<TileRange>(range_count);
   parallel_for(range_count, kCellsPerChunk, [&](IndexRange range) {
@@ -128,7 +130,7 @@ TileBins bin_cells(const Frame& frame, const VisibilityOrder& order, ImageSize s
     }
   };
 
-  // count by chunk and tile, then every chunk knows where in each tile's run to write
+  // count by chunk and tile; the counts tell every chunk where in each tile's run to write
   std::vector<std::uint32_t> counts(chunks * tile_count, 0);
   parallel_for(cells, kCellsPerChunk, [&](IndexRange range) {
     std::uint32_t* count = counts.data() + range.begin / kCellsPerChunk * tile_count;

@@ -15,10 +15,10 @@
 
 namespace hiac {
 
-/// Which cells each tile must draw, front to back.
+/// The cells that each tile must draw, front to back.
 struct TileBins {
-  std::vector<TileRect> tiles;       ///< whole ones, row by row
-  std::vector<std::uint64_t> start;  ///< of each tile's run in `ranks`; one more than tiles
+  std::vector<TileRect> tiles;       ///< whole tiles, row by row
+  std::vector<std::uint64_t> start;  ///< of each tile's run in `ranks`; one more entry than tiles
   std::vector<std::uint32_t> ranks;  ///< positions in VisibilityOrder::cells, ascending in a tile
 
   [[nodiscard]] std::span<const std::uint32_t> cells_of(std::size_t tile) const {
@@ -26,13 +26,14 @@ struct TileBins {
   }
 };
 
-/// The bounds of a cell that an engine draws as something else, as splats are; none of the others.
+/// The bounds of a cell that an engine draws in another form, for example as a splat; none for
+/// other cells.
 using BoundsOfCell = std::function<std::optional<ScreenBounds>(CellId)>;
 
-/// Deals the cells out to the tiles that meet a part of the picture and that their projections, or
-/// their `other_bounds`, may cover; cells whose bounding box holds no pixel centre, or that lie
-/// outside the clipping slab, go to none. The tiles are those that the whole picture has. Linear,
-/// in parallel; the result does not depend on the number of threads.
+/// Assigns the cells to those tiles of a part of the picture that their projections, or their
+/// `other_bounds`, may cover; cells whose bounding box contains no pixel centre, or that lie
+/// outside the clipping slab, are not assigned. The tiles are those of the whole picture. Takes
+/// linear time, in parallel; the result does not depend on the number of threads.
 TileBins bin_cells(const Frame& frame, const VisibilityOrder& order, ImageSize size,
                    const PixelRect& part, const BoundsOfCell& other_bounds = {});
 

@@ -7,7 +7,8 @@
 
 namespace hiac {
 
-// What the fields are wrong by: rounding along the ray, and what is allowed of their polynomials.
+// Computes the errors of the fields: rounding along the ray, and the allowed error of their
+// polynomials.
 void CellErrors::enter(CellId cell, std::span<const CellMap::Point> nodes, const CellScalars& color,
                        const CellScalars& extinction, const RayDisplacement& displacement) {
   const CellKind kind = frame_.mesh.kinds[cell];
@@ -28,7 +29,7 @@ void CellErrors::enter(CellId cell, std::span<const CellMap::Point> nodes, const
   extinction_ = {&extinction, error(extinction)};
 }
 
-// Where the fields are in doubt about jumps of their functions.
+// Adds the doubts of the fields about jumps of their transfer functions.
 void CellErrors::add_doubts(const RayStretch& stretch, const FieldAlongRay& field, double length,
                             FieldDoubt& color, FieldDoubt& extinction) {
   const OpticsTables& optics = frame_.optics;
@@ -62,17 +63,17 @@ void CellErrors::add(const CellCrossing& crossing, const RayStretch& stretch, do
   add_edges(crossing, stretch, details);
 }
 
-// What the places where the ray enters and leaves are wrong by.
+// Adds the errors of the points where the ray enters and leaves.
 void CellErrors::add_edges(const CellCrossing& crossing, const RayStretch& stretch,
                            SegmentDetails& details) const {
   EndDoubts::Doubts doubts = end_doubts_.at(stretch.origin, stretch.direction, displacement_);
   if (curved_) {
-    // the planar ones of a cell with curved faces, each by itself
+    // the planar faces of a cell with curved faces, each by itself
     doubts.front = end_doubts_.through(crossing.front_face, stretch.direction, displacement_);
     doubts.back = end_doubts_.through(crossing.back_face, stretch.direction, displacement_);
   }
   const auto edge = [&](double planar, double curved_doubt, bool clipped) {
-    // where the view clips the cell is known
+    // the view clips the cell at an exactly known depth
     const double doubt = clipped                    ? displacement_.along
                          : std::isnan(curved_doubt) ? planar
                                                     : curved_doubt + displacement_.along;

@@ -14,15 +14,15 @@
 
 namespace hiac {
 
-/// Bounds of what segments in a cell of a general kind are wrong by besides their quadrature, as
-/// the channel `error` claims them (error_bound.hpp).
+/// Bounds of the errors of segments in a cell of any kind, besides that of their quadrature, for
+/// the channel `error` (error_bound.hpp).
 class CellErrors {
  public:
-  /// `longest`: of segments, world units.
+  /// `longest`: the length of the longest segment, world units.
   CellErrors(const Frame& frame, double longest) : frame_(frame), longest_(longest) {}
 
-  /// Takes a cell of the frame's mesh. `nodes`: relative_positions; the fields must outlive what is
-  /// asked of it.
+  /// Selects a cell of the frame's mesh. `nodes`: its relative_positions. The fields must outlive
+  /// every later call for this cell.
   void enter(CellId cell, std::span<const CellMap::Point> nodes, const CellScalars& color,
              const CellScalars& extinction, const RayDisplacement& displacement);
 
@@ -32,14 +32,15 @@ class CellErrors {
     bool doubtful;
   };
 
-  /// Adds the bounds of a segment to its details, which have its quadrature's, its light and its
-  /// transparency. `scale`: world length per unit of the ray parameter; `field`: the extinction's
-  /// and, where it is another one, the colour's; `cut`: where surfaces cross the cell.
+  /// Adds the bounds of a segment to its details, which already hold the bound of its quadrature,
+  /// its light and its transparency. `scale`: world length per unit of the ray parameter; `field`:
+  /// the extinction's field and, if it differs, the colour's; `cut`: given if surfaces cross the
+  /// cell.
   void add(const CellCrossing& crossing, const RayStretch& stretch, double scale,
            const FieldAlongRay& field, const std::optional<Cut>& cut, SegmentDetails& details);
 
  private:
-  // One field in the cell, and what it may be wrong by.
+  // One field in the cell, and its error.
   struct Field {
     const CellScalars* scalars = nullptr;
     double error = 0;
@@ -52,12 +53,12 @@ class CellErrors {
 
   const Frame& frame_;
   double longest_;
-  // of the cell at hand
+  // of the current cell
   Field color_, extinction_;
   CellOptics optics_;
   EndDoubts end_doubts_;
   RayDisplacement displacement_;
-  bool curved_ = false;  // it has curved faces
+  bool curved_ = false;  // the cell has curved faces
   std::vector<FieldAlongRay::Piece> pieces_;
   std::vector<RootEnclosure> roots_;
 };

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// J^-T g without the determinant, and the sum of what was added up.
+// J^-T g without the determinant, and the sum of the magnitudes of its terms.
 struct Cofactors {
   Vector sum{};
   double size = 0;
@@ -30,7 +30,7 @@ Cofactors cofactors(const std::array<Vector, 3>& columns, const Vector& g) {
   return result;
 }
 
-// One transfer function on the values of a cell, of any channel.
+// Bounds of one transfer function on the values of a cell, for any channel.
 struct FunctionBounds {
   double most = 0, slope = 0, jump = 0, rounding = 0, pieces = 0;
 };
@@ -76,26 +76,27 @@ FunctionBounds function_bounds(const TransferTable<N>& table, ValueRange range,
   return f;
 }
 
-// On how much of a segment that takes a value a linear field is within its error of it, at most.
+// A bound of the length on which a linear field is within its error of a value that it takes along
+// a segment.
 double doubtful_length(double length, double error, double change) {
   if (error == 0) return 0;
   return 2 * error < change ? length * 2 * error / change : length;
 }
 
-// What a linear field is wrong by along a segment whose ends are off by `along`.
+// The error of a linear field along a segment whose ends are off by `along`.
 double moved_by(double length, double along, double change) {
   if (along == 0) return 0;
   return 4 * along < length ? 2 * change * along / length : change;
 }
 
-// Not less than e^x - 1.
+// An upper bound of e^x - 1.
 double exponential_growth(double x) { return x < 0.5 ? x + x * x : kInfinity; }
 
-// Not less than x / (1 - x).
+// An upper bound of x / (1 - x).
 double inflated(double x) { return x < 0.5 ? x + 2 * x * x : kInfinity; }
 
-// Error of c^s, 0 where c < 0, for a c that is wrong by `error`: by the mean value theorem away
-// from 0.
+// A bound of the error of c^s, which is 0 for c < 0, if c is wrong by `error`: by the mean value
+// theorem away from 0.
 double highlight_error(double s, double c, double error) {
   if (c < -error) return 0;
   if (s < 1 && c <= 2 * error) return std::pow(c + error, s);
@@ -181,7 +182,7 @@ ErrorBound segment_bound(const CellOptics& cell, bool emission, const SegmentFac
   ErrorBound bound;
   bound.transparency =
       std::min(1.0, zeta * relative + (zeta > 0 ? zeta * exponential_growth(depth) : 0) + kUnit);
-  const double most = 1 + exponential_growth(depth);  // of e^(A - A')
+  const double most = 1 + exponential_growth(depth);  // bound of e^(A - A')
   if (emission) {
     // int |g' e^-A' - g e^-A|
     bound.radiance = s.length * (color_error + cell.color_most * (depth + relative)) + jumped;
@@ -190,9 +191,9 @@ ErrorBound segment_bound(const CellOptics& cell, bool emission, const SegmentFac
           bound.radiance,
           s.seen * (most * color_error + cell.color_most * (most - 1 + relative)) + most * jumped);
   } else if (std::isfinite(most)) {
-    // With d the error of tau, which holds all along, and j what jumps add to the depth:
-    // int |tau' - tau| e^-A' is at most j and e^(A - A') d int e^-A, and int tau |e^-A' - e^-A| at
-    // most e^(d L + j) - 1 times the opacity, or e^j - 1 times it and
+    // Let d be the error of tau, which holds everywhere, and j the depth that jumps add. Then
+    // int |tau' - tau| e^-A' is at most j plus e^(A - A') d int e^-A, and int tau |e^-A' - e^-A| is
+    // at most the opacity times e^(d L + j) - 1. It is also at most the opacity times e^j - 1 plus
     // e^j int tau e^-A (e^(d t) - 1), which by parts is at most e^(d L + j) d int e^-A.
     const double weight = std::min(1.0, s.opacity + depth);
     const double seen = most * s.seen * tau_error;
@@ -245,7 +246,7 @@ ErrorBound shade_bound(const FrameIsosurface& surface, std::span<const FrameLigh
     return std::exp(surface.log_transparency / std::max(cosine, 1e-300));
   };
   const double here = transparency(facing);
-  // wide enough for the differences below to be seen in doubles
+  // wide enough for the differences below to be representable in doubles
   const double band = std::max(angle, 0x1p-50 * facing);
   const double low = transparency(std::max(0.0, facing - band));
   const double high = transparency(facing + band);
@@ -256,12 +257,12 @@ ErrorBound shade_bound(const FrameIsosurface& surface, std::span<const FrameLigh
     const double to_light = l.headlight ? facing : side * dot(normal, l.direction);
     light += strength * (surface.diffuse * most_color + surface.specular);
     const double towards_eye = l.headlight ? 1 : -dot(ray, l.direction);
-    // it begins at once
+    // a highlight begins abruptly at the terminator
     const double highlight =
         std::abs(to_light) <= 2 * angle
             ? 1
             : highlight_error(surface.shininess, 2 * to_light * facing - towards_eye, 6 * angle);
-    // the surface may be seen from the other side, which other lights than the eye's shine on
+    // the surface may be seen from its other side, which lights other than the headlight illuminate
     const bool either_side = !l.headlight && facing <= angle;
     light_error += strength * (surface.diffuse * most_color * (either_side ? 1 : 2 * angle) +
                                surface.specular * (either_side ? 1 : std::min(1.0, highlight)));
@@ -275,7 +276,7 @@ ErrorBound shade_bound(const FrameIsosurface& surface, std::span<const FrameLigh
 double pixel_error(const Frame& frame, const PixelDetails& pixel, double transparency, bool ended,
                    double background) {
   const double left = ended ? transparency : 0;
-  // what is behind shows instead of the background, and as much of either as the other does not
+  // the scene behind replaces the background, and either may be wrong by what the other lacks
   const double behind = left * std::max(frame.largest_light, background) +
                         (ended ? pixel.transparency_error * frame.largest_light : 0);
   const double lost = pixel.transparency_error + pixel.open_edge;

@@ -27,7 +27,7 @@ std::array<Real, 3> middle_of(const ShapeFace& face, std::span<const std::array<
   return middle;
 }
 
-// Of any length; of quadrilaterals across their diagonals.
+// A normal of a face, not normalized; for quadrilaterals the cross product of the diagonals.
 template <class Real>
 std::array<Real, 3> normal_of(const ShapeFace& face, std::span<const std::array<Real, 3>> corners) {
   const auto edge = [&](std::size_t from, std::size_t to) {
@@ -36,7 +36,7 @@ std::array<Real, 3> normal_of(const ShapeFace& face, std::span<const std::array<
   return face.corner_count == 3 ? cross(edge(0, 1), edge(0, 2)) : cross(edge(0, 2), edge(1, 3));
 }
 
-// How far the faces that count as planar are off their planes.
+// How far the corners of faces that count as planar are off their planes, at most.
 double bent(const Frame& frame, CellId cell, std::span<const Vector> corners) {
   double most = 0;
   const auto faces = topology_of(frame.mesh.kinds[cell]).faces;
@@ -59,17 +59,17 @@ double size_of(std::span<const Vector> points) {
   return size;
 }
 
-// How far a cell's map is from the one that the fields are sampled by.
+// How far a cell's map is from the map by which the fields are sampled.
 double map_error(const CellMap& map, CellKind kind, std::span<const Vector> nodes) {
   if (!map.straight()) return kMapRounding * kUnit * size_of(nodes);
   const double size = size_of(nodes.first(corner_count(kind)));
-  // four times what a node is off (CellMap::straightened) along every axis
+  // four times the deviation of a node (CellMap::straightened) along every axis
   return (kMapRounding * kUnit + 7 * edge_deviation(kind, nodes)) * size + 2 * map.off_affine();
 }
 
-// How far edges and faces of a curved cell that count as straight and planar may be off: four times
-// what their nodes are. Which these are, faces judge one by one; that of all nodes that are off by
-// so little is no less.
+// A bound of how far edges and faces of a curved cell that count as straight and planar may be off:
+// four times the deviation of their nodes. Straightness is decided face by face; the bound takes
+// the largest deviation of all nodes within the limit, which is no smaller.
 double straightened(CellKind kind, std::span<const Vector> nodes, double straightness) {
   const auto reference = reference_nodes(kind);
   const std::size_t corners = corner_count(kind);
@@ -86,8 +86,8 @@ double straightened(CellKind kind, std::span<const Vector> nodes, double straigh
   return 4 * most;
 }
 
-// Of the faces of a cell, found where its projected corners are. Corners beside the eye have no
-// projection: such cells are met in the world.
+// The displacement of the faces of a cell, found from its projected corners. Corners beside the eye
+// have no projection: such cells are intersected in the world.
 RayDisplacement displacement_on_screen(const Frame& frame, CellId cell, const Arithmetic& numbers) {
   const Projector& projector = frame.projector;
   const auto ids = frame.mesh.cell_nodes(cell).first(corner_count(frame.mesh.kinds[cell]));
@@ -140,7 +140,7 @@ RayDisplacement displacement_in_world(const Frame& frame, CellId cell, const Ari
   result.along = screen.along;
   if (!frame.is_curved(cell)) return result;
   for (const Vector& p : all) reach = std::max(reach, length(p));
-  // coordinates on the screen are from its corner
+  // screen coordinates are relative to the corner of the screen
   const Projector& projector = frame.projector;
   const Projector::Axes axes = projector.axes();
   const double border = std::max(axes.center_x, axes.center_y) / projector.pixels_per_unit();
@@ -186,7 +186,7 @@ typename BasicEndDoubts<Real>::Doubts BasicEndDoubts<Real>::at(const Vector& ori
   constexpr Real kRounding = 16 * kUnitOf<Real>;
   constexpr Real kNever = std::numeric_limits<Real>::infinity();
   const Real scale = length(direction);
-  // and the rounding of the distances below
+  // plus the rounding of the distances below
   const Real doubt = 2 * static_cast<Real>(moved.at_ends) + kRounding * reach_;
   Real enter = -kNever, leave = kNever;
   Real enter_least = -kNever, enter_most = -kNever;
@@ -196,7 +196,7 @@ typename BasicEndDoubts<Real>::Doubts BasicEndDoubts<Real>::at(const Vector& ori
     const Real inside = dot(plane.normal, minus(origin, plane.point));
     const Real cosine = dot(plane.normal, direction) / scale;
     if (std::abs(cosine) <= kRounding) {
-      // seen edge-on: of no consequence but to rays that run along it
+      // seen edge-on: matters only to rays that run along it
       if (inside < doubt) return {kInfinity, kInfinity};
       continue;
     }

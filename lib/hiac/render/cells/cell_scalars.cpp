@@ -31,7 +31,7 @@ Real doubtful_part(const BasicBernstein<Real>& f, std::type_identity_t<Real> val
   roots.push_back({1, 1, 0});
   Real from = 0, sum = 0;
   for (const BasicRootEnclosure<Real>& root : roots) {
-    // between roots it is within or not all along
+    // between two roots the polynomial stays within the error, or stays outside it
     if (root.low > from && std::abs(evaluate(f, (from + root.low) / 2) - value) <= 2 * error)
       sum += root.low - from;
     if (root.high > from) sum += root.high - std::max(from, root.low);

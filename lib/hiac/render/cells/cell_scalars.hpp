@@ -16,7 +16,7 @@
 
 namespace hiac {
 
-/// One field in one cell, and the intervals of its transfer function that it may meet there.
+/// One field in one cell, and the intervals of its transfer function that it may reach there.
 struct CellScalars {
   CellField nodes;
   IntervalRange intervals;
@@ -60,20 +60,21 @@ double steepest_slope(const TransferTable<N>& table, IntervalRange range) {
   return steepest;
 }
 
-/// Sets what both fields' polynomials may be wrong by in a cell (CellField::allowed): so little
-/// that a pixel is wrong by `share` at most. `length`: of the longest ray through the mesh.
+/// Sets the error that the polynomials of both fields may have in a cell (CellField::allowed), such
+/// that it changes a pixel by at most `share`. `length`: that of the longest ray through the mesh.
 void set_allowed_errors(const Frame& frame, double length, double share, CellScalars& color,
                         CellScalars& extinction);
 
-/// On how much of [0, 1] a polynomial is within `error` of a value. `roots`: scratch. `Real`:
-/// double or long double.
+/// The length of the part of [0, 1] on which a polynomial is within `error` of a value. `roots`:
+/// scratch. `Real`: double or long double.
 template <class Real>
 Real doubtful_part(const BasicBernstein<Real>& f, std::type_identity_t<Real> value,
                    std::type_identity_t<Real> error, std::vector<BasicRootEnclosure<Real>>& roots);
 
-/// What a field that is these polynomials along a segment is wrong by, `error`, and its function's
-/// jumps in the cell, each times the length on which the field is in doubt about it. `which`: of
-/// the fields of a piece; `rounding`: of the function's values in the cell.
+/// The doubt about a field that is given by polynomials along a segment: its `error`, and the sum
+/// of its transfer function's jumps in the cell, each times the length on which the field is within
+/// its error of the jump. `which`: the field's index in a piece; `rounding`: that of the function's
+/// values in the cell.
 template <std::size_t N, class Piece, class Real>
 FieldDoubt polynomial_doubt(const TransferTable<N>& table, double rounding,
                             const CellScalars& scalars, const std::vector<Piece>& pieces,

@@ -12,8 +12,8 @@
 #include "hiac/render/cells/scan_beside_eye-inl.hpp"
 #include "hiac/render/cells/screen_scan-inl.hpp"
 
-// Compiled once for every instruction set, although little is in vectors here: where the
-// tetrahedron kernel uses fused operations, these have to be fused as well.
+// Compiled once for every instruction set, although little of it is vectorized: where the
+// tetrahedron kernel uses fused operations, this code must use them too.
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {

@@ -17,7 +17,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 using D = hn::CappedTag<double, 8>;
 using V = hn::Vec<D>;
 
-// One run. Stores whole vectors, of which the next ones overwrite what does not count.
+// Collects one run. Stores whole vectors; each store overwrites the unused lanes of the previous
+// one.
 HWY_INLINE void collect_run(const TileTarget& to, const CrossingRuns::Run& run,
                             const CrossingRuns& runs, double allowed, CellSegments& s) {
   const D d;
@@ -65,7 +66,7 @@ void collect_runs_here(const TileTarget& to, const CrossingRuns& runs, double al
   for (const CrossingRuns::Run& run : runs.runs) collect_run(to, run, runs, allowed, segments);
 }
 
-// The segments from k on that are one vector's, or one.
+// Composites the segments from k on that fill one vector of the tag's width, which may be 1.
 template <class D1>
 HWY_INLINE std::uint64_t composite_from(D1 d, const Frame& frame, const CellSegments& s,
                                         std::size_t k, TileBuffer& buffer) {
@@ -84,7 +85,7 @@ std::uint64_t composite_here(const Frame& frame, const CellSegments& s, std::siz
                              TileBuffer& buffer) {
   const D d;
   const std::size_t lanes = hn::Lanes(d);
-  // pixels of a row follow one another; between rows planes have slack
+  // the pixels of a row are consecutive; between rows the planes have padding
   const auto together = [&](std::size_t k) {
     return k + lanes <= count && s.at[k + lanes - 1] - s.at[k] == lanes - 1 &&
            std::all_of(s.done.data() + k, s.done.data() + k + lanes,

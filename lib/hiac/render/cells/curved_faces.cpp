@@ -30,7 +30,8 @@ double slope_at(std::size_t degree, const std::array<double, 4>& controls, doubl
   return sum;
 }
 
-// The places in (0, 1), ascending, where a curve turns, up or down: at most two.
+// Writes the parameters in (0, 1), ascending, at which a curve's height has an extremum, and
+// returns how many there are: at most two.
 std::size_t turning_places(std::size_t degree, const std::array<double, 4>& h,
                            std::array<double, 2>& places) {
   const double d0 = h[1] - h[0], d1 = h[2] - h[1], d2 = h[3] - h[2];
@@ -104,7 +105,8 @@ void CurvedFaces::add_face(const Frame& frame, CellId cell, const CellSurface& s
   face.y = nets[1];
   face.w = nets[2];
   face.t = nets[3];
-  // a face that lies on both sides of the eye may be met on both, and count as not met at all
+  // a face with parts in front of and behind the eye may be crossed on both sides, and the windings
+  // may cancel
   const bool in_front = std::all_of(
       face.w.begin(), face.w.begin() + static_cast<std::ptrdiff_t>(form.shape.control_count()),
       [](double w) { return w > 0; });
@@ -146,7 +148,7 @@ void CurvedFaces::begin_row(double center, const TileRect& tile, const bool* abo
   }
 }
 
-// Between its turning places a curve changes sides once or not at all.
+// Finds where a curve changes sides of the row: between two extrema it does so at most once.
 void CurvedFaces::cut_curve(Curve& curve, const TileRect& tile, bool begins_above,
                             bool ends_above) const {
   curve.cut_count = 0;
@@ -160,7 +162,7 @@ void CurvedFaces::cut_curve(Curve& curve, const TileRect& tile, bool begins_abov
     const double to = last ? 1 : turns[k];
     const bool then_above = last ? ends_above : at_place(n, curve.height, to) >= 0;
     if (then_above != is_above) {
-      // the ends' sides are known; regula falsi where it halves the interval, else bisection
+      // the sides of both ends are known; two steps of regula falsi alternate with one bisection
       double low = from, high = to;
       double h_low = at_place(n, curve.height, low), h_high = at_place(n, curve.height, high);
       for (int step = 0; step < 100 && low < high; ++step) {
@@ -180,18 +182,18 @@ void CurvedFaces::cut_curve(Curve& curve, const TileRect& tile, bool begins_abov
   }
 }
 
-// How far right of a pixel's centre the place of a curve counts as on it (on_crossing). Only what
-// is nearly on one needs the curve's direction.
+// How far right of a pixel centre a point of a curve still counts as on it (on_crossing). The
+// curve's direction matters only for a point that is nearly on a pixel centre.
 double CurvedFaces::slack_at(const Curve& curve, double s, double x) const {
   const double right = x - 0.5 - std::floor(x - 0.5);
   if (right > kMostOnCrossing) return 0;
-  // of x W - X and y W - Y, which are 0 there
+  // slopes of x W - X and y W - Y, which both vanish at s
   const std::size_t n = curve.degree;
   const double w = slope_at(n, curve.w, s);
   return on_crossing((slope_at(n, curve.x, s) - x * w) / (slope_at(n, curve.y, s) - row_ * w));
 }
 
-// Left of the ray of pixel x is what has X - x W <= 0, in front of the eye and behind.
+// A point lies left of the ray of pixel x if X - x W <= 0, in front of the eye and behind it.
 void CurvedFaces::add_cut(Curve& curve, const TileRect& tile, double s, bool comes_up) const {
   const double x = at_place(curve.degree, curve.x, s), w = at_place(curve.degree, curve.w, s);
   Cut& cut = curve.cuts[curve.cut_count++];
@@ -203,7 +205,8 @@ void CurvedFaces::add_cut(Curve& curve, const TileRect& tile, double s, bool com
     cut.column = first_center(x / w, tile.x0, tile.x1, slack_at(curve, s, x / w));
 }
 
-// Of the pixels that its hull covers. A face with control points behind the eye may be anywhere.
+// Sets the columns that the convex hull of the face's control points covers in the row. If control
+// points lie behind the eye, the face may cover any column.
 void CurvedFaces::set_columns(Face& face, const TileRect& tile) const {
   const std::size_t count = face.shape.control_count();
   bool in_front = true, above = false, below = false;
@@ -214,7 +217,7 @@ void CurvedFaces::set_columns(Face& face, const TileRect& tile) const {
   }
   face.first = tile.x1;
   face.last = tile.x0;
-  // rows that a border touches are the edges' to decide
+  // whether a border that only touches the row crosses it is decided by the edges
   face.in_row = (above && below) || !in_front;
   if (!face.in_row) {
     for (std::size_t k = 0; k < face.shape.corner_count(); ++k) {
@@ -290,7 +293,7 @@ double CurvedFaces::doubt(std::size_t number, double u, double v, int x, double 
                    t = evaluate_patch(n, face.t, bu, bv);
   const double determinant = a.by_u * b.by_v - a.by_v * b.by_u;
   const double unit = projector_.ray_scale(center, row_);
-  // of a and b, in their units
+  // bounds of |a| and |b| with the displacement, in their units
   const double moved = displaced * projector_.pixels_per_unit() * unit;
   const double off_a = std::abs(a.value) + moved, off_b = std::abs(b.value) + moved;
   // the rows of J^-1
@@ -307,7 +310,7 @@ double CurvedFaces::doubt(std::size_t number, double u, double v, int x, double 
   }
   const double bent_u = PatchCurvature(n, p).within(side_u, side_v),
                bent_v = PatchCurvature(n, q).within(side_u, side_v);
-  // a tenth for the rounding of J^-1
+  // 0.9 leaves a tenth for the rounding of J^-1
   if (!(bent_u <= 0.9 * step_u && bent_v <= 0.9 * step_v)) return kInfinity;
   const double by_a = std::abs(t.by_u * u_a + t.by_v * v_a) * off_a,
                by_b = std::abs(t.by_u * u_b + t.by_v * v_b) * off_b;

@@ -15,39 +15,41 @@
 
 namespace hiac {
 
-/// The faces of one cell that are not planar, and the rays that cross them.
+/// The curved faces of one cell, and where rays cross them.
 ///
-/// How often a face covers a pixel, with the side from which, is the number of times that its
-/// projected border winds around the pixel's centre: its edges alone decide, each once for all
-/// faces that have it, so that the surface of a cell and those of a whole mesh are closed. Where a
-/// face is crossed, between its borders, is computed from its own nodes in an order that its two
-/// cells share (patch_zeros): they find the same crossings, to the bit.
+/// How often a face covers a pixel, signed by the side that faces the eye, is the number of times
+/// that its projected border winds around the pixel centre. This number depends on the edges alone,
+/// and each edge is evaluated identically for all faces that share it, so that the surface of a
+/// cell, and that of a whole mesh, is closed. The crossing point itself is computed from the face's
+/// nodes, in an order that both cells of the face share (patch_zeros): they find the same
+/// crossings, to the bit.
 ///
-/// A straight edge is crossed by a row of pixel centres where the caller says so
-/// (edge_crossings-inl.hpp). A curved one is a polynomial curve: its row's crossings are the places
-/// where it changes sides, as many as bring it from its first corner's side to its last one's. All
-/// of this is in homogeneous coordinates, and as good beside and behind the eye.
+/// The caller supplies where a row of pixel centres crosses a straight edge
+/// (edge_crossings-inl.hpp). A curved edge is a polynomial curve: the row crosses it where it
+/// changes sides, and the number of changes agrees with the sides of its two corners. All
+/// computations are in homogeneous coordinates and equally valid beside and behind the eye.
 class CurvedFaces {
  public:
   static constexpr std::size_t kMostFaces = 6, kMostZeros = kMostFaces * PatchZeros::kMost;
 
-  /// `surface`: of the cell.
+  /// `surface` is that of the cell.
   CurvedFaces(const Frame& frame, CellId cell, const CellSurface& surface);
 
   [[nodiscard]] bool holds(std::size_t face) const { return ((held_ >> face) & 1U) != 0; }
   [[nodiscard]] bool has_curved_edges() const { return curve_count_ > 0; }
-  /// Of these faces alone.
+  /// The bounds on the screen of the curved faces alone.
   [[nodiscard]] ScreenBounds bounds() const;
 
-  /// Turns to a row of pixel centres; `above`: the surface's corners on the row or above it.
+  /// Selects a row of pixel centres; `above` tells which corners of the surface lie on the row or
+  /// above it.
   void begin_row(double center, const TileRect& tile, const bool* above);
-  /// The columns of the row outside of which none of the faces covers pixels, but for those that
-  /// straight edges bound.
+  /// The range of columns of the row outside which no curved face covers a pixel, except between
+  /// straight edges.
   [[nodiscard]] std::array<int, 2> columns() const { return columns_; }
 
-  /// Calls visit(t, face, u, v) for every crossing with the ray of pixel x of the row. Pixels of a
-  /// row are taken from left to right. `left(e)`: whether the surface's edge e, a straight one that
-  /// the row crosses, does so left of the pixel.
+  /// Calls visit(t, face, u, v) for every crossing by the ray of pixel x of the row. The pixels of
+  /// a row must be visited from left to right. `left(e)`: whether the row crosses the straight edge
+  /// e of the surface left of the pixel.
   template <typename Left, typename Visit>
   void at_pixel(int x, const Left& left, const Visit& visit) {
     for (std::size_t k = 0; k < count_; ++k) {
@@ -60,36 +62,39 @@ class CurvedFaces {
     }
   }
 
-  /// Whether doubts may be asked for: where the frame wants errors.
+  /// Whether `doubt` may be called: true if the frame requests errors.
   [[nodiscard]] bool with_doubts() const { return displaced_ > 0; }
-  /// What rounding may have displaced faces by (RayDisplacement), in world units.
+  /// How far rounding may have displaced faces (RayDisplacement), in world units.
   [[nodiscard]] double displaced() const { return displaced_; }
-  /// How far the point of a face where pixel x of the row is may be, along the ray, in world units,
-  /// from where the ray meets the face, when that has been displaced, continuously and nowhere by
-  /// more than `displaced`; what the point itself is off counts.
+  /// How far the computed crossing (u, v) of the ray of pixel x of the row may be, along the ray
+  /// and in world units, from the point where the ray meets the true face, if that is displaced
+  /// continuously and nowhere by more than `displaced`. The residual of the computed point is
+  /// included.
   ///
-  /// That is a proof. With J the Jacobian of the distances (a, b) of the face from the ray in the
-  /// point, J^-1 takes a box around the point, on which second derivatives in Bernstein form bound
-  /// how far the map is from a linear one, into itself: by Brouwer's theorem the displaced face
-  /// meets the ray in the box (the existence test of R. Krawczyk, 1969). Infinite where no box of
-  /// twice the linear map's size will do: the ray touches the face to within rounding.
+  /// The bound is proven. Let J be the Jacobian, at the point, of the distances (a, b) of the face
+  /// from the ray. Second derivatives in Bernstein form bound how far the map is from linear on a
+  /// box around the point; if the Newton map with J^-1 takes the box into itself, then by Brouwer's
+  /// theorem the displaced face meets the ray in the box (the existence test of R. Krawczyk, 1969).
+  /// Returns infinity if a box of twice the linear map's size fails this test: then the ray touches
+  /// the face to within rounding.
   [[nodiscard]] double doubt(std::size_t face, double u, double v, int x, double displaced) const;
 
   /// Reference coordinates of a point of a face.
   [[nodiscard]] std::array<double, 3> reference(std::size_t face, double u, double v) const;
 
  private:
-  /// A place where an edge changes sides of a row. Left of pixels from `column` on, or before it.
+  /// A point where an edge changes sides of a row. It lies left of the pixels from `column` on, or
+  /// of those before `column`.
   struct Cut {
     int column;
     bool from_column_on;
-    int sign;  // +1: it comes up, as the edge runs from its lower corner to the other
+    int sign;  // +1: the edge comes up, followed from its corner of lower number
   };
 
   struct Curve {
     std::uint8_t degree;
     std::array<double, 4> x, y, w;
-    std::array<double, 4> height;  // above the row, of its control points
+    std::array<double, 4> height;  // of its control points above the row
     std::array<Cut, 3> cuts;
     std::size_t cut_count;
   };
@@ -98,10 +103,10 @@ class CurvedFaces {
     PatchShape shape;
     std::uint8_t number;                // of the cell
     std::array<std::uint8_t, 4> edges;  // of the surface, around the face
-    std::array<bool, 4> along;          // whether an edge runs around the face as it is listed
+    std::array<bool, 4> along;          // whether the edge's own direction agrees with the face's
     std::array<std::array<double, 3>, 4> reference;
     PatchNet<double> x, y, w, t, height;
-    double rounding;  // of the coordinates
+    double rounding;  // that of the coordinates
     int turns;        // patch_facing, or 0
     std::array<double, 2> guess;
     bool in_row;
@@ -135,7 +140,7 @@ class CurvedFaces {
           if ((x >= curve.cuts[i].column) == curve.cuts[i].from_column_on)
             sum += curve.cuts[i].sign;
       }
-      // on the left a border that winds around the pixel counter-clockwise comes down
+      // a border that winds counter-clockwise around the pixel comes down on its left
       winding += face.along[k] ? -sum : sum;
     }
     return winding;
@@ -143,14 +148,14 @@ class CurvedFaces {
 
   const CellSurface& surface_;
   const Projector& projector_;
-  double displaced_;  // what faces may be moved by, in world units; 0 where no errors are asked for
+  double displaced_;  // how far faces may be off, world units; 0 if no errors are requested
   std::array<Face, kMostFaces> faces_;
   std::size_t count_ = 0;
   unsigned held_ = 0;
   std::array<Curve, 12> curves_;
   std::size_t curve_count_ = 0;
   std::array<std::uint8_t, CellSurface::kMostEdges> curve_of_;
-  // of the row at hand
+  // of the current row
   double row_ = 0;  // y of the pixel centres
   std::array<bool, CellSurface::kMostEdges> crossed_, comes_up_;
   std::array<int, 2> columns_;

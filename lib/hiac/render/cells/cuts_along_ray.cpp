@@ -15,10 +15,10 @@
 namespace hiac {
 namespace {
 
-// Of the largest offset in a cell: smaller ones may have the wrong sign by rounding.
+// Relative to the largest offset in a cell: rounding may change the sign of smaller offsets.
 constexpr double kDoubt = 1e-9;
 
-// Normals are wrong by this times the condition of the gradient.
+// The error of a normal is this times the condition of the gradient.
 constexpr double kAngleUnit = kAngleRounding * kUnit;
 
 }  // namespace
@@ -51,7 +51,7 @@ bool CutsAlongRay::enter(CellId cell, const RayDisplacement& displacement) {
 
 bool CutsAlongRay::below_at_face(const Cut& cut, const CellCrossing& crossing, std::size_t face,
                                  double t, double offset) const {
-  // neighbours do not agree on the face: each says what it has itself
+  // neighbours do not agree on the face: each cell uses its own polynomial
   if (cut.offsets.polynomial) return offset < 0;
   if ((cut.closed_faces & (1U << face)) != 0) return true;
   bool mixed = false;
@@ -62,7 +62,8 @@ bool CutsAlongRay::below_at_face(const Cut& cut, const CellCrossing& crossing, s
                     pixel_center(crossing.y), t) < 0;
 }
 
-// How far places_ move, and whether as many stay, when the offsets are wrong by `error`.
+// Computes how far places_ move if the offsets are wrong by `error`, and marks the result doubtful
+// if their number may change.
 void CutsAlongRay::add_doubts(const RayStretch& stretch, const Cut& cut, double error) {
   moved_.assign(places_.size(), 0);
   if (!as_many_when_shifted(pieces_, error, places_, moved_, shifted_, roots_)) doubtful_ = true;
@@ -78,7 +79,8 @@ void CutsAlongRay::interpolate(const CellMap& map, CellSegments& segments) {
   }
 }
 
-// Fills places_ with the parts of the stretch at which the surface is crossed.
+// Fills places_ with the positions, as fractions of the stretch, at which the ray crosses the
+// surface.
 void CutsAlongRay::add_places(const CellMap& map, const CellCrossing& crossing,
                               const RayStretch& stretch, std::optional<std::size_t> segment,
                               const Cut& cut) {
@@ -93,7 +95,7 @@ void CutsAlongRay::add_places(const CellMap& map, const CellCrossing& crossing,
   const auto end_value = [&](const FieldAlongRay::Piece& piece, double t) {
     return evaluate(piece.fields[0], t);
   };
-  std::optional<bool> below;  // nothing is known where the stretch is clipped
+  std::optional<bool> below;  // unknown where the stretch is clipped
   if (stretch.front == crossing.front)
     below = below_at_face(cut, crossing, crossing.front_face, crossing.front,
                           pieces_.empty() ? 0 : end_value(pieces_.front(), 0));
@@ -108,7 +110,7 @@ void CutsAlongRay::add_places(const CellMap& map, const CellCrossing& crossing,
   if (frame_.with_error) add_doubts(stretch, cut, cut.error + 2 * rounding);
 }
 
-// In the camera's frame; `rounding`: what its direction is wrong by.
+// The surface's normal in the camera's frame; `rounding` receives the error of its direction.
 std::array<double, 3> CutsAlongRay::normal_at(const CellMap& map, const RayStretch& stretch,
                                               const Cut& cut, double t, double& rounding) const {
   if (cut.offsets.polynomial) {
@@ -153,7 +155,7 @@ IsosurfaceCrossing CutsAlongRay::crossing_at(const CellMap& map, const CellCross
                          std::min(stretch.back, found.t + moved + displacement_.aside)}) {
     double other_angle = 0;
     const auto other = normal_at(map, stretch, cut, t, other_angle);
-    // normals point to either side
+    // a normal may point to either side
     const double apart =
         std::hypot(other[0] - normal[0], other[1] - normal[1], other[2] - normal[2]);
     const double against =

@@ -20,13 +20,14 @@ struct IsosurfaceCrossing {
   double t;
   const FrameIsosurface* surface;
   IsosurfaceShade shade;
-  // where errors are asked for
-  double moved = 0;          ///< what t may be wrong by
-  ErrorBound shade_error{};  ///< of the shade
+  // if errors are requested
+  double moved = 0;          ///< bound of the error of t
+  ErrorBound shade_error{};  ///< that of the shade
 };
 
-/// Whether rounding may have changed the order of crossings, front to back, of surfaces of
-/// different fields or values. A crossing has `surface`, its place `t` and what that is `moved` by.
+/// Whether rounding may have changed the front-to-back order of crossings of surfaces of different
+/// fields or values. A crossing has `surface`, its position `t` and the bound `moved` of the error
+/// of t.
 template <class Crossing>
 bool order_doubtful(const std::vector<Crossing>& found) {
   for (std::size_t i = 0; i + 1 < found.size(); ++i)
@@ -39,33 +40,33 @@ bool order_doubtful(const std::vector<Crossing>& found) {
   return false;
 }
 
-/// The isosurfaces that cross one cell of any kind, met along rays (section 5.2): where the
-/// isoparametric interpolant takes their values, with its gradient as the normal.
+/// Finds where rays cross the isosurfaces in one cell of any kind (section 5.2): where the
+/// isoparametric interpolant takes their values. Its gradient is the normal.
 class CutsAlongRay {
  public:
   explicit CutsAlongRay(const Frame& frame) : frame_(frame) {}
 
-  /// Takes the surfaces of a cell; `displacement` is the cell's where errors are asked for. False,
-  /// and nothing else may be asked, when there is none.
+  /// Selects a cell and its surfaces; `displacement` is the cell's if errors are requested. Returns
+  /// false if no surface crosses the cell; then no other function may be called.
   bool enter(CellId cell, const RayDisplacement& displacement);
 
   /// Finds the fields along segments of the cell many at a time (interpolate_cell_segments), for
   /// `find`.
   void interpolate(const CellMap& map, CellSegments& segments);
 
-  /// Replaces `found` by the crossings on a stretch, what `crossing` has after z-clipping, in the
-  /// order in which they are met. `map`: of the cell; `segment`: the stretch's number among those
-  /// of the last call of `interpolate`, if it is one of them.
+  /// Replaces `found` by the crossings on a stretch, which is `crossing` after z-clipping, front to
+  /// back. `map` is that of the cell; `segment` is the stretch's index in the last call of
+  /// `interpolate`, if it was part of that call.
   ///
-  /// Between the enclosures of its roots (append_roots) the offset from a surface's value has a
-  /// certain sign; what it is on the cell's faces is asked of the faces (face_value.hpp), so that
-  /// neighbours agree. A crossing lies wherever one sign follows another.
+  /// Between the enclosures of its roots (append_roots) the sign of the offset from a surface's
+  /// value is certain; its sign on the cell's faces is computed from the faces alone
+  /// (face_value.hpp), so that neighbours agree. A crossing lies wherever the sign changes.
   void find(const CellMap& map, const CellCrossing& crossing, const RayStretch& stretch,
             std::optional<std::size_t> segment, std::vector<IsosurfaceCrossing>& found);
 
-  /// Whether the last call of `find` may have missed a crossing, or found one too many: with values
-  /// higher and lower by the error of the field there are not as many. (Where errors are asked
-  /// for.)
+  /// Whether the last call of `find` may have missed a crossing or found one too many: the number
+  /// of crossings changes if the value is raised or lowered by the field's error. Computed only if
+  /// errors are requested.
   [[nodiscard]] bool doubtful() const { return doubtful_; }
 
  private:
@@ -74,8 +75,8 @@ class CutsAlongRay {
     CellField offsets;
     std::array<FaceOffsets, 6> faces;
     std::uint8_t closed_faces;
-    double error = 0;      // of the offsets
-    SegmentPieces pieces;  // the offsets, where they were interpolated together
+    double error = 0;      // bound of the offsets' error
+    SegmentPieces pieces;  // the offsets, if they were interpolated together
   };
 
   void add_places(const CellMap& map, const CellCrossing& crossing, const RayStretch& stretch,
@@ -94,11 +95,11 @@ class CutsAlongRay {
   std::vector<Cut> cuts_;
   RayDisplacement displacement_;
   std::array<CellMap::Point, CellMap::kMostNodes> nodes_{};
-  // of the ray and the cut at hand
+  // of the current ray and cut
   std::vector<FieldAlongRay::Piece> pieces_;
   std::vector<RootEnclosure> roots_;
   std::vector<double> places_;
-  std::vector<double> moved_, shifted_;  // what each place may be wrong by; scratch
+  std::vector<double> moved_, shifted_;  // the error of each place; scratch
   bool doubtful_ = false;
 };
 

@@ -25,21 +25,21 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Nodes above a row of pixel centres or on it.
+// Whether a node lies above a row of pixel centres or on it.
 HWY_INLINE bool is_above(const ProjectedNode& node, double center) { return node.y <= center; }
 
 HWY_INLINE RowCrossing cross_row(const ProjectedNode& a, const ProjectedNode& b, double center,
                                  const TileRect& tile) {
   const double slope = edge_slope(a, b);
   const double x = hiac::crossing_x(center, a.x, a.y, slope);
-  // a is on one side of the row and b on the other, so this is a mean of their depths
+  // a and b lie on different sides of the row, so 0 <= s <= 1
   const double s = (center - a.y) / (b.y - a.y);
   return {x, a.depth + s * (b.depth - a.depth),
           first_center(x, tile.x0, tile.x1, on_crossing(slope))};
 }
 
-// The edges of a surface on the screen, and where the row at hand crosses them: cross_row for many
-// edges at a time.
+// The edges of a surface on the screen, and where a row crosses them: cross_row for many edges at a
+// time.
 class EdgesOnScreen {
  public:
   HWY_INLINE EdgesOnScreen(const CellSurface& surface, const Nodes& nodes) : surface_(surface) {
@@ -56,7 +56,8 @@ class EdgesOnScreen {
     }
   }
 
-  // Returns those that the row crosses, a bit each; only these are in `at`.
+  // Returns the edges that the row crosses, one bit each, and writes their crossings to `at`; the
+  // other entries of `at` are undefined.
   HWY_INLINE std::uint32_t cross(double center, const TileRect& tile,
                                  std::array<RowCrossing, CellSurface::kMostEdges>& at) const {
     const hn::CappedTag<double, 8> d;
@@ -88,9 +89,9 @@ class EdgesOnScreen {
   static constexpr std::size_t kPlaces = (CellSurface::kMostEdges + 7) / 8 * 8;
 
   const CellSurface& surface_;
-  // of an edge's first corner; `other_y_`: of its second one
+  // coordinates of an edge's first corner; `other_y_`: those of its second corner
   HWY_ALIGN double x_[kPlaces]{}, y_[kPlaces]{}, depth_[kPlaces]{}, other_y_[kPlaces]{};
-  // from the one to the other
+  // differences from the first corner to the second, and slopes
   HWY_ALIGN double height_[kPlaces]{}, slope_[kPlaces]{}, deeper_[kPlaces]{};
   HWY_ALIGN double to_first_[kPlaces]{};  // to_first_pixel
 };

@@ -22,7 +22,8 @@
 namespace hiac {
 namespace {
 
-// Behind an opaque surface nothing is seen; a tolerance divided by this is a number still.
+// Lower bound of the transparency in front: behind an opaque surface it is 0, and a tolerance
+// divided by this bound is still finite.
 constexpr double kLeastVisible = 1e-100;
 
 class GeneralCellRenderer {
@@ -64,7 +65,7 @@ class GeneralCellRenderer {
   }
 
  private:
-  // Into runs_ what can be `by_runs`, the rest into crossings_.
+  // Scans a cell: crossings go to runs_ where possible if `by_runs`, the rest to crossings_.
   void scan(CellId cell, bool by_runs) {
     crossings_.clear();
     runs_.clear();
@@ -81,7 +82,7 @@ class GeneralCellRenderer {
     return to_.tile.index(crossing.x, crossing.y);
   }
 
-  // Segments of the cell many at a time.
+  // Renders the segments of the cell many at a time.
   void render_together(const FieldAlongRay& field) {
     batch_.start(runs_.count + crossings_.size());
     batch_.append_runs(runs_);
@@ -101,16 +102,17 @@ class GeneralCellRenderer {
       render_or_add(k, crossings_[batch_.kept()[k - of_runs]], field);
   }
 
-  // The surfaces that cross a segment, and what is in front of, between and behind them.
+  // The surfaces that cross a segment, and the parts of the segment in front of, between and behind
+  // them.
   struct CutSegment {
-    std::size_t crossing;                   // of crossings_
-    std::size_t first_surface, count;       // of all_surfaces_
+    std::size_t crossing;                   // index into crossings_
+    std::size_t first_surface, count;       // range of all_surfaces_
     bool doubtful;                          // CutsAlongRay::doubtful
-    std::optional<std::size_t> first_part;  // of batch_, which has those that have depth
+    std::optional<std::size_t> first_part;  // index into batch_, which has the parts of length > 0
   };
 
-  // The same where surfaces cross the cell. `with_parts`: the volume between them, too, can be
-  // integrated together.
+  // Does the same where surfaces cross the cell. `with_parts`: the volume between the surfaces can
+  // be integrated together as well.
   void render_cut_together(const CellMap& map, const FieldAlongRay& field, bool with_parts) {
     batch_.start(crossings_.size());
     batch_.append_crossings(crossings_);
@@ -130,7 +132,7 @@ class GeneralCellRenderer {
       render(crossings_[cut.crossing], field, {.cut = &cut});
   }
 
-  // Those that cut the crossings, of which batch_ has some.
+  // Finds the surfaces on all crossings; batch_ holds some of these crossings.
   void find_surfaces(const CellMap& map) {
     cut_segments_.clear();
     all_surfaces_.clear();
@@ -148,8 +150,9 @@ class GeneralCellRenderer {
     }
   }
 
-  // Gives surfaces_, found of fields of which no bound is known, the bounds of what is found of
-  // this ray alone: how far they are apart counts besides. False where they may be others.
+  // Gives surfaces_, which come from interpolants without error bounds, the bounds of the surfaces
+  // found for this ray alone, increased by the distance between the two results. Returns false if
+  // the two results may be different surfaces.
   bool check_surfaces(const CellMap& map, const CellCrossing& crossing, const RayStretch& stretch) {
     cuts_.find(map, crossing, stretch, {}, alone_);
     if (cuts_.doubtful() || alone_.size() != surfaces_.size()) return false;
@@ -171,8 +174,8 @@ class GeneralCellRenderer {
     return std::span(all_surfaces_).subspan(cut.first_surface, cut.count);
   }
 
-  // Calls volume(front, back) for the parts of a stretch between surfaces that have depth, and
-  // surface(crossing) for those, front to back.
+  // Calls, front to back, volume(front, back) for the parts of length > 0 of a stretch between
+  // surfaces, and surface(crossing) for the surfaces.
   template <class Volume, class Surface = void (*)(const IsosurfaceCrossing&)>
   static void for_parts(
       const RayStretch& stretch, std::span<const IsosurfaceCrossing> surfaces, Volume&& volume,
@@ -186,7 +189,8 @@ class GeneralCellRenderer {
     if (front < stretch.back) volume(front, stretch.back);
   }
 
-  // Segment k of batch_, whether it is done or not.
+  // Composites segment k of batch_ if it is done and no details are requested; otherwise renders it
+  // by itself.
   void render_or_add(std::size_t k, const CellCrossing& crossing, const FieldAlongRay& field) {
     const PlainRadiance radiance = batch_.radiance(k);
     const CellSegments& s = batch_.segments();
@@ -197,8 +201,8 @@ class GeneralCellRenderer {
     composite(to_, s.at[k], s.front[k], s.back[k], radiance);
   }
 
-  // What was found of a segment together with others, if anything: its radiance, or that of its
-  // parts between surfaces.
+  // The results of a segment that was processed together with others, if any: its radiance, or that
+  // of its parts between surfaces.
   struct Together {
     const PlainRadiance* radiance = nullptr;
     const CutSegment* cut = nullptr;
@@ -208,7 +212,7 @@ class GeneralCellRenderer {
     const std::size_t at = index_of(crossing);
     if (!to_.is_seen(at)) return;
     const RayStretch stretch = stretch_of(frame_.projector, crossing);
-    // where surfaces cross a cell without depth, they are seen all the same
+    // surfaces that cross a stretch of length 0 are visible nevertheless
     if (is_cut_ ? stretch.front > stretch.back : !(stretch.front < stretch.back)) return;
     ++to_.counts.segments;
     const double visible = to_.visible(at), scale = to_.buffer.ray_scale[at];
@@ -231,7 +235,8 @@ class GeneralCellRenderer {
     composite(to_, at, stretch.front, stretch.back, radiance);
   }
 
-  // From surface to surface, of surfaces_. `part`: the first one's number in batch_.
+  // The radiance of a stretch with surfaces_ and the volume between them. `part`: index of the
+  // first part in batch_.
   [[nodiscard]] PlainRadiance between_surfaces(const RayStretch& stretch, double scale,
                                                const FieldAlongRay& field, double visible,
                                                std::optional<std::size_t> part) {
@@ -263,7 +268,7 @@ class GeneralCellRenderer {
     return sum;
   }
 
-  // Tells the pixel, or the group, of the segment at hand.
+  // Adds the details of the current segment to its pixel or group.
   void describe_segment(std::size_t at, const CellCrossing& crossing, const FieldAlongRay& field,
                         const RayStretch& stretch, double scale, const PlainRadiance& radiance) {
     SegmentDetails details = notes_.finish(radiance);
@@ -276,7 +281,7 @@ class GeneralCellRenderer {
     describe(to_, at, details);
   }
 
-  // Segment k of batch_, of runs_.
+  // The crossing of segment k of batch_, which comes from runs_.
   [[nodiscard]] CellCrossing plain_crossing(std::size_t k) const {
     const CellSegments& s = batch_.segments();
     return planar_crossing(frame_.projector, static_cast<int>(s.x[k]), static_cast<int>(s.y[k]),
@@ -285,21 +290,21 @@ class GeneralCellRenderer {
 
   TileTarget to_;
   const Frame& frame_;
-  // of the cell at hand
+  // of the current cell
   VolumeAlongRay volume_;
   CutsAlongRay cuts_;
   bool is_empty_ = false;      // neither absorbs nor shines
-  bool is_cut_ = false;        // by surfaces
-  bool are_doubtful_ = false;  // CutsAlongRay::doubtful of the segment at hand
+  bool is_cut_ = false;        // surfaces cross the cell
+  bool are_doubtful_ = false;  // CutsAlongRay::doubtful of the current segment
   CrossingRuns runs_;
   std::vector<CellCrossing> crossings_;
-  CellBatch batch_;  // of runs_, and then of crossings_
+  CellBatch batch_;  // segments of runs_, then of crossings_
   std::vector<CutSegment> cut_segments_;
-  std::vector<IsosurfaceCrossing> all_surfaces_;             // of these
+  std::vector<IsosurfaceCrossing> all_surfaces_;             // of cut_segments_
   std::vector<IsosurfaceCrossing> surfaces_;                 // of the segment at hand
   std::vector<IsosurfaceCrossing> alone_;                    // scratch
   std::array<CellMap::Point, CellMap::kMostNodes> nodes_{};  // relative (projection.hpp)
-  // where details are asked for
+  // used if details are requested
   CellErrors errors_;
   SegmentNotes notes_;  // of the segment at hand
 };

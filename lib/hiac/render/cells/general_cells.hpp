@@ -7,9 +7,9 @@
 
 namespace hiac {
 
-/// Renders what the tetrahedron kernel does not: cells of all kinds with straight edges and planar
-/// faces, also beside and behind the eye. Same order, same watertight scan conversion, same
-/// compositing; the field along a ray is the isoparametric interpolant.
+/// Renders the cells that the tetrahedron kernel does not: cells of any kind, also beside and
+/// behind the eye. Order, watertight scan conversion and compositing are those of the kernel; the
+/// field along a ray is the isoparametric interpolant.
 void render_general_cells(const TileTarget& to, std::span<const CellId> cells);
 
 }  // namespace hiac

@@ -9,8 +9,8 @@
 
 namespace hiac {
 
-/// The crossing of a cell with planar faces by the ray through a pixel's centre, of which only the
-/// clipped segment is known: it reaches beyond the view where that clips it.
+/// The crossing of a cell with planar faces by the ray through a pixel centre, given only the
+/// clipped segment: where the view clips the segment, the crossing extends beyond the view.
 inline CellCrossing planar_crossing(const Projector& projector, int x, int y, double front,
                                     double back) {
   constexpr double kFar = std::numeric_limits<double>::infinity();

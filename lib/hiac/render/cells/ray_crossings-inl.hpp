@@ -23,24 +23,25 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// A triangle that a row crosses, between two of its edges.
+// A triangle that a row crosses, and the two edges that the row crosses.
 struct CrossedTriangle {
   std::size_t triangle, e, f;
 };
 
-// What one row crosses.
+// The triangles that one row crosses.
 struct RowSection {
   std::array<CrossedTriangle, CellSurface::kMostTriangles> triangles;
   std::size_t triangle_count;
 
-  // `crossed`: edges that the row crosses, a bit each. Triangles of curved faces are left out.
+  // `crossed`: the edges that the row crosses, one bit each. Triangles of curved faces are left
+  // out.
   HWY_INLINE RowSection(const CellSurface& surface, const CurvedFaces* curved,
                         std::uint32_t crossed)
       : triangle_count(0) {
     const auto is_crossed = [&](std::uint8_t e) { return (crossed >> e & 1U) != 0; };
     for (std::size_t k = 0; k < surface.triangle_count; ++k) {
       if (curved != nullptr && curved->holds(surface.triangles[k].face)) continue;
-      // two edges of a triangle are crossed, or none
+      // a row crosses two edges of a triangle, or none
       const auto& [a, b, c] = surface.triangles[k].edges;
       if (!is_crossed(a) && !is_crossed(b)) continue;
       triangles[triangle_count++] = {k, is_crossed(a) ? a : b,
@@ -52,15 +53,15 @@ struct RowSection {
 // Where one ray crosses a cell's surface.
 class RayCrossings {
  public:
-  // Keeps them in order. `u`, `v`: of curved faces.
+  // Inserts a crossing in ascending order of t. `u`, `v`: its parameters on a curved face.
   HWY_INLINE void add(double t, std::uint8_t face, double u = 0, double v = 0) {
     std::size_t at = count_++;
     for (; at > 0 && places_[at - 1].t > t; --at) places_[at] = places_[at - 1];
     places_[at] = {t, u, v, face};
   }
 
-  // The ray enters and leaves in turn: of a convex cell once each, but that rounding may roughen a
-  // surface along which the ray runs.
+  // Appends the cell crossings: the ray enters and leaves in turn, once each in a convex cell,
+  // unless it runs along a surface that rounding has roughened.
   HWY_INLINE void append_to(std::vector<CellCrossing>& crossings, const CurvedFaces* curved, int x,
                             int y) const {
     for (std::size_t k = 0; k + 1 < count_; k += 2) {

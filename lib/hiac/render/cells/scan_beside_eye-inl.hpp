@@ -29,8 +29,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 // relative to their distance from the eye.
 constexpr double kEdgeOn = 64 * std::numeric_limits<double>::epsilon();
 
-// The distance of a point from a plane through the eye, or 0 when it is rounding in comparison with
-// the distance from the eye: what Projector does for coordinates close to pixel centres.
+// The distance of a point from a plane through the eye, or 0 if it is no more than rounding
+// relative to the distance from the eye. Projector does the same for coordinates close to pixel
+// centres.
 HWY_INLINE double straightened(double distance, double from_eye) {
   constexpr double kRounding = 32 * std::numeric_limits<double>::epsilon();
   return std::abs(distance) <= kRounding * from_eye ? 0 : distance;
@@ -38,7 +39,7 @@ HWY_INLINE double straightened(double distance, double from_eye) {
 
 using Vector = std::array<double, 3>;
 
-// A cell beside the eye, row by row.
+// Scans a cell beside the eye, row by row.
 class LineScan {
  public:
   LineScan(const Frame& frame, const CellSurface& surface, CurvedFaces* curved,
@@ -62,8 +63,8 @@ class LineScan {
   }
 
  private:
-  // All corners outside one of the planes through the eye and the tile's borders: what the tile's
-  // pixels see lies inside all of them.
+  // Whether all corners lie outside one of the planes through the eye and the tile's borders: the
+  // tile's pixels see only what lies inside all four.
   [[nodiscard]] bool outside_tile() const {
     const auto [left, top] = frame_.projector.slopes(tile_.x0, tile_.y0);
     const auto [right, bottom] = frame_.projector.slopes(tile_.x1, tile_.y1);
@@ -113,20 +114,20 @@ class LineScan {
   struct CrossedEdge {
     double right, forward;  // camera coordinates of the point
     bool projectable;
-    RowCrossing on_screen;  // where it is projectable
-    // of the pixel at hand
-    double offset;  // how far right of the line, at the point's depth
+    RowCrossing on_screen;  // if the edge is projectable
+    // of the current pixel
+    double offset;  // of the point right of the pixel's line, at its depth
     bool left_of_pixel;
   };
 
-  // False when all that the row crosses lies behind the eye.
+  // Computes the points of the crossed edges. Returns false if all of them lie behind the eye.
   bool cut_edges(std::uint32_t crossed, double center) {
     bool in_front = false;
     for (std::uint32_t rest = crossed; rest != 0; rest &= rest - 1) {
       const auto e = static_cast<std::size_t>(std::countr_zero(rest));
       const auto [a, b] = surface_.edges[e];
       const double difference = height_[a] - height_[b];
-      // nodes told apart by their screen coordinates alone may have heights of one sign
+      // nodes that only their screen coordinates separate may have heights of equal sign
       const double s = difference == 0 ? 0.5 : std::clamp(height_[a] / difference, 0.0, 1.0);
       CrossedEdge& edge = edges_[e];
       edge.right = camera_[a][0] + s * (camera_[b][0] - camera_[a][0]);
@@ -170,7 +171,7 @@ class LineScan {
   SurfaceDepth depth_;
   std::array<Vector, CellSurface::kMostCorners> camera_;
   std::array<bool, CellSurface::kMostCorners> projectable_;
-  // of the row at hand
+  // of the current row
   std::array<double, CellSurface::kMostCorners> height_;
   std::array<CrossedEdge, CellSurface::kMostEdges> edges_;
 };

@@ -1,4 +1,4 @@
-// Scan conversion of cells whose nodes are all on the screen, compiled once for every instruction
+// Scan conversion of cells whose nodes are all projectable, compiled once for every instruction
 // set. Include from a file that Highway's foreach_target.h compiles repeatedly.
 
 #if defined(HIAC_RENDER_SCREEN_SCAN_INL) == defined(HWY_TARGET_TOGGLE)
@@ -25,7 +25,7 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// A cell whose nodes are all on the screen, row by row.
+// Scans a cell whose nodes are all projectable, row by row.
 class ScreenScan {
  public:
   ScreenScan(const Frame& frame, const CellSurface& surface, CurvedFaces* curved,
@@ -95,7 +95,7 @@ class ScreenScan {
   static bool is_covered_twice(const RowSection& section,
                                const std::array<RowCrossing, CellSurface::kMostEdges>& edges,
                                int first, int last) {
-    static_assert(kTileWidth <= 64);  // a bit a pixel, of how often it is covered
+    static_assert(kTileWidth <= 64);  // one bit per pixel
     const auto before = [&](int x) {
       return x - first == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << (x - first)) - 1;
     };
@@ -111,8 +111,8 @@ class ScreenScan {
     return ones == 0 && fours == 0 && twos == before(last);
   }
 
-  // The pixels [first, last) as one run, without curved faces. False where a ray does not enter and
-  // leave once.
+  // Adds the pixels [first, last) as one run, without curved faces. Returns false if a ray does not
+  // enter and leave exactly once.
   bool add_run(const RowSection& section,
                const std::array<RowCrossing, CellSurface::kMostEdges>& edges, int first, int last,
                int y) {
@@ -159,7 +159,7 @@ class ScreenScan {
     return true;
   }
 
-  // Without curved faces: triangle by triangle, then the pixels [first, last).
+  // Appends the crossings of the pixels [first, last), without curved faces, triangle by triangle.
   void meet_row(const RowSection& section,
                 const std::array<RowCrossing, CellSurface::kMostEdges>& edges, int first, int last,
                 int y, std::vector<CellCrossing>& crossings) {
@@ -193,7 +193,7 @@ class ScreenScan {
         0, 0, 0, 0, 0, 0, {kNone, kNone, kNone}, {kNone, kNone, kNone}, kNone, kNone};
     for (int x = first; x < last; ++x) {
       const auto at = static_cast<std::size_t>(x - first);
-      if (count[at] == 2) {  // as it mostly is
+      if (count[at] == 2) {  // the usual case
         const std::size_t front = places[1][at] < places[0][at] ? 1 : 0, back = 1 - front;
         CellCrossing& crossing = crossings.emplace_back(kPlain);
         crossing.x = x;
@@ -214,7 +214,7 @@ class ScreenScan {
   const CellSurface& surface_;
   CurvedFaces* curved_;
   const TileRect& tile_;
-  CrossingRuns* runs_;  // for rows that are one
+  CrossingRuns* runs_;  // for rows that form one run; may be null
   Nodes nodes_;
   EdgesOnScreen on_screen_;
   SurfaceDepth depth_;

@@ -10,7 +10,7 @@
 
 namespace hiac {
 
-/// What two computations of the same light are apart by.
+/// The difference between two computations of the same light.
 inline ErrorBound apart(const std::array<double, 3>& a, double transparency_a,
                         const std::array<double, 3>& b, double transparency_b) {
   ErrorBound bound;
@@ -20,7 +20,7 @@ inline ErrorBound apart(const std::array<double, 3>& a, double transparency_a,
   return bound;
 }
 
-/// Notes of a segment that is integrated part by part, front to back, for its details.
+/// Collects the details of a segment that is integrated part by part, front to back.
 class SegmentNotes {
  public:
   void begin(double front, double back) {
@@ -28,27 +28,28 @@ class SegmentNotes {
     weight_ = weighted_depth_ = 0;
   }
 
-  /// The bound of a part's quadrature. The part is seen through `visible` of the segment.
+  /// Adds the bound of a part's quadrature. `visible` is the segment's transparency in front of the
+  /// part.
   void add_quadrature(double visible, const ErrorBound& bound, const PlainRadiance& part) {
     details_.radiance_error +=
         visible * bound.radiance + details_.transparency_error * std::ranges::max(part.rgb);
     details_.transparency_error += visible * bound.transparency;
   }
-  /// How far a part that was found together with others, of which no bound is known, is from what
-  /// was found of it alone.
+  /// Adds the difference between a part's light integrated together with others, which has no error
+  /// bound, and its light integrated alone.
   void add_apart(double visible, const PlainRadiance& together, const PlainRadiance& alone) {
     const ErrorBound bound =
         apart(together.rgb, together.transparency, alone.rgb, alone.transparency);
     details_.radiance_error += visible * bound.radiance;
     details_.transparency_error += visible * bound.transparency;
   }
-  /// At what depth some of the segment's opacity is.
+  /// Adds opacity of the segment at the ray parameter t, for the mean depth.
   void add_depth(double t, double opacity) {
     weight_ += opacity;
     weighted_depth_ += opacity * t;
   }
 
-  /// The details of the whole segment but those that only its cell knows.
+  /// The details of the whole segment, except those that only its cell knows.
   [[nodiscard]] SegmentDetails finish(const PlainRadiance& radiance) {
     details_.light = std::ranges::max(radiance.rgb);
     details_.transparency = radiance.transparency;

@@ -14,22 +14,23 @@ namespace hiac {
 template <class Real>
 class SignChanges {
  public:
-  /// `below`: the sign at 0, where it is known.
+  /// `below`: whether the offset is negative at 0, if known.
   SignChanges(std::optional<bool> below, std::vector<Real>& places)
       : below_(below), places_(places) {}
 
-  /// The sign is certain on [begin, end], and was not between there and where it was last.
+  /// States that the sign is certain on [begin, end], and uncertain between the last certain point
+  /// and `begin`. If the sign differs from the last one, a change is noted halfway between.
   void certain(bool below, Real begin, Real end) {
     if (below_ && *below_ != below) places_.push_back((reached_ + begin) / 2);
     below_ = below;
     reached_ = end;
   }
 
-  /// A polynomial on [begin, end], the offset where that is larger than `rounding`. `roots`:
-  /// scratch.
+  /// Follows a polynomial on [begin, end] whose sign is that of the offset wherever its magnitude
+  /// exceeds `rounding`. `roots`: scratch.
   void follow(const BasicBernstein<Real>& offset, Real begin, Real end, Real rounding,
               std::vector<BasicRootEnclosure<Real>>& roots) {
-    // far from the surface, as most rays are
+    // the ray stays far from the surface, the usual case
     const auto [least, most] = std::ranges::minmax(offset.coefficients());
     if (least > rounding || most < -rounding) return certain(least < 0, begin, end);
     roots.clear();
@@ -57,8 +58,8 @@ class SignChanges {
   std::vector<Real>& places_;
 };
 
-/// Where pieces of an offset along [0, 1], less `level`, change sign: into `places`. Pieces have
-/// `begin`, `end` and the offset as fields[0]. `roots`: scratch.
+/// Fills `places` with the points where an offset along [0, 1], given in pieces, minus `level`
+/// changes sign. Pieces have `begin`, `end` and the offset as fields[0]. `roots`: scratch.
 template <class Real, class Piece>
 void find_shifted_changes(const std::vector<Piece>& pieces, Real level, std::vector<Real>& places,
                           std::vector<BasicRootEnclosure<Real>>& roots) {
@@ -71,9 +72,9 @@ void find_shifted_changes(const std::vector<Piece>& pieces, Real level, std::vec
   }
 }
 
-/// Whether as many places as `places` are where an offset that is off by `level`, or by as much the
-/// other way, changes sign. Each of `moved`, where there are any, becomes not less than twice what
-/// its place moves by. `shifted`, `roots`: scratch.
+/// Whether an offset raised by `level`, and one lowered by it, each have as many sign changes as
+/// `places`. Raises each entry of `moved`, which may be empty, to at least twice the distance by
+/// which its place moves. `shifted`, `roots`: scratch.
 template <class Real, class Piece>
 bool as_many_when_shifted(const std::vector<Piece>& pieces, Real level,
                           const std::vector<Real>& places, std::vector<Real>& moved,

@@ -25,11 +25,12 @@ namespace hn = hwy::HWY_NAMESPACE;
 // Where a row of pixel centres crosses an edge.
 struct RowCrossing {
   double x, depth;
-  int column;  // the first pixel right of it, or on it
+  int column;  // the first pixel on the crossing or right of it
 };
 
-// Pixels between the edges of a triangle: narrower than this it is seen edge-on, and where it lies
-// is known to rounding of projected coordinates alone (an ulp is 3e-11 for the farthest nodes).
+// A triangle whose edges are less than this many pixels apart counts as seen edge-on: its position
+// is then known only to the rounding of projected coordinates (an ulp is 3e-11 for the farthest
+// nodes).
 inline constexpr double kEdgeOnWidth = 0x1p-35;
 
 // Depth on a triangle over the screen (face_plane-inl.hpp).
@@ -58,7 +59,7 @@ class TriangleDepth {
     const double dy = y - base_.y;
     return {base_.x, cx_, gx_, h_, cy_ * dy, gy_ * dy};
   }
-  // At points of a row.
+  // The depths at points of a row.
   template <class D, class V = hn::Vec<D>>
   HWY_INLINE V along(D d, const Row& row, V x) const {
     return on_face(d, base_.depth, qm_, qs_, place_on_face(d, row, x));
@@ -77,17 +78,17 @@ HWY_INLINE Nodes projected_nodes(const Frame& frame, const CellSurface& surface)
   return nodes;
 }
 
-// The depths on a cell's triangles, each made ready when it is first needed.
+// The depths on a cell's triangles; each triangle is set up when it is first needed.
 class SurfaceDepth {
  public:
   HWY_INLINE SurfaceDepth(const CellSurface& surface, const Nodes& nodes)
       : surface_(surface), nodes_(nodes) {}
 
-  // A row, between the two edges that it crosses; never beyond the depths there. A triangle seen
-  // edge-on is as deep as the nearer of the two: of the cells that it parts, one gets all of the
-  // ray. The ray's cells then follow one another whatever rounding does.
+  // The depths on a triangle along a row, clamped to those of the two edges that the row crosses. A
+  // triangle seen edge-on takes the smaller of the two depths: of the two cells that it separates,
+  // one gets the whole ray. The cells along the ray then follow one another whatever rounding does.
   struct Row {
-    const TriangleDepth* triangle;  // none where it is seen edge-on
+    const TriangleDepth* triangle;  // null if it is seen edge-on
     double least, most;
     TriangleDepth::Row along;
 
@@ -103,7 +104,7 @@ class SurfaceDepth {
     return {&on(triangle), least, most, on(triangle).row(y)};
   }
 
-  // The same at one point.
+  // The depth at one point of a row.
   HWY_INLINE double at(std::size_t triangle, const RowCrossing& e, const RowCrossing& f, double x,
                        double y) {
     const hn::CappedTag<double, 1> d;

@@ -8,7 +8,7 @@
 namespace hiac {
 namespace {
 
-// World length per unit of the ray parameter, at most.
+// The largest world length per unit of the ray parameter in a tile.
 double longest_unit(const Projector& projector, const TileRect& tile) {
   double longest = 0;
   for (const int x : {tile.x0, tile.x1})
@@ -79,7 +79,7 @@ PlainRadiance VolumeAlongRay::integrated(const RayStretch& stretch, double lengt
   return radiance;
 }
 
-// From the ends of what lies in pieces_.
+// The radiance from the fields at both ends of pieces_.
 PlainRadiance VolumeAlongRay::unsliced(double length) const {
   const std::size_t color = optics_.same_field ? 0 : 1;
   const auto &front = pieces_.front().fields, &back = pieces_.back().fields;

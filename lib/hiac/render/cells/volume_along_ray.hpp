@@ -17,30 +17,30 @@ namespace hiac {
 /// The volume of one cell of any kind, integrated along one ray at a time.
 class VolumeAlongRay {
  public:
-  /// The frame must outlive it.
+  /// The frame must outlive this object.
   VolumeAlongRay(const Frame& frame, const TileRect& tile);
 
-  /// Takes a cell of the frame's mesh.
+  /// Selects a cell of the frame's mesh.
   void enter(CellId cell);
 
   [[nodiscard]] const CellScalars& extinction() const { return extinction_; }
   [[nodiscard]] const CellScalars& color() const { return color_; }
-  /// The extinction's field and, where it is another one, the colour's.
+  /// The extinction's field and, if it differs, the colour's.
   [[nodiscard]] std::span<const CellField> fields() const { return {fields_.data(), count_}; }
-  /// The cell neither absorbs nor shines.
+  /// Whether the cell neither absorbs nor emits light.
   [[nodiscard]] bool is_empty() const;
-  /// Colour and extinction each have one value in the whole cell.
+  /// Whether colour and extinction each have one value in the whole cell.
   [[nodiscard]] bool is_uniform() const { return is_uniform_; }
-  /// The longest ray through the mesh that the tile may hold, world units.
+  /// A bound of the length of any ray of the tile through the mesh, world units.
   [[nodiscard]] double longest() const { return longest_; }
-  /// Of a segment that is seen through `visible`, as a part of the tolerance in proportion to its
-  /// length.
+  /// The integration error allowed for a segment behind the transparency `visible`: a part of the
+  /// tolerance in proportion to the segment's length.
   [[nodiscard]] double allowed_error(double front, double back, double visible) const {
     return shares_.integration * frame_.tolerance * ((back - front) / frame_.depth) / visible;
   }
 
-  /// What a stretch does to the light. `scale`: world length per unit of the ray parameter;
-  /// `field`: fields() along rays; `visible`: the transparency in front.
+  /// The radiance and transparency of a stretch. `scale`: world length per unit of the ray
+  /// parameter; `field`: fields() along rays; `visible`: the transparency in front.
   [[nodiscard]] PlainRadiance radiance(const RayStretch& stretch, double scale,
                                        const FieldAlongRay& field, double visible);
   /// The bound of the last radiance's quadrature.

@@ -62,7 +62,7 @@ class IntegratingSink {
   }
 
   PolynomialWalk<kEmission> walk_;
-  // of the segments at hand
+  // of the current segments
   V length_, allowed_;
   Radiance<V> sum_;
 };

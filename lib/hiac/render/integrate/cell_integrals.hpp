@@ -7,12 +7,12 @@
 
 namespace hiac {
 
-/// Integrates segments, behind which it writes kPadding without meaning, of a cell of any kind
-/// many at a time: fields along rays as in field_along_ray.hpp, radiance as in
-/// polynomial_piece.hpp, both without bounds of rounding. `color`, `extinction`: the intervals of
-/// the transfer functions in which the fields are in the cell. Segments whose places in the cell
-/// Newton's iteration does not find from nearby, or whose fields too short pieces would have to be
-/// interpolated on, are not done.
+/// Integrates segments of a cell of any kind many at a time: fields along rays as in
+/// field_along_ray.hpp, radiance as in polynomial_piece.hpp, both without bounds of rounding.
+/// Overwrites the padding behind the segments. `color`, `extinction`: the intervals of the transfer
+/// functions that the fields reach in the cell. A segment is left undone if Newton's iteration from
+/// a nearby start does not find its points in the cell, or if its fields would need too short
+/// pieces.
 void integrate_cell_segments(const Frame& frame, const CellPolynomials& cell, IntervalRange color,
                              IntervalRange extinction, CellSegments& segments);
 

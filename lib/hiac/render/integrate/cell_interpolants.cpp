@@ -15,7 +15,7 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Keeps the polynomials that SegmentFields finds.
+// Stores the polynomials that SegmentFields finds.
 class PieceSink {
  public:
   using D = hn::CappedTag<double, 8>;
@@ -44,7 +44,7 @@ class PieceSink {
     }
   }
 
-  // Of `count` segments of the vector those that are done.
+  // Appends the pieces of those of the vector's first `count` segments that are done.
   void finish(M done, std::size_t count) {
     const auto is_done = lanes_of(D(), done);
     for (std::size_t lane = 0; lane < count; ++lane) {
@@ -57,7 +57,7 @@ class PieceSink {
  private:
   static constexpr std::size_t kMostLanes = 8;
 
-  // On [0, 1].
+  // Field f in one lane, as a Bernstein polynomial on [0, 1].
   [[nodiscard]] BernsteinPolynomial polynomial(std::size_t f, std::size_t degree,
                                                std::size_t lane) const {
     std::array<double, kMaxFieldDegree + 1> c;

@@ -23,15 +23,15 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Segments of one vector of pixels: what lies between `begin` and `end` of z in [-1, 1]. Those that
-// do not count have no length. Fields are less their bases.
+// Segments of one vector of pixels, from z = `begin` to `end` in [-1, 1]. Unused lanes have length
+// 0. Fields are relative to their bases.
 template <class V, std::size_t kDegree>
 struct HigherOrderSegments {
-  BernsteinScalar<V, kDegree> color, extinction;  // one and the same where the fields are
-  bool whole;                                     // all from -1 to 1
+  BernsteinScalar<V, kDegree> color, extinction;  // equal if the fields are the same
+  bool whole;                                     // all run from -1 to 1
   V begin, end;
   V length;  // world length of z from -1 to 1
-  V weight;  // the transparency in front over the absolute error that may be made of all that
+  V weight;  // transparency in front / absolute error allowed for z from -1 to 1
 };
 
 // Integrates segments piece by piece, front to back.
@@ -40,8 +40,9 @@ struct HigherOrderSegments {
 // (segment_cuts-inl.hpp). On a piece, z from -1 to 1, extinction and colour are polynomials, and so
 // is the optical depth A. With chromaticity, integration by parts leaves
 //     I = kappa(-1) - kappa(1) exp(-A(1)) + integral of kappa' exp(-A),
-// with emission I = length times the mean of g exp(-A). The integrals are Gauss-Legendre sums with
-// as many nodes as the bound of symmetric_rules.hpp asks for, or pieces are halved.
+// with emission I = length times the mean of g exp(-A). The integrals are Gauss-Legendre sums whose
+// number of nodes follows from the bound of symmetric_rules.hpp; a piece that needs too many is
+// halved.
 template <bool kEmission, std::size_t kDegree>
 class HigherOrderWalk {
  public:
@@ -82,10 +83,10 @@ class HigherOrderWalk {
       if (whole) break;
       z = hn::IfThenElse(active, next, z);
       active = hn::And(active, hn::Lt(z, s.end));
-      // what is behind this adds less than rounding
+      // the rest of the segment adds less than rounding
       active = hn::And(active, hn::Gt(sum.transparency, hn::Set(d, kInvisible)));
       if (halvings == 0) continue;
-      // the lane that needed such short pieces may have come to its end
+      // the lane that needed the short pieces may be finished
       --halvings;
       step = hn::Add(step, step);
     }
@@ -94,19 +95,19 @@ class HigherOrderWalk {
 
  private:
   static constexpr int kMostHalvings = 40;
-  static constexpr int kMostRounds = 100000;  // more than pieces that any rule is fit for take
+  static constexpr int kMostRounds = 100000;  // more than any valid segment needs
   static constexpr double kInvisible = 1e-20;
-  // of the integrand: kappa' or g
+  // degree of the integrand's factor: kappa' or g
   static constexpr std::size_t kFactorDegree = kEmission ? kDegree : kDegree - 1;
 
-  // A part of the segments on which no transfer function bends: fields on [-1, 1].
+  // A part of the segments on which the transfer functions are linear, with the fields on [-1, 1].
   template <class V>
   struct Piece {
-    PowerScalar<V, kDegree> extinction, color;  // colour: where the fields are two
+    PowerScalar<V, kDegree> extinction, color;  // colour: if the fields differ
     V length, weight;
   };
 
-  // Where fields take the values of breakpoints, if anywhere.
+  // Finds where fields take the values of breakpoints.
   template <class D, class V>
   HWY_INLINE void find_cuts(D d, const HigherOrderSegments<V, kDegree>& s, const Piece<V>& all,
                             hn::Mask<D> active) {
@@ -131,7 +132,7 @@ class HigherOrderWalk {
     part.weight = hn::Div(all.weight, share);
   }
 
-  // False when no rule meets what is allowed of the piece and it `may_refuse`.
+  // Adds a piece. Returns false if no rule meets the allowed error and the function `may_refuse`.
   template <class D, class V>
   HWY_INLINE bool add_piece(D d, const Piece<V>& piece, hn::Mask<D> active, bool may_refuse,
                             Radiance<V>& sum) {
@@ -144,7 +145,7 @@ class HigherOrderWalk {
     const PieceColor<V> channels = color_on_piece(d, optics_, color, color_.base);
     const auto [offset, slope] = extinction_on_piece(d, optics_, extinction, extinction_.base);
     const auto depth = depth_of<kDegree>(d, piece.extinction.c, offset, slope, piece.length);
-    // f less the anchor for emission, else f' times the length of a piece
+    // f minus the anchor for emission, else f' times the length of the piece
     V factor[kFactorDegree + 1];
     if constexpr (kEmission) {
       factor[0] = hn::Sub(field.c[0], channels.anchor);
@@ -195,7 +196,7 @@ class HigherOrderWalk {
                                            const PieceDepth<V, kDegree>& depth,
                                            const Thickness& thickness,
                                            const V (&factor)[kFactorDegree + 1]) {
-    V moment[kFactorDegree + 1];  // of exp(-A) z^k
+    V moment[kFactorDegree + 1];  // mean of exp(-A) z^k
     for (V& m : moment) m = hn::Zero(d);
     if (rule.middle != 0)
       moment[0] = hn::Mul(hn::Set(d, rule.middle), transparency(d, depth.alpha[0], thickness));
@@ -221,7 +222,7 @@ class HigherOrderWalk {
 
   const OpticsTables& optics_;
   WalkField color_, extinction_;                    // of the cell
-  IntervalRange color_here_{}, extinction_here_{};  // of the segments at hand
+  IntervalRange color_here_{}, extinction_here_{};  // of the current segments
   SegmentCuts<kDegree> cuts_;
   const SymmetricRules& rules_;
   const BernsteinEllipses& ellipses_;

@@ -1,6 +1,5 @@
-// Shading of isosurfaces in vector registers, compiled once for every instruction set: what
-// isosurface_shading.hpp says. Include from a file that Highway's foreach_target.h compiles
-// repeatedly.
+// Shading of isosurfaces by the formula of isosurface_shading.hpp, vectorized and compiled once for
+// every instruction set. Include from a file that Highway's foreach_target.h compiles repeatedly.
 
 #if defined(HIAC_RENDER_ISOSURFACE_SHADING_INL) == defined(HWY_TARGET_TOGGLE)
 #  ifdef HIAC_RENDER_ISOSURFACE_SHADING_INL
@@ -31,8 +30,8 @@ HWY_INLINE V dot(const V (&a)[3], const V (&b)[3]) {
   return hn::MulAdd(a[0], b[0], hn::MulAdd(a[1], b[1], hn::Mul(a[2], b[2])));
 }
 
-// R.V^shininess where R.V > 0. By rounding the cosine may be above 1, which huge exponents must not
-// feel.
+// (R.V)^shininess where R.V > 0, else 0. Rounding may make the cosine larger than 1; the power is
+// limited, because a huge exponent would amplify the excess.
 template <class D, class V>
 HWY_NOINLINE V highlight(D d, double shininess, V cosine) {
   const V smallest = hn::Set(d, 1e-300);
@@ -73,7 +72,7 @@ HWY_INLINE SurfaceShade<V> shade(D d, const FrameIsosurface& surface,
           hn::MulAdd(hn::IfThenElseZero(lit, reflected), hn::Set(d, light.color[c]), result.rgb[c]);
     }
   }
-  // a surface without opacity has none edge-on either
+  // a surface of opacity 0 is transparent edge-on, too
   const V seen = hn::Max(facing, hn::Set(d, 1e-300));
   result.transparency = hn::Exp(d, hn::Div(hn::Set(d, surface.log_transparency), seen));
   const V opacity = hn::Sub(one, result.transparency);

@@ -7,8 +7,8 @@
 
 namespace hiac {
 
-/// What an isosurface does where a ray crosses it: premultiplied light of its own, and the share of
-/// what is behind that it lets through.
+/// The effect of an isosurface on a ray that crosses it: the premultiplied light that it adds, and
+/// its transparency.
 struct IsosurfaceShade {
   std::array<double, 3> rgb;
   double transparency;
@@ -20,10 +20,10 @@ struct IsosurfaceShade {
 ///     ambient color + sum over lights (where N.L > 0) of
 ///         light (diffuse (N.L) color + specular max(R.V, 0)^shininess)
 ///
-/// times the opacity 1 - (1 - opacity)^(1 / |N.V|): seen at an angle, glass of some thickness is
-/// the more opaque (section 5.2).
+/// times the opacity 1 - (1 - opacity)^(1 / |N.V|): like a pane of glass, the surface is more
+/// opaque at grazing angles (section 5.2).
 ///
-/// `normal` (any side) and `ray` (away from the eye) are of unit length, in one frame with the
+/// `normal` (on either side) and `ray` (away from the eye) are unit vectors in the frame of the
 /// lights: right, up, forward.
 IsosurfaceShade shade_isosurface(const FrameIsosurface& surface, std::span<const FrameLight> lights,
                                  const std::array<double, 3>& normal,

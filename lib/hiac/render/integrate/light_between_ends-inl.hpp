@@ -1,6 +1,6 @@
-// Light of pieces on which rounding of fields may make anything of transfer functions, compiled
-// once for every instruction set. Include from a file that Highway's foreach_target.h compiles
-// repeatedly.
+// Light of pieces on which transfer functions are so steep that rounding of the fields may give
+// arbitrary values, compiled once for every instruction set. Include from a file that Highway's
+// foreach_target.h compiles repeatedly.
 
 #if defined(HIAC_RENDER_LIGHT_BETWEEN_ENDS_INL) == defined(HWY_TARGET_TOGGLE)
 #  ifdef HIAC_RENDER_LIGHT_BETWEEN_ENDS_INL
@@ -27,7 +27,8 @@ struct PieceEnds {
   V length;
 };
 
-// The table's function at a scalar, which is kept in its interval: not below 0, not above `most`.
+// The table's function at a scalar, which is clamped to its interval; the result is clamped to [0,
+// most].
 template <std::size_t N, class D, class V = hn::Vec<D>>
 HWY_INLINE V kept_value(D d, const IntervalReader<D>& interval, const TransferTable<N>& table,
                         std::size_t c, V scalar, double most) {
@@ -68,8 +69,8 @@ HWY_NOINLINE Radiance<V> light_between_ends(D d, const OpticsTables& optics,
   return {channel(0), channel(1), channel(2), w.transparency};
 }
 
-// `light` where it can be that of the piece, else that of light_between_ends. To be asked where
-// transfer functions are steep (OpticsTables::steep).
+// Returns `light` in the lanes where its values are possible for the piece, elsewhere the result of
+// light_between_ends. Needed where transfer functions are steep (OpticsTables::steep).
 template <bool kEmission, class D, class V = hn::Vec<D>>
 HWY_NOINLINE Radiance<V> sound_light(D d, const OpticsTables& optics, const Radiance<V>& light,
                                      const PieceEnds<D>& ends) {

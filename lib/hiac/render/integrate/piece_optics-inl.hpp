@@ -24,17 +24,17 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// A field in the cell at hand, as a walk along segments sees it. Polynomials are of the field less
-// `base`.
+// A field in the current cell, as used by a walk along segments. Polynomials represent the field
+// minus `base`.
 struct WalkField {
   IntervalRange intervals;  // of its transfer function, in the cell
   double base;
-  double spread = 0;  // not less than any magnitude of the field less base; where it is asked for
+  double spread = 0;  // bound of |field - base|; only some walks need it
 };
 
-// Reads a transfer function in the intervals in which a field is in the middle of pieces; those of
-// neighbouring rays are mostly one. `range`: the intervals that may be met; `middle`: the field
-// less `base`.
+// Returns a reader of a transfer function at the intervals that contain the field's values in the
+// middle of pieces; usually all lanes have the same interval. `range`: the possible intervals;
+// `middle`: the field minus `base` in the middle.
 template <std::size_t N, class D, class V = hn::Vec<D>>
 HWY_INLINE IntervalReader<D> reader_at_middle(D d, const TransferTable<N>& table,
                                               IntervalRange range, double base, V middle) {
@@ -51,7 +51,8 @@ HWY_INLINE IntervalReader<D> reader_at_middle(D d, const TransferTable<N>& table
   return IntervalReader<D>(d, interval);
 }
 
-// The transfer function of extinction on a piece: offset + slope f, f less the base.
+// The transfer function of extinction on a piece: offset + slope f, with f the field minus its
+// base.
 template <class V>
 struct PieceExtinction {
   V offset, slope;
@@ -64,7 +65,8 @@ HWY_INLINE PieceExtinction<V> extinction_on_piece(D d, const OpticsTables& optic
   return {hn::NegMulAdd(slope, anchor, reader(optics.extinction.value[0])), slope};
 }
 
-// The transfer function of colour on a piece: value + slope (f - anchor), f less the base.
+// The transfer function of colour on a piece: value + slope (f - anchor), with f the field minus
+// its base.
 template <class V>
 struct PieceColor {
   V anchor, value[3], slope[3];
@@ -93,14 +95,14 @@ struct PieceMeans {
   V of_one, of_factor;
 };
 
-// The optical depth along a piece, sum of alpha_k z^k, and at its end.
+// The optical depth along a piece, sum of alpha_k z^k, and its value at the end.
 template <class V, std::size_t kDegree>
 struct PieceDepth {
   V alpha[kDegree + 2];
   V total;
 };
 
-// Of an extinction offset + slope f, f the polynomial of coefficients c.
+// The optical depth for an extinction offset + slope f, with f the polynomial of coefficients c.
 template <std::size_t kDegree, class D, class V = hn::Vec<D>>
 HWY_INLINE PieceDepth<V, kDegree> depth_of(D d, const V* c, V offset, V slope, V length) {
   PieceDepth<V, kDegree> depth;
@@ -113,14 +115,14 @@ HWY_INLINE PieceDepth<V, kDegree> depth_of(D d, const V* c, V offset, V slope, V
     depth.alpha[k + 1] = alpha;
     (k % 2 == 0 ? odd : even) = hn::Add(k % 2 == 0 ? odd : even, alpha);
   }
-  // no depth at the front
+  // the depth is 0 at the front
   depth.alpha[0] = hn::Sub(odd, even);
   depth.total = hn::Max(hn::Add(odd, odd), hn::Zero(d));
   return depth;
 }
 
-// How many nodes give the mean of p exp(-A) with an error of at most 1 / weight, p, the `factor`,
-// being kappa' or g: for the lane that needs most. 0: more than there are.
+// The number of nodes that gives the mean of p exp(-A) with an error of at most 1 / weight in all
+// lanes, where p, the `factor`, is kappa' or g. 0 if no rule has enough nodes.
 template <bool kEmission, std::size_t kFactor, std::size_t kDegree, class D, class V = hn::Vec<D>>
 HWY_INLINE std::size_t nodes_for(D d, const BernsteinEllipses& ellipses,
                                  const PieceDepth<V, kDegree>& depth, const V* factor,
@@ -133,7 +135,7 @@ HWY_INLINE std::size_t nodes_for(D d, const BernsteinEllipses& ellipses,
   return nodes_needed<kDegree + 1, kFactor>(d, ellipses, depth.alpha, bound, active, ellipse);
 }
 
-// A field of some degree at an end of a piece, z = -1 or 1.
+// The value of a field of the given degree at an end of a piece, z = -1 or 1.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V end_of(D d, const V* c, std::size_t degree, double z, double base) {
   V value = c[degree];
@@ -141,8 +143,8 @@ HWY_INLINE V end_of(D d, const V* c, std::size_t degree, double z, double base) 
   return hn::Add(value, hn::Set(d, base));
 }
 
-// Adds a piece behind what is in `sum`; a channel is value * constant + slope * linear. `ends`
-// gives what sound_light asks for.
+// Adds a piece behind `sum`; a channel is value * constant + slope * linear. `ends` returns the
+// PieceEnds for sound_light.
 template <bool kEmission, class D, class Ends, class V = hn::Vec<D>>
 HWY_INLINE void add_piece_behind(D d, const OpticsTables& optics, const PieceColor<V>& color,
                                  V constant, V linear, V zeta, const Ends& ends, hn::Mask<D> active,
@@ -152,7 +154,7 @@ HWY_INLINE void add_piece_behind(D d, const OpticsTables& optics, const PieceCol
   };
   const Radiance<V> light{channel(0), channel(1), channel(2), zeta};
   if (HWY_UNLIKELY(optics.steep)) {
-    const Radiance<V> copy = light;  // what a function takes the address of is in no register
+    const Radiance<V> copy = light;  // so that `light`, of no known address, stays in registers
     add_behind(sound_light<kEmission>(d, optics, copy, ends()), active, sum);
   } else {
     add_behind(light, active, sum);

@@ -27,14 +27,15 @@ struct BernsteinScalar {
   V c[kDegree + 1];
 };
 
-// The polar form of a field in a tetrahedron: symmetric, and affine in each of its as many
-// arguments as the order is; with all of them equal it is the field (L. Ramshaw, "Blossoms are
-// polar forms", 1989). With the Bernstein coefficients b, of which that of the first corner is 0,
-// and barycentric coordinates p, q, r it is sum b_ij p_i q_j, or sum b_ijk p_i q_j r_k. On the
-// segment from p to q the field's Bernstein coefficients are the form's values at p .. p q .. q.
+// The polar form of a field in a tetrahedron. It has as many arguments as the order, is symmetric
+// and affine in each argument, and equals the field if all arguments are equal (L. Ramshaw,
+// "Blossoms are polar forms", 1989). With the Bernstein coefficients b, where that of the first
+// corner is 0, and barycentric coordinates p, q, r it is sum b_ij p_i q_j for order 2 and sum b_ijk
+// p_i q_j r_k for order 3. On the segment from p to q the field's Bernstein coefficients are the
+// form's values at p .. p q .. q.
 //
-// Below, the first barycentric coordinate is eliminated. Values are those of the kind's nodes;
-// corner[i] is the node that is the i-th corner here.
+// Below, the first barycentric coordinate is eliminated. Values are given at the kind's nodes;
+// corner[i] is the node that serves as the i-th corner here.
 template <std::size_t kOrder>
 class PolarForm;
 
@@ -50,7 +51,7 @@ class PolarForm<2> {
     // the node between two corners
     static constexpr std::array<std::array<std::uint8_t, 4>, 4> kBetween{
         {{0, 4, 6, 7}, {4, 1, 5, 8}, {6, 5, 2, 9}, {7, 8, 9, 3}}};
-    std::array<std::array<double, 4>, 4> b;  // by pairs of corners
+    std::array<std::array<double, 4>, 4> b;  // indexed by two corners
     for (std::size_t i = 0; i < 4; ++i) b[i][i] = value[corner[i]];
     ValueRange range{0, 0};
     for (std::size_t i = 0; i < 4; ++i)
@@ -103,8 +104,8 @@ class PolarForm<3> {
   // Returns between which numbers the field lies.
   HWY_INLINE ValueRange set(const std::array<double, kNodes>& value,
                             const std::array<std::size_t, 4>& corner) {
-    // the node near the first of two corners on the edge between them, and that of the face that a
-    // corner is not on
+    // the node on the edge between two corners, near the first one, and the node of the face
+    // opposite a corner
     static constexpr std::array<std::array<std::uint8_t, 4>, 4> kNear{
         {{0, 4, 9, 10}, {5, 1, 6, 12}, {8, 7, 2, 14}, {11, 13, 15, 3}}};
     static constexpr std::array<std::uint8_t, 4> kOpposite{17, 18, 16, 19};
@@ -113,7 +114,7 @@ class PolarForm<3> {
       range = {std::min(range.least, c), std::max(range.most, c)};
       return c;
     };
-    // at i i i, i i j, and at the three that are not k
+    // coefficients b_iii, b_iij, and that of the three indices other than k
     std::array<double, 4> at, but;
     std::array<std::array<double, 4>, 4> toward;
     for (std::size_t i = 0; i < 4; ++i) at[i] = kept(value[corner[i]]);
@@ -176,7 +177,8 @@ class PolarForm<3> {
                                   (linear_[i] + linear_[j] + linear_[k]);
   }
 
-  // The form at p, p, x is what this returns and the sum of by_x[i] x_i.
+  // Returns the constant part of the form at (p, p, x), whose value is that constant + sum of
+  // by_x[i] x_i.
   template <class D, class V = hn::Vec<D>>
   HWY_INLINE V along(D d, const V (&p)[3], V (&by_x)[3]) const {
     V square[kPairs], twice[kPairs];

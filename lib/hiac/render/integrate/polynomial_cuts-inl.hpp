@@ -22,14 +22,14 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-inline constexpr auto kTwiceOf = [] {  // numbers, from memory
+inline constexpr auto kTwiceOf = [] {  // 2 k as doubles, read from memory
   std::array<double, kMaxFieldDegree + 1> twice{};
   for (std::size_t k = 0; k < twice.size(); ++k) twice[k] = 2 * static_cast<double>(k);
   return twice;
 }();
 
-// Where monotone polynomials take values between those at their ends: Newton's method, kept
-// between bounds.
+// Finds where monotone polynomials take target values between those at their ends, by Newton's
+// method safeguarded by bisection.
 template <class D, class V = hn::Vec<D>>
 HWY_NOINLINE V root_of(D d, const LanePolynomial<V>& f, V target, V guess, hn::Mask<D> where,
                        hn::Mask<D> rises) {
@@ -50,20 +50,21 @@ HWY_NOINLINE V root_of(D d, const LanePolynomial<V>& f, V target, V guess, hn::M
     next = hn::IfThenElse(inside, next, hn::Mul(hn::Add(low, high), hn::Set(d, 0.5)));
     const V change = hn::Abs(hn::Sub(next, z));
     z = hn::IfThenElse(where, next, z);
-    // the next step would be as short as this one squared
+    // the next step would be about the square of this one
     if (hn::AllTrue(d, hn::Or(hn::Not(where), hn::Le(change, hn::Set(d, 0x1p-29))))) break;
   }
   return z;
 }
 
-// Where to end pieces, z in [-1, 1], of which `wide` lanes may meet a value of `upper`: at the
-// first one if it is known, or halfway. False where pieces may meet one before that.
+// Lowers `end`, where to end pieces in z in [-1, 1], in those of the `wide` lanes that may take a
+// value of `upper`: to the first such point if the polynomial is monotone, else to the middle.
+// Returns false if a piece may take such a value before its end.
 template <class D, class V = hn::Vec<D>>
 HWY_NOINLINE bool cut_at(D d, const LanePolynomial<V>& f, const std::vector<double>& upper,
                          const WalkField& field, hn::Mask<D> wide, V& end) {
   const auto [low, high] = field.intervals;
   if (low == high || f.degree == 0) return true;
-  // bounds, and where the field is monotone its values at the ends
+  // bounds of the field; where it is monotone, its values at the ends
   const V zero = hn::Zero(d);
   V even_least = f.c[0], even_most = f.c[0], even = f.c[0];
   V odd = f.c[1], odd_size = hn::Abs(f.c[1]), bend = zero;
@@ -83,7 +84,7 @@ HWY_NOINLINE bool cut_at(D d, const LanePolynomial<V>& f, const std::vector<doub
   const auto monotone = hn::Ge(hn::Abs(hn::Add(f.c[1], f.c[1])), bend);
   const V least = hn::IfThenElse(monotone, hn::Min(front, back), hn::Sub(even_least, odd_size));
   const V most = hn::IfThenElse(monotone, hn::Max(front, back), hn::Add(even_most, odd_size));
-  // a piece that ends at a breakpoint does so to within rounding
+  // a piece ends at a breakpoint only to within rounding
   const V doubt = hn::Set(d, 0x1p-46 * field.spread + 0x1p-51 * std::abs(field.base));
   auto meets = hn::Lt(hn::Set(d, 1.0), zero);
   for (std::size_t k = low; k < high; ++k) {
@@ -98,7 +99,7 @@ HWY_NOINLINE bool cut_at(D d, const LanePolynomial<V>& f, const std::vector<doub
     end = hn::IfThenElse(meets, hn::Min(end, zero), end);
     return false;
   }
-  // the first that is met
+  // the first value taken
   const auto rises = hn::Gt(f.c[1], zero);
   const V after = hn::Add(front, doubt), before = hn::Sub(front, doubt);
   V target = front;

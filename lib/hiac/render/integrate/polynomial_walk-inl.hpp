@@ -26,17 +26,18 @@ namespace hn = hwy::HWY_NAMESPACE;
 // Integrates segments piece by piece, front to back.
 //
 // A piece ends where a field takes a value at which its transfer function bends or jumps. A
-// polynomial whose slope at 0 outweighs what higher powers add to it rises, or falls, and takes it
-// once, and Newton's method finds where; others are halved until they do not meet it or are
-// monotone. On a piece, z from -1 to 1, extinction and colour are polynomials, and so is the
-// optical depth A. With chromaticity, integration by parts leaves
+// polynomial whose slope at 0 outweighs the contribution of higher powers is monotone and takes the
+// value at most once; Newton's method finds where. Other pieces are halved until they do not take
+// the value or are monotone. On a piece, z from -1 to 1, extinction and colour are polynomials, and
+// so is the optical depth A. With chromaticity, integration by parts leaves
 //     I = kappa(-1) - kappa(1) exp(-A(1)) + integral of kappa' exp(-A),
-// with emission I = length times the mean of g exp(-A). The integrals are Gauss-Legendre sums with
-// as many nodes as the bound of symmetric_rules.hpp asks for, or pieces are halved.
+// with emission I = length times the mean of g exp(-A). The integrals are Gauss-Legendre sums whose
+// number of nodes follows from the bound of symmetric_rules.hpp; a piece that needs too many is
+// halved.
 template <bool kEmission>
 class PolynomialWalk {
  public:
-  // `color` counts where the fields are two.
+  // `color` is used only if the two fields differ.
   PolynomialWalk(const OpticsTables& optics, const WalkField& color, const WalkField& extinction)
       : optics_(optics),
         color_(color),
@@ -46,10 +47,10 @@ class PolynomialWalk {
         rules_(symmetric_rules()),
         ellipses_(bernstein_ellipses()) {}
 
-  // Adds segments behind what is in `sum`. `length`: of z from -1 to 1, in the world; `allowed`:
-  // absolute error that may be made on it, over the transparency in front of `sum`. Lanes that are
-  // active must have finite numbers, and those that are not, too. Returns the lanes that could not
-  // be done. Polynomials come to have zeros behind their last coefficients.
+  // Adds segments behind `sum` and returns the lanes that could not be done. `length`: world length
+  // of z from -1 to 1; `allowed`: the absolute error allowed on it, divided by the transparency in
+  // front of `sum`. All lanes, inactive ones too, must hold finite numbers. The polynomials are
+  // padded with zeros.
   template <class D, class V = hn::Vec<D>>
   HWY_NOINLINE hn::Mask<D> add(D d, LanePolynomial<V>& extinction, LanePolynomial<V>& color,
                                V length, V allowed, hn::Mask<D> active, Radiance<V>& sum) {
@@ -86,7 +87,7 @@ class PolynomialWalk {
       u = v;
       v = one;
       settled = never_cut_;
-      // what is behind this adds less than rounding
+      // the rest of the segment adds less than rounding
       active = hn::And(active,
                        hn::And(hn::Lt(u, one), hn::Gt(sum.transparency, hn::Set(d, kInvisible))));
       if (hn::AllFalse(d, active)) return active;
@@ -99,10 +100,11 @@ class PolynomialWalk {
 
  private:
   static constexpr int kMostRounds = 1000;
-  static constexpr double kNarrow = 0x1p-40;  // breakpoints in shorter pieces do not count
+  static constexpr double kNarrow = 0x1p-40;  // breakpoints in shorter pieces are ignored
   static constexpr double kInvisible = 1e-20;
 
-  // A field between u and v, on [-1, 1]: the whole segment's, which mostly is not cut, or a part.
+  // A field between u and v, mapped to [-1, 1]: that of the whole segment, which is rarely cut, or
+  // a part.
   template <class V>
   struct Between {
     const LanePolynomial<V>* now;
@@ -113,7 +115,7 @@ class PolynomialWalk {
     Between<V> extinction, color;
   };
 
-  // Keeps what is in [middle - half, middle + half] of them.
+  // Restricts the fields to [middle - half, middle + half].
   template <class D, class V = hn::Vec<D>>
   HWY_INLINE void keep(D d, std::size_t top, V middle, V half, Fields<V>& f) const {
     const auto keep_of = [&](Between<V>& field) HWY_ATTR {
@@ -128,8 +130,8 @@ class PolynomialWalk {
     if (!optics_.same_field) keep_of(f.color);
   }
 
-  // Keeps what is in front of `end`, or as much as a narrow piece has. Returns what part of the
-  // whole that is.
+  // Restricts the fields to the part in front of `end`, but not to less than a narrow piece.
+  // Returns the fraction of the whole segment that remains.
   template <class D, class V = hn::Vec<D>>
   HWY_NOINLINE V shorten(D d, V end, std::size_t top, Fields<V>& f, V u, V& v) const {
     const V one = hn::Set(d, 1.0), half = hn::Set(d, 0.5), width = hn::Sub(v, u);
@@ -140,8 +142,8 @@ class PolynomialWalk {
     return hn::Mul(half, hn::Sub(v, u));
   }
 
-  // Where to end pieces of which `wide` lanes may meet a breakpoint: at the first one if it is
-  // known, or halfway; at 1 the others. False where pieces may meet a breakpoint before that.
+  // Lowers `end`, where to end pieces, in those of the `wide` lanes that may pass a breakpoint
+  // (cut_at). Returns false if a piece may pass a breakpoint before its end.
   template <class D, class V = hn::Vec<D>>
   HWY_INLINE bool find_end(D d, const Fields<V>& f, hn::Mask<D> wide, V& end) const {
     bool settled = cut_at(d, *f.extinction.now, optics_.extinction.upper, extinction_, wide, end);
@@ -150,11 +152,11 @@ class PolynomialWalk {
     return settled;
   }
 
-  // Pieces are compiled for fields of some degrees, 2 top, less than which is padded with zeros:
-  // the optical depth has coefficients up to that of z^(2 top + 1).
+  // Pieces are compiled for fields of certain degrees 2 top; fields of lower degree are padded with
+  // zeros. The optical depth has coefficients up to that of z^(2 top + 1).
   static constexpr std::size_t kMostTop = (kMaxFieldDegree + 1) / 2;
 
-  // The least of the tops that pieces are compiled for, for some degree.
+  // The smallest compiled `top` for a degree.
   static HWY_INLINE std::size_t top_for(std::size_t degree) {
     return degree < 3 ? 1 : (degree + 3) / 4 * 2;
   }
@@ -181,12 +183,12 @@ class PolynomialWalk {
     }
   }
 
-  // What integrands have besides exp(-A): with emission the field less the anchor, else its
-  // derivative over the length of a piece.
+  // Half the degree of the integrand's factor beside exp(-A): with emission the field minus the
+  // anchor, otherwise its derivative along the piece.
   template <std::size_t kTop>
   static constexpr std::size_t kFactorTop = kEmission ? kTop : kTop - 1;
 
-  // False when no rule meets what is allowed and the piece `may_refuse`.
+  // Adds a piece. Returns false if no rule meets the allowed error and the function `may_refuse`.
   template <std::size_t kTop, class D, class V = hn::Vec<D>>
   HWY_NOINLINE bool add_piece(D d, const LanePolynomial<V>& tau_field,
                               const LanePolynomial<V>& field, V length, V allowed,
@@ -199,7 +201,7 @@ class PolynomialWalk {
     const PieceColor<V> channels =
         color_on_piece(d, optics_, color, optics_.same_field ? extinction_.base : color_.base);
     const auto [offset, slope] = extinction_on_piece(d, optics_, extinction, extinction_.base);
-    // nothing of what other lanes have may pass what numbers reach
+    // length 0 in inactive lanes, so that nothing overflows there
     const PieceDepth<V, 2 * kTop> depth =
         depth_of<2 * kTop>(d, tau_field.c, offset, slope, hn::IfThenElseZero(active, length));
     V factor[2 * kFactorTop<kTop> + 2], front = hn::Sub(field.c[0], channels.anchor), back = front;
@@ -283,7 +285,7 @@ class PolynomialWalk {
 
   const OpticsTables& optics_;
   WalkField color_, extinction_;
-  bool never_cut_;  // by breakpoints: there are none in the cell
+  bool never_cut_;  // no breakpoints in the cell
   const SymmetricRules& rules_;
   const BernsteinEllipses& ellipses_;
   EllipseChoice ellipse_;

@@ -19,18 +19,18 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// A bound of an integrand without exp(-A), over the error that it may be integrated with:
-// steepness times the sum of size_k |z|^k, and brightest.
+// A bound of an integrand without exp(-A), divided by the error allowed for its integral: steepness
+// times the sum of size_k |z|^k, plus brightest.
 template <class V, std::size_t kDegree>
 struct FactorBound {
   V size[kDegree + 1];
   V steepness, brightest;
 };
 
-// How many nodes give the mean of p(z) exp(-A(z)) over [-1, 1] with an error of at most 1, `factor`
-// being the bound of p and A the sum of alpha_k z^k, k up to kDepth; 0 when more than there are
-// (symmetric_rules.hpp). For the active lane that needs most. `ellipse`: the best one of the last
-// time, one of whose neighbours is tried besides, in turn.
+// The number of nodes that gives the mean of p(z) exp(-A(z)) over [-1, 1] with an error of at most
+// 1 in all active lanes, where `factor` bounds p and A is the sum of alpha_k z^k, k up to kDepth. 0
+// if no rule has enough nodes (symmetric_rules.hpp). `ellipse`: the best ellipse of the last call;
+// one of its neighbours is tried as well, the two neighbours by turns.
 template <std::size_t kDepth, std::size_t kFactor, class D, class V = hn::Vec<D>>
 HWY_INLINE std::size_t nodes_needed(D d, const BernsteinEllipses& table, const V* alpha,
                                     const FactorBound<V, kFactor>& factor, hn::Mask<D> active,
@@ -56,13 +56,13 @@ HWY_INLINE std::size_t nodes_needed(D d, const BernsteinEllipses& table, const V
     fewest = needed;
     ellipse.best = other;
   }
-  // before it gives up it tries all
+  // tries all ellipses before giving up
   for (std::size_t e = 0; !(fewest < kMostNodes) && e < BernsteinEllipses::kCount; ++e)
     if (const double needed = needed_on(e); needed < fewest) {
       fewest = needed;
       ellipse.best = e;
     }
-  // the next number above
+  // rounds up
   if (!(fewest < kMostNodes)) return 0;
   return fewest < 0 ? 1 : static_cast<std::size_t>(fewest) + 1;
 }

@@ -45,7 +45,7 @@ HWY_INLINE PowerScalar<V, 3> powers_of(D d, const BernsteinScalar<V, 3>& f) {
            hn::NegMulAdd(three, inner_apart, hn::Mul(eighth, apart))}};
 }
 
-// What of it is on [middle - half, middle + half].
+// The restriction of f to [middle - half, middle + half], mapped to [-1, 1].
 template <class V, std::size_t kDegree>
 HWY_INLINE PowerScalar<V, kDegree> part_of(PowerScalar<V, kDegree> f, V middle, V half) {
   for (std::size_t r = 0; r < kDegree; ++r)
@@ -58,16 +58,15 @@ HWY_INLINE PowerScalar<V, kDegree> part_of(PowerScalar<V, kDegree> f, V middle, 
   return f;
 }
 
-// The cuts of one vector of segments, in no order; those outside [-1, 1] or that are not numbers do
-// not count.
+// The cuts of one vector of segments, unsorted; those outside [-1, 1] and NaN are ignored.
 template <std::size_t kDegree>
 class SegmentCuts {
  public:
   void clear() { count_ = 0; }
   [[nodiscard]] bool none() const { return count_ == 0; }
 
-  // Adds where a field, in both forms less `base`, takes values of `upper` within a range of
-  // intervals. Returns in which of these the segments lie.
+  // Adds the points where a field takes the values of `upper` within a range of intervals; both
+  // forms of the field are relative to `base`. Returns the intervals that the segments reach.
   template <class D, class V = hn::Vec<D>>
   HWY_INLINE IntervalRange add(D d, const BernsteinScalar<V, kDegree>& f,
                                const PowerScalar<V, kDegree>& powers,
@@ -91,7 +90,7 @@ class SegmentCuts {
     return range;
   }
 
-  // The first cut between z and `end`, or that.
+  // The first cut between z and `end`, or `end` if there is none.
   template <class D, class V = hn::Vec<D>>
   HWY_INLINE V next(D d, V z, V end) const {
     V next = end;
@@ -108,7 +107,7 @@ class SegmentCuts {
     hn::StoreU(place, d, places_.data() + count_++ * hn::Lanes(d));
   }
 
-  // c_0 + c_1 z + c_2 z^2 = value by the stable formula. A root that is not there is not a number.
+  // Adds the roots of c_0 + c_1 z + c_2 z^2 = value by the stable formula. A missing root is NaN.
   template <class D, class V = hn::Vec<D>>
   HWY_INLINE void add_roots(D d, const BernsteinScalar<V, 2>&, const PowerScalar<V, 2>& f,
                             const std::vector<double>& upper, double base, IntervalRange range,
@@ -122,14 +121,14 @@ class SegmentCuts {
     }
   }
 
-  // q such that q / a and c / q are the roots of a z^2 + 2 b z + c.
+  // Returns q such that q / a and c / q are the roots of a z^2 + 2 b z + c.
   template <class D, class V = hn::Vec<D>>
   static HWY_INLINE V stable_sum(D, V a, V b, V c) {
     const V root = hn::Sqrt(hn::NegMulAdd(a, c, hn::Mul(b, b)));
     return hn::Neg(hn::Add(b, hn::CopySign(root, b)));
   }
 
-  // Between these a field rises or falls.
+  // The points between which a field is monotone, and its values there.
   template <class V>
   struct Turns {
     std::size_t parts;
@@ -169,7 +168,7 @@ class SegmentCuts {
     return turns;
   }
 
-  // At most one root between two turns.
+  // Adds the roots: at most one between two turns.
   template <class D, class V = hn::Vec<D>>
   HWY_NOINLINE void add_roots(D d, const BernsteinScalar<V, 3>& f, const PowerScalar<V, 3>& powers,
                               const std::vector<double>& upper, double base, IntervalRange range,
@@ -178,7 +177,7 @@ class SegmentCuts {
     for (std::size_t k = range.low; k < range.high; ++k) {
       const V value = hn::Set(d, upper[k] - base);
       for (std::size_t i = 0; i < turns.parts; ++i) {
-        // at a turn where the field passes the value all the same it counts once
+        // a root at a turn that the field passes through counts once
         const auto from_below = hn::Lt(turns.value[i], value);
         const auto met = hn::And(active, hn::Xor(from_below, hn::Lt(turns.value[i + 1], value)));
         if (hn::AllFalse(d, met)) continue;
@@ -192,8 +191,8 @@ class SegmentCuts {
     }
   }
 
-  // Where fields that rise, or fall, between `low` and `high` take a value: Newton's method, kept
-  // between these.
+  // The point where fields that are monotone between `low` and `high` take a value: Newton's
+  // method, safeguarded by bisection.
   template <class D, class V = hn::Vec<D>>
   static HWY_INLINE V root(D d, const PowerScalar<V, 3>& f, V value, V low, V high, V guess,
                            hn::Mask<D> where, hn::Mask<D> rises) {
@@ -212,7 +211,7 @@ class SegmentCuts {
       next = hn::IfThenElse(inside, next, hn::Mul(half, hn::Add(low, high)));
       const V change = hn::Abs(hn::Sub(next, z));
       z = hn::IfThenElse(where, next, z);
-      // Newton's next step would be as short as this one squared
+      // Newton's next step would be about the square of this one
       const auto close = hn::Or(hn::Le(change, hn::Set(d, 0x1p-52)),
                                 hn::And(inside, hn::Le(change, hn::Set(d, 0x1p-29))));
       if (hn::AllTrue(d, hn::Or(hn::Not(where), close))) break;

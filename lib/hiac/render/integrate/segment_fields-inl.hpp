@@ -36,7 +36,7 @@ HWY_INLINE std::array<bool, 8> lanes_of(D d, hn::Mask<D> mask) {
   return lanes;
 }
 
-// The rays through points of the screen, relative to the cell's origin.
+// Computes the rays through points of the screen, relative to the cell's origin.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE void set_rays(D d, const Projector& projector, const CellPolynomials& cell, V x, V y,
                          V (&origin)[3], V (&direction)[3]) {
@@ -54,17 +54,17 @@ HWY_INLINE void set_rays(D d, const Projector& projector, const CellPolynomials&
   }
 }
 
-// One or two fields on a part of segments, less their bases.
+// One or two fields on a part of segments, relative to their bases.
 template <class V>
 using FieldPolynomials = std::array<LanePolynomial<V>, 2>;
 
 // Finds the fields along segments, one vector of segments after another.
 //
-// `Sink` takes those of a vector's segments, front to back, part by part:
+// `Sink` receives the fields of one vector of segments, front to back, part by part:
 //     void begin(std::size_t first, const CellSegments&)
 //     void add(double begin, double end, FieldPolynomials<V>&, M& active)
-// The parts are of [0, 1]; add() takes lanes that it cannot do off `active`, and may write behind
-// the polynomials' last coefficients.
+// The parts cover [0, 1]; add() removes lanes that it cannot do from `active`, and may overwrite
+// the polynomials' unused coefficients.
 template <class Sink>
 class SegmentFields {
  public:
@@ -82,7 +82,7 @@ class SegmentFields {
       starts_.front.c[a] = starts_.back.c[a] = hn::Set(D(), cell.middle[a]);
   }
 
-  // Those from `first` on. Returns the lanes that are done.
+  // Processes the vector of segments from `first` on. Returns the lanes that are done.
   HWY_INLINE M expand(std::size_t first, const CellSegments& s) {
     const D d;
     const auto at = [&](const std::vector<double>& of) { return hn::LoadU(d, of.data() + first); };
@@ -109,9 +109,9 @@ class SegmentFields {
   static constexpr std::size_t kLeastDegree = 4, kFirstDegree = 8;
   static constexpr double kLeastShare = 0.2, kOptimism = 1.002;
 
-  // What of the fields' polynomials is negligible, and so how exact coordinates in the cell have to
-  // be where they are not a line's: of the reference cell they change a field by a few times its
-  // spread.
+  // Sets the size of negligible terms of the fields' polynomials, and from it the accuracy required
+  // of reference coordinates in cells that are not affine: over the reference cell, coordinates
+  // change a field by a few times its spread.
   HWY_INLINE void set_negligible(CellRays<D>& rays) {
     const D d;
     V accuracy = hn::Set(d, 1.0);
@@ -125,18 +125,18 @@ class SegmentFields {
     rays.set_accuracy(accuracy);
   }
 
-  // Values of field f at the points that are sampled.
+  // Computes the values of field f at the sampled points.
   HWY_INLINE void field_values(std::size_t f, std::size_t degree) {
     rays_->values(cell_.fields[f], degree, values_);
     for (std::size_t j = 0; j <= degree; ++j) values_[j] = hn::IfThenElseZero(active_, values_[j]);
   }
 
-  // Chebyshev coefficients of field f from these.
+  // Computes the Chebyshev coefficients of field f from these values.
   HWY_NOINLINE void transform(std::size_t f, const ChebyshevPoints& points) {
     const D d;
     const std::size_t degree = points.degree();
     V(&value)[kMostChebyshevDegree + 1] = values_;
-    // cosines are even and odd in turn
+    // the cosines are alternately even and odd
     const std::size_t half = degree / 2;
     for (std::size_t j = 0; j < degree - half; ++j) {
       const V front = value[j], back = value[degree - j];
@@ -156,7 +156,8 @@ class SegmentFields {
     }
   }
 
-  // Fields whose series are of this degree. Returns the degree that counts.
+  // Passes fields whose series have this degree to the sink. Returns the highest degree that is not
+  // negligible.
   std::size_t add(double begin, double end, std::size_t degree) {
     std::size_t counted = 0;
     for (std::size_t f = 0; f < cell_.field_count; ++f) {
@@ -167,7 +168,7 @@ class SegmentFields {
     return counted;
   }
 
-  // Without what of field f's coefficients is negligible in all lanes.
+  // The degree of field f without trailing coefficients that are negligible in all lanes.
   HWY_INLINE std::size_t counted_degree(const V* c, std::size_t f, std::size_t degree) const {
     const D d;
     V dropped = hn::Zero(d);
@@ -193,7 +194,7 @@ class SegmentFields {
     }
   }
 
-  // Fields that are polynomials.
+  // Passes fields that are polynomials along the ray to the sink.
   HWY_INLINE void add_polynomial() {
     const std::size_t degree = line_points_.degree();
     rays_->sample(line_points_, active_);
@@ -206,8 +207,8 @@ class SegmentFields {
     sink_.add(0, 1, polynomials_, active_);
   }
 
-  // Fields that are polynomials over powers of the width to which the cell tapers, on a part of the
-  // segments: from their values at a few points, or on two parts.
+  // Expands, on a part of the segments, fields that are polynomials divided by powers of the width
+  // of a tapering cell: from their values at a few points, or on two parts.
   HWY_NOINLINE void expand_quotient(double begin, double end, int splits) {
     rays_->open(begin, end, active_);
     const EndWidths<V> widths = rays_->end_widths();
@@ -222,23 +223,23 @@ class SegmentFields {
           expanded = expand_at(Taper<D>(D(), widths, active_), resolved);
         }
       if (expanded) {
-        // neighbours may do better
+        // allows neighbours a slightly stronger taper
         resolvable_ *= kOptimism;
         sink_.add(begin, end, polynomials_, active_);
         return;
       }
       resolvable_ = steepest / kOptimism;
     }
-    // either part tapers in the same proportion, but that the tip of a cell cannot: the front one
-    // has the share sqrt(a) / (sqrt(a) + sqrt(b)), of the widths at both ends
+    // both parts taper in the same proportion, except at the tip of a cell: the front part has the
+    // share sqrt(a) / (sqrt(a) + sqrt(b)), with a and b the widths at both ends
     const double share = std::clamp(0.5 * (1 - steepest_of(taper.r)), kLeastShare, 1 - kLeastShare);
     const double between = begin + (end - begin) * share;
     expand_quotient(begin, between, splits + 1);
     expand_quotient(between, end, splits + 1);
   }
 
-  // These fields' polynomials. False where their degrees would be too high, in lanes that are not
-  // `resolved` then.
+  // Computes the polynomials of these fields. Returns false if their degrees would be too high;
+  // then `resolved` excludes the lanes concerned.
   HWY_INLINE bool expand_at(const Taper<D>& taper, M& resolved) {
     rays_->sample(line_points_, active_);
     switch (cell_.along_lines.degree) {
@@ -263,7 +264,7 @@ class SegmentFields {
     return true;
   }
 
-  // What is farthest from zero.
+  // The lane value of largest magnitude, with its sign.
   static HWY_INLINE double steepest_of(V taper) {
     const D d;
     const double least = hn::GetLane(hn::MinOfLanes(d, taper));
@@ -271,15 +272,15 @@ class SegmentFields {
     return most > -least ? most : least;
   }
 
-  // Fields that are not polynomials, on a part of the segments: of the degree that was enough for
-  // such a part the last time, or of higher ones, or on halves.
+  // Interpolates fields that are not polynomials, on a part of the segments: with the degree that
+  // sufficed for such a part the last time, with higher degrees, or on halves.
   HWY_NOINLINE void interpolate(double begin, double end, int halvings) {
     const D d;
     std::size_t& effort = efforts_[static_cast<std::size_t>(halvings)];
     std::size_t degree = effort;
     M resolved = active_;
     const bool halve = !rays_->open(begin, end, active_) && halvings < kMostHalvings;
-    // points of 8 are points of 16 as well
+    // the points of degree 8 are also points of degree 16
     for (; !halve; degree = std::min(degree + 8, kMostChebyshevDegree)) {
       const ChebyshevPoints& points = chebyshev_points(degree);
       rays_->sample(points, active_);
@@ -295,7 +296,7 @@ class SegmentFields {
       }
       if (hn::AllFalse(d, active_)) return;
       if (hn::AllTrue(d, hn::Or(hn::Not(active_), resolved))) {
-        // the last two coefficients shall be negligible again, and a few more rays
+        // a margin, so that the last two coefficients are negligible again for neighbouring rays
         const std::size_t enough = add(begin, end, degree) + 3;
         effort = std::clamp((enough + 1) / 2 * 2, std::max(degree - 2, kLeastDegree),
                             kMostChebyshevDegree);
@@ -326,7 +327,8 @@ class SegmentFields {
     return hn::Add(hn::Abs(chebyshev_[f][degree]), hn::Abs(chebyshev_[f][degree - 1]));
   }
 
-  // What the highest degree would leave, if coefficients fall off as they do from half of this one.
+  // An estimate of the last coefficients at the highest degree, extrapolated from their decay
+  // between half of this degree and this degree.
   HWY_INLINE V at_most_degree(std::size_t f, std::size_t degree) const {
     V last = last_two(f, degree);
     if (degree > 8) return hn::Zero(D());
@@ -340,16 +342,16 @@ class SegmentFields {
   const CellPolynomials& cell_;
   const ChebyshevPoints& line_points_;  // in affine cells
   Sink& sink_;
-  // what degree was enough for the segments before, by the number of halvings
+  // the degree that sufficed for the previous segments, by number of halvings
   std::array<std::size_t, kMostHalvings + 1> efforts_;
-  // up to what Taper::r of parts quotients seem to be resolved
+  // the largest Taper::r up to which quotients seem to be resolved
   double resolvable_ = 1;
-  // of the segments at hand
+  // of the current segments
   CellRays<D>* rays_ = nullptr;
-  RayStarts<V> starts_;  // of the segments before
+  RayStarts<V> starts_;  // from the previous segments
   V values_[kMostChebyshevDegree + 1];
-  V chebyshev_[2][kMostChebyshevDegree + 1];  // of the fields
-  V negligible_[2];                           // of these
+  V chebyshev_[2][kMostChebyshevDegree + 1];  // series of the fields
+  V negligible_[2];                           // negligible parts of these
   FieldPolynomials<V> polynomials_;
   M active_;
 };

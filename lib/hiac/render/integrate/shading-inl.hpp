@@ -21,8 +21,7 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// What a ray segment adds to a pixel: light of its own, and the share of what is behind that it
-// lets through.
+// The effect of a ray segment on a pixel: the light that it adds, and its transparency.
 template <class V>
 struct Radiance {
   V red, green, blue, transparency;
@@ -48,7 +47,7 @@ struct LaneIntervals {
   }
 };
 
-// Either, found out at run time.
+// Reads at one interval or at every lane's interval, whichever applies at run time.
 template <class D>
 class IntervalReader {
  public:
@@ -77,7 +76,7 @@ HWY_INLINE V value_in(D d, const Interval& interval, const TransferTable<N>& tab
                     interval(d, table.value[c]));
 }
 
-// A scalar that runs linearly from `begin` (u = 0) to `end` (u = 1), met interval by interval.
+// A scalar that runs linearly from `begin` (u = 0) to `end` (u = 1), followed interval by interval.
 template <class D>
 class ScalarWalk {
  public:
@@ -109,7 +108,7 @@ class ScalarWalk {
   [[nodiscard]] HWY_INLINE LaneIntervals<D> intervals() const { return {interval_}; }
   [[nodiscard]] HWY_INLINE V now() const { return now_; }
 
-  // Finds where the present interval is left, not before u: 1 where it is not left any more.
+  // Returns where the scalar leaves the current interval, not before u: 1 if it does not leave it.
   HWY_INLINE V leave(V u) {
     const V up = hn::GatherIndex(d_, upper_.data(), interval_);
     const V down = hn::GatherIndex(d_, lower_.data(), interval_);
@@ -123,8 +122,8 @@ class ScalarWalk {
     return leave_;
   }
 
-  // Moves on to u, at or before what `leave` found, and returns the scalar there, exact at both
-  // the segment's end and a breakpoint.
+  // Returns the scalar at u, which is at or before the result of `leave`; exact both at the
+  // segment's end and at a breakpoint.
   HWY_INLINE V scalar_at(V u) const {
     return hn::IfThenElse(hn::Ge(u, leave_), exit_, hn::MulAdd(difference_, u, begin_));
   }
@@ -145,8 +144,8 @@ class ScalarWalk {
   M rising_;
 };
 
-// How a piece's weights are found: PieceRule, as far as an inner loop must not ask about it. The
-// weights of emission are times the length.
+// How a piece's weights are computed: the PieceRule, resolved at compile time for the inner loop.
+// The weights of emission include the length.
 struct ExactChromaticity {
   template <class D, class V>
   static HWY_INLINE PieceWeights<V> weights(D d, const OpticsTables&, V, V b, V a) {
@@ -169,7 +168,7 @@ struct MeanChromaticity {
   }
 };
 
-// The rest: what OpticsTables says, asked for every piece.
+// All other rules: OpticsTables is queried for every piece.
 struct AnyRule {
   template <class D, class V>
   static HWY_INLINE PieceWeights<V> weights(D d, const OpticsTables& optics, V length, V b, V a) {
@@ -189,10 +188,10 @@ struct AnyRule {
   }
 };
 
-// Whether a product that is added to something is rounded before that.
+// Whether a product is rounded before it is added (twice), or fused with the addition (once).
 enum class Rounding : bool { once, twice };
 
-// What a piece behind adds to what is there, on the lanes of a mask.
+// Adds a piece behind `sum` in the lanes of a mask.
 template <Rounding kRounding = Rounding::once, class V, class M>
 HWY_INLINE void add_behind(const Radiance<V>& piece, M where, Radiance<V>& sum) {
   const V visible = hn::IfThenElseZero(where, sum.transparency);
@@ -209,9 +208,10 @@ HWY_INLINE void add_behind(const Radiance<V>& piece, M where, Radiance<V>& sum) 
       hn::IfThenElse(where, hn::Mul(sum.transparency, piece.transparency), sum.transparency);
 }
 
-// Radiance of a piece on which both fields stay within one interval of their tables. Both ends'
-// colours are value + slope (scalar - anchor), so that their sum with the weights w is
-// value (w_front + w_back) + slope (w_front (front - anchor) + w_back (back - anchor)).
+// One channel of the radiance of a piece on which both fields stay within one interval of their
+// tables. The colours at both ends are value + slope (scalar - anchor), so that their sum with the
+// weights w is value (w_front + w_back) + slope (w_front (front - anchor) + w_back (back -
+// anchor)).
 template <class D, class Interval, class V = hn::Vec<D>>
 HWY_INLINE V color_channel(D d, const OpticsTables& optics, const Interval& interval, std::size_t c,
                            V constant, V linear) {
@@ -219,7 +219,8 @@ HWY_INLINE V color_channel(D d, const OpticsTables& optics, const Interval& inte
                     hn::Mul(interval(d, optics.color.value[c]), constant));
 }
 
-// Optical density of a piece, were its extinction everywhere what it is at `scalar`.
+// The optical depth that a piece would have if its extinction were constant, with its value at
+// `scalar`.
 template <class D, class Interval, class V = hn::Vec<D>>
 HWY_INLINE V optical_density(D d, const OpticsTables& optics, const Interval& interval, V scalar,
                              V length) {
@@ -242,7 +243,7 @@ HWY_INLINE Radiance<V> piece_radiance(D d, const OpticsTables& optics, const Int
           color_channel(d, optics, color, 2, constant, linear), w.transparency};
 }
 
-// The segment lies within one interval of both tables.
+// The radiance of a segment within one interval of both tables.
 template <class Rule, class D, class V = hn::Vec<D>>
 HWY_INLINE Radiance<V> uniform_radiance(D d, const OpticsTables& optics, std::size_t color_interval,
                                         std::size_t extinction_interval, V length, V front_color,
@@ -253,8 +254,8 @@ HWY_INLINE Radiance<V> uniform_radiance(D d, const OpticsTables& optics, std::si
 }
 
 // Adds the pieces of segments along which one scalar moves from `front` to `back`, interval by
-// interval in the order in which it passes them: upwards, or with kRising false downwards. All
-// lanes take part in every interval with whatever part of their segment lies in it.
+// interval in the order in which it passes them: upwards, or with kRising false downwards. Every
+// lane adds, for each interval, the part of its segment that lies in it.
 template <bool kRising, class Rule, class D, class V = hn::Vec<D>>
 HWY_INLINE void composite_intervals(D d, const OpticsTables& optics, IntervalRange range, V length,
                                     V front, V back, hn::Mask<D> active, Radiance<V>& sum) {
@@ -282,8 +283,8 @@ HWY_INLINE void composite_intervals(D d, const OpticsTables& optics, IntervalRan
   }
 }
 
-// Whether all active lanes stay within one interval of a table: `range` becomes that interval
-// alone.
+// Whether all active lanes stay within one interval of a table; if so, `range` becomes that
+// interval alone.
 template <std::size_t N, class D, class V = hn::Vec<D>>
 HWY_INLINE bool within_one_interval(D d, const TransferTable<N>& table, V front, V back,
                                     hn::Mask<D> active, IntervalRange& range) {
@@ -300,9 +301,9 @@ HWY_INLINE bool within_one_interval(D d, const TransferTable<N>& table, V front,
   return false;
 }
 
-// The segment is cut at every breakpoint that its scalar passes; colour and extinction depend on
-// the same field. Neighbouring rays pass the same breakpoints: the intervals are common to all
-// lanes, so that nothing is gathered.
+// The radiance of a segment that is cut at every breakpoint that its scalar passes; colour and
+// extinction depend on the same field. Neighbouring rays pass the same breakpoints: all lanes share
+// the intervals, so that no gather is needed.
 template <class Rule, class D, class V = hn::Vec<D>>
 HWY_INLINE Radiance<V> sliced_radiance(D d, const OpticsTables& optics, IntervalRange range,
                                        V length, V front, V back, hn::Mask<D> active) {
@@ -316,8 +317,8 @@ HWY_INLINE Radiance<V> sliced_radiance(D d, const OpticsTables& optics, Interval
   return sum;
 }
 
-// The segment is cut along the ray at every breakpoint of either table that its two scalars pass,
-// lane by lane. `active` lanes alone are followed.
+// The radiance of a segment that is cut along the ray at every breakpoint of either table that its
+// two scalars pass, lane by lane. Only the `active` lanes are followed.
 template <class Rule, class D, class V = hn::Vec<D>>
 HWY_INLINE Radiance<V> walked_radiance(D d, const OpticsTables& optics, IntervalRange color_range,
                                        IntervalRange extinction_range, V length, V front_color,
@@ -357,7 +358,8 @@ HWY_INLINE LaneIntervals<D> intervals_at(D d, const TransferTable<N>& table, Int
   return {interval};
 }
 
-// The segment is not cut: colour and extinction as if linear between their values at its ends.
+// The radiance of a segment that is not cut: colour and extinction are taken as linear between
+// their values at its ends.
 template <class Rule, class D, class V = hn::Vec<D>>
 HWY_INLINE Radiance<V> unsliced_radiance(D d, const OpticsTables& optics, IntervalRange color_range,
                                          IntervalRange extinction_range, V length, V front_color,

@@ -17,7 +17,7 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// exp(-r) by the terms up to r^12: coefficients from the last one on.
+// Taylor coefficients of exp(-r) up to r^12, highest power first.
 inline constexpr double kExponentialSeries[] = {1.0 / 479001600,
                                                 -1.0 / 39916800,
                                                 1.0 / 3628800,
@@ -32,14 +32,14 @@ inline constexpr double kExponentialSeries[] = {1.0 / 479001600,
                                                 -1.0,
                                                 1.0};
 
-// exp(-a) for a up to 700, and exp(-700) from there on, to 2 units in the last place; a is not less
-// than 0 but for rounding. With n = round(a / log 2) and r = a - n log 2, |r| <= log(2) / 2, it is
-// exp(-r) 2^-n: what is left out of the series is below |r|^13 / 13! = 1.7e-16, and -n is added to
-// the exponent's bits.
+// exp(-a) for a up to 700, and exp(-700) from there on, to 2 units in the last place; a is at least
+// 0 up to rounding. With n = round(a / log 2) and r = a - n log 2, |r| <= log(2) / 2, the result is
+// exp(-r) 2^-n: the truncation error of the series is below |r|^13 / 13! = 1.7e-16, and -n is added
+// to the exponent's bits.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V exp_of_negative(D d, V a) {
   const hn::RebindToUnsigned<D> du;
-  const V shift = hn::Set(d, 0x1.8p52);  // added, it leaves an integer in the lowest bits
+  const V shift = hn::Set(d, 0x1.8p52);  // adding it leaves an integer in the lowest bits
   a = hn::Min(a, hn::Set(d, 700.0));
   const V shifted = hn::NegMulAdd(a, hn::Set(d, 1.4426950408889634), shift);
   const V minus_n = hn::Sub(shifted, shift);
@@ -53,12 +53,12 @@ HWY_INLINE V exp_of_negative(D d, V a) {
   return hn::BitCast(d, hn::Add(hn::BitCast(du, sum), exponent));
 }
 
-// How exp(-a) is found for optical depths up to some most: by a polynomial of a 2^-halvings,
-// squared as often. `most` is what it serves.
+// How exp(-a) is computed for optical depths up to `most`: by a polynomial of a 2^-halvings,
+// squared `halvings` times.
 //
-// The polynomials are 1 - a q(a) where q is (1 - exp(-a)) / a at Chebyshev points of [0, 0.08] and
-// of [0, 0.5]: exact without depth, and right to 3e-15. Every squaring doubles the relative error,
-// of what is at most 1.
+// The polynomials are 1 - a q(a), where q interpolates (1 - exp(-a)) / a at Chebyshev points of [0,
+// 0.08] and of [0, 0.5]: exact for a = 0, with an error of at most 3e-15. Every squaring doubles
+// the relative error of a value that is at most 1.
 struct Thickness {
   static constexpr double kThin = 0.08, kModerate = 0.5;
   static constexpr int kMostHalvings = 3;
@@ -72,7 +72,7 @@ struct Thickness {
   }
 };
 
-// exp(-a) for some depths at once, each coefficient being loaded once.
+// Replaces several optical depths by exp(-a), loading each coefficient once.
 template <std::size_t kCount, class D, class V = hn::Vec<D>>
 HWY_INLINE void replace_by_transparencies(D d, V (&a)[kCount], const Thickness& thickness) {
   const auto by_polynomial = [&](V leading, const auto& others) HWY_ATTR {
@@ -113,11 +113,11 @@ HWY_INLINE V transparency(D d, V a, const Thickness& thickness) {
   return all[0];
 }
 
-// Not less than the logarithm of a number that is not negative: that of the power of two above.
+// An upper bound of the logarithm of a number >= 0: the logarithm of the next power of two.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V log_above(D d, V x) {
   const hn::RebindToUnsigned<D> du;
-  // 2^52 and the exponent's bits, as a number
+  // 2^52 plus the exponent's bits, as a double
   const auto bits = hn::Or(hn::ShiftRight<52>(hn::BitCast(du, x)), hn::Set(du, 0x433ULL << 52));
   const V exponent = hn::Sub(hn::BitCast(d, bits), hn::Set(d, 0x1p52 + 1022));
   return hn::Mul(exponent, hn::Set(d, 0.6931471805599454));

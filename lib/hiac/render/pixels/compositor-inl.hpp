@@ -20,7 +20,7 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// How many of the active segments are out of order.
+// The number of active segments that are out of order.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE std::uint64_t count_out_of_order(D d, V front, V back, V last, hn::Mask<D> active,
                                             double tolerance) {
@@ -30,9 +30,9 @@ HWY_INLINE std::uint64_t count_out_of_order(D d, V front, V back, V last, hn::Ma
   return hn::CountTrue(d, hn::And(early, hn::Gt(hn::Sub(back, front), least)));
 }
 
-// A vector of segments, of neighbouring pixels: `at` is the first's index into the tile's planes.
-// What lies between `front` and `back` (ray parameters) is `radiance`; `behind` is the
-// transparency of the pixels so far. Those that are not active have finite light.
+// A vector of segments, of neighbouring pixels: `at` is the index of the first pixel in the tile's
+// planes. `radiance` is that between `front` and `back` (ray parameters); `behind` is the
+// transparency of the pixels so far. Inactive lanes must hold finite light.
 template <class D, class V = hn::Vec<D>>
 struct FinishedSegments {
   std::size_t at;

@@ -8,9 +8,9 @@
 
 namespace hiac {
 
-// What becomes of segments: here one by one, in compositor-inl.hpp in vectors of neighbouring
-// pixels, and in refine/ in extended precision, which no tile holds. All put light times the
-// transparency in front of it behind what is there, and count what is out of order alike.
+// Composites segments: here one by one, in compositor-inl.hpp in vectors of neighbouring pixels,
+// and in refine/ in extended precision, which no tile stores. All versions add the light times the
+// transparency in front of it, and count segments out of order in the same way.
 //
 // The kernels of tetrahedra fuse product and sum, which rounds once. Cells of all kinds do not:
 // their segments come in vectors or one by one, as it happens, and make the same pixels either way
@@ -36,7 +36,7 @@ inline void composite(std::size_t at, double front, double back, const PlainRadi
   transparency *= radiance.transparency;
 }
 
-/// Tells a pixel's details of a segment that is about to be composited.
+/// Adds a segment, before it is composited, to a pixel's details.
 inline void describe(std::size_t at, const SegmentDetails& segment, double tolerance,
                      TileBuffer& buffer) {
   PixelDetails& pixel = buffer.details[at];

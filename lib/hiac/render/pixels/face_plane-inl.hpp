@@ -56,13 +56,13 @@ HWY_INLINE FacePlane<D> face_plane(D d, V x1, V y1, V x2, V y2) {
           swapped};
 }
 
-// The place of points of a row on one face: barycentric coordinates.
+// The barycentric coordinates of points of a row on one face.
 template <class V>
 struct FacePlace {
   V m, s;
 };
 
-// What the points of a row have in common on one face.
+// The quantities that the points of a row share on one face.
 struct FaceLine {
   double base_x, cx, gx, h, cy_dy, gy_dy;
 };
@@ -76,7 +76,7 @@ HWY_INLINE FacePlace<V> place_on_face(D d, const FaceLine& line, V x) {
   return {m, s};
 }
 
-// A quantity there.
+// The value of a quantity at these points.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V on_face(D d, double q0, double qm, double qs, const FacePlace<V>& at) {
   return hn::MulAdd(at.s, hn::Set(d, qs), hn::MulAdd(at.m, hn::Set(d, qm), hn::Set(d, q0)));

@@ -6,25 +6,25 @@
 
 namespace hiac {
 
-/// What a ray segment tells about itself where channels are asked for. Depths are ray parameters.
+/// The details of a ray segment for further channels. Depths are ray parameters.
 struct SegmentDetails {
   double front = 0, back = 0;
-  double light = 0;         ///< largest channel of what the segment shines with
-  double transparency = 1;  ///< of the segment
-  double first = 0;         ///< where it begins to shine or absorb
-  double mean = 0;          ///< depth of its opacity
+  double light = 0;                                   ///< largest channel of the segment's light
+  double transparency = 1;                            ///< of the segment
+  double first = 0;                                   ///< where it begins to emit or absorb
+  double mean = 0;                                    ///< depth of its opacity
   double radiance_error = 0, transparency_error = 0;  ///< ErrorBound
-  double front_edge = 0, back_edge = 0;  ///< errors more where nothing adjoins (edge_bound)
+  double front_edge = 0, back_edge = 0;  ///< additional errors where no cell adjoins (edge_bound)
 };
 
-/// What is known of a pixel besides its colour, segment by segment, front to back.
+/// Facts about a pixel besides its colour, accumulated segment by segment, front to back.
 struct PixelDetails : PixelFacts {
   double radiance_error = 0, transparency_error = 0;
   double last = -std::numeric_limits<double>::infinity();  ///< where the last segment ended
   double open_edge = 0;                                    ///< its back_edge, times what is visible
 
-  /// All but violations. `visible`: the transparency in front; `light`: the pixel's largest channel
-  /// so far.
+  /// Adds a segment to all members except violations. `visible`: the transparency in front;
+  /// `light`: the pixel's largest channel so far.
   void add(const SegmentDetails& segment, double visible, double light);
 };
 

@@ -1,5 +1,5 @@
-// Where the segments of a kernel go, compiled once for every instruction set.
-// Include from a file that Highway's foreach_target.h compiles repeatedly.
+// The destination of a kernel's segments, compiled once for every instruction set. Include from a
+// file that Highway's foreach_target.h compiles repeatedly.
 
 #if defined(HIAC_RENDER_SEGMENT_SINK_INL) == defined(HWY_TARGET_TOGGLE)
 #  ifdef HIAC_RENDER_SEGMENT_SINK_INL
@@ -45,8 +45,8 @@ class SegmentLanes {
   HWY_ALIGN double lane_[kCount][8];
 };
 
-// Segments are composited over a tile's pixels, or join the list of a group whose order is yet to
-// be found.
+// Composites segments over a tile's pixels, or appends them to the list of a group whose order is
+// not yet known.
 class SegmentSink {
  public:
   explicit SegmentSink(const TileTarget& to)

@@ -11,7 +11,7 @@
 
 namespace hiac {
 
-/// The pixels of the tile at hand.
+/// The pixels of the current tile.
 struct TileBuffer : TilePixels {
   Plane ray_scale;                    ///< world length per unit of ray parameter
   std::vector<PixelDetails> details;  ///< empty where no channel needs them
@@ -20,14 +20,14 @@ struct TileBuffer : TilePixels {
   void reset(const TileRect& tile, const Projector& projector, bool with_details);
 };
 
-/// A ray segment of a tile's pixel, and what it does to the light.
+/// A ray segment of a tile's pixel, and its radiance.
 struct ListedSegment {
   std::size_t pixel;   ///< index into the tile's planes
   double front, back;  ///< ray parameters
   PlainRadiance light;
 };
 
-/// Ray segments whose order is yet to be found: those of a group of cells in one tile.
+/// Ray segments whose order is not yet known: those of a group of cells in one tile.
 struct SegmentList {
   std::vector<ListedSegment> segments;
   std::vector<SegmentDetails> details;  ///< of each; empty where no channel needs them
@@ -49,17 +49,17 @@ struct TileTarget {
   SegmentList* group;  ///< null where segments are composited
   TileCounts& counts;
 
-  /// Whether anything is seen behind what a pixel holds.
+  /// Whether anything behind a pixel's segments so far is visible.
   [[nodiscard]] bool is_seen(std::size_t at) const {
     return buffer.transparency[at] > frame.least_transparency;
   }
-  /// How much of a segment is seen: all of it in a group.
+  /// The transparency in front of a segment; taken as 1 in a group.
   [[nodiscard]] double visible(std::size_t at) const {
     return group != nullptr ? 1 : buffer.transparency[at];
   }
 };
 
-/// Sorts the segments by pixel and depth and composites them: exact whatever order they came in.
+/// Sorts the segments by pixel and depth and composites them: exact for any order of the list.
 void composite_sorted(const SegmentList& list, double witness_tolerance, TileBuffer& buffer,
                       TileCounts& counts);
 

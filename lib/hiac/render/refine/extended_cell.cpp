@@ -12,19 +12,21 @@ namespace {
 using Real = long double;
 using Vec = ExtendedVector;
 
-// Of a cell's size: what remains of a point where its reference coordinates are found to rounding.
+// Relative to a cell's size: the residual of a point whose reference coordinates are exact to
+// rounding.
 constexpr Real kResidual = 0x1p-59L;
 constexpr int kMostSteps = 4;
-// A residual this small need not be made smaller.
+// Relative to a cell's size: the residual at which Newton's iteration stops.
 constexpr Real kSmallResidual = 0x1p-63L;
 
-// Each has the points of the one before.
+// The points of each degree include those of the previous one.
 constexpr std::array<std::size_t, 2> kDegrees{8, 16};
 // As in field_along_ray.cpp.
 constexpr int kMostBisections = 40;
 constexpr std::size_t kMostPieces = 96;
 
-// The corners of a face from that of the smallest node on, towards the smaller of its neighbours.
+// The corners of a face, starting at the one of smallest node id and proceeding towards the smaller
+// of its neighbours.
 std::array<std::uint8_t, 4> in_shared_order(const ShapeFace& face, std::span<const NodeId> nodes) {
   const std::size_t n = face.corner_count;
   std::size_t first = 0;
@@ -82,7 +84,7 @@ ExtendedCell::Part ExtendedCell::inside(const ExtendedRay& ray) const {
   for (std::uint8_t f = 0; f < faces.size(); ++f) {
     const Plane plane = plane_of(faces[f], nodes_, corners_);
     const Real along = dot(plane.normal, ray.direction);
-    if (along == 0) continue;  // on which side of it the ray runs is told by the other faces
+    if (along == 0) continue;  // parallel to the face: the other faces decide
     const Real t = dot(plane.normal, minus(plane.middle, ray.origin)) / along;
     const bool inwards = dot(plane.normal, minus(center, plane.middle)) > 0;
     if ((along > 0) == inwards) {
@@ -109,7 +111,8 @@ double ExtendedCell::bent() const {
   return static_cast<double>(most);
 }
 
-// From where the inverse in doubles is; `xi`: somewhere close.
+// Newton's iteration from the inverse found in doubles; `xi`: a nearby start, replaced by the
+// result.
 bool ExtendedCell::newton(const Vec& point, Vec& xi) const {
   const CellMap::Point near = rough_map_->reference(rounded(point), rounded(xi));
   xi = {near[0], near[1], near[2]};
@@ -141,13 +144,13 @@ bool ExtendedCell::interpolate(const ExtendedRay& ray, Real front, Real back, Re
                                int bisections, std::span<const Field> fields,
                                std::vector<Piece>& pieces) const {
   std::array<BasicChebyshev<Real>, kMostFields> c;
-  std::array<BasicCoefficients<Real>, kMostFields> values{};  // at all points of the last degree
+  std::array<BasicCoefficients<Real>, kMostFields> values{};  // at all points of the highest degree
   Vec xi = middle_;
   bool resolved = false;
   for (const std::size_t degree : kDegrees) {
     const std::size_t stride = kDegrees.back() / degree;
     for (std::size_t j = 0; j <= kDegrees.back(); j += stride) {
-      if (degree != kDegrees.front() && j % (2 * stride) == 0) continue;  // known
+      if (degree != kDegrees.front() && j % (2 * stride) == 0) continue;  // known already
       const Real u = begin + (end - begin) * chebyshev_point<Real>(j, kDegrees.back());
       if (!newton(ray.at(front + u * (back - front)), xi)) return false;
       Values shape;

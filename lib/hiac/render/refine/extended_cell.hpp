@@ -14,8 +14,8 @@
 
 namespace hiac {
 
-/// A linear cell with planar faces, and fields in it along rays, in extended precision: as CellMap
-/// and FieldAlongRay have them, with the map of its corners as they are, affine or not.
+/// A linear cell with planar faces, and fields in it along rays, in extended precision: the
+/// counterpart of CellMap and FieldAlongRay. The map is that of the exact corners, affine or not.
 class ExtendedCell {
  public:
   using Real = long double;
@@ -28,25 +28,25 @@ class ExtendedCell {
   [[nodiscard]] std::span<const ExtendedVector> corners() const {
     return {corners_.data(), count_};
   }
-  /// The largest distance of a corner from the camera's origin, and between two from the first.
+  /// The largest distance of a corner from the camera's origin.
   [[nodiscard]] double reach() const { return reach_; }
   [[nodiscard]] double size() const { return size_; }
 
-  /// The part of a ray that is inside all faces, and by which it enters and leaves: planes through
-  /// the middle of their corners along their diagonals, of both cells of a face the same to the
-  /// bit. Nothing is inside where front > back.
+  /// The part of a ray inside all faces, and the faces by which it enters and leaves. Faces are
+  /// represented by planes through the mean of their corners, parallel to their diagonals, which
+  /// are the same to the bit for both cells of a face. The part is empty if front > back.
   struct Part {
     Real front, back;
     std::uint8_t front_face, back_face;
   };
   [[nodiscard]] Part inside(const ExtendedRay& ray) const;
-  /// How far the corners of the faces are off these planes, at most.
+  /// The largest distance of a face's corner from its plane.
   [[nodiscard]] double bent() const;
 
   struct Field {
     Values values;
     Real least, most;
-    Real negligible;  ///< what interpolation may leave out of it
+    Real negligible;  ///< the error allowed for its interpolation
   };
   static constexpr std::size_t kMostFields = 2;
   /// Fields on a part of a stretch, from `begin` to `end` in [0, 1].
@@ -54,13 +54,13 @@ class ExtendedCell {
     Real begin, end;
     std::array<ExtendedBernstein, kMostFields> fields;
   };
-  /// Replaces `pieces` by those between two places of a ray, interpolated as in FieldAlongRay.
-  /// False where the map's inverse was not found to rounding.
+  /// Replaces `pieces` by those between two points of a ray, interpolated as in FieldAlongRay.
+  /// Returns false if the map's inverse was not found to rounding.
   bool along(const ExtendedRay& ray, Real front, Real back, std::span<const Field> fields,
              std::vector<Piece>& pieces) const;
 
-  /// The Jacobian's columns and a field's derivatives in reference coordinates at a point; false
-  /// as above.
+  /// Computes the Jacobian's columns and a field's derivatives in reference coordinates at a point.
+  /// Returns false if the map's inverse was not found to rounding.
   struct Derivatives {
     std::array<ExtendedVector, 3> columns;
     ExtendedVector gradient;

@@ -22,7 +22,7 @@ using Vec = ExtendedVector;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Of the tolerance: a sixteenth of what general_cells.cpp takes.
+// Shares of the tolerance: a sixteenth of those of general_cells.cpp.
 constexpr double kFieldShare = 0x1p-12, kIntegrationShare = 0x1p-11;
 
 // Whether an isosurface's field is below its value where the ray crosses a face.
@@ -44,7 +44,7 @@ std::array<double, 8> ExtendedCellSegments::node_values(const FrameField& field)
   return values;
 }
 
-// `nodes`: the field less `level`, rounded.
+// The field minus `level`, and its errors; `nodes`: the same in doubles.
 ExtendedCellSegments::Known ExtendedCellSegments::known(const CellField& nodes,
                                                         const FrameField& field,
                                                         double level) const {
@@ -96,7 +96,7 @@ void ExtendedCellSegments::load(CellId cell, const ExtendedCell& geometry, const
   optics_ = cell_optics(optics, range(color_), range(extinction_), kExtended);
 }
 
-// Whether the engine has the ray meet the cell, once.
+// Whether the ray of pixel (x, y) meets the cell exactly once according to the engine.
 ExtendedCellSegments::Met ExtendedCellSegments::meet(CellId cell, int x, int y) {
   crossings_.clear();
   scan_cell(frame_, cell, {x, y, x + 1, y + 1}, crossings_);
@@ -104,7 +104,7 @@ ExtendedCellSegments::Met ExtendedCellSegments::meet(CellId cell, int x, int y) 
   return crossings_.size() > 1 || frame_.is_curved(cell) ? Met::doubtful : Met::once;
 }
 
-// False where there is nothing of it in the cell.
+// Clips the ray to the cell and the view. Returns false if nothing remains.
 bool ExtendedCellSegments::clip(const ExtendedCell& geometry, const ExtendedRay& ray,
                                 Stretch& stretch) const {
   const ExtendedCell::Part part = geometry.inside(ray);
@@ -138,7 +138,8 @@ bool ExtendedCellSegments::find_fields(const ExtendedCell& geometry, const Exten
                         pieces_);
 }
 
-// Light of the volume between two places behind what there is; false as above.
+// Adds the light of the volume between two ray parameters behind `sum`. Returns false if a point's
+// reference coordinates are not found.
 bool ExtendedCellSegments::add_volume(const ExtendedCell& geometry, const ExtendedRay& ray,
                                       Real front, Real back, Part& sum) {
   if (empty_ || !(front < back)) return true;
@@ -164,8 +165,8 @@ bool ExtendedCellSegments::add_volume(const ExtendedCell& geometry, const Extend
   return true;
 }
 
-// Fills places_ with the parts of the stretch at which pieces_, wrong by `rounding`, change sign,
-// and moves with what each may be wrong by.
+// Fills places_ with the positions, as fractions of the stretch, at which pieces_ change sign, and
+// `moved` with the error of each.
 void ExtendedCellSegments::find_places(const IsosurfaceCut& cut, const CellField& offsets,
                                        const Known& known, const Stretch& stretch,
                                        std::vector<Real>& moved) {
@@ -187,7 +188,8 @@ void ExtendedCellSegments::find_places(const IsosurfaceCut& cut, const CellField
         1);
   moved.assign(places_.size(), 0);
   if (pieces_.empty() && known.field.least < known.field.most) doubtful_ = true;
-  // whether as many places stay where offsets are off by some level, and how far these move
+  // whether the number of places stays the same if offsets are off by `error`, and how far they
+  // move
   const Real error = known.error + 2 * known.field.negligible;
   std::vector<Real> none, shifted;
   bool as_many = as_many_when_shifted(pieces_, error, places_, moved, shifted, roots_);
@@ -222,7 +224,9 @@ bool ExtendedCellSegments::add_surface(const ExtendedCell& geometry, const Exten
   return true;
 }
 
-// With the normal there, and its change to both ends of where the place may be.
+// Shades a crossing with the normal there; the error of the shade includes the normal's change over
+// the interval in which the crossing may lie. Returns false if a point's reference coordinates are
+// not found.
 bool ExtendedCellSegments::shade(const ExtendedCell& geometry, const ExtendedRay& ray,
                                  const Stretch& stretch, const Known& known,
                                  Crossed& crossed) const {
@@ -273,8 +277,8 @@ bool ExtendedCellSegments::find_surfaces(const ExtendedCell& geometry, const Ext
   return true;
 }
 
-// Besides, where the ray enters and leaves the field may be that of the neighbours. `slope`,
-// `jump`: of its function in the cell.
+// Adds to `doubt` that near the entry and exit points the field may be that of the neighbours.
+// `slope`, `jump`: those of its transfer function in the cell.
 FieldDoubt ExtendedCellSegments::with_ends(FieldDoubt doubt, const Known& known, double slope,
                                            double jump, const Stretch& stretch) const {
   if (known.at_faces > 0)

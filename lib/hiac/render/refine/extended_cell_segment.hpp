@@ -15,22 +15,23 @@
 
 namespace hiac {
 
-/// Finds the segments of pixels' rays in linear cells with planar faces that are no tetrahedra, in
+/// Finds the segments of pixels' rays in linear cells with planar faces other than tetrahedra, in
 /// extended precision, as ExtendedSegments does in tetrahedra: by the method of general_cells.cpp
-/// and to its bounds, in the unit of extended precision.
+/// and with its bounds, in the unit of extended precision.
 ///
-/// Faces that count as planar are off their planes by as much as rounded coordinates make them. So
-/// where the ray enters and leaves is off by that besides, and there alone the field may be that of
-/// the neighbour, as far from this cell's as both change in as much.
+/// Because coordinates are rounded, the corners of faces that count as planar deviate slightly from
+/// a plane. Entry and exit points are therefore off by that deviation as well. Over that distance
+/// alone the field may be that of the neighbour; it differs from this cell's field by at most the
+/// change of both fields over that distance.
 class ExtendedCellSegments {
  public:
   /// Needs Frame::with_error.
   explicit ExtendedCellSegments(const Frame& frame) : frame_(frame) {}
 
   using Met = ExtendedTetrahedron::Met;
-  /// The segment of pixel (x, y) in a cell, if there is one to draw. In doubt are cells that the
-  /// ray meets more than once or along a face, with curved faces, or so flat that places in them
-  /// are not found.
+  /// Finds the segment of pixel (x, y) in a cell, if there is one to draw. The result is doubtful
+  /// if the ray meets the cell more than once or along a face, or if the cell has curved faces or
+  /// is so flat that reference coordinates are not found.
   Met find(CellId cell, int x, int y, ExtendedSegment& segment);
 
  private:
@@ -38,13 +39,13 @@ class ExtendedCellSegments {
   using Field = ExtendedCell::Field;
   using Roots = std::vector<BasicRootEnclosure<Real>>;
 
-  // What is known of a field in the cell.
+  // A field in the cell and its errors.
   struct Known {
     Field field;
-    double error;     // what it is wrong by inside
-    double at_faces;  // and where the ray enters and leaves, besides
+    double error;     // inside the cell
+    double at_faces;  // in addition, at entry and exit points
   };
-  // Part of the ray inside the cell, and what its ends may be off by in the world.
+  // The part of the ray inside the cell, and how far its ends may be off, world units.
   struct Stretch {
     Real front, back;
     bool front_clipped, back_clipped;
@@ -55,11 +56,11 @@ class ExtendedCellSegments {
   struct Crossed {
     const FrameIsosurface* surface;
     Real t;
-    double moved;  // what t may be wrong by
+    double moved;  // bound of the error of t
     ExtendedLight light;
     ErrorBound shade_error;
   };
-  // What is in front of a place in the cell, with the bounds of its integrals.
+  // The light accumulated in front of a point in the cell, with the bounds of its integrals.
   struct Part {
     ExtendedLight light;
     ErrorBound quadrature;
@@ -86,7 +87,7 @@ class ExtendedCellSegments {
                 const Part& sum, SegmentDetails& details);
 
   const Frame& frame_;
-  // of the cell at hand
+  // of the current cell
   CellId cell_ = 0;
   bool empty_ = false;  // neither absorbs nor shines
   CellScalars color_{}, extinction_{};
@@ -96,9 +97,9 @@ class ExtendedCellSegments {
   RayDisplacement inside_;
   Known known_color_{}, known_extinction_{};
   CellOptics optics_;
-  // of the segment at hand
+  // of the current segment
   std::vector<Crossed> crossed_;
-  bool doubtful_ = false;  // what surfaces are crossed
+  bool doubtful_ = false;  // it is uncertain which surfaces are crossed
   std::vector<ExtendedCell::Piece> pieces_;
   Roots roots_;
   std::vector<CellCrossing> crossings_;

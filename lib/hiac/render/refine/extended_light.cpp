@@ -15,7 +15,7 @@ using Vec = ExtendedVector;
 
 Vec extended(const std::array<double, 3>& a) { return {a[0], a[1], a[2]}; }
 
-// Where a scalar passes breakpoints inside its part of the ray.
+// Appends the positions at which a scalar passes breakpoints inside its part of the ray.
 template <std::size_t N>
 void add_cuts(const TransferTable<N>& table, const ExtendedEnds& scalar, std::vector<Real>& cuts) {
   const auto [least, most] = std::minmax(scalar.front, scalar.back);
@@ -24,7 +24,7 @@ void add_cuts(const TransferTable<N>& table, const ExtendedEnds& scalar, std::ve
       cuts.push_back((table.lower[k] - scalar.front) / (scalar.back - scalar.front));
 }
 
-// The interval of a scalar; of a breakpoint the one above it.
+// The interval that contains a scalar; a breakpoint belongs to the interval above it.
 template <std::size_t N>
 std::size_t interval_of(const TransferTable<N>& table, Real scalar) {
   return static_cast<std::size_t>(
@@ -66,7 +66,7 @@ ExtendedLight extended_volume(const OpticsTables& optics, Real length, const Ext
     const ExtendedPieceWeights w =
         optics.emission ? extended_piece_emission(b, a) : extended_piece_weights(b, a);
     const Real unit = optics.emission ? part : 1;
-    // Psi, and rounding of the difference
+    // Psi, and a bound of the difference's rounding
     const Real psi = optics.emission ? w.front + w.back : 1 - w.front + 0x1p-60L;
     ExtendedLight piece{{}, w.transparency, psi * part};
     for (std::size_t c = 0; c < 3; ++c)

@@ -5,7 +5,8 @@
 
 namespace hiac {
 
-/// A pixel's ray in extended precision, camera frame: origin + t direction, t as everywhere.
+/// A pixel's ray in extended precision, camera frame: origin + t direction, with the usual ray
+/// parameter t.
 struct ExtendedRay {
   ExtendedVector origin, direction;
   long double scale;  ///< world length per unit of t

@@ -15,7 +15,7 @@ namespace {
 using Real = long double;
 using Vec = ExtendedVector;
 
-// A field at a tetrahedron's corners.
+// The values of a field at a tetrahedron's corners.
 CornerValues values_of(const Frame& frame, const FrameField& field, CellId cell,
                        const std::array<std::size_t, 4>& corners) {
   const auto nodes = frame.mesh.cell_nodes(cell);
@@ -26,7 +26,7 @@ CornerValues values_of(const Frame& frame, const FrameField& field, CellId cell,
   return values;
 }
 
-// Between which intervals of its transfer function a field lies in a tetrahedron.
+// The range of intervals of its transfer function that a field reaches in a tetrahedron.
 IntervalRange intervals_of(const Frame& frame, const FrameField& field, CellId cell) {
   const auto nodes = frame.mesh.cell_nodes(cell);
   IntervalRange range{~std::size_t{0}, 0};
@@ -53,12 +53,13 @@ Vec normal_of(const Frame& frame, CellId cell, const std::array<std::size_t, 4>&
     const Vec area = cross(edge[(k + 1) % 3], edge[(k + 2) % 3]);
     for (std::size_t c = 0; c < 3; ++c) n[c] += (values[k + 1] - values[0]) * area[c];
   }
-  // shading does not ask which way it points
+  // shading does not depend on its side
   if (!(length(n) > 0)) return {0, 0, 1};
   return frame.projector.extended_camera_vector(unit(n));
 }
 
-// Where the ray enters or leaves by a face, the offset, kept to the sign that the whole face has.
+// The offset at the point where the ray enters or leaves by a face, clamped to the sign of the
+// whole face if that has one.
 Real offset_on(const Frame& frame, CellId cell, const IsosurfaceCut& cut,
                const ExtendedTetrahedron& cell_met, const ExtendedTetrahedron::Place& place,
                const CornerValues& offsets) {

@@ -11,33 +11,33 @@ namespace hiac {
 struct ExtendedSegment {
   long double front, back;  ///< ray parameters
   ExtendedLight light;
-  SegmentDetails details;  ///< with its bounds of errors, in extended precision
+  SegmentDetails details;  ///< with the error bounds of extended precision
 };
 
 /// Finds such segments by the engine's method: slices between breakpoints and isosurfaces,
-/// closed forms' integrals of each, and the bounds that TetrahedronDetails has of it.
+/// closed-form integrals of each slice, and the bounds of TetrahedronDetails.
 class ExtendedSegments {
  public:
   /// Needs Frame::with_error.
   explicit ExtendedSegments(const Frame& frame) : frame_(frame), details_(frame) {}
 
   using Met = ExtendedTetrahedron::Met;
-  /// The segment of pixel (x, y) in a cell, if there is one to draw. In doubt are cells that the
-  /// ray meets more than once or along a face.
+  /// Finds the segment of pixel (x, y) in a cell, if there is one to draw. The result is doubtful
+  /// if the ray meets the cell more than once or along a face.
   Met find(CellId cell, int x, int y, ExtendedSegment& segment);
 
  private:
   // One isosurface on one segment.
   struct Cut {
     const FrameIsosurface* surface;
-    ExtendedEnds offset;  // where the ray enters and leaves the cell
+    ExtendedEnds offset;  // at the entry and exit points of the cell
     std::array<long double, 3> normal;
-    long double u;  // where it is crossed, a part of the segment: 2 where it is not
+    long double u;  // position of the crossing, as a fraction of the segment; 2 if none
   };
-  // What is between two ends.
+  // A part of a ray and its fields.
   struct Stretch {
     long double from, to;      // ray parameters
-    long double u_from, u_to;  // parts of the ray inside the cell, not clipped
+    long double u_from, u_to;  // fractions of the unclipped ray inside the cell
     long double length;
     std::array<long double, 3> ray;
     ExtendedEnds color, extinction;

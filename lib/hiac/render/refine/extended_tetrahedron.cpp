@@ -18,7 +18,7 @@ namespace {
 using Real = long double;
 using Vec = ExtendedVector;
 
-// The corners of the face without one of them, ascending.
+// The corners of the face that lacks one corner, ascending.
 std::array<std::size_t, 3> corners_of(std::size_t lacking) {
   std::array<std::size_t, 3> c{};
   for (std::size_t k = 0, n = 0; k < 4; ++k)
@@ -45,7 +45,7 @@ ExtendedTetrahedron::ExtendedTetrahedron(const Frame& frame, CellId cell)
   }
 }
 
-// scan_faces (scan_conversion-inl.hpp), for one face and one pixel.
+// Whether a face covers a pixel: scan_faces (scan_conversion-inl.hpp) for one face and one pixel.
 bool ExtendedTetrahedron::covered(std::size_t lacking, int x, double center) const {
   const auto c = corners_of(lacking);
   double first = std::numeric_limits<double>::infinity(), last = -first;
@@ -60,7 +60,8 @@ bool ExtendedTetrahedron::covered(std::size_t lacking, int x, double center) con
   return first <= x && x < last;
 }
 
-// Gaussian elimination with complete pivoting, as for FacePlanes (scan_conversion-inl.hpp).
+// The point where a pixel's ray meets a face, by Gaussian elimination with complete pivoting, as
+// for FacePlanes (scan_conversion-inl.hpp).
 ExtendedTetrahedron::Place ExtendedTetrahedron::place_on(std::size_t lacking, int x, int y) const {
   const auto [base, one, two] = corners_of(lacking);
   const auto from_base = [&](std::size_t k, std::size_t axis) {
@@ -109,7 +110,8 @@ ExtendedTetrahedron::Met ExtendedTetrahedron::cross_in_world(int x, int y,
   return Met::once;
 }
 
-// False where the ray runs in the face, or the cell has no volume.
+// Finds the point where a ray meets a face in the world. Returns false if the ray lies in the face,
+// or the cell has no volume.
 bool ExtendedTetrahedron::place_in_world(std::uint8_t face, int x, int y, Place& place) const {
   std::size_t lacking = 0;
   while (tetrahedron_face_without(corner_[lacking]) != face) ++lacking;
@@ -134,8 +136,8 @@ bool ExtendedTetrahedron::place_in_world(std::uint8_t face, int x, int y, Place&
   return true;
 }
 
-// Over the screen, linear scalars times the depth are affine in perspective: of what they are more
-// than at the face's first corner.
+// In perspective, a linear scalar times the depth is affine on the screen; the value at the face's
+// first corner is subtracted first.
 Real ExtendedTetrahedron::at(const Place& place, const CornerValues& values) const {
   const bool by_depth = on_screen_ && perspective_;
   const std::size_t base = on_screen_ && place.face == 0 ? 1 : 0;

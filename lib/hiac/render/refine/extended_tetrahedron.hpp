@@ -11,19 +11,20 @@ namespace hiac {
 /// Numbers at a tetrahedron's corners, in the order of ExtendedTetrahedron::corners().
 using CornerValues = std::array<long double, 4>;
 
-/// A linear tetrahedron met by one ray at a time, in extended precision. Which faces cover a pixel
-/// is what the engine says, by the same operations; where the ray meets them is found anew. As the
-/// engine does, it meets the cells of its kernel over the screen (tetrahedron_kernel.hpp), but from
-/// projected corners that are not rounded, and others in the world (general_cells.hpp).
+/// A linear tetrahedron, intersected with one ray at a time in extended precision. The faces that
+/// cover a pixel are those that the engine finds, by the same operations; the points where the ray
+/// meets them are recomputed. Like the engine, this class intersects cells of the kernel on the
+/// screen (tetrahedron_kernel.hpp), but with unrounded projected corners, and other cells in the
+/// world (general_cells.hpp).
 class ExtendedTetrahedron {
  public:
   ExtendedTetrahedron(const Frame& frame, CellId cell);
 
-  /// The cell's corners by ascending node id: places among the cell's nodes.
+  /// The cell's corners by ascending node id, as indices into the cell's nodes.
   [[nodiscard]] const std::array<std::size_t, 4>& corners() const { return corner_; }
 
-  /// Where the ray of a pixel meets a face. Barycentric coordinates: over the screen those of the
-  /// face, else those of the cell.
+  /// The point where the ray of a pixel meets a face. Barycentric coordinates refer to the face on
+  /// the screen, and to the cell in the world.
   struct Place {
     std::size_t face;  ///< the corner that it lacks, 0 to 3
     CornerValues weights;
@@ -33,12 +34,12 @@ class ExtendedTetrahedron {
   struct Crossing {
     Place front, back;
   };
-  /// How a pixel's ray meets the cell: once, or not; `doubtful` is for what is neither.
+  /// How often a pixel's ray meets the cell: never or once; `doubtful` stands for all other cases.
   enum class Met : std::uint8_t { no, once, doubtful };
   [[nodiscard]] Met cross(int x, int y, Crossing& crossing) const;
 
-  /// A scalar that is linear in the cell at a place. Over the screen it is exactly 0 where it is at
-  /// all corners of the face, and the same for both cells of a face.
+  /// The value at a point of a scalar that is linear in the cell. On the screen it is exactly 0 if
+  /// the scalar is 0 at all corners of the face, and identical for both cells of a face.
   [[nodiscard]] long double at(const Place& place, const CornerValues& values) const;
 
  private:

@@ -17,9 +17,10 @@ using Real = long double;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Of the tolerance: larger bounds are looked into.
+// Relative to the tolerance: pixels with larger bounds are recomputed.
 constexpr double kLargeBound = 0.1;
-// Of the transparency at which the engine ends a ray: what is behind that is not seen here.
+// Relative to the transparency at which the engine ends a ray: recomputation ends its rays at this
+// transparency.
 constexpr double kEndSooner = 0x1p-10;
 
 }  // namespace
@@ -106,7 +107,7 @@ double PixelRefinement::error(const TileBuffer& drawn, std::size_t at, double ba
   const double left = drawn.transparency[at];
   const double bound =
       pixel_error(frame_, drawn.details[at], left, left <= frame_.least_transparency, background);
-  // numbers no finer than the engine's tell nothing of its rounding
+  // arithmetic no finer than the engine's reveals nothing about its rounding
   if (!kExtendedIsFiner || bound <= kLargeBound * frame_.tolerance) return bound;
   const auto again = compute_again(tile_.column(at), tile_.row(at));
   if (!again) return bound;

@@ -15,29 +15,29 @@
 
 namespace hiac {
 
-/// Better bounds of the errors of a tile's pixels, where those of pixel_error are large.
+/// Computes tighter error bounds of a tile's pixels where those of pixel_error are large.
 ///
-/// Bounds add up the worst that every rounding might do; what it has done is far less. A pixel
-/// whose bound is more than a tenth of the tolerance is computed again with numbers of 64-bit
-/// mantissas, which are 2048 times as fine, by the same method and so to the same bound in their
-/// unit (Arithmetic): what differs between the two and that bound together bound the error. The
-/// picture stays as it is.
+/// Bounds add up the largest effect of every rounding; the actual error is far smaller. A pixel
+/// whose bound exceeds a tenth of the tolerance is recomputed with 64-bit mantissas, which are 2048
+/// times as fine, by the same method and therefore with the same bound in their unit (Arithmetic).
+/// The difference of the two results plus that bound is a bound of the error. The picture does not
+/// change.
 ///
-/// This is done of rays that meet linear cells with planar faces alone, each at most once
+/// Only rays that meet linear cells with planar faces, each at most once, are recomputed
 /// (ExtendedSegments, ExtendedCellSegments); other pixels keep their bound.
 class PixelRefinement {
  public:
-  /// `ranks`: positions in the order of the cells that the tile may meet. The arguments must
-  /// outlive it. Needs Frame::with_error.
+  /// `ranks`: positions in the visibility order of the cells that the tile may show. The arguments
+  /// must outlive this object. Needs Frame::with_error.
   PixelRefinement(const Frame& frame, const VisibilityOrder& order, const TileRect& tile,
                   std::span<const std::uint32_t> ranks);
 
-  /// The bound of the error of a pixel of the finished tile, `at` in its planes, with something
-  /// behind it whose largest channel is `background`.
+  /// The error bound of the pixel with index `at` in the planes of the finished tile, over a
+  /// background whose largest channel is `background`.
   double error(const TileBuffer& drawn, std::size_t at, double background);
 
  private:
-  // Pixels whose rays a cell may meet.
+  // The pixels whose rays may meet a cell.
   struct Box {
     double x0, y0, x1, y1;
   };
@@ -58,9 +58,9 @@ class PixelRefinement {
   const VisibilityOrder& order_;
   TileRect tile_;
   std::span<const std::uint32_t> ranks_;
-  ExtendedSegments segments_;           // of tetrahedra
-  ExtendedCellSegments cell_segments_;  // of other cells
-  std::vector<Box> boxes_;              // of `ranks`; empty until the first pixel is computed again
+  ExtendedSegments segments_;           // for tetrahedra
+  ExtendedCellSegments cell_segments_;  // for other cells
+  std::vector<Box> boxes_;              // of `ranks`; empty until the first pixel is recomputed
 };
 
 }  // namespace hiac

@@ -18,9 +18,9 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// FacePlanes along a row of pixels (index: face): quantities change by `per_column` from pixel to
-// pixel, from what they are at the first pixel of the face's run. From there on they stay within
-// the face's values, so that nothing cancels however steep the face.
+// FacePlanes along a row of pixels (index: face): a quantity starts with its value at the first
+// pixel of the face's run and changes by `per_column` from pixel to pixel. On the run it stays
+// within the face's values, so that no cancellation occurs however steep the face is.
 struct FaceLines {
   HWY_ALIGN double first[4], last[4];  // columns: the run's first pixel and its last
   HWY_ALIGN double m[4], s[4];         // barycentric coordinates of the first pixel
@@ -30,7 +30,7 @@ struct FaceLines {
   Quantity depth, color, extinction;
 };
 
-// What the rows of a cell have in common.
+// Sets the change per column of a quantity, which all rows of a cell share.
 HWY_INLINE void set_per_column(const FacePlanes& planes, const FacePlanes::Quantity& q,
                                FaceLines::Quantity& line) {
   const hn::CappedTag<double, 4> d;
@@ -42,7 +42,7 @@ HWY_INLINE void set_per_column(const FacePlanes& planes, const FacePlanes::Quant
   }
 }
 
-// One row of one quantity. `lines`: of this row.
+// Sets the value of one quantity at the first pixels of a row. `lines`: those of this row.
 HWY_INLINE void set_at_first(const FaceLines& lines, const FacePlanes::Quantity& q,
                              FaceLines::Quantity& line) {
   const hn::CappedTag<double, 4> d;
@@ -54,7 +54,7 @@ HWY_INLINE void set_at_first(const FaceLines& lines, const FacePlanes::Quantity&
   }
 }
 
-// One row.
+// Sets all quantities of one row.
 template <bool kSeparateFields>
 HWY_INLINE void set_row(const FacePlanes& planes, const FaceRuns& runs, int row, FaceLines& lines) {
   const hn::CappedTag<double, 4> d;
@@ -79,7 +79,7 @@ HWY_INLINE void set_row(const FacePlanes& planes, const FaceRuns& runs, int row,
   if constexpr (kSeparateFields) set_at_first(lines, planes.color, lines.color);
 }
 
-// From the first pixel of a face's run.
+// The number of columns from the first pixel of a face's run.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V columns_from_first(D d, const FaceLines& lines, std::size_t f, V pixel) {
   return hn::Sub(pixel, hn::Set(d, lines.first[f]));
@@ -91,7 +91,7 @@ HWY_INLINE hn::Mask<D> in_run(D d, const FaceLines& lines, std::size_t f, V pixe
   return hn::Ge(hn::Min(dx, hn::Sub(hn::Set(d, lines.last[f]), pixel)), hn::Zero(d));
 }
 
-// `dx`: pixels from the first of the face's run.
+// The value of a quantity `dx` columns from the first pixel of the face's run.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V on_line(D d, const FaceLines::Quantity& line, std::size_t f, V dx) {
   return hn::MulAdd(dx, hn::Set(d, line.per_column[f]), hn::Set(d, line.at_first[f]));

@@ -11,20 +11,20 @@
 
 namespace hiac {
 
-/// What the segments in quadratic and cubic tetrahedra tell of themselves where channels are asked
-/// for. The kernel, which claims no bounds, draws them (higher_order_kernel.hpp); for the channel
-/// `error` each is integrated once more by itself, with bounds, and how far both are apart is added
-/// to these.
+/// Details of the segments in quadratic and cubic tetrahedra, if channels are requested. The kernel
+/// that draws the segments (higher_order_kernel.hpp) computes no bounds; for the channel `error`
+/// each segment is integrated again by itself, with bounds, and the difference of the two results
+/// is added to them.
 class HigherOrderDetails {
  public:
-  /// The frame must outlive it. Needs Frame::with_details.
+  /// The frame must outlive this object. Needs Frame::with_details.
   HigherOrderDetails(const Frame& frame, const TileRect& tile);
 
-  /// Takes a cell that the kernel is for.
+  /// Selects a cell that the kernel draws.
   void enter(CellId cell);
 
-  /// A segment as the kernel has drawn it: ray parameters, world length per unit of these, the
-  /// transparency in front, and what the segment does to the light.
+  /// A segment as drawn by the kernel: ray parameters, world length per unit of these, the
+  /// transparency in front, and the segment's radiance.
   struct Segment {
     int x, y;
     double front, back, scale, visible;
@@ -36,7 +36,7 @@ class HigherOrderDetails {
   const Frame& frame_;
   VolumeAlongRay volume_;
   CellErrors errors_;
-  // of the cell at hand
+  // of the current cell
   std::array<CellMap::Point, CellMap::kMostNodes> nodes_{};
   std::optional<CellMap> map_;
   std::optional<FieldAlongRay> field_;

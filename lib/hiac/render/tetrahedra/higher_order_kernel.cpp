@@ -22,15 +22,15 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// What rounding does to coefficients of fields of an order, of their size.
+// Rounding error of the coefficients of fields, by order, relative to their size.
 inline constexpr double kCoefficientRounding[] = {0, 0, 0x1p-49, 0x1p-46};
 
-// One field in one cell, less the value at its first corner; corners are in ascending order of
+// One field in one cell, minus its value at the first corner; corners are in ascending order of
 // their nodes.
 template <std::size_t kOrder>
 struct HigherOrderField {
   double base;
-  double low, high;  // less the base
+  double low, high;  // relative to the base
   IntervalRange intervals;
   PolarForm<kOrder> form;
 
@@ -45,7 +45,7 @@ struct HigherOrderField {
     std::array<double, PolarForm<kOrder>::kNodes> values;
     for (std::size_t k = 0; k < values.size(); ++k) values[k] = value(k) - base;
     const auto [least, most] = form.set(values, corner);
-    // a constant keeps its value
+    // a constant field keeps its exact value
     const double rounding =
         most > least ? kCoefficientRounding[kOrder] * (std::abs(base) + most - least) : 0;
     low = least - rounding;
@@ -119,7 +119,8 @@ class HigherOrderRenderer {
     return true;
   }
 
-  // Barycentric coordinates as affine functions over the screen; in perspective times the depth.
+  // Sets up the barycentric coordinates as affine functions on the screen, in perspective times the
+  // depth.
   HWY_INLINE void set_weights() {
     const hn::CappedTag<double, 4> d;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -130,10 +131,10 @@ class HigherOrderRenderer {
     }
   }
 
-  // Where rays meet the surface.
+  // The points where rays meet the cell's surface.
   struct Place {
     V depth;
-    V corner[3];  // barycentric coordinates of the last three
+    V corner[3];  // barycentric coordinates of the last three corners
   };
 
   HWY_INLINE Place place_on(D d, V pixel, std::size_t f) const {
@@ -143,13 +144,13 @@ class HigherOrderRenderer {
              on_face(d, weights_[2], f, on)}};
   }
 
-  // On those of the faces [begin, end) of sides_ that cover the pixels, from x up to `last`.
+  // The points on those of the faces [begin, end) of sides_ that cover the pixels from x to `last`.
   HWY_INLINE Place meet(D d, V pixel, int x, int last, std::size_t begin, std::size_t end) const {
     const auto covers_all = [&](std::size_t k) {
       const std::size_t f = sides_.face[k];
       return face_row_.first[f] <= x && last <= face_row_.last[f];
     };
-    // mostly one does
+    // usually one face covers all
     std::size_t first = begin;
     while (first + 1 < end && !covers_all(first)) ++first;
     const bool one = covers_all(first);
@@ -169,7 +170,7 @@ class HigherOrderRenderer {
     return place;
   }
 
-  // The corners bound what rounding may do.
+  // The ray parameter of a depth, which is clamped to the corners' depths against rounding.
   HWY_INLINE V ray_parameter(D d, V depth) const {
     depth = hn::Min(hn::Max(depth, hn::Set(d, nearest_)), hn::Set(d, farthest_));
     return perspective_ ? hn::Div(hn::Set(d, -1.0), depth) : depth;
@@ -229,7 +230,8 @@ class HigherOrderRenderer {
     sink_.add(d, {at, front, back, radiance, active, behind});
   }
 
-  // Tells the pixels, or the group's list, of segments that are about to be composited.
+  // Adds the details of segments, before they are composited, to their pixels or to the group's
+  // list.
   HWY_NOINLINE void describe(D d, std::size_t at, V front, V back, const Radiance<V>& light,
                              M active) {
     SegmentLanes lanes;
@@ -248,17 +250,17 @@ class HigherOrderRenderer {
   TileBuffer& buffer_;
   bool perspective_;
   SegmentSink sink_;
-  // of the cell at hand
+  // of the current cell
   HigherOrderField<kOrder> extinction_, color_;
   ProjectedTetrahedron corners_;
   double nearest_ = 0, farthest_ = 0;  // depths
-  bool clipped_ = false;               // partly in front of or behind what the view shows
+  bool clipped_ = false;               // the view clips the cell in depth
   FacePlanes planes_;
   std::array<FacePlanes::Quantity, 3> weights_;
   FaceRuns runs_;
   FaceSides sides_;
   FaceRow face_row_;
-  std::optional<HigherOrderDetails> details_;  // where details are asked for
+  std::optional<HigherOrderDetails> details_;  // if details are requested
 };
 
 template <bool kEmission, std::size_t kOrder>

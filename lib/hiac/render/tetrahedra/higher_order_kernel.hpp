@@ -7,14 +7,14 @@
 
 namespace hiac {
 
-/// Whether a cell that kernel_cells() has for one of the kernels below is drawn by it: no
-/// isosurface crosses it, and integration is exact.
+/// Whether a cell that kernel_cells() assigns to one of the kernels below is drawn by it: this
+/// needs exact integration, and no isosurface may cross the cell.
 bool for_higher_order_kernel(const Frame& frame, CellId cell);
 
 /// Render quadratic and cubic tetrahedra with straight edges many pixels at a time: the scan
-/// conversion of linear tetrahedra (scan_conversion-inl.hpp), which are the same cells to their
-/// neighbours, and between entry and exit the field as what it is, a polynomial of the cell's
-/// order. Its three or four Bernstein coefficients on a segment are values of the cell's polar form
+/// conversion is that of linear tetrahedra (scan_conversion-inl.hpp), so that neighbours fit;
+/// between entry and exit the field is a polynomial of the cell's order. The polynomial's three or
+/// four Bernstein coefficients on a segment are values of the cell's polar form
 /// (polar_form-inl.hpp; for quadratic cells in section 5.2).
 void render_quadratic_tetrahedra(const TileTarget& to, std::span<const CellId> cells);
 void render_cubic_tetrahedra(const TileTarget& to, std::span<const CellId> cells);

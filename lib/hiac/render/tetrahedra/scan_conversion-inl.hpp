@@ -24,8 +24,8 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// A projected tetrahedron with its corners in ascending order of node id, so that everything
-// computed for an edge or a face is computed alike, to the bit, for every cell around it.
+// A projected tetrahedron with its corners in ascending order of node id, so that the results for
+// an edge or a face are identical, to the bit, in every cell around it.
 struct ProjectedTetrahedron {
   HWY_ALIGN double x[4], y[4], depth[4];
   HWY_ALIGN double color[4], extinction[4];
@@ -71,12 +71,12 @@ struct FaceRuns {
   HWY_ALIGN double span_first[kRows], span_last[kRows];
 };
 
-// Where rows of pixel centres cross the six edges, and from that the runs of the four faces.
+// Finds where rows of pixel centres cross the six edges, and from that the runs of the four faces.
 //
 // On a row, an edge is crossed when one end lies on or above the row and the other strictly below
-// it (y runs down: the centre counts as moved down by an infinitesimal amount); the first centre
-// right of the crossing, or on it, starts or ends a run; a centre that rounding alone tells from
-// the crossing lies on it (row_crossing.hpp).
+// it (y runs down: the centre counts as moved down by an infinitesimal amount); the first centre on
+// the crossing or right of it starts or ends a run; a centre that differs from the crossing by
+// rounding alone lies on it (row_crossing.hpp).
 HWY_INLINE bool scan_faces(const ProjectedTetrahedron& t, const TileRect& tile, FaceRuns& runs) {
   const auto [y_low, y_high] = std::minmax({t.y[0], t.y[1], t.y[2], t.y[3]});
   runs.row_begin = first_center(y_low, tile.y0, tile.y1);
@@ -105,7 +105,7 @@ HWY_INLINE bool scan_faces(const ProjectedTetrahedron& t, const TileRect& tile, 
       const auto crossed = hn::Xor(i_above, j_above);
       const V crossing =
           crossing_x(center, hn::Set(d, t.x[i]), hn::Set(d, t.y[i]), hn::Set(d, slope[e]));
-      // clamped to the tile; a crossing that is not a number is not used
+      // clamped to the tile; NaN crossings are not used
       const V column =
           hn::Ceil(hn::Min(hn::Max(hn::Sub(crossing, hn::Set(d, to_first[e])), left), right));
       first[e] = hn::IfThenElse(crossed, column, never_first);
@@ -146,7 +146,7 @@ HWY_INLINE void set_quantity(D d, const double* corner, std::size_t f, M swapped
   hn::Store(hn::IfThenElse(swapped, q1, q2), d, quantity.qs + f);
 }
 
-// The bases of the faces from f on, and their edges from there.
+// The base corners of the faces from f on, and their edges from the base.
 template <class D, class V = hn::Vec<D>>
 struct FaceEdges {
   V base_x, base_y, x1, y1, x2, y2;
@@ -188,17 +188,18 @@ HWY_INLINE void set_face_planes(const ProjectedTetrahedron& t, bool with_color,
   }
 }
 
-// Which faces rays enter by: of face[0 .. 4), the first `entered`; they leave by the others.
+// The faces by which rays enter, the first `entered` entries of `face`, and those by which they
+// leave, the others.
 struct FaceSides {
   std::array<std::size_t, 4> face;
   std::size_t entered;
 };
 
-// On the screen the corners p_k have one affine dependency, sum lambda_k p_k = 0 with
-// sum lambda_k = 0; lambda_k is, but for its sign, twice the area of the face without corner k.
-// With D = sum lambda_k depth_k that corner is D / lambda_k behind that face. None of the areas is
-// so small that rounding decides its sign (kernel_cells.hpp); where it decides that of D, the cell
-// is flat, and entry and exit are one.
+// Finds by which faces rays enter. On the screen the corners p_k have one affine dependency, sum
+// lambda_k p_k = 0 with sum lambda_k = 0; |lambda_k| is twice the area of the face without corner
+// k. With D = sum lambda_k depth_k that corner is D / lambda_k behind that face. Every area is
+// large enough that rounding does not change its sign (kernel_cells.hpp). If rounding may change
+// the sign of D, the cell is flat, and entry and exit coincide.
 HWY_INLINE FaceSides face_sides(const ProjectedTetrahedron& t) {
   const auto dx = [&](std::size_t k) { return t.x[k] - t.x[0]; };
   const auto dy = [&](std::size_t k) { return t.y[k] - t.y[0]; };
@@ -221,7 +222,7 @@ HWY_INLINE FaceSides face_sides(const ProjectedTetrahedron& t) {
   return sides;
 }
 
-// What a row of pixels has in common on each of the faces.
+// The quantities that the pixels of a row share on each face.
 struct FaceRow {
   HWY_ALIGN double cy_dy[4], gy_dy[4];
   HWY_ALIGN double first[4], last[4];  // FaceRuns

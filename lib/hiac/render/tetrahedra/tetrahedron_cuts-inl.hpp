@@ -26,7 +26,7 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// What part of the screen isosurfaces cover in one cell, pixel coordinates; never too small.
+// A box on the screen, in pixel coordinates, that contains the isosurfaces of one cell.
 struct ScreenBox {
   double x0 = hwy::HighestValue<double>(), y0 = x0, x1 = -x0, y1 = -x0;
 
@@ -37,33 +37,32 @@ struct ScreenBox {
     x1 = std::max(x1, x + kRounding);
     y1 = std::max(y1, y + kRounding);
   }
-  // Whether it may hold pixel centres of a row.
+  // Whether the box may contain pixel centres of a row.
   [[nodiscard]] HWY_INLINE bool meets(int row) const {
     return y0 <= pixel_center(row) && pixel_center(row) <= y1;
   }
-  // Whether it may hold the centres of pixels [x, x_end) of a row.
+  // Whether the box may contain centres of the pixels [x, x_end) of a row.
   [[nodiscard]] HWY_INLINE bool meets(int row, int x, int x_end) const {
     return meets(row) && x0 <= pixel_center(x_end - 1) && pixel_center(x) <= x1;
   }
 };
 
-// One isosurface in the tetrahedron at hand: the field's offset from the surface's value over the
-// screen (in perspective times the depth, as for all fields), and what is known of its sign on each
-// face beforehand (FaceOffsets::sign).
+// One isosurface in the current tetrahedron: the field's offset from the surface's value as a
+// function on the screen (in perspective times the depth, as for all fields), and bounds of the
+// offset on each face (FaceOffsets::sign).
 struct TetrahedronCut {
   const FrameIsosurface* surface;
   std::array<double, 3> normal;  // camera frame
   std::array<NodeId, 4> nodes;   // the corners
   std::array<double, 4> offsets;
   FacePlanes::Quantity offset;
-  FaceLines::Quantity line;  // of the row at hand
-  // on each face the offset is not below the one and not above the other, and its sign in doubt
-  // where it is smaller than the third
+  FaceLines::Quantity line;  // of the current row
+  // by face: the offset lies in [least, most], and its sign is doubtful where |offset| < doubt
   std::array<double, 4> least, most, doubt;
 };
 
-// The cut of a cell whose corners are `corner` in ascending order of their nodes; `box` comes to
-// include it.
+// The cut of a cell with the corners `corner` in ascending order of their nodes; `box` is extended
+// to include it.
 HWY_NOINLINE TetrahedronCut make_cut(const Frame& frame, CellId cell, const IsosurfaceCut& cut,
                                      const std::array<std::size_t, 4>& corner,
                                      const ProjectedTetrahedron& t, const FacePlanes& planes,
@@ -131,7 +130,7 @@ class CutScan {
     for (std::size_t k = 0; k < 4; ++k) {
       const std::size_t f = sides_.face[k];
       const bool entered = k < sides_.entered;
-      // as in meet_faces, a side's first face is that of all pixels which no other covers
+      // as in meet_faces, pixels that no other face of a side covers belong to its first face
       const bool first = k == 0 || k == sides_.entered;
       const V dx = columns_from_first(d, lines_, f, pixel);
       const auto covered = in_run(d, lines_, f, pixel, dx);

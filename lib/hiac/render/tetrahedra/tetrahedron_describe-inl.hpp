@@ -25,29 +25,30 @@ namespace hn = hwy::HWY_NAMESPACE;
 // Some pixels of a row, from column x on.
 struct DescribedPixels {
   int row, x;
-  std::size_t at;  // index of the first into the tile's planes
-  bool cut;        // isosurfaces were looked for
+  std::size_t at;  // index of the first pixel in the tile's planes
+  bool cut;        // the cell was searched for isosurfaces here
   bool empty;      // the volume neither absorbs nor shines
 };
 
-// Tells pixels, or a group's list, of segments that are about to be composited.
+// Adds the details of segments, before they are composited, to their pixels or to a group's list.
 class SegmentDescriber {
  public:
   explicit SegmentDescriber(const TileTarget& to) : to_(to), details_(to.frame) {}
 
   void enter(CellId cell) { details_.enter(cell); }
 
-  // Offsets from the values of the cell's surfaces at the segments' ends, as CutScan finds them.
+  // Stores the offsets from the values of the cell's surfaces at the segments' ends, as found by
+  // CutScan.
   void set_ends(std::size_t cuts, const std::vector<double>& ends) {
     cut_count_ = cuts;
     ends_ = ends;
   }
-  // Where the surfaces are crossed, as a part of the segments; 2 where they are not.
+  // Stores where the surfaces are crossed, as fractions of the segments; 2 where they are not.
   void set_places(const std::vector<double>& places, std::size_t lanes) {
     places_ = places;
     depth_sum_.assign(2 * lanes, 0);
   }
-  // Some opacity at a part of the segments that surfaces cross.
+  // Adds opacity at the fraction u of segments that surfaces cross, for the mean depth.
   template <class D, class V>
   HWY_NOINLINE void add_depth(D d, V u, V opacity) {
     double* sum = depth_sum_.data();

@@ -15,13 +15,14 @@
 namespace hiac {
 namespace {
 
-// Of the largest offset, and twice what makes tetrahedron_cuts-inl.hpp ask the face.
+// Relative to the largest offset: twice the threshold below which tetrahedron_cuts-inl.hpp
+// evaluates the face itself.
 constexpr double kFoundInWorld = 2 * kOffsetDoubt;
 
-// Barycentric coordinates in the world: quotients of volumes whose terms add up to this times it.
+// Rounding of barycentric coordinates in the world, which are quotients of volumes.
 constexpr double kBarycentricRounding = 64;
 
-// What the edges from a corner could span by what they do span.
+// The cube of the longest edge divided by the volume spanned by the edges from a corner.
 double elongation(const std::array<Vector, 3>& edges) {
   double longest = 0;
   for (std::size_t k = 0; k < 3; ++k)
@@ -107,7 +108,7 @@ typename BasicTetrahedronDetails<Real>::Ends BasicTetrahedronDetails<Real>::end_
     const ExtendedRay ray(projector, segment.x, segment.y);
     doubts = end_doubts_.at(ray.origin, ray.direction, displacement_);
   }
-  // where the view clips is known
+  // the depths of the clipping planes are known exactly
   if (segment.front == frame_.projector.near()) doubts.front = displacement_.along;
   if (segment.back == frame_.projector.far()) doubts.back = displacement_.along;
   return doubts;
@@ -133,7 +134,7 @@ ErrorBound BasicTetrahedronDetails<Real>::cuts_bound(const Segment& segment,
     // a face that has the value exactly is not in doubt
     const auto doubt = [&](double offset, double end) {
       if (offset == 0) return 0.0;
-      // of a ray along a face it does not matter where the cell ends
+      // for a ray along a face, the cell's end does not matter
       if (!std::isfinite(end)) end = 0;
       const bool in_world = std::abs(offset) <= kFoundInWorld * cuts_[k].largest;
       return (in_world ? cuts_[k].world_offset : cuts_[k].offset) + steepness * end;
@@ -162,7 +163,7 @@ ErrorBound BasicTetrahedronDetails<Real>::cuts_bound(const Segment& segment,
       const CutFacts other = facts_of(j);
       const FrameIsosurface &a = *cuts_[k].surface, &b = *cuts_[j].surface;
       if (!other.crossed || (a.field == b.field && a.value == b.value)) continue;
-      // which of the two is in front may be in doubt
+      // the order of the two surfaces may be in doubt
       if (std::abs(place(cut) - place(other)) <= cut_doubt(cut) + cut_doubt(other))
         sum = whole_bound(optics_, emission, largest, segment.length);
     }
@@ -196,7 +197,7 @@ SegmentDetails BasicTetrahedronDetails<Real>::describe(const Segment& segment) c
                                   {segment.extinction[0], segment.extinction[1]}, segment.length,
                                   along, extinction_error_),
        .opacity = 1 - segment.transparency,
-       // of the volume alone where surfaces are crossed
+       // if surfaces are crossed, the transparency of the volume alone is not known
        .transparency = segment.cuts.empty() ? segment.transparency : 1},
       kNumbers);
   const Ends ends = end_doubts(segment);
@@ -206,7 +207,7 @@ SegmentDetails BasicTetrahedronDetails<Real>::describe(const Segment& segment) c
   details.back_edge = edge_bound(optics_, emission, std::min(most, ends.back));
   if (!segment.cuts.empty()) {
     const ErrorBound cuts = cuts_bound(segment, ends);
-    // of the volume, that of a part is seen through the rest
+    // the error of a part of the volume is seen through the rest
     const double whole =
         optics_.color_most * (emission ? segment.length : 1) + frame_.isosurfaces.largest_light;
     sum.radiance += cuts.radiance + sum.transparency * whole;

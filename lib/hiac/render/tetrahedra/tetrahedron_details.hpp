@@ -18,25 +18,26 @@ struct CutOffsets {
   bool crossed;
 };
 
-/// A segment through a linear tetrahedron, as it was drawn. `Real`: what fields were computed with.
+/// A segment through a linear tetrahedron, as it was drawn. `Real`: the type with which fields were
+/// computed.
 template <class Real>
 struct BasicTetrahedronSegment {
   int x, y;
   double front, back;  ///< ray parameters
   double length;       ///< world units
-  double seen;         ///< not less than the integral of its transparency along it
-  std::array<Real, 2> color, extinction;  ///< the fields where it begins and ends
+  double seen;         ///< upper bound of the integral of its transparency along it
+  std::array<Real, 2> color, extinction;  ///< the fields at its front and back
   std::array<double, 3> rgb;
   double transparency;
   double first, mean;                ///< SegmentDetails
-  std::span<const CutOffsets> cuts;  ///< of Isosurfaces::in(cell), or none where none is near
+  std::span<const CutOffsets> cuts;  ///< of Isosurfaces::in(cell); empty if no surface is near
 };
 
 using TetrahedronSegment = BasicTetrahedronSegment<double>;
 
-/// Details of segments through linear tetrahedra; where errors are asked for, with their bounds:
-/// found over the screen those of the kernel's cells, others in the world. `Real`: what the
-/// segments are computed with, double or long double.
+/// Computes the details of segments through linear tetrahedra, and their error bounds if errors are
+/// requested: on the screen for cells of the kernel, in the world for others. `Real`: the type with
+/// which segments are computed, double or long double.
 template <class Real>
 class BasicTetrahedronDetails {
  public:
@@ -54,13 +55,13 @@ class BasicTetrahedronDetails {
   struct CutErrors {
     const FrameIsosurface* surface;
     Vector normal;   // camera frame
-    double angle;    // that it is wrong by
-    double largest;  // offset of a corner
-    // that offsets are wrong by: found over the screen, or in the world
+    double angle;    // error of the normal
+    double largest;  // largest offset of a corner
+    // errors of offsets found on the screen, and in the world
     double offset, world_offset;
   };
 
-  // Corners' values of a field less `from`, and the range of the values themselves.
+  // Returns the corners' values of a field minus `from`, and sets `range` to their range.
   std::array<double, 4> values_of(const FrameField& field, double from, ValueRange& range) const;
   [[nodiscard]] double error_of(const std::array<double, 4>& values, ValueRange range,
                                 const RayDisplacement& moved) const;
@@ -68,7 +69,7 @@ class BasicTetrahedronDetails {
   [[nodiscard]] ErrorBound cuts_bound(const Segment& segment, const Ends& ends) const;
 
   const Frame& frame_;
-  // of the cell at hand
+  // of the current cell
   CellId cell_ = 0;
   std::array<Vector, 3> edges_{};  // from corner 0
   BasicEndDoubts<Real> end_doubts_;

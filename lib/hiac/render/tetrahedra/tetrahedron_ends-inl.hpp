@@ -24,7 +24,7 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// What one cell needs beyond its geometry.
+// The data of one cell beyond its geometry.
 struct CellScalars {
   IntervalRange color, extinction;
   double least_color, most_color, least_extinction, most_extinction;
@@ -35,7 +35,7 @@ struct CellScalars {
   }
 };
 
-// Loads the corner values of one field; returns the range of intervals that they span.
+// Loads the corner values of one field and returns the range of intervals that they span.
 HWY_INLINE IntervalRange load_field(const FrameField& field, CellId cell, std::uint64_t first_entry,
                                     const NodeId* nodes, const std::array<std::size_t, 4>& corner,
                                     double* values, double& least, double& most) {
@@ -51,8 +51,9 @@ HWY_INLINE IntervalRange load_field(const FrameField& field, CellId cell, std::u
   return range;
 }
 
-// Fields are not affine on the screen, but fields times 1/t are. Of what they are more than at
-// the first corner, which is returned: fields far from zero keep their digits.
+// Subtracts the first corner's value, multiplies the differences by 1/t and returns that value.
+// Fields times 1/t are affine on the screen, fields are not; the subtraction preserves the digits
+// of fields far from zero.
 HWY_INLINE double scale_by_depth(const ProjectedTetrahedron& corners, double* values) {
   const double base = values[0];
   for (std::size_t k = 0; k < 4; ++k) values[k] = (values[k] - base) * corners.depth[k];
@@ -66,8 +67,9 @@ struct EntryAndExit {
   V front_color, back_color, front_extinction, back_extinction;
 };
 
-// Of the faces [begin, end) of `sides`, the one that covers each pixel: its depth and the fields
-// there. A pixel of the cell is covered by one face of either side, so the first needs no asking.
+// Computes the depth and the fields of each pixel on the face, among [begin, end) of `sides`, that
+// covers it. Exactly one face of either side covers a pixel of the cell, so the first face is the
+// default and needs no test.
 template <bool kSeparateFields, class D, class V = hn::Vec<D>>
 HWY_INLINE void meet_faces(D d, const FaceLines& lines, V pixel, const FaceSides& sides,
                            std::size_t begin, std::size_t end, V& depth, V& color, V& extinction) {
@@ -88,7 +90,7 @@ HWY_INLINE void meet_faces(D d, const FaceLines& lines, V pixel, const FaceSides
   }
 }
 
-// For pixels of the row's span; others get numbers without meaning.
+// The ends of the segments of pixels in the row's span; other pixels get meaningless numbers.
 template <bool kSeparateFields, class D, class V = hn::Vec<D>>
 HWY_INLINE EntryAndExit<V> entry_and_exit(D d, const FaceLines& lines, const FaceSides& sides,
                                           V pixel) {
@@ -98,13 +100,13 @@ HWY_INLINE EntryAndExit<V> entry_and_exit(D d, const FaceLines& lines, const Fac
                               e.front_extinction);
   meet_faces<kSeparateFields>(d, lines, pixel, sides, sides.entered, 4, out, e.back_color,
                               e.back_extinction);
-  // where the cell is thin, rounding may have exchanged them
+  // rounding may exchange the two in a thin cell
   e.front = hn::Min(in, out);
   e.back = hn::Max(in, out);
   return e;
 }
 
-// From depths, and fields times these, to ray parameters and fields, in perspective.
+// Converts depths, and fields times depths, to ray parameters and fields, in perspective.
 template <bool kSeparateFields, class D, class V = hn::Vec<D>>
 HWY_INLINE void to_ray_parameter(D d, const CellScalars& s, EntryAndExit<V>& e) {
   const V minus_one = hn::Set(d, -1.0);
@@ -121,7 +123,7 @@ HWY_INLINE void to_ray_parameter(D d, const CellScalars& s, EntryAndExit<V>& e) 
   e.back = back;
 }
 
-// Keeps fields within their corners' values.
+// Clamps fields to the range of their corners' values.
 template <bool kSeparateFields, class D, class V = hn::Vec<D>>
 HWY_INLINE void clamp_fields(D d, const CellScalars& s, EntryAndExit<V>& e) {
   const auto clamped = [d](V v, double low, double high) HWY_ATTR {
@@ -160,8 +162,8 @@ HWY_NOINLINE EntryAndExit<V> clipped(D d, const Projector& projector, const Entr
           at(back, e.front_extinction, e.back_extinction)};
 }
 
-// Unit vectors along the rays of a row's pixels: right, up, forward. `scale`: their world length
-// per unit of the ray parameter.
+// Computes the unit vectors along the rays of a row's pixels: right, up, forward. `scale`: their
+// world length per unit of the ray parameter.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE void set_rays(D d, const Projector& projector, int row, V pixel, const double* scale,
                          V (&ray)[3]) {

@@ -27,7 +27,8 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Renders one kind of scene; the template arguments are what the inner loop must not ask about.
+// Renders one kind of scene; the template arguments are what the inner loop must not test at run
+// time.
 template <bool kSeparateFields, class Rule>
 class TetrahedronRenderer {
  public:
@@ -117,7 +118,7 @@ class TetrahedronRenderer {
     M active = hn::Gt(hn::IfThenElseZero(hn::Lt(pixel, hn::Set(d, last)), behind),
                       hn::Set(d, frame_.least_transparency));
     if (hn::AllFalse(d, active)) return;
-    // the corners bound what rounding may do on faces seen edge-on
+    // clamp to the corners' depths: rounding may be large on faces seen edge-on
     e.front = hn::Min(hn::Max(e.front, hn::Set(d, nearest)), hn::Set(d, farthest));
     e.back = hn::Min(hn::Max(e.back, hn::Set(d, nearest)), hn::Set(d, farthest));
     if (perspective_) to_ray_parameter<kSeparateFields>(d, scalars, e);
@@ -135,8 +136,8 @@ class TetrahedronRenderer {
 
     const bool cut = HWY_UNLIKELY(!cuts_.empty()) &&
                      cut_box_.meets(row, x, std::min(last, x + static_cast<int>(lanes())));
-    // What goes to functions that are not inlined is copied: of variables whose addresses are known
-    // elsewhere, the compiler keeps none in registers.
+    // Arguments of functions that are not inlined are copied: the compiler keeps no variable in a
+    // register whose address has been passed on.
     Radiance<V> radiance;
     if (HWY_LIKELY(!cut)) {
       radiance = integrate(d, scalars, length, e, active);
@@ -191,8 +192,8 @@ class TetrahedronRenderer {
                                    e.back_extinction, active);
   }
 
-  // Stores for every cut at which part of the segment it is crossed: 2 where it is not. Returns the
-  // least of all.
+  // Stores for every cut the fraction of the segment at which it is crossed, 2 if it is not.
+  // Returns the smallest of these.
   HWY_INLINE V place_cuts(D d, int row, V pixel, const RayEnds& whole, const EntryAndExit<V>& e) {
     CutScan(frame_, face_lines_, sides_, cuts_).find(d, row, pixel, cut_places_.data());
     if (HWY_UNLIKELY(frame_.with_details)) describer_.set_ends(cuts_.size(), cut_places_);
@@ -217,8 +218,8 @@ class TetrahedronRenderer {
     return first;
   }
 
-  // A cell that isosurfaces cross: from surface to surface, the nearest first. What the surfaces
-  // are that come next is up to each lane.
+  // Integrates a cell that isosurfaces cross, from surface to surface, front to back. Each lane has
+  // its own order of surfaces.
   HWY_NOINLINE Radiance<V> integrate_between_surfaces(D d, const CellScalars& scalars, int row,
                                                       V pixel, std::size_t at, const RayEnds& whole,
                                                       V length, const EntryAndExit<V>& e,
@@ -252,7 +253,7 @@ class TetrahedronRenderer {
       }
       const M crossed = hn::And(active, hn::Lt(next, never));
       if (hn::AllFalse(d, crossed)) {
-        // what shading made of lanes without a ray
+        // discards what shading computed in lanes without a ray
         for (V* plane : {&sum.red, &sum.green, &sum.blue})
           *plane = hn::IfThenElseZero(active, *plane);
         return sum;
@@ -287,17 +288,17 @@ class TetrahedronRenderer {
   FacePlanes planes_;
   FaceRuns runs_;
   FaceSides sides_;
-  FaceLines face_lines_;  // of the row at hand
-  // of the cell at hand
+  FaceLines face_lines_;  // of the current row
+  // of the current cell
   bool empty_ = false;  // the volume neither absorbs nor shines
   std::vector<TetrahedronCut> cuts_;
-  ScreenBox cut_box_;               // of all of them
+  ScreenBox cut_box_;               // of all cuts
   std::vector<double> cut_places_;  // of one vector of pixels
-  SegmentDescriber describer_;      // where details are asked for
+  SegmentDescriber describer_;      // used if details are requested
 };
 
-// Cells lie in memory in another order than in space: what those that come next need is asked for
-// in time. Far ahead their nodes' ids, nearer ahead what the frame knows of the nodes.
+// Prefetches the data of the next cells, whose order in memory differs from that in space: far
+// ahead the ids of their nodes, nearer ahead the frame's data of these nodes.
 HWY_INLINE void prefetch(const Frame& frame, std::span<const CellId> cells, std::size_t i) {
   constexpr std::size_t kElementsAhead = 16, kIdsAhead = 8, kNodesAhead = 4;
   if (i + kElementsAhead < cells.size())
