@@ -45,8 +45,8 @@ class Binner {
   }
 
  private:
-  // The tiles that a cell may cover: all of them if it reaches beside or behind the eye, because it
-  // then has no bounds on the screen.
+  // The tiles that a cell may cover: none if it lies outside the clipping slab; all of them if it
+  // reaches beside or behind the eye, because it then has no bounds on the screen.
   [[nodiscard]] TileRange tiles_of(const ScreenBounds& box) const {
     if (box.nearest > frame_.projector.far() || box.farthest < frame_.projector.near()) return {};
     if (!box.in_front) return all_;
