@@ -143,22 +143,13 @@ HWY_INLINE V end_of(D d, const V* c, std::size_t degree, double z, double base) 
   return hn::Add(value, hn::Set(d, base));
 }
 
-// Adds a piece behind `sum`; a channel is value * constant + slope * linear. `ends` returns the
-// PieceEnds for sound_light.
-template <bool kEmission, class D, class Ends, class V = hn::Vec<D>>
-HWY_INLINE void add_piece_behind(D d, const OpticsTables& optics, const PieceColor<V>& color,
-                                 V constant, V linear, V zeta, const Ends& ends, hn::Mask<D> active,
-                                 Radiance<V>& sum) {
+// The light of a piece whose channels are value * constant + slope * linear.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE Radiance<V> light_of(D, const PieceColor<V>& color, V constant, V linear, V zeta) {
   const auto channel = [&](std::size_t c) HWY_ATTR {
     return hn::MulAdd(color.slope[c], linear, hn::Mul(color.value[c], constant));
   };
-  const Radiance<V> light{channel(0), channel(1), channel(2), zeta};
-  if (HWY_UNLIKELY(optics.steep)) {
-    const Radiance<V> copy = light;  // so that `light`, of no known address, stays in registers
-    add_behind(sound_light<kEmission>(d, optics, copy, ends()), active, sum);
-  } else {
-    add_behind(light, active, sum);
-  }
+  return {channel(0), channel(1), channel(2), zeta};
 }
 
 }  // namespace hiac::HWY_NAMESPACE

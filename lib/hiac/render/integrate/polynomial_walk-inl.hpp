@@ -244,7 +244,13 @@ class PolynomialWalk {
                           end(tau_field, 1.0, extinction_.base),
                           length};
     };
-    add_piece_behind<kEmission>(d, optics_, channels, constant, linear, zeta, ends, active, sum);
+    Radiance<V> light = light_of(d, channels, constant, linear, zeta);
+    if (HWY_UNLIKELY(optics_.steep)) {
+      const Radiance<V> unchecked =
+          light;  // what a function takes the address of is in no register
+      light = sound_light<kEmission>(d, optics_, unchecked, ends());
+    }
+    add_behind(light, active, sum);
     return true;
   }
 
