@@ -32,13 +32,13 @@ struct Limits {
   std::uint64_t storage_block_bytes = 0;  ///< of one shader storage buffer
 };
 
-/// An OpenGL 4.5 context, current in the thread that made it as long as it lives. One at a time a
-/// thread.
+/// An OpenGL 4.5 context. It is current in the thread that makes it as long as it lives; a thread can
+/// have one at a time.
 class Context {
  public:
   /// `wanted`: empty (the first device that works), a number of list_devices(), or a part of a
   /// device's name (case does not matter). Throws DriverError of one line that says what was tried
-  /// and which package helps; UsageError("--device: ...") when `wanted` is none of the devices.
+  /// and which package helps; UsageError, which names the devices, when `wanted` is none of them.
   explicit Context(const std::string& wanted = "");
   ~Context();
   Context(const Context&) = delete;
