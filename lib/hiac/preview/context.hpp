@@ -32,8 +32,8 @@ struct Limits {
   std::uint64_t storage_block_bytes = 0;  ///< of one shader storage buffer
 };
 
-/// An OpenGL 4.5 context. It is current in the thread that makes it as long as it lives; a thread can
-/// have one at a time.
+/// An OpenGL 4.5 context. It is current in the thread that makes it as long as it lives; a thread
+/// can have one at a time.
 class Context {
  public:
   /// `wanted`: empty (the first device that works), a number of list_devices(), or a part of a
