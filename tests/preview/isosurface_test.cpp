@@ -10,16 +10,9 @@ class IsosurfacePreview : public test::WithDriver {
  protected:
   static Scene scene_of(Projection projection) {
     Scene scene = cube_scene(projection, 120, 90);
-    Isosurface one, two;
-    one.field = "g";
-    one.value = 0.35;
-    one.opacity = 0.6;
-    one.color = {1, 0.5, 0.2};
-    two.field = "f";
-    two.value = 0.43;
-    two.opacity = 0.4;
-    two.color = {0.2, 0.6, 1};
-    two.specular = 0;
+    const Isosurface one{.field = "g", .value = 0.35, .color = {1, 0.5, 0.2}, .opacity = 0.6};
+    const Isosurface two{
+        .field = "f", .value = 0.43, .color = {0.2, 0.6, 1}, .opacity = 0.4, .specular = 0};
     scene.isosurfaces = {one, two};
     scene.lights = {Light{}, Light{std::array<double, 3>{1, 2, 3}, {0.5, 0.4, 0.3}}};
     return scene;
