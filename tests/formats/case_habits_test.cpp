@@ -10,6 +10,7 @@
 
 #include "hiac/mesh/shape_functions.hpp"
 #include "tests/formats/cell_volumes.hpp"
+#include "tests/formats/field_named.hpp"
 #include "tests/formats/files.hpp"
 #include "tests/formats/unit_tetrahedron.hpp"
 
@@ -152,13 +153,6 @@ class DecomposedCase {
  private:
   ScratchFolder folder_;
 };
-
-const Field& field_named(const ZooMesh& mesh, const std::string& name) {
-  const auto found = std::find_if(mesh.fields.begin(), mesh.fields.end(),
-                                  [&](const Field& field) { return field.name == name; });
-  if (found == mesh.fields.end()) throw std::runtime_error("no field " + name);
-  return *found;
-}
 
 void expect_two_tetrahedra(const ZooMesh& mesh) {
   ASSERT_EQ(mesh.cell_count(), 2U);

@@ -11,6 +11,7 @@
 
 #include "tests/formats/cell_volumes.hpp"
 #include "tests/formats/damage.hpp"
+#include "tests/formats/field_named.hpp"
 #include "tests/formats/files.hpp"
 #include "tests/formats/one_cell.hpp"
 
@@ -148,13 +149,6 @@ void write_blocks(const std::string& path, bool old, bool named) {
     file.reals(fmt::format("vals_elem_var{}eb{}", variable, block),
                {"time_step", fmt::format("num_el_in_blk{}", block)}, own);
   }
-}
-
-const Field& field_named(const ZooMesh& mesh, const std::string& name) {
-  const auto found = std::find_if(mesh.fields.begin(), mesh.fields.end(),
-                                  [&](const Field& field) { return field.name == name; });
-  if (found == mesh.fields.end()) throw std::runtime_error("no field " + name);
-  return *found;
 }
 
 TEST(ExodusResults, VariablesOfStepsAndBlocksInEitherLayout) {

@@ -9,6 +9,7 @@
 
 #include "tests/formats/cell_volumes.hpp"
 #include "tests/formats/damage.hpp"
+#include "tests/formats/field_named.hpp"
 #include "tests/formats/files.hpp"
 #include "tests/formats/one_cell.hpp"
 
@@ -128,13 +129,6 @@ TEST(MedOrders, FieldsOnCellsAndStepsAreRead) {
   EXPECT_EQ(reading.mesh.fields[0].values[0],
             polynomial(CellKind::tetrahedron4, placed(kTetra[0])));
   EXPECT_EQ(format_to_read(path).inspect(path).times, std::vector<double>{0.5});
-}
-
-const Field& field_named(const ZooMesh& mesh, const std::string& name) {
-  const auto found = std::find_if(mesh.fields.begin(), mesh.fields.end(),
-                                  [&](const Field& field) { return field.name == name; });
-  if (found == mesh.fields.end()) throw std::runtime_error("no field " + name);
-  return *found;
 }
 
 /// Values of a field at a step, on a type's cells or, of type MED_NONE, on nodes; of a profile's

@@ -11,6 +11,7 @@
 
 #include "hiac/mesh/shape_functions.hpp"
 #include "tests/formats/cell_volumes.hpp"
+#include "tests/formats/field_named.hpp"
 #include "tests/formats/files.hpp"
 #include "tests/formats/one_cell.hpp"
 
@@ -20,13 +21,6 @@ namespace {
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-const Field& field_named(const ZooMesh& mesh, const std::string& name) {
-  const auto found = std::find_if(mesh.fields.begin(), mesh.fields.end(),
-                                  [&](const Field& field) { return field.name == name; });
-  if (found == mesh.fields.end()) throw std::runtime_error("no field " + name);
-  return *found;
-}
 
 // ---- EnSight
 

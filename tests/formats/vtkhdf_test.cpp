@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "tests/formats/cell_volumes.hpp"
+#include "tests/formats/field_named.hpp"
 #include "tests/formats/files.hpp"
 #include "tests/formats/hdf5_output.hpp"
 
@@ -15,13 +16,6 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using Integers = std::vector<std::int64_t>;
 using Reals = std::vector<double>;
-
-const Field& field_named(const ZooMesh& mesh, const std::string& name) {
-  const auto found = std::find_if(mesh.fields.begin(), mesh.fields.end(),
-                                  [&](const Field& field) { return field.name == name; });
-  if (found == mesh.fields.end()) throw std::runtime_error("no field " + name);
-  return *found;
-}
 
 void begin(Hdf5Output& file, const std::string& type) {
   file.group("/VTKHDF");

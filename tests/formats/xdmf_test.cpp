@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "tests/formats/cell_volumes.hpp"
+#include "tests/formats/field_named.hpp"
 #include "tests/formats/files.hpp"
 #include "tests/formats/hdf5_output.hpp"
 
@@ -17,13 +18,6 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-const Field& field_named(const ZooMesh& mesh, const std::string& name) {
-  const auto found = std::find_if(mesh.fields.begin(), mesh.fields.end(),
-                                  [&](const Field& field) { return field.name == name; });
-  if (found == mesh.fields.end()) throw std::runtime_error("no field " + name);
-  return *found;
-}
 
 std::string document(const std::string& domain) {
   return "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\" xmlns:xi=\"http://www.w3.org/2001/"

@@ -6,6 +6,7 @@
 #include "hiac/mesh/face_adjacency.hpp"
 #include "hiac/render/engine.hpp"
 #include "hiac/scene/view_of.hpp"
+#include "tests/benchmarks/cube_scene.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace hiac::test {
@@ -66,21 +67,9 @@ ZooMesh lattice_with_fields(std::size_t n) {
 }
 
 Scene cube_scene(Projection projection, std::uint32_t width, std::uint32_t height) {
-  Scene scene;
-  scene.image = {width, height};
+  Scene scene = hiac::cube_scene(width);
+  scene.image.height = height;
   scene.camera.projection = projection;
-  scene.camera.eye = {3.1, 2.3, 2.7};
-  scene.camera.look_at = {0.5, 0.5, 0.5};
-  scene.camera.up = {0, 0, 1};
-  scene.camera.fov = 27;
-  scene.camera.height = 1.75;
-  scene.volume.color = ColorTransfer{"f",
-                                     {{0.0, {0.1, 0.2, 0.9}},
-                                      {0.35, {0.2, 0.9, 0.3}},
-                                      {0.6, {0.95, 0.8, 0.1}},
-                                      {1, {0.9, 0.1, 0.1}}}};
-  scene.volume.extinction = ExtinctionTransfer{
-      "f", {{0.0, {0.2}}, {0.25, {0.6}}, {0.45, {4}}, {0.55, {0.5}}, {0.8, {6}}, {1, {1}}}};
   return scene;
 }
 

@@ -41,6 +41,15 @@ void add_surfaces(Scene& scene, const std::string& field) {
   scene.isosurfaces[2].shininess = 3.5;
 }
 
+// A scene's true pixels, for largest_error.
+auto pixels_of(const test::SceneTruth& truth) {
+  return [&truth](std::uint32_t x, std::uint32_t y) {
+    const auto p = truth.pixel(x, y);
+    return std::array{static_cast<double>(p[0]), static_cast<double>(p[1]),
+                      static_cast<double>(p[2]), static_cast<double>(1 - p[3])};
+  };
+}
+
 template <typename Reference>
 double largest_error(const Scene& scene, const Image& image, const Reference& reference) {
   double largest = 0;
@@ -138,14 +147,7 @@ TEST(Isosurfaces, FiveWithThreeFieldsAgreeWithTheTruth) {
       add_surfaces(scene, iso);
       check_renderable(mesh, scene);
       const test::SceneTruth truth(mesh, scene);
-      EXPECT_LE(largest_error(scene, draw(mesh, scene).image,
-                              [&](std::uint32_t x, std::uint32_t y) {
-                                const auto p = truth.pixel(x, y);
-                                return std::array{
-                                    static_cast<double>(p[0]), static_cast<double>(p[1]),
-                                    static_cast<double>(p[2]), static_cast<double>(1 - p[3])};
-                              }),
-                1e-12)
+      EXPECT_LE(largest_error(scene, draw(mesh, scene).image, pixels_of(truth)), 1e-12)
           << color << ' ' << extinction << ' ' << iso << ' ' << mesh.cell_count();
     }
   }
@@ -314,14 +316,7 @@ TEST(Isosurfaces, NodesWithinRoundingOfTheValueAgreeWithTheTruth) {
           Scene shifted_scene = scene;
           shifted_scene.isosurfaces[0].value = 0;
           const test::SceneTruth truth(shifted, shifted_scene);
-          EXPECT_LE(largest_error(scene, draw(mesh, scene).image,
-                                  [&](std::uint32_t x, std::uint32_t y) {
-                                    const auto p = truth.pixel(x, y);
-                                    return std::array{
-                                        static_cast<double>(p[0]), static_cast<double>(p[1]),
-                                        static_cast<double>(p[2]), static_cast<double>(1 - p[3])};
-                                  }),
-                    1e-6)
+          EXPECT_LE(largest_error(scene, draw(mesh, scene).image, pixels_of(truth)), 1e-6)
               << static_cast<int>(cut) << ' ' << value << ' ' << seed << " perspective "
               << (projection == Projection::perspective);
         }
@@ -352,14 +347,7 @@ TEST(Isosurfaces, OfDenormalValuesAreThoseOfOthers) {
       const auto expect_truth = [&](double unit, double far, const ZooMesh& same) {
         const ZooMesh mesh = in_units(cells, unit, far, 5);
         const test::SceneTruth truth(same, scene);
-        EXPECT_LE(largest_error(scene, draw(mesh, scene).image,
-                                [&](std::uint32_t x, std::uint32_t y) {
-                                  const auto p = truth.pixel(x, y);
-                                  return std::array{
-                                      static_cast<double>(p[0]), static_cast<double>(p[1]),
-                                      static_cast<double>(p[2]), static_cast<double>(1 - p[3])};
-                                }),
-                  1e-9)
+        EXPECT_LE(largest_error(scene, draw(mesh, scene).image, pixels_of(truth)), 1e-9)
             << static_cast<int>(cut) << ' ' << unit << ' ' << far;
       };
       const ZooMesh ordinary = in_units(cells, 1, 1024, 5);

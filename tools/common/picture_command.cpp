@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/frame/renderable.hpp"
 #include "hiac/image/image_io.hpp"
 #include "hiac/order/order_file.hpp"
 #include "hiac/scene/camera_path.hpp"
@@ -154,6 +155,30 @@ std::optional<GivenOrders> given_orders(const PictureCommand& command, const Zoo
     if (chunk.type == kOrderChunk) orders.chunks.push_back(chunk);
   if (orders.chunks.empty()) return std::nullopt;
   return orders;
+}
+
+void refuse_overlap_beside(const PictureCommand& command, const GivenOrders& given) {
+  if (command.overlap)
+    throw UsageError("--overlap: " + given.subject +
+                     " already has an order (hiac-sort --overlap makes a new one)");
+}
+
+void hint_at_skip_invalid(const PictureCommand& command, const std::function<void()>& check) {
+  try {
+    check();
+  } catch (const InvalidCellError& error) {
+    throw InputError(input_name(command.input),
+                     fmt::format("{}; --skip-invalid leaves such cells out", error.what()));
+  }
+}
+
+void note_skipped(Tool& tool, const std::vector<CellId>& skipped, std::size_t cells) {
+  tool.facts()["skipped_cells"] = skipped.size();
+  if (!skipped.empty())
+    tool.warn(fmt::format(
+        "{} of {} cells are partly turned inside out and are left out, the first is cell "
+        "{}: the picture has holes there",
+        skipped.size(), cells, skipped.front()));
 }
 
 PixelRect parse_crop(const std::string& text) {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,6 +65,15 @@ auto with_names(const PictureCommand& command, const Work& work) {
 
 /// The orders from a file or behind the mesh in the stream; none where they are made here.
 std::optional<GivenOrders> given_orders(const PictureCommand& command, const ZooFile& file);
+
+/// Throws UsageError where --overlap asks for an order although one is given.
+void refuse_overlap_beside(const PictureCommand& command, const GivenOrders& given);
+
+/// Does `check`; its InvalidCellError becomes an InputError that names --skip-invalid, too.
+void hint_at_skip_invalid(const PictureCommand& command, const std::function<void()>& check);
+
+/// Warns of the cells that --skip-invalid leaves out, of so many, and notes how many they are.
+void note_skipped(Tool& tool, const std::vector<CellId>& skipped, std::size_t cells);
 
 /// X,Y,W,H, as --crop has it. Throws UsageError when it is something else.
 PixelRect parse_crop(const std::string& text);

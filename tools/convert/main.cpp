@@ -236,9 +236,7 @@ bool keeps_format(const Options& options) {
   std::error_code error;
   if (options.from_stdin() || !std::filesystem::equivalent(options.input, options.output, error))
     return true;
-  const formats::Format& format = options.format.empty() ? formats::format_to_read(options.input)
-                                                         : formats::format_named(options.format);
-  return format.name == formats::format_to_write(options.output).name;
+  return format_of(options, options.input).name == formats::format_to_write(options.output).name;
 }
 
 void claim_files(Tool& tool, const Options& options) {

@@ -77,9 +77,7 @@ class Orders {
       : mesh_(mesh), given_(std::move(given)), ordering_(mesh, {}) {
     if (!options.algorithm.empty()) algorithm_ = parse_algorithm(options.algorithm, "--algorithm");
     overlap_ = options.overlap;
-    if (given_ && overlap_)
-      throw UsageError("--overlap: " + given_->subject +
-                       " already has an order (hiac-sort --overlap makes a new one)");
+    if (given_) refuse_overlap_beside(options, *given_);
   }
 
   struct Made {
@@ -215,21 +213,12 @@ class Previewer {
 std::vector<CellId> invalid_ones(Tool& tool, const Options& options, const ZooMesh& mesh,
                                  const Scene& scene) {
   if (!options.skip_invalid) {
-    try {
-      check_renderable(mesh, scene);
-    } catch (const InvalidCellError& error) {
-      throw InputError(fmt::format("{}; --skip-invalid leaves such cells out", error.what()));
-    }
+    hint_at_skip_invalid(options, [&] { check_renderable(mesh, scene); });
     return {};
   }
   check_renderable(mesh, scene, InvalidCells::skipped);
   std::vector<CellId> skipped = invalid_cells(mesh, scene.render.planarity);
-  tool.facts()["skipped_cells"] = skipped.size();
-  if (!skipped.empty())
-    tool.warn(
-        fmt::format("{} of {} cells are partly turned inside out and are left out, the first "
-                    "is cell {}: the picture has holes there",
-                    skipped.size(), mesh.cell_count(), skipped.front()));
+  note_skipped(tool, skipped, mesh.cell_count());
   return skipped;
 }
 

@@ -126,32 +126,17 @@ class Renderer {
       : tool_(tool), options_(options), session_(file.mesh, tool.monitor()) {
     const std::optional<GivenOrders> given = given_orders(options, file);
     if (!given) return;
-    if (options.overlap)
-      throw UsageError("--overlap: " + given->subject +
-                       " already has an order (hiac-sort --overlap makes a new one)");
+    refuse_overlap_beside(options, *given);
     session_.use_orders(given->subject, given->chunks);
   }
 
   // Throws unless the mesh can be drawn, where need be without some of its cells.
   void check(const Scene& scene) {
     if (options_.overlap) session_.look_for_overlaps(scene.render.planarity);
-    if (!options_.skip_invalid) {
-      try {
-        session_.require_drawable(scene);
-      } catch (const InvalidCellError& error) {
-        throw InputError(input_name(options_.input),
-                         fmt::format("{}; --skip-invalid leaves such cells out", error.what()));
-      }
-      return;
-    }
-    const std::vector<CellId> skipped = session_.skip_invalid_cells(scene);
-    const std::size_t cells = session_.mesh().cell_count();
-    tool_.facts()["skipped_cells"] = skipped.size();
-    if (!skipped.empty())
-      tool_.warn(fmt::format(
-          "{} of {} cells are partly turned inside out and are left out, the first is cell "
-          "{}: the picture has holes there",
-          skipped.size(), cells, skipped.front()));
+    if (options_.skip_invalid)
+      note_skipped(tool_, session_.skip_invalid_cells(scene), session_.mesh().cell_count());
+    else
+      hint_at_skip_invalid(options_, [&] { session_.require_drawable(scene); });
   }
 
   // Throws unless there is, or will be, an order for the scene.
