@@ -11,6 +11,7 @@
 
 #include "formats/abaqus/abaqus.hpp"
 #include "formats/ansys/ansys.hpp"
+#include "formats/boundary/boundary_formats.hpp"
 #include "formats/calculix/frd.hpp"
 #include "formats/common/io/input_text.hpp"
 #include "formats/common/io/named_file.hpp"
@@ -98,6 +99,9 @@ std::span<const Format> all_formats() {
     all.push_back(gambit_format());
     all.push_back(tecplot_format());
     add_library_formats(all);
+    all.push_back(stl_format());
+    all.push_back(ply_format());
+    all.push_back(vtp_format());
     return all;
   }();
   return formats;
@@ -138,6 +142,9 @@ const Format& format_to_read(const std::string& path) {
                                          "this nor any other known format found in its first "
                                          "bytes)",
                                          format.name));
+  for (const Format& format : all_formats())
+    if (!format.read && has_extension(format, extension))
+      throw InputError(path, "is the file of a surface (a mesh of cells with a volume expected)");
   throw InputError(path, fmt::format("unknown file format (one of {} expected)",
                                      joined_names([](const Format& f) { return bool(f.read); })));
 }

@@ -5,25 +5,35 @@
     tests/mutate.py --count 5 --files 'lib/hiac/order/*' # five places of a room
     tests/mutate.py --list --files formats/medit/*       # the places, and what is done to each
 
-Works on a copy of the tree (--work, build/mutants), which it configures once: a defect is put in, the
-test executables of its room are built and run (tests/ROOM for lib/hiac/ROOM, tests/formats,
-tests/tools), and where none fails those of all other rooms, unless --room-only is given. A defect that
-no test notices is printed as SURVIVED, but for the places in tests/mutate.equivalent, where the
-program behaves as before. The same seed gives the same defects in the same sources.
+A line is drawn from all lines of code on which there is something to change (no comment, no string),
+each with the same chance, and then one of the changes to it. So the share of the defects that the
+tests notice is one of lines of code.
 
-Exit status: 0 nothing survived, 1 something did, 2 wrong usage, 4 the tests fail without a defect.
+Works on a copy of the tree (--work, build/mutants), which it configures once, with the compiler cache
+if there is one: a defect is put in, the test executables of its room are built and run (tests/ROOM for
+lib/hiac/ROOM, tests/formats, tests/tools), and where none fails those of all other rooms, the quickest
+first, unless --room-only is given; the first failure ends it. A test that fails is run without the
+defect too, once; if it fails then as well, it says nothing from then on. A test that takes more than
+four times its usual processor time has noticed the defect. A defect that no test notices is printed
+as SURVIVED, but for the places in tests/mutate.equivalent, where the program behaves as before.
+
+The same seed gives the same defects in the same sources. Every verdict is kept in a journal
+(--work/journal-SEED): started again, the program goes on where it was ended.
+
+Exit status: 0 nothing survived, 1 something did, 2 wrong usage.
 """
 import argparse
 import collections
 import fnmatch
+import json
 import os
 import pathlib
 import random
 import re
+import resource
 import shutil
 import subprocess
 import sys
-import time
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent
 FOLDERS = ("lib/hiac", "formats", "tools")
@@ -67,7 +77,8 @@ OPERATORS = [
     ("factor dropped", rf"(?<=[\w)\]]) \* (?:{NAME}|{NUMBER})(?=[;,)])", lambda found: ""),
     ("check dropped", r"^ *if \(.*\) (?:return\b.*|throw .*|continue|break);$", lambda found: ";"),
     ("statement dropped", rf"^ *{NAME}(?:\(.*\)| [-+*/]?= .*);$", lambda found: ";"),
-    ("arguments swapped", rf"(?<=\w\()({NAME}), ({NAME})(?=[,)])",
+    # the least and the largest do not depend on the order
+    ("arguments swapped", rf"(?<=\w\()(?<!max\()(?<!min\()({NAME}), ({NAME})(?=[,)])",
      lambda f: None if f[1] == f[2] else f"{f[2]}, {f[1]}"),
 ]
 OPERATORS = [(kind, re.compile(pattern), change) for kind, pattern, change in OPERATORS]
@@ -123,16 +134,49 @@ def room_of(path):
     return parts[2] if parts[0] == "lib" else parts[0]
 
 
+class Journal:
+    """What is known already, a JSON object a line: verdicts by place, seconds and soundness of tests."""
+
+    def __init__(self, path):
+        self.path = path
+        self.verdicts, self.seconds, self.sound = {}, {}, {}
+        for line in path.read_text().splitlines() if path.exists() else []:
+            entry = json.loads(line)
+            if "verdict" in entry:
+                self.verdicts[entry["place"]] = entry["verdict"]
+            elif "seconds" in entry:
+                self.seconds[entry["test"]] = entry["seconds"]
+            else:
+                self.sound[entry["test"]] = entry["sound"]
+
+    def note(self, **entry):
+        with open(self.path, "a", encoding="utf-8") as file:
+            file.write(json.dumps(entry) + "\n")
+
+    def note_verdict(self, place, verdict):
+        self.verdicts[place] = verdict
+        self.note(place=place, verdict=verdict)
+
+    def note_seconds(self, test, seconds):
+        if seconds > self.seconds.get(test, 0):
+            self.seconds[test] = seconds
+            self.note(test=test, seconds=round(seconds, 2))
+
+    def note_soundness(self, test, sound):
+        self.sound[test] = sound
+        self.note(test=test, sound=sound)
+
+
 class Copy:
     """The copy of the tree, its build and its test executables by room."""
 
-    def __init__(self, work, jobs, configuration, with_data):
-        self.source, self.build, self.jobs = work / "source", work / "build", jobs
+    def __init__(self, work, jobs, configuration, with_data, journal):
+        # where a checkout has its own: the compiler cache then knows what was compiled there
+        self.source, self.build, self.jobs = work / "source", work / "source/build/release", jobs
+        self.journal = journal
         self.environment = dict(os.environ)
         if not with_data:  # what everybody's tests notice
             self.environment["HIAC_DATA_DIR"] = str(work / "no-data")
-        self.seconds = {}  # that a test executable takes
-        self.sound = set()  # rooms whose tests pass without a defect
         self.update()
         launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
         self.run(["cmake", "-S", self.source, "-B", self.build, "-G", "Ninja",
@@ -155,80 +199,95 @@ class Copy:
                 copy.parent.mkdir(parents=True, exist_ok=True)
                 shutil.copy(source, copy)
 
-    def run(self, command, check=False, timeout=None):
+    def run(self, command, check=False, seconds=None):
+        """`seconds`: of processor time, after which the command is killed."""
+        limit = None
+        if seconds is not None:
+            limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 5))
         result = subprocess.run([str(part) for part in command], capture_output=True, text=True,
-                                errors="replace", timeout=timeout, env=self.environment)
+                                errors="replace", env=self.environment, preexec_fn=limit)
         if check and result.returncode != 0:
             sys.exit(f"failed: {' '.join(map(str, command))}\n{result.stdout}{result.stderr}")
         return result
 
-    def make(self, targets):
-        return self.run(["ninja", "-C", self.build, f"-j{self.jobs}", *targets])
+    def make(self, target):
+        return self.run(["ninja", "-C", self.build, f"-j{self.jobs}", target]).returncode == 0
 
     def first_failure(self, target):
         """The name of a test that fails, or None."""
-        limit = 30 + 4 * self.seconds.get(target, 600)
-        begin = time.monotonic()
-        try:
-            result = self.run([self.build / target, "--gtest_brief=1", "--gtest_fail_fast"],
-                              timeout=limit)
-        except subprocess.TimeoutExpired:
-            return f"{target} (not done after {limit:.0f} s)"
-        self.seconds.setdefault(target, time.monotonic() - begin)
+        limit = 30 + int(4 * self.journal.seconds.get(target, 300))
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        result = self.run([self.build / target, "--gtest_brief=1", "--gtest_fail_fast"],
+                          seconds=limit)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
         if result.returncode == 0:
+            self.journal.note_seconds(target, after.ru_utime + after.ru_stime - before.ru_utime -
+                                      before.ru_stime)
             return None
         failed = re.search(r"\[  FAILED  \] (\S+)", result.stdout)
         return failed.group(1) if failed else f"{target} (exit status {result.returncode})"
 
-    def noticed_by(self, rooms):
-        """Builds and runs the tests of rooms. None where the code does not compile, else the name
-        of a test that fails, or an empty one."""
-        for room in rooms:
-            for target in self.tests[room]:
-                built = self.make([target])
-                if built.returncode != 0:
-                    return None
-                failure = self.first_failure(target)
-                if failure:
-                    return failure
-        return ""
+    def in_order(self, targets):
+        """Of those that pass without a defect, the quickest first."""
+        sound = [target for target in targets if self.journal.sound.get(target, True)]
+        return sorted(sound, key=lambda target: self.journal.seconds.get(target, 1e9))
 
 
-def try_place(copy, place, rooms):
-    """noticed_by, with the defect in the copy."""
+def is_sound(copy, target):
+    """Whether the tests of an executable pass in the copy as it is."""
+    if target not in copy.journal.sound:
+        if not copy.make(target):
+            sys.exit(f"without any defect: {target} is not built")
+        failure = copy.first_failure(target)
+        if failure:
+            print(f"without any defect: {failure}", file=sys.stderr)
+        copy.journal.note_soundness(target, failure is None)
+    return copy.journal.sound[target]
+
+
+def noticed_by(copy, place, targets):
+    """Builds and runs tests with the defect in the copy. None where the code does not compile, else
+    the name of a test that fails, or an empty one."""
     file = copy.source / place.path
     whole = file.read_text()
     lines = whole.split("\n")
     lines[place.line - 1] = place.after
+    defective = "\n".join(lines)
     try:
-        file.write_text("\n".join(lines))
-        return copy.noticed_by(rooms)
+        for target in copy.in_order(targets):
+            file.write_text(defective)
+            if not copy.make(target):
+                return None
+            failure = copy.first_failure(target)
+            if not failure:
+                continue
+            file.write_text(whole)
+            if is_sound(copy, target):
+                return failure
+        return ""
     finally:
         file.write_text(whole)
 
 
-def require_sound(copy, rooms):
-    """Ends the program where tests of these rooms fail without any defect."""
-    for room in rooms:
-        if room in copy.sound:
-            continue
-        failure = copy.noticed_by([room])
-        if failure != "":
-            print(f"without any defect: {failure or 'the code does not compile'}", file=sys.stderr)
-            sys.exit(4)
-        copy.sound.add(room)
-
-
 def verdict_on(copy, place, room_only):
     """noticed_by, of the tests of the place's room and then of all others."""
-    own = room_of(place.path)
-    require_sound(copy, [own])
-    verdict = try_place(copy, place, [own])
+    own = copy.tests[room_of(place.path)]
+    verdict = noticed_by(copy, place, own)
     if verdict != "" or room_only:
         return verdict
-    rest = [room for room in sorted(copy.tests) if room != own]
-    require_sound(copy, rest)
-    return try_place(copy, place, rest)
+    rest = [target for targets in copy.tests.values() for target in targets if target not in own]
+    return noticed_by(copy, place, rest)
+
+
+def drawn(places, seed):
+    """The places in the order in which they are tried: a change of every line, the lines shuffled."""
+    lines = collections.defaultdict(list)
+    for place in places:
+        lines[place.path, place.line].append(place)
+    random_numbers = random.Random(seed)
+    order = sorted(lines)
+    random_numbers.shuffle(order)
+    return [random_numbers.choice(lines[line]) for line in order]
 
 
 def shown(place):
@@ -246,6 +305,7 @@ def arguments():
     parser.add_argument("--kind", action="append", help="only these operators")
     parser.add_argument("--room-only", action="store_true", help="run the tests of the room alone")
     parser.add_argument("--data", action="store_true", help="with the folder of real files")
+    parser.add_argument("--nice", type=int, default=10, help="how far to give way (default 10)")
     parser.add_argument("--list", action="store_true", help="print the places and do nothing")
     parser.add_argument("--work", type=pathlib.Path, default=SOURCE / "build/mutants")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
@@ -269,13 +329,18 @@ def main():
             print(shown(place))
         print(f"{len(places)} places")
         return
-    random.Random(wanted.seed).shuffle(places)
-    copy = Copy(wanted.work.resolve(), wanted.jobs, wanted.configure, wanted.data)
+    os.nice(wanted.nice)
+    work = wanted.work.resolve()
+    work.mkdir(parents=True, exist_ok=True)
+    journal = Journal(work / f"journal-{wanted.seed}")
+    copy = Copy(work, wanted.jobs, wanted.configure, wanted.data, journal)
     noticed, survived, broken = 0, [], 0
-    for place in places:
+    for place in drawn(places, wanted.seed):
         if noticed + len(survived) == wanted.count:
             break
-        verdict = verdict_on(copy, place, wanted.room_only)
+        if shown(place) not in journal.verdicts:
+            journal.note_verdict(shown(place), verdict_on(copy, place, wanted.room_only))
+        verdict = journal.verdicts[shown(place)]
         if verdict is None:
             broken += 1
             continue

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
 
 #include <fmt/format.h>
 
 #include "formats/abaqus/inp_elements.hpp"
 #include "formats/abaqus/inp_generation.hpp"
+#include "formats/abaqus/inp_set_reader.hpp"
 #include "formats/common/io/comma_fields.hpp"
 #include "formats/common/io/input_text.hpp"
 #include "formats/common/io/large_reserve.hpp"
@@ -71,8 +71,8 @@ class DeckReader {
     const std::string& name = keyword.name;
     if (name == "NODE") return read_nodes(keyword, cursor);
     if (name == "ELEMENT") return read_elements(keyword, cursor);
-    if (name == "ELSET") return read_set(keyword, cursor);
-    if (name == "NSET") return read_node_set(keyword, cursor);
+    if (name == "ELSET") return read_element_set(keyword, cursor, part(), model_);
+    if (name == "NSET") return read_node_set(keyword, cursor, part());
     if (name == "PART") return begin_part(keyword, cursor);
     if (name == "INSTANCE") return begin_instance(keyword, cursor);
     if (name == "END PART" || name == "END INSTANCE") enter(std::nullopt);
@@ -227,107 +227,11 @@ class DeckReader {
              fmt::format("element {}: at least {} nodes", into.cell_numbers.back(), kept));
   }
 
-  void read_set(const Keyword& keyword, TextCursor& cursor) {
-    const std::string name = required(keyword, "ELSET", cursor);
-    NumberSets* sets = &part().sets;
-    if (const std::string* instance = keyword.value("INSTANCE")) {
-      const auto found =
-          std::find_if(model_.instances.begin(), model_.instances.end(),
-                       [&](const Instance& i) { return upper(i.name) == upper(*instance); });
-      // the mesh does not need the sets of an instance that does not exist
-      if (found == model_.instances.end())
-        model_.notes.push_back(
-            fmt::format("left out a set of elements of instance {}, which there "
-                        "is not",
-                        shown(*instance)));
-      sets = found == model_.instances.end() ? &sets_of_nothing_ : &found->sets;
-    }
-    const bool generate = keyword.has_flag("GENERATE");
-    Members elements;
-    while (const auto line = data_line(cursor)) {
-      CommaFields fields(*line);
-      if (generate) {
-        const auto range = generated(fields);
-        if (!range) refuse(cursor, *line, "first, last and step of a range");
-        elements.ranges.push_back(*range);
-        continue;
-      }
-      while (!fields.at_end()) {
-        // a name that is not an element set names nodes or a surface
-        static_cast<void>(add_member(fields.field(), *sets, elements));
-      }
-    }
-    add_ranges(elements.ranges, set_named(*sets, name), elements.copied);
-  }
-
-  /// Only keywords that generate nodes use node sets; they report what is not understood here.
-  void read_node_set(const Keyword& keyword, TextCursor& cursor) {
-    const std::string* name = keyword.value("NSET");
-    if (name == nullptr || name->empty() || keyword.has("INSTANCE")) return;
-    NumberSets& sets = part().node_sets;
-    Members nodes;
-    std::string unknown;
-    if (keyword.has("ELSET")) unknown = "those of a set of elements";
-    while (const auto line = data_line(cursor)) {
-      CommaFields fields(*line);
-      if (keyword.has_flag("GENERATE")) {
-        const auto range = generated(fields);
-        if (range)
-          nodes.ranges.push_back(*range);
-        else
-          unknown = shown(*line);
-        continue;
-      }
-      while (!fields.at_end()) {
-        const std::string_view member = fields.field();
-        if (!member.empty() && !add_member(member, sets, nodes)) unknown = shown(member);
-      }
-    }
-    const bool made = !sets.contains(upper(*name));
-    NumberSet& set = set_named(sets, *name);
-    if (made) set.unsorted = keyword.has_flag("UNSORTED");
-    if (!unknown.empty()) set.unknown = unknown;
-    add_ranges(nodes.ranges, set, nodes.copied);
-  }
-
-  /// First, last and step; none when the fields are not a range.
-  static std::optional<NumberRange> generated(CommaFields& fields) {
-    const auto first = fields.integer();
-    const auto last = fields.integer();
-    const auto step = fields.at_end() ? std::optional<std::int64_t>(1) : fields.integer();
-    if (!first || !last || !step || *step < 1 || *last < *first || *first < 0) return std::nullopt;
-    return NumberRange{*first, *last, *step};
-  }
-
-  /// The members that the data lines of one keyword add to a set.
-  struct Members {
-    std::vector<NumberRange> ranges;
-    std::set<std::string> names;  ///< of sets whose ranges are among them
-    std::size_t copied = 0;       ///< how many these are
-  };
-
-  /// Adds a number, or the members of the set with that name; false when that set is not defined
-  /// yet.
-  static bool add_member(std::string_view member, const NumberSets& known, Members& members) {
-    if (const auto number = to_integer(member)) {
-      add_number(*number, members.ranges);
-      return true;
-    }
-    const auto set = known.find(upper(member));
-    if (set == known.end() || !set->second.unknown.empty()) return false;
-    if (!members.names.insert(set->first).second) return true;
-    const std::vector<NumberRange>& ranges = set->second.ranges;
-    members.ranges.insert(members.ranges.end(), ranges.begin(), ranges.end());
-    members.copied += ranges.size();
-    return true;
-  }
-
   Model model_;
   std::optional<std::size_t> part_;  ///< place in Model::parts of the part that is read
   std::optional<Placement> system_;  ///< *SYSTEM: the system of node coordinates
   Made made_;
   int depth_ = 0;
-  NumberSets sets_of_nothing_;  ///< of instances that do not exist
 };
 
 }  // namespace

@@ -2,10 +2,11 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "formats/ansys/cdb_generation.hpp"
 #include "formats/ansys/cdb_model.hpp"
+#include "formats/ansys/command_fields.hpp"
 #include "formats/common/io/comma_fields.hpp"
 #include "formats/common/io/text_cursor.hpp"
 
@@ -19,7 +20,8 @@ namespace hiac::formats::ansys {
 /// commands are left out, with a note.
 class CdbCommands {
  public:
-  CdbCommands(CdbModel& model, const TextCursor& cursor) : model_(model), cursor_(cursor) {}
+  CdbCommands(CdbModel& model, const TextCursor& cursor)
+      : model_(model), cursor_(cursor), generation_(model) {}
 
   /// Executes the command whose line begins at `start`; `name` is in capitals. `blocks`: the deck
   /// has defined nodes or elements in blocks. Throws InputError naming the line.
@@ -45,29 +47,16 @@ class CdbCommands {
     std::size_t start;
   };
 
-  void node(CommaFields& fields, std::size_t start);
-  void written_node(CommaFields& fields, std::size_t start);
-  void element(CommaFields& fields, std::size_t start, bool numbered);
-  void written_element(CommaFields& fields, std::size_t start);
-  void more_nodes(CommaFields& fields, std::size_t start);
+  void node(CommandFields& fields);
+  void written_node(CommandFields& fields);
+  void element(CommandFields& fields, bool numbered);
+  void written_element(CommandFields& fields);
+  void more_nodes(CommandFields& fields);
   void flush();
-  void generate_nodes(CommaFields& fields, std::size_t start);
-  void generate_elements(CommaFields& fields, std::size_t start);
-  /// The places of nodes or elements that a first number, a last number and a step select, or all
-  /// of them.
-  std::vector<std::size_t> pattern(CommaFields& fields, std::size_t start, std::string_view command,
-                                   bool elements);
-  void refuse_large(std::int64_t number, std::size_t start) const;
-  [[nodiscard]] std::int64_t largest_element(std::size_t start) const;
-  void take(std::size_t start, std::size_t numbers);
-  std::int64_t whole(CommaFields& fields, std::size_t start, std::string_view what,
-                     std::optional<std::int64_t> otherwise = std::nullopt) const;
-  double real(CommaFields& fields, std::size_t start) const;
-  [[noreturn]] void refuse(std::size_t start, std::string_view what) const;
-  void refuse_given(CommaFields& fields, std::size_t start, std::string_view what) const;
 
   CdbModel& model_;
   const TextCursor& cursor_;
+  CdbGeneration generation_;
   bool any_nodes_ = false;
   bool any_elements_ = false;
   bool selected_ = false;        ///< NSEL or ESEL chose some
@@ -79,7 +68,6 @@ class CdbCommands {
   std::int64_t last_element_ = 0;           ///< the largest number
   std::size_t known_nodes_ = 0;             ///< how many of the mesh last_node_ takes into account
   std::size_t known_elements_ = 0;
-  std::size_t made_ = 0;
   std::size_t left_out_ = 0;
   std::optional<Pending> pending_;
 };

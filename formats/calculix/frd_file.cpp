@@ -2,27 +2,21 @@
 // lines of text followed by binary blocks.
 #include "formats/calculix/frd_file.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
-#include <limits>
 #include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "formats/calculix/frd_records.hpp"
+#include "formats/calculix/frd_results.hpp"
 #include "formats/common/cells/solid_orders.hpp"
-#include "formats/common/io/number_index.hpp"
+#include "formats/common/io/bytes_behind.hpp"
 
 namespace hiac::formats::frd {
 namespace {
-
-constexpr std::size_t kMostComponents = 200;
 
 std::vector<ForeignType> element_types() {
   // cgx numbers its element types from 1
@@ -40,15 +34,6 @@ std::vector<ForeignType> element_types() {
           {"be3", 3, kNoVolume}};
 }
 
-/// A result block: its values, and where they begin.
-struct ResultBlock {
-  std::string name;
-  std::size_t components = 0;
-  std::size_t records = 0;  ///< of binary blocks
-  Encoding encoding{};
-  std::size_t offset = 0;
-};
-
 class FrdReader {
  public:
   explicit FrdReader(const std::shared_ptr<InputText>& text)
@@ -59,11 +44,12 @@ class FrdReader {
   ForeignMesh run() {
     while (!cursor_.at_end() && read_line()) {
     }
+    note_text_behind(cursor_.text().substr(cursor_.offset()), "the line 9999", mesh_.notes);
     if (!have_nodes_ || !have_elements_)
       cursor_.fail(fmt::format("the file ends too early (a block of {} expected)",
                                have_nodes_ ? "elements, '    3C'" : "nodes, '    2C'"));
     add_material_blocks();
-    add_fields();
+    results_.add_to(mesh_, text_);
     return std::move(mesh_);
   }
 
@@ -96,7 +82,7 @@ class FrdReader {
     else if (key == "3")
       read_elements(records, encoding);
     else
-      read_result(line, start, records, encoding);
+      results_.read(cursor_, line, start, records, encoding, mesh_.times);
     return true;
   }
 
@@ -112,11 +98,6 @@ class FrdReader {
     return static_cast<Encoding>(*number);
   }
 
-  void require(bool fits, std::size_t records) const {
-    if (!fits)
-      cursor_.fail(fmt::format("{} records announced, more than the file can hold", records));
-  }
-
   void read_nodes(std::size_t count, Encoding encoding) {
     have_nodes_ = true;
     Records records(cursor_, encoding);
@@ -129,7 +110,7 @@ class FrdReader {
       while (records.next_text_record()) add();
       return;
     }
-    require(count <= cursor_.left() / records.binary_bytes(3), count);
+    require_records(cursor_, count <= cursor_.left() / records.binary_bytes(3), count);
     for (std::size_t i = 0; i < count; ++i) add();
   }
 
@@ -141,7 +122,7 @@ class FrdReader {
       return;
     }
     constexpr std::size_t kHeadBytes = 16;
-    require(count <= cursor_.left() / kHeadBytes, count);
+    require_records(cursor_, count <= cursor_.left() / kHeadBytes, count);
     for (std::size_t i = 0; i < count; ++i) {
       std::array<std::int64_t, 4> head{};
       for (std::int64_t& number : head) number = binary_integer();
@@ -205,143 +186,9 @@ class FrdReader {
     return *number;
   }
 
-  /// "100CL": the head of a result block, its components (-4, -5), and its values, which are
-  /// skipped.
-  void read_result(std::string_view line, std::size_t start, std::size_t count, Encoding encoding) {
-    const auto value = to_real(columns(line, 12, 12));
-    if (!value || !std::isfinite(*value))
-      cursor_.fail_at(start, fmt::format("a time in columns 13 to 24 expected ({} found)",
-                                         shown(columns(line, 12, 12))));
-    const std::int64_t number = to_integer(columns(line, 58, 5)).value_or(0);
-    ResultBlock block;
-    block.encoding = encoding;
-    block.records = count;
-    read_components(block);
-    block.offset = cursor_.offset();
-    if (is_text(encoding)) {
-      step_over_text();
-    } else {
-      const std::size_t bytes = Records(cursor_, encoding).binary_bytes(block.components);
-      require(count <= cursor_.left() / bytes, count);
-      cursor_.bytes(count * bytes, "values");
-    }
-    if (block.components > 0) blocks_.emplace_back(step_of(*value, number, block.name), block);
-  }
-
-  void read_components(ResultBlock& block) {
-    const std::size_t start = cursor_.offset();
-    const std::string_view head = cursor_.line();
-    const auto announced = to_integer(columns(head, 13, 5));
-    if (trimmed(columns(head, 0, 3)) != "-4" || !announced || *announced < 0 ||
-        *announced > static_cast<std::int64_t>(kMostComponents))
-      cursor_.fail_at(start, fmt::format("the name and number of components (' -4') expected ({} "
-                                         "found)",
-                                         shown(head)));
-    block.name = trimmed(columns(head, 5, 8));
-    for (std::int64_t c = 0; c < *announced; ++c) {
-      const std::size_t at = cursor_.offset();
-      const std::string_view line = cursor_.line();
-      if (trimmed(columns(line, 0, 3)) != "-5")
-        cursor_.fail_at(at, fmt::format("a component (' -5') expected ({} found)", shown(line)));
-      // cgx computes some components itself (magnitudes): the file does not contain them
-      if (to_integer(columns(line, 33, 5)).value_or(0) == 0) ++block.components;
-    }
-  }
-
-  void step_over_text() {
-    const std::string_view rest = cursor_.text().substr(cursor_.offset());
-    const std::size_t end = rest.starts_with(" -3") ? 0 : rest.find("\n -3");
-    if (end == std::string_view::npos) cursor_.fail("the file ends too early (' -3' expected)");
-    cursor_.move_to(cursor_.offset() + end + (end == 0 ? 0 : 1));
-    cursor_.line();
-  }
-
-  /// Steps differ in their time or, as mode shapes of one frequency do, in their number.
-  std::size_t step_of(double time, std::int64_t number, const std::string& name) {
-    std::size_t step = 0;
-    while (step < steps_.size() &&
-           (steps_[step] != std::pair(time, number) || seen_.contains({step, name})))
-      ++step;
-    if (step == steps_.size()) {
-      steps_.emplace_back(time, number);
-      mesh_.times.push_back(time);
-    }
-    seen_.insert({step, name});
-    return step;
-  }
-
   void add_material_blocks() {
     for (auto& [material, cells] : materials_)
       mesh_.blocks.push_back({fmt::format("material {}", material), std::move(cells)});
-  }
-
-  void add_fields() {
-    if (blocks_.empty()) return;
-    const auto index = std::make_shared<NumberIndex>(mesh_.node_numbers);
-    const std::size_t points = mesh_.point_count();
-    for (const auto& [step, block] : blocks_) look_for_strays(*index, block);
-    if (!strays_.empty())
-      mesh_.notes.push_back(
-          fmt::format("left out values of {} nodes that the file does not have, "
-                      "the first of them is node {}",
-                      strays_.size(), *strays_.begin()));
-    for (const auto& [step, block] : blocks_) {
-      ForeignField field;
-      field.name = block.name;
-      field.components = static_cast<std::uint32_t>(block.components);
-      field.step = step;
-      field.values = [text = text_, index, points, part = block] {
-        return read_values(*text, *index, points, part);
-      };
-      mesh_.fields.push_back(std::move(field));
-    }
-  }
-
-  /// Collects the numbers in a block that no node has. Malformed numbers are refused when the
-  /// values are read.
-  void look_for_strays(const NumberIndex& index, const ResultBlock& block) {
-    const auto look_at = [&](std::int64_t number) {
-      if (index.find(number) == NumberIndex::kNone) strays_.insert(number);
-    };
-    TextCursor cursor(text_->text(), text_->path());
-    cursor.move_to(block.offset);
-    if (is_text(block.encoding)) {
-      const std::size_t width = block.encoding == Encoding::short_text ? 5 : 10;
-      for (std::string_view line = cursor.line(); trimmed(columns(line, 0, 3)) != "-3";
-           line = cursor.line()) {
-        const auto number = to_integer(columns(line, 3, width));
-        if (trimmed(columns(line, 0, 3)) == "-1" && number) look_at(*number);
-      }
-      return;
-    }
-    const std::size_t bytes = Records(cursor, block.encoding).binary_bytes(block.components);
-    for (std::size_t i = 0; i < block.records; ++i) {
-      std::int32_t number = 0;
-      std::memcpy(&number, cursor.bytes(bytes, "a value").data(), sizeof number);
-      look_at(number);
-    }
-  }
-
-  static std::vector<double> read_values(const InputText& text, const NumberIndex& index,
-                                         std::size_t points, const ResultBlock& block) {
-    TextCursor cursor(text.text(), text.path());
-    cursor.move_to(block.offset);
-    Records records(cursor, block.encoding);
-    std::vector<double> values(points * block.components, std::numeric_limits<double>::quiet_NaN());
-    std::vector<double> tuple(block.components);
-    const auto read = [&] {
-      const std::int64_t number = records.read(block.components, tuple.data());
-      const std::size_t place = index.find(number);
-      if (place == NumberIndex::kNone) return;  // a note tells of it
-      std::copy(tuple.begin(), tuple.end(),
-                values.begin() + static_cast<std::ptrdiff_t>(place * block.components));
-    };
-    if (is_text(block.encoding)) {
-      while (records.next_text_record()) read();
-    } else {
-      for (std::size_t i = 0; i < block.records; ++i) read();
-    }
-    return values;
   }
 
   std::shared_ptr<InputText> text_;
@@ -350,10 +197,7 @@ class FrdReader {
   bool have_nodes_ = false;
   bool have_elements_ = false;
   std::map<std::string, std::vector<IndexRange>> materials_;
-  std::vector<std::pair<std::size_t, ResultBlock>> blocks_;  ///< with their steps
-  std::vector<std::pair<double, std::int64_t>> steps_;
-  std::set<std::pair<std::size_t, std::string>> seen_;
-  std::set<std::int64_t> strays_;  ///< nodes that have values and no place
+  Results results_;
 };
 
 }  // namespace

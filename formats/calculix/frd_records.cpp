@@ -116,4 +116,8 @@ std::int64_t Records::read_binary(std::size_t width, double* values) {
   return number;
 }
 
+void require_records(const TextCursor& cursor, bool fit, std::size_t records) {
+  if (!fit) cursor.fail(fmt::format("{} records announced, more than the file can hold", records));
+}
+
 }  // namespace hiac::formats::frd

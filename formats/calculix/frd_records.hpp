@@ -38,6 +38,9 @@ class Records {
   Encoding encoding_;
 };
 
+/// Throws InputError saying that so many records are more than the file can hold, unless they fit.
+void require_records(const TextCursor& cursor, bool fit, std::size_t records);
+
 /// Columns [first, first + width) of a line, as far as the line reaches.
 inline std::string_view columns(std::string_view line, std::size_t first, std::size_t width) {
   return first < line.size() ? line.substr(first, width) : std::string_view();

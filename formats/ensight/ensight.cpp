@@ -2,17 +2,20 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <functional>
 #include <limits>
 #include <map>
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "formats/common/io/text_cursor.hpp"
 #include "formats/common/mesh/assemble.hpp"
+#include "formats/common/mesh/field_steps.hpp"
 #include "formats/common/mesh/foreign_mesh.hpp"
 #include "formats/common/mesh/steps.hpp"
 #include "formats/common/mesh/structured.hpp"
@@ -341,6 +344,24 @@ ReadVariable read_geometry(const ensight::CaseFile& parsed, const std::string& p
                   std::size_t width) { return reader->read(file, at, location, width); };
 }
 
+/// The steps of the mesh at which all files of a variable exist; empty if it has one file for all.
+std::set<std::size_t> steps_with_files(const ensight::Variable& variable, const std::string& path,
+                                       const ensight::TimeSet* set,
+                                       const std::vector<double>& times) {
+  std::set<std::size_t> steps;
+  if (set == nullptr || set->file_numbers.empty()) return steps;
+  std::map<std::size_t, bool> known;  // by step of the set
+  for (std::size_t step = 0; step < times.size(); ++step) {
+    const std::size_t own = set->step_at(times[step]);
+    const auto [there, is_new] = known.try_emplace(own, true);
+    if (is_new)
+      for (const std::string& file : variable.files)
+        there->second &= std::filesystem::exists(ensight::file_of_step(path, file, set, own));
+    if (there->second) steps.insert(step);
+  }
+  return steps;
+}
+
 ForeignMesh foreign_mesh(const std::string& path, const ReadOptions& options) {
   ForeignMesh mesh;
   const ensight::CaseFile parsed = ensight::read_case_file(path);
@@ -360,6 +381,10 @@ ForeignMesh foreign_mesh(const std::string& path, const ReadOptions& options) {
   for (const ensight::Variable& variable : parsed.variables) {
     const ensight::TimeSet* set = parsed.time_set(variable.time_set, variable.files.front());
     const std::size_t own = step_of(set);
+    const std::set<std::size_t> steps = steps_with_files(variable, path, set, mesh.times);
+    mesh.field_steps[variable.name] = steps;
+    // a variable without any file is an error of its first one
+    if (!steps.empty() && !steps.contains(step)) continue;
     std::vector<std::string> files;
     for (const std::string& file : variable.files)
       files.push_back(ensight::file_of_step(path, file, set, own));

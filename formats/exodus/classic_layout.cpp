@@ -28,7 +28,8 @@ class Header {
  public:
   Header(std::string_view text, const std::string& subject) : text_(text), subject_(subject) {}
 
-  void check() {
+  /// Returns the end of the data.
+  std::size_t check() {
     version_ = static_cast<unsigned char>(text_[3]);
     at_ = 4;
     const std::uint64_t streaming = version_ == 5 ? ~std::uint64_t{0} : 0xffffffffU;
@@ -43,6 +44,7 @@ class Header {
       // a single record variable is not padded
       if (variable.record)
         record_size += record_variables == 1 ? variable.bytes : padded(variable.bytes);
+    std::uint64_t last = at_;
     for (const Variable& variable : variables) {
       std::uint64_t end = variable.begin + variable.bytes;
       if (variable.record) {
@@ -54,7 +56,11 @@ class Header {
       if (variable.bytes > text_.size() || variable.begin > text_.size() || end > text_.size())
         fail(fmt::format("ended before the data of '{}' ({} bytes expected, {} found)",
                          variable.name, end, text_.size()));
+      last = std::max(last, padded(end));
     }
+    // the number of records is unknown while a program still writes them
+    if (records == streaming) return text_.size();
+    return std::min<std::uint64_t>(last, text_.size());
   }
 
  private:
@@ -176,8 +182,8 @@ bool is_classic_netcdf(std::string_view head) {
          (head[3] == 1 || head[3] == 2 || head[3] == 5);
 }
 
-void check_classic_layout(std::string_view text, const std::string& subject) {
-  Header(text, subject).check();
+std::size_t check_classic_layout(std::string_view text, const std::string& subject) {
+  return Header(text, subject).check();
 }
 
 }  // namespace hiac::formats::exodus

@@ -9,9 +9,9 @@ namespace hiac::formats::exodus {
 bool is_classic_netcdf(std::string_view head);
 
 /// Reads the header of a classic netCDF file and checks that the data of every variable are inside
-/// the file. Throws InputError(subject, ...) otherwise.
+/// the file. Throws InputError(subject, ...) otherwise. Returns where the data end, in bytes.
 ///
 /// The layout: https://docs.unidata.ucar.edu/netcdf-c/current/file_format_specifications.html
-void check_classic_layout(std::string_view text, const std::string& subject);
+std::size_t check_classic_layout(std::string_view text, const std::string& subject);
 
 }  // namespace hiac::formats::exodus

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "formats/common/io/bytes_behind.hpp"
 #include "formats/common/io/isolated.hpp"
 #include "formats/common/mesh/assemble.hpp"
 #include "formats/common/mesh/foreign_mesh.hpp"
@@ -49,6 +50,7 @@ class Reader {
     if (const auto title = file_->text_attribute("", "title"); title && !title->empty())
       mesh_.metadata.emplace_back("title", *title);
     note_left_out();
+    note_bytes_behind(file_->bytes_behind(), "the netCDF file's data", mesh_.notes);
     return std::move(mesh_);
   }
 

@@ -45,7 +45,7 @@ NetcdfFile::NetcdfFile(const std::string& path) : path_(path) {
     const MappedFile file(path);
     file_size_ = file.text().size();
     packed_ = !is_classic_netcdf(file.text());
-    if (!packed_) check_classic_layout(file.text(), path);
+    if (!packed_) bytes_behind_ = file_size_ - check_classic_layout(file.text(), path);
   }
   if (const int status = nc_open(path.c_str(), NC_NOWRITE, &file_); status != NC_NOERR)
     throw InputError(path, fmt::format("is no whole netCDF file ({})", nc_strerror(status)));

@@ -38,6 +38,9 @@ class NetcdfFile {
   [[nodiscard]] std::optional<std::string> text_attribute(const std::string& variable,
                                                           const std::string& name) const;
 
+  /// The size of what follows the data of a classic file; 0 for netCDF-4, which is HDF5.
+  [[nodiscard]] std::uint64_t bytes_behind() const { return bytes_behind_; }
+
   [[noreturn]] void fail(const std::string& variable, std::string_view problem) const;
 
  private:
@@ -47,6 +50,7 @@ class NetcdfFile {
 
   std::string path_;
   std::uint64_t file_size_ = 0;
+  std::uint64_t bytes_behind_ = 0;
   bool packed_ = false;  ///< netCDF-4, which may be compressed
   int file_ = -1;
 };

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "formats/common/io/bytes_behind.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::gmsh {
@@ -48,6 +49,7 @@ class SectionReader {
   /// lines between sections, as Gmsh does.
   bool next_section() {
     TextCursor& cursor = stream_.cursor();
+    const std::size_t behind = cursor.offset();
     while (!cursor.at_end()) {
       section_start_ = cursor.offset();
       const std::string_view line = trimmed(cursor.line());
@@ -55,6 +57,7 @@ class SectionReader {
       section_ = line.substr(1);
       return true;
     }
+    note_text_behind(cursor.text().substr(behind), "the last section", contents_.mesh.notes);
     return false;
   }
 

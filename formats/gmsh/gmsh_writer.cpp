@@ -12,6 +12,7 @@
 #include "formats/common/io/binary_output.hpp"
 #include "formats/gmsh/gmsh_types.hpp"
 #include "hiac/base/error.hpp"
+#include "hiac/geometry/box.hpp"
 
 namespace hiac::formats::gmsh {
 namespace {
@@ -114,16 +115,12 @@ class MshWriter {
   }
 
   void write_entities(BinaryOutput& out) const {
-    std::array<double, 6> box{};
-    for (std::size_t i = 0; i < mesh_.xyz.size(); ++i) {
-      const std::size_t c = i % 3;
-      box[c] = i < 3 ? mesh_.xyz[i] : std::min(box[c], mesh_.xyz[i]);
-      box[3 + c] = i < 3 ? mesh_.xyz[i] : std::max(box[3 + c], mesh_.xyz[i]);
-    }
+    const Box box = mesh_.xyz.empty() ? Box{} : box_of_nodes(mesh_);
     out.text("$Entities\n");
     for (const std::uint64_t count : {0, 0, 0, 1}) out.number(count);
     out.number<std::int32_t>(kEntity);
-    for (const double extent : box) out.number(extent);
+    for (const double least : box.low) out.number(least);
+    for (const double most : box.high) out.number(most);
     out.number<std::uint64_t>(0);  // physical groups
     out.number<std::uint64_t>(0);  // bounding surfaces
     out.text("\n$EndEntities\n");

@@ -12,6 +12,7 @@
 
 #include "formats/common/cells/solid_orders.hpp"
 #include "formats/common/io/byte_stream.hpp"
+#include "formats/common/io/bytes_behind.hpp"
 #include "formats/common/io/text_cursor.hpp"
 
 namespace hiac::formats::medit {
@@ -70,6 +71,7 @@ class MeshBuilder {
   void add_node(std::int64_t node) { mesh_.cell_nodes.push_back(node); }
   void leave_out(std::string keyword) { left_out_.insert(std::move(keyword)); }
 
+  std::vector<std::string>& notes() { return mesh_.notes; }
   [[nodiscard]] bool has_vertices() const { return !mesh_.xyz.empty(); }
   ForeignMesh finish() {
     mesh_.first_node = 1;
@@ -97,6 +99,7 @@ class TextReader {
       if (keyword.empty() || keyword == "End") break;
       read(keyword);
     }
+    note_text_behind(cursor_.text().substr(cursor_.offset()), "the keyword End", builder_.notes());
     if (!builder_.has_vertices()) cursor_.fail("no vertices found ('Vertices' expected)");
     return builder_.finish();
   }
@@ -180,6 +183,7 @@ class BinaryReader {
     read_head();
     while (stream_.left() > 0 && read_keyword()) {
     }
+    note_bytes_behind(stream_.left(), "the last keyword", builder_.notes());
     if (!builder_.has_vertices()) stream_.fail("no vertices found");
     return builder_.finish();
   }
@@ -208,7 +212,11 @@ class BinaryReader {
 
   bool read_keyword() {
     const auto code = stream_.read<std::int32_t>("a keyword");
-    if (code == kEndCode) return false;
+    if (code == kEndCode) {
+      // some programs let the position of a next keyword follow, which is 0
+      if (stream_.left() >= (version_ >= 3 ? 8U : 4U)) position();
+      return false;
+    }
     const std::int64_t next = position();
     const std::size_t begin = stream_.offset();
     if (next != 0 && (next < static_cast<std::int64_t>(begin) ||

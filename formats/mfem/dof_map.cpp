@@ -111,21 +111,24 @@ void add_face(const Shape& shape, std::size_t number, int order,
 }
 
 /// Adds the interior points in MFEM's order: i fastest.
-void add_inside(Geometry geometry, int order, std::vector<LatticePoint>& points) {
+void add_inside(Geometry geometry, const Space& space, std::vector<LatticePoint>& points) {
+  const int order = space.order;
+  const bool narrowing = geometry == Geometry::pyramid && space.narrowing;
   std::size_t number = 0;
   for (int k = 1; k < order; ++k)
     for (int j = 1; j < order; ++j)
       for (int i = 1; i < order; ++i) {
         if (geometry == Geometry::tetrahedron && i + j + k >= order) continue;
         if (geometry == Geometry::prism && i + j >= order) continue;
-        if (geometry == Geometry::pyramid && std::max(i, j) + k >= order) continue;
-        points.push_back({{i, j, k}, Part::inside, number++});
+        if (geometry == Geometry::pyramid && !narrowing && std::max(i, j) + k >= order) continue;
+        points.push_back({{i, j, k}, Part::inside, number++, narrowing});
       }
 }
 
 }  // namespace
 
-std::vector<LatticePoint> lattice_points(Geometry geometry, int order) {
+std::vector<LatticePoint> lattice_points(Geometry geometry, const Space& space) {
+  const int order = space.order;
   const Shape shape = shape_of_geometry(geometry);
   std::vector<LatticePoint> points;
   for (std::size_t v = 0; v < shape.corners.size(); ++v)
@@ -142,11 +145,20 @@ std::vector<LatticePoint> lattice_points(Geometry geometry, int order) {
     for (std::size_t e = 0; e < shape.edges.size(); ++e) add_edge(shape, e, true, order, points);
     for (std::size_t f = 0; f < shape.faces.size(); ++f) add_face(shape, f, order, points);
   }
-  add_inside(geometry, order, points);
+  add_inside(geometry, space, points);
   return points;
 }
 
-bool can_be_of_order(Geometry geometry, int order) {
+std::array<double, 3> position_of(const LatticePoint& point, int order) {
+  std::array<double, 3> position{};
+  for (std::size_t c = 0; c < 3; ++c) position[c] = static_cast<double>(point.place[c]) / order;
+  if (point.narrowing)
+    for (const std::size_t c : {0, 1}) position[c] *= 1 - position[2];
+  return position;
+}
+
+bool can_be_of(Geometry geometry, const Space& space) {
+  const int order = space.order;
   switch (geometry) {
     case Geometry::cube:
       return order <= kHighestOrder;
@@ -154,7 +166,7 @@ bool can_be_of_order(Geometry geometry, int order) {
     case Geometry::prism:
       return order <= 3;
     case Geometry::pyramid:
-      return order <= 2;
+      return order <= (space.bernstein ? 1 : 2);
     default:
       return order == 1;
   }
@@ -164,11 +176,16 @@ std::optional<Space> space_named(const std::string& collection) {
   if (collection == "Linear") return Space{1, false};
   if (collection == "Quadratic") return Space{2, false};
   if (collection == "Cubic") return Space{3, false};
-  constexpr std::string_view kContinuous = "H1_3D_P";
-  if (!collection.starts_with(kContinuous)) return std::nullopt;
-  const int order = std::atoi(collection.c_str() + kContinuous.size());
-  if (order < 1 || order > kHighestOrder) return std::nullopt;
-  return Space{order, order >= 3};
+  // MFEM writes no letter for Gauss-Lobatto points, its default; U stands for evenly spaced ones
+  constexpr std::array<std::string_view, 4> kFamilies{"H1_3D_P", "H1@G_3D_P", "H1@U_3D_P",
+                                                      "H1Pos_3D_P"};
+  for (std::size_t family = 0; family < kFamilies.size(); ++family) {
+    if (!collection.starts_with(kFamilies[family])) continue;
+    const int order = std::atoi(collection.c_str() + kFamilies[family].size());
+    if (order < 1 || order > kHighestOrder) return std::nullopt;
+    return Space{order, order >= 3 && family < 2, false, family == 3};
+  }
+  return std::nullopt;
 }
 
 bool is_piecewise_constant(const std::string& collection) {
@@ -212,7 +229,7 @@ DofMap::DofMap(const MeshFile& mesh, const Space& space)
   }
   for (const Element& element : mesh.elements) {
     std::vector<LatticePoint>& points = points_[static_cast<std::size_t>(element.geometry)];
-    if (points.empty()) points = lattice_points(element.geometry, order_);
+    if (points.empty()) points = lattice_points(element.geometry, space);
     inside_.push_back(size_);
     size_ += static_cast<std::size_t>(
         std::count_if(points.begin(), points.end(),

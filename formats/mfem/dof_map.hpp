@@ -17,6 +17,11 @@ struct Space {
   /// Degrees of freedom are at Gauss-Lobatto points, not evenly spaced (they are the same up to
   /// order 2).
   bool lobatto = false;
+  /// The interior of a pyramid has (order - 1)^3 points, on a grid that narrows towards the apex
+  /// (Fuentes et al. 2015, MFEM's default), and not the fewer of Bergot et al. (2010).
+  bool narrowing = false;
+  /// Degrees of freedom are the weights of Bernstein's polynomials, not values at points.
+  bool bernstein = false;
 };
 
 /// The H1 space with a collection's name; none for other spaces and for orders above 8.
@@ -32,20 +37,26 @@ struct LatticePoint {
   std::array<int, 3> place;
   Part part;
   std::size_t number;  ///< of the corner, edge or face; in the interior, of the point
+  /// The first two coordinates are along axes that narrow towards a pyramid's apex, as the section
+  /// at the point's height does (Space::narrowing).
+  bool narrowing = false;
 };
 
-/// The points of an element of that order: its corners in MFEM's order, then those of edges, of
+/// The points of an element of that space: its corners in MFEM's order, then those of edges, of
 /// faces and of the interior. The edges and faces of a tetrahedron are in the zoo's order.
-std::vector<LatticePoint> lattice_points(Geometry geometry, int order);
+std::vector<LatticePoint> lattice_points(Geometry geometry, const Space& space);
 
-/// Whether elements of a geometry can have that order: cubes up to 8, tetrahedra and prisms up to
-/// 3, pyramids up to 2.
-bool can_be_of_order(Geometry geometry, int order);
+/// The position of an evenly spaced point in the reference cell.
+std::array<double, 3> position_of(const LatticePoint& point, int order);
+
+/// Whether elements of a geometry can be of that space: cubes up to order 8, tetrahedra and prisms
+/// up to 3, pyramids up to 2 (and with Bernstein's polynomials of order 1).
+bool can_be_of(Geometry geometry, const Space& space);
 
 /// The degrees of freedom of a continuous space on every element of a mesh.
 class DofMap {
  public:
-  /// All geometries in the mesh must allow the space's order (can_be_of_order).
+  /// All geometries in the mesh must allow the space's order (can_be_of).
   DofMap(const MeshFile& mesh, const Space& space);
 
   [[nodiscard]] std::size_t size() const { return size_; }

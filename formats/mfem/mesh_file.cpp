@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "formats/common/io/bytes_behind.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::mfem {
@@ -303,8 +304,11 @@ MeshFile read_mesh_file(TextCursor& text) {
       mesh.refined = true;
     } else if (word == "nodes") {
       mesh.nodes = read_grid_function(text);
-    } else if (word == "mfem_mesh_end" || word == "mfem_serial_mesh_end") {
+    } else if (word == "mfem_mesh_end") {
+      note_text_behind(text.text().substr(text.offset()), "mfem_mesh_end", mesh.notes);
       break;
+    } else if (word == "mfem_serial_mesh_end") {
+      break;  // what the parts of a parallel mesh share
     } else {
       text.fail(fmt::format("a section of an MFEM mesh expected ({} found)", shown(word)));
     }

@@ -46,6 +46,7 @@ struct MeshFile {
   std::size_t vertex_count = 0;
   bool refined = false;  ///< it may have hanging nodes
   GridFunction nodes;    ///< without values when the mesh is straight
+  std::vector<std::string> notes;
 };
 
 std::size_t vertex_count(Geometry geometry);

@@ -59,6 +59,7 @@ class Reader {
     const InputText input(path);
     TextCursor text(input.text(), path);
     file_ = mfem::read_mesh_file(text);
+    mesh_.notes = file_.notes;
     read_functions();
   }
 
@@ -66,17 +67,20 @@ class Reader {
     all_tetrahedra_ = std::all_of(file_.elements.begin(), file_.elements.end(), [](const auto& e) {
       return e.geometry == Geometry::tetrahedron;
     });
+    any_pyramid_ = std::any_of(file_.elements.begin(), file_.elements.end(),
+                               [](const auto& e) { return e.geometry == Geometry::pyramid; });
     if (!file_.nodes.values.empty()) {
       const auto space = mfem::space_named(file_.nodes.collection);
       if (!space)
         throw InputError(path_, fmt::format("its nodes are in the space '{}', which cannot be held "
-                                            "(H1_3D_P1 to H1_3D_P8, Linear, Quadratic or Cubic "
-                                            "expected)",
+                                            "(H1_3D_P1 to H1_3D_P8, H1Pos_3D_P1 to H1Pos_3D_P8, "
+                                            "Linear, Quadratic or Cubic expected)",
                                             file_.nodes.collection));
       nodes_space_ = *space;
     }
     choose_order();
     check_vertices();
+    if (!file_.nodes.values.empty()) nodes_space_ = with_its_points(file_.nodes, nodes_space_);
     add_cells();
     add_points();
     add_attributes();
@@ -104,7 +108,7 @@ class Reader {
   void choose_order() {
     order_ = nodes_space_.order;
     for (const Element& element : file_.elements)
-      if (!mfem::can_be_of_order(element.geometry, order_))
+      if (!mfem::can_be_of(element.geometry, nodes_space_))
         throw InputError(path_, fmt::format("has nodes of order {} on {}s, which are not read",
                                             order_, mfem::geometry_name(element.geometry)));
     if (order_ > 1 && file_.refined)
@@ -114,9 +118,25 @@ class Reader {
     if (!all_tetrahedra_) return;
     for (const NamedFunction& function : functions_) {
       const auto space = mfem::space_named(function.values.collection);
-      if (space && mfem::can_be_of_order(Geometry::tetrahedron, space->order))
+      if (space && mfem::can_be_of(Geometry::tetrahedron, *space))
         order_ = std::max(order_, space->order);
     }
+  }
+
+  /// The space with the points that its pyramids have in their interior, which its name does not
+  /// tell but the number of degrees of freedom does.
+  [[nodiscard]] Space with_its_points(const GridFunction& function, const Space& space) const {
+    if (!any_pyramid_ || space.order == 1) return space;
+    Space narrowing = space;
+    narrowing.narrowing = true;
+    const bool fits = function.dofs() == mfem::DofMap(file_, narrowing).size();
+    return fits && function.dofs() != mfem::DofMap(file_, space).size() ? narrowing : space;
+  }
+
+  [[nodiscard]] bool can_be_of_all(const Space& space) const {
+    return std::all_of(file_.elements.begin(), file_.elements.end(), [&](const Element& element) {
+      return mfem::can_be_of(element.geometry, space);
+    });
   }
 
   void check_vertices() const {
@@ -131,7 +151,7 @@ class Reader {
   }
 
   void add_cells() {
-    cells_ = std::make_unique<mfem::DofMap>(file_, Space{order_, false});
+    cells_ = std::make_unique<mfem::DofMap>(file_, space_of_cells());
     for (std::size_t e = 0; e < file_.elements.size(); ++e) {
       const Element& element = file_.elements[e];
       const CellConversion conversion = conversion_of(element.geometry, order_);
@@ -146,13 +166,13 @@ class Reader {
     }
   }
 
+  /// The evenly spaced nodes of the cells.
+  [[nodiscard]] Space space_of_cells() const { return {order_, false, nodes_space_.narrowing}; }
+
   [[nodiscard]] std::vector<std::array<double, 3>> places_of(Geometry geometry) const {
     std::vector<std::array<double, 3>> places;
-    for (const mfem::LatticePoint& point : mfem::lattice_points(geometry, order_)) {
-      places.emplace_back();
-      for (std::size_t c = 0; c < 3; ++c)
-        places.back()[c] = static_cast<double>(point.place[c]) / order_;
-    }
+    for (const mfem::LatticePoint& point : mfem::lattice_points(geometry, space_of_cells()))
+      places.push_back(mfem::position_of(point, order_));
     return places;
   }
 
@@ -172,7 +192,7 @@ class Reader {
     for (std::size_t e = 0; e < file_.elements.size(); ++e) {
       const Geometry geometry = file_.elements[e].geometry;
       std::vector<std::vector<double>>& rows = weights[geometry];
-      if (rows.empty()) rows = mfem::interpolation(geometry, space, order_);
+      if (rows.empty()) rows = mfem::interpolation(geometry, space, space_of_cells());
       const std::vector<std::size_t> points = cells_->of(e);
       const std::vector<std::size_t> dofs = map.of(e);
       for (std::size_t p = 0; p < points.size(); ++p)
@@ -233,17 +253,27 @@ class Reader {
                 "double");
       return;
     }
-    const auto space = mfem::space_named(values.collection);
+    auto space = mfem::space_named(values.collection);
     if (!space) {
       mesh_.notes.push_back(
           fmt::format("left out '{}' of the space '{}' (H1_3D_P1 to H1_3D_P8, "
-                      "Linear, Quadratic, Cubic or L2 of order 0 are read)",
+                      "H1Pos_3D_P1 to H1Pos_3D_P8, Linear, Quadratic, Cubic or L2 of order 0 are "
+                      "read)",
                       function.name, values.collection));
       return;
     }
-    if (space->order > order_) {
+    if (space->order > order_ || !can_be_of_all(*space)) {
       mesh_.notes.push_back(fmt::format("left out '{}' of order {} on cells of order {}",
                                         function.name, space->order, order_));
+      return;
+    }
+    space = with_its_points(values, *space);
+    if (space->order == order_ && space->narrowing != nodes_space_.narrowing &&
+        mfem::DofMap(file_, *space).size() != cells_->size()) {
+      mesh_.notes.push_back(
+          fmt::format("left out '{}', whose pyramids do not have the points inside that those of "
+                      "the mesh have",
+                      function.name));
       return;
     }
     add_field(function.name, FieldLocation::node, values.components, at_points(values, *space),
@@ -267,6 +297,7 @@ class Reader {
   MeshFile file_;
   std::vector<NamedFunction> functions_;
   bool all_tetrahedra_ = true;
+  bool any_pyramid_ = false;
   Space nodes_space_{1, false};
   int order_ = 1;
   std::unique_ptr<mfem::DofMap> cells_;

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "formats/common/cells/solid_orders.hpp"
+#include "formats/common/io/bytes_behind.hpp"
 #include "formats/common/io/input_text.hpp"
 #include "formats/common/io/named_file.hpp"
 #include "formats/common/io/number_index.hpp"
@@ -69,6 +70,7 @@ class BulkReader {
     if (depth_++ == 0) skip_to_bulk(cursor);
     CardReader cards(cursor);
     while (const Card* card = cards.next()) read_card(*card, cursor, path);
+    note_text_behind(text.text().substr(cursor.offset()), "ENDDATA", mesh_.notes);
     --depth_;
   }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "formats/common/io/input_text.hpp"
+#include "formats/openfoam/foam_text.hpp"
 
 namespace hiac::formats::openfoam {
 
@@ -55,18 +56,8 @@ class FoamFile {
   static bool is_one(const std::string& path);
 
  private:
-  [[noreturn]] void fail(const std::string& problem) const;
-  void skip_space();
-  [[nodiscard]] char peek();
-  void expect(char c);
-  std::string_view word();
-  double real();
-  std::int64_t whole();
-  std::size_t count(std::size_t bytes_each);
   /// Moves past the keyword at the beginning of an entry; false when there is no such entry.
   bool find_entry(std::string_view keyword);
-  /// Skips the dictionary that begins here.
-  void skip_dictionary();
   void read_header();
   /// The number of entries of a list; none when no number precedes the list.
   std::optional<std::size_t> list_size(std::size_t bytes_each, std::size_t most_equal);
@@ -76,14 +67,11 @@ class FoamFile {
   void read_tuple(std::size_t width, std::vector<double>& values);
   /// A number or a tuple of numbers; empty for anything else.
   std::vector<double> uniform_value();
-  std::string_view raw(std::size_t bytes);
 
   InputText input_;
-  std::string_view text_;
-  std::size_t at_ = 0;
+  FoamText text_;
   std::size_t body_ = 0;  ///< the position after the header
   std::string class_;
-  bool binary_ = false;
   std::size_t label_bytes_ = 4;
   std::size_t scalar_bytes_ = 8;
 };

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iterator>
 #include <memory>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -149,7 +150,10 @@ class Reader {
     if (common.size() < first.size())
       mesh_.notes.push_back(
           fmt::format("left out {} times that not all parts have", first.size() - common.size()));
-    for (const TimeFolder& folder : common) mesh_.times.push_back(folder.time);
+    for (const TimeFolder& folder : common) {
+      mesh_.times.push_back(folder.time);
+      step_names_.push_back(folder.path.filename());
+    }
     if (common.empty()) {
       for (CasePart& part : parts_) part.folders.clear();
       return;
@@ -209,6 +213,28 @@ class Reader {
   void read_fields() {
     if (parts_.front().folders.empty()) return;
     for (const std::string& name : files_in(folder_of(parts_.front()))) read_field(name);
+    find_field_steps();
+  }
+
+  /// The steps of the fields that the case has, those that the chosen step lacks included.
+  void find_field_steps() {
+    const CasePart& part = parts_.front();
+    for (std::size_t step = 0; step < mesh_.times.size(); ++step)
+      for (const std::string& name : files_in(part.root / step_names_[step])) {
+        const auto [known, is_new] = mesh_.field_steps.try_emplace(name);
+        if (is_new && !is_field((part.root / step_names_[step] / name).string()))
+          no_fields_.insert(name);
+        known->second.insert(step);
+      }
+    for (const std::string& name : no_fields_) mesh_.field_steps.erase(name);
+  }
+
+  static bool is_field(const std::string& path) try {
+    if (!FoamFile::exists(path) || !FoamFile::is_one(path)) return false;
+    const std::string type = FoamFile(path).class_name();
+    return type.ends_with("Field") && (type.starts_with("vol") || type.starts_with("point"));
+  } catch (const InputError&) {
+    return false;  // a damaged file of another step is no concern of this one
   }
 
   static const fs::path& folder_of(const CasePart& part) { return part.folders[part.step].path; }
@@ -279,6 +305,8 @@ class Reader {
   ReadOptions options_;
   fs::path root_;
   std::size_t step_ = 0;
+  std::vector<fs::path> step_names_;  ///< the folders' names
+  std::set<std::string> no_fields_;   ///< files that hold something else
   ForeignMesh mesh_;
   std::vector<CasePart> parts_;  ///< one: the case itself
   openfoam::JoinedParts joined_;

@@ -23,6 +23,7 @@
 #include <fmt/format.h>
 
 #include "formats/surface/poly.hpp"
+#include "formats/vtk/xml/xml_surface.hpp"
 #include "hiac/base/child_process.hpp"
 #include "hiac/base/error.hpp"
 
@@ -181,25 +182,43 @@ SurfaceReading from_soup(const std::string& path, const Soup& soup) {
   return reading;
 }
 
+SurfaceReading from_xml(const std::string& path) {
+  const vtk::XmlSurface xml = vtk::read_xml_surface(path);
+  Soup soup;
+  for (std::size_t p = 0; p < xml.xyz.size(); p += 3)
+    soup.points.emplace_back(xml.xyz[p], xml.xyz[p + 1], xml.xyz[p + 2]);
+  for (const auto& polygon : xml.polygons)
+    soup.polygons.emplace_back(polygon.begin(), polygon.end());
+  SurfaceReading reading = from_soup(path, soup);
+  reading.notes.insert(reading.notes.begin(), xml.notes.begin(), xml.notes.end());
+  return reading;
+}
+
 }  // namespace
 
 bool is_surface_file(const std::string& path) {
   const std::string extension = extension_of(path);
-  return extension == ".poly" || extension == ".smesh" || soup_readers().contains(extension);
+  return extension == ".poly" || extension == ".smesh" || extension == ".vtp" ||
+         soup_readers().contains(extension);
+}
+
+bool may_hold_surface(const std::string& path) {
+  return is_surface_file(path) || extension_of(path) == ".vtu";
 }
 
 SurfaceReading read_surface(const std::string& path) {
   const std::string extension = extension_of(path);
-  const auto reader = soup_readers().find(extension);
-  if (reader == soup_readers().end() && !is_surface_file(path))
+  if (!may_hold_surface(path))
     throw InputError(path,
-                     "unknown kind of surface (.stl, .ply, .obj, .off, .poly or .smesh "
+                     "unknown kind of surface (.stl, .ply, .obj, .off, .vtp, .vtu, .poly or .smesh "
                      "expected)");
   SurfaceReading reading;
-  if (reader == soup_readers().end())
-    reading = {read_poly(path), {}, true};
-  else
+  if (const auto reader = soup_readers().find(extension); reader != soup_readers().end())
     reading = from_soup(path, read_soup(path, reader->second));
+  else if (extension == ".vtp" || extension == ".vtu")
+    reading = from_xml(path);
+  else
+    reading = {read_poly(path), {}, true};
   if (reading.surface.facets.empty())
     throw InputError(path, "holds no polygon (a surface expected)");
   return reading;

@@ -23,6 +23,13 @@ struct Zone {
   std::vector<std::int64_t> connectivity;   ///< node numbers from 1
   /// The faces of an element "POLYHEDRON", each a list of node numbers from 1; empty for "POLYGON".
   std::vector<std::vector<std::vector<std::int64_t>>> polyhedra;
+
+  /// Whether its elements are described by their faces.
+  [[nodiscard]] bool has_faces() const { return element == "POLYHEDRON" || element == "POLYGON"; }
+  /// The number of values of a variable.
+  [[nodiscard]] std::size_t tuples(std::size_t variable) const {
+    return cell_centered[variable] ? elements : nodes;
+  }
 };
 
 /// The contents of a file.

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "formats/common/cells/solid_orders.hpp"
+#include "formats/common/io/bytes_behind.hpp"
 #include "formats/common/io/input_text.hpp"
 #include "formats/common/io/text_cursor.hpp"
 #include "formats/common/mesh/assemble.hpp"
@@ -41,6 +42,11 @@ class WordLines {
     return rest.empty() || rest.starts_with('#') ? 0 : count(what);
   }
   TextCursor& cursor() { return cursor_; }
+  /// Adds a note when more than comments follow.
+  void finish(std::string_view what, std::vector<std::string>& notes) {
+    skip_comments();
+    note_text_behind(cursor_.text().substr(cursor_.offset()), what, notes);
+  }
 
  private:
   void skip_comments() {
@@ -78,6 +84,7 @@ void read_nodes(const std::string& path, ForeignMesh& mesh) {
     for (auto& column : columns) column.push_back(lines.real("an attribute"));
     for (auto& column : marks) column.push_back(lines.real("a boundary marker"));
   }
+  lines.finish("the points", mesh.notes);
   add_columns(std::move(columns), "attribute", FieldLocation::node, mesh);
   add_columns(std::move(marks), "boundary marker", FieldLocation::node, mesh);
 }
@@ -103,6 +110,7 @@ void read_elements(const std::string& path, ForeignMesh& mesh) {
       mesh.cell_nodes.push_back(lines.integer("a point number"));
     for (auto& column : columns) column.push_back(lines.real("an attribute"));
   }
+  lines.finish("the tetrahedra", mesh.notes);
   add_columns(std::move(columns), "ref", FieldLocation::cell, mesh);
 }
 

@@ -8,6 +8,7 @@
 
 #include "formats/common/cells/solid_orders.hpp"
 #include "formats/common/io/byte_stream.hpp"
+#include "formats/common/io/bytes_behind.hpp"
 #include "formats/common/io/input_text.hpp"
 #include "formats/common/io/text_cursor.hpp"
 #include "formats/common/mesh/assemble.hpp"
@@ -54,6 +55,7 @@ ForeignMesh read_words(const InputText& text) {
         mesh.cell_nodes.push_back(cursor.integer("a node"));
     }
   }
+  note_text_behind(text.text().substr(cursor.offset()), "the mesh", mesh.notes);
   note_faces(counts, mesh);
   return mesh;
 }
@@ -132,6 +134,7 @@ ForeignMesh read_bytes(const InputText& text) {
         mesh.cell_nodes.push_back(stream.read<std::int32_t>("a node"));
     }
   }
+  note_bytes_behind(stream.size() - bytes_of(counts, *variant), "the mesh", mesh.notes);
   note_faces(counts, mesh);
   return mesh;
 }

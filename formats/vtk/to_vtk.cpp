@@ -52,17 +52,6 @@ void set_cells(const ZooMesh& mesh, const WrittenCells& table, vtkUnstructuredGr
   grid.SetCells(types, array);
 }
 
-/// A VTK array that refers to the values; the mesh must outlive it.
-vtkSmartPointer<vtkDoubleArray> array_of(std::span<const double> values, std::size_t components) {
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetNumberOfComponents(static_cast<int>(components));
-  constexpr int kDoNotFree = 1;
-  // VTK's writer only reads them
-  array->SetArray(const_cast<double*>(values.data()), static_cast<vtkIdType>(values.size()),
-                  kDoNotFree);
-  return array;
-}
-
 void add_fields(const ZooMesh& mesh, const std::string& path, vtkUnstructuredGrid& grid,
                 std::vector<std::string>& notes) {
   for (const Field& field : mesh.fields) {
@@ -73,18 +62,7 @@ void add_fields(const ZooMesh& mesh, const std::string& path, vtkUnstructuredGri
                       field.name));
       continue;
     }
-    vtkDataSetAttributes* data = field.location == FieldLocation::node
-                                     ? static_cast<vtkDataSetAttributes*>(grid.GetPointData())
-                                     : grid.GetCellData();
-    if (data->HasArray(field.name.c_str()) != 0)
-      throw InputError(path, fmt::format("VTU cannot hold two fields of one name in one place "
-                                         "('{}' found twice: rename one)",
-                                         field.name));
-    const auto array = array_of(field.values.view(), field.components);
-    array->SetName(field.name.c_str());
-    if (!field.unit.empty())
-      array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), field.unit.c_str());
-    data->AddArray(array);
+    add_field(field, "VTU", path, grid);
   }
 }
 
@@ -115,6 +93,45 @@ std::string reason_of(unsigned long code) {
 
 }  // namespace
 
+vtkSmartPointer<vtkDoubleArray> array_of(std::span<const double> values, std::size_t components) {
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetNumberOfComponents(static_cast<int>(components));
+  constexpr int kDoNotFree = 1;
+  // VTK's writer only reads them
+  array->SetArray(const_cast<double*>(values.data()), static_cast<vtkIdType>(values.size()),
+                  kDoNotFree);
+  return array;
+}
+
+void add_field(const Field& field, std::string_view format, const std::string& path,
+               vtkDataSet& dataset) {
+  vtkDataSetAttributes* data = field.location == FieldLocation::node
+                                   ? static_cast<vtkDataSetAttributes*>(dataset.GetPointData())
+                                   : dataset.GetCellData();
+  if (data->HasArray(field.name.c_str()) != 0)
+    throw InputError(path, fmt::format("{} cannot hold two fields of one name in one place "
+                                       "('{}' found twice: rename one)",
+                                       format, field.name));
+  const auto array = array_of(field.values.view(), field.components);
+  array->SetName(field.name.c_str());
+  if (!field.unit.empty())
+    array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), field.unit.c_str());
+  data->AddArray(array);
+}
+
+void write_xml(vtkXMLWriter& writer, const std::string& path) {
+  OutputFile file(path);
+  const MessageCapture messages;
+  writer.SetFileName(file.temporary_path().c_str());
+  writer.SetDataModeToAppended();
+  writer.EncodeAppendedDataOff();
+  writer.SetHeaderTypeToUInt64();
+  if (writer.Write() == 0 || writer.GetErrorCode() != 0)
+    file.fail(reason_of(writer.GetErrorCode()));
+  if (messages.any_error()) file.fail("VTK refuses");
+  file.commit();
+}
+
 std::vector<std::string> write_vtu(const std::string& path, const ZooMesh& mesh) {
   std::vector<std::string> notes;
   const WrittenCells table = written_cells(mesh, "VTU", path, notes);
@@ -126,19 +143,9 @@ std::vector<std::string> write_vtu(const std::string& path, const ZooMesh& mesh)
   add_fields(mesh, path, *grid, notes);
   add_metadata(mesh, *grid);
 
-  OutputFile file(path);
-  const MessageCapture messages;
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetFileName(file.temporary_path().c_str());
   writer->SetInputData(grid);
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  writer->SetHeaderTypeToUInt64();
-  if (writer->Write() == 0 || writer->GetErrorCode() != 0) {
-    file.fail(reason_of(writer->GetErrorCode()));
-  }
-  if (messages.any_error()) file.fail("VTK refuses");
-  file.commit();
+  write_xml(*writer, path);
   return notes;
 }
 

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <thread>
 #include <vector>
@@ -13,34 +12,21 @@
 #include <unistd.h>
 
 #include "hiac/base/error.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace hiac {
 namespace {
 
 namespace fs = std::filesystem;
+using test::bytes_of;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
 class OutputFiles : public testing::Test {
  protected:
-  void SetUp() override {
-    char name[] = "/tmp/hiac-output-XXXXXX";
-    folder_ = mkdtemp(name);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_ / name; }
-  [[nodiscard]] std::vector<std::string> names() const {
-    std::vector<std::string> found;
-    for (const auto& entry : fs::directory_iterator(folder_))
-      found.push_back(entry.path().filename());
-    return found;
-  }
-  static std::string content(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_.file(name); }
+  [[nodiscard]] std::vector<std::string> names() const { return folder_.names(); }
   static void put(const std::string& path, const std::string& text) {
     OutputFile file(path);
     std::ofstream(file.temporary_path(), std::ios::binary) << text;
@@ -48,14 +34,14 @@ class OutputFiles : public testing::Test {
   }
 
  private:
-  fs::path folder_;
+  test::ScratchFolder folder_;
 };
 
 TEST_F(OutputFiles, ReplacementKeepsTheMode) {
   put(path("a"), "first");
   fs::permissions(path("a"), fs::perms(0604));
   put(path("a"), "second");
-  EXPECT_EQ(content(path("a")), "second");
+  EXPECT_EQ(bytes_of(path("a")), "second");
   EXPECT_EQ(fs::status(path("a")).permissions(), fs::perms(0604));
 }
 
@@ -76,7 +62,7 @@ TEST_F(OutputFiles, AFullDeviceIsAnErrorAndStaysADevice) {
 TEST_F(OutputFiles, APipeGetsTheBytes) {
   ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
   std::string got;
-  std::thread reader([&] { got = content(path("pipe")); });
+  std::thread reader([&] { got = bytes_of(path("pipe")); });
   put(path("pipe"), "text\0of bytes");
   reader.join();
   EXPECT_EQ(got, "text\0of bytes");
@@ -101,9 +87,9 @@ TEST_F(OutputFiles, LinksStayLinks) {
   fs::create_symlink("link", path("second"));
   put(path("second"), "new");  // what the links lead to is not there yet
   EXPECT_TRUE(fs::is_symlink(path("second")) && fs::is_symlink(path("link")));
-  EXPECT_EQ(content(path("far/one")), "new");
+  EXPECT_EQ(bytes_of(path("far/one")), "new");
   put(path("second"), "newer");
-  EXPECT_EQ(content(path("far/one")), "newer");
+  EXPECT_EQ(bytes_of(path("far/one")), "newer");
 }
 
 TEST_F(OutputFiles, AnOpenFileOfTheProcessIsWrittenTo) {
@@ -111,7 +97,7 @@ TEST_F(OutputFiles, AnOpenFileOfTheProcessIsWrittenTo) {
   ASSERT_EQ(write(open_file, "old ", 4), 4);
   put("/proc/self/fd/" + std::to_string(open_file), "new");
   close(open_file);
-  EXPECT_EQ(content(path("a")), "old new");
+  EXPECT_EQ(bytes_of(path("a")), "old new");
 }
 
 TEST_F(OutputFiles, WhatCannotBeWrittenIsRefusedAtOnce) {

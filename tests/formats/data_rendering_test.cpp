@@ -10,7 +10,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <vector>
@@ -18,6 +17,7 @@
 #include "hiac/check/overlap.hpp"
 #include "hiac/frame/projection.hpp"
 #include "hiac/frame/renderable.hpp"
+#include "hiac/geometry/box.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
 #include "hiac/order/order_basis.hpp"
 #include "hiac/render/engine.hpp"
@@ -42,26 +42,6 @@ constexpr std::uintmax_t kMostBytes = 2'000'000;
 // Violations of a mesh that are looked into, one by one.
 constexpr std::size_t kMostJudged = 40;
 
-struct Box {
-  Position center{};
-  double diagonal = 0;
-};
-
-Box box_of(const ZooMesh& mesh) {
-  Position low, high;
-  low.fill(std::numeric_limits<double>::infinity());
-  high.fill(-std::numeric_limits<double>::infinity());
-  for (const NodeId node : mesh.nodes)
-    for (std::size_t c = 0; c < 3; ++c) {
-      low[c] = std::min(low[c], mesh.position(node)[c]);
-      high[c] = std::max(high[c], mesh.position(node)[c]);
-    }
-  Box box;
-  for (std::size_t c = 0; c < 3; ++c) box.center[c] = 0.5 * (low[c] + high[c]);
-  box.diagonal = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-  return box;
-}
-
 // Direction i of n, spread evenly over the sphere (a Fibonacci lattice).
 Position direction(int i, int n) {
   const double z = 1 - (2 * i + 1.0) / n, angle = 2 * std::numbers::pi * i / std::numbers::phi;
@@ -72,15 +52,17 @@ Position direction(int i, int n) {
 // Ten parallel views, three of them along the axes, and ten in perspective, one from the middle.
 std::vector<Camera> cameras_around(const Box& box) {
   std::vector<Camera> cameras;
+  Position center;
+  for (std::size_t c = 0; c < 3; ++c) center[c] = 0.5 * (box.low[c] + box.high[c]);
   const auto add = [&](Projection projection, const Position& from, double distance) {
     Camera camera;
     camera.projection = projection;
     for (std::size_t c = 0; c < 3; ++c)
-      camera.eye[c] = box.center[c] + distance * box.diagonal * from[c];
-    camera.look_at = box.center;
+      camera.eye[c] = center[c] + distance * box.diagonal() * from[c];
+    camera.look_at = center;
     camera.up = std::abs(from[2]) < 0.9 ? Position{0, 0, 1} : Position{0, 1, 0};
     camera.fov = 40;
-    camera.height = box.diagonal;
+    camera.height = box.diagonal();
     cameras.push_back(camera);
   };
   for (const Position& axis : {Position{1, 0, 0}, {0, -1, 0}, {0, 0, 1}})
@@ -116,7 +98,7 @@ bool cells_overlap_at(const ZooMesh& mesh, const Projector& projector,
   const double x = pixel.x + 0.5, y = pixel.y + 0.5;
   const auto origin = test::vec(projector.origin(x, y)),
              direction = test::vec(projector.direction(x, y));
-  const double size = box_of(mesh).diagonal;
+  const double size = box_of_cells(mesh).diagonal();
   for (std::size_t k = 0; k < out_of_order; ++k) {
     const PixelSegment& early = pixel.segments[k];
     const double front = std::max(early.front.depth, late.front.depth),
@@ -152,10 +134,10 @@ void judge_violations(const ZooMesh& mesh, const VisibilityOrder& order, const S
 Outcome draw_from_all_sides(ZooMesh mesh) {
   Outcome outcome;
   outcome.cells = mesh.cell_count();
-  const Box box = box_of(mesh);
+  const Box box = box_of_cells(mesh);
   mesh.fields.clear();
   test::add_node_field(mesh, "shade", [&](const Position& p) {
-    return 0.5 + 0.5 * std::sin(7 * (p[0] + 2 * p[1] + 3 * p[2]) / box.diagonal);
+    return 0.5 + 0.5 * std::sin(7 * (p[0] + 2 * p[1] + 3 * p[2]) / box.diagonal());
   });
   const auto cameras = cameras_around(box);
   try {
@@ -214,9 +196,9 @@ TEST(DataRendering, QuadraticMeshesAreDrawnInOrder) {
     const fs::path path = fs::path(data_dir()) / name;
     if (!fs::exists(path) || (test::kInstrumented && fs::file_size(path) > kMostBytes)) continue;
     ZooMesh mesh = read_any(path.string()).mesh;
-    const Box box = box_of(mesh);
+    const Box box = box_of_cells(mesh);
     test::add_node_field(mesh, "shade", [&](const Position& p) {
-      return 0.5 + 0.5 * std::sin(7 * (p[0] + 2 * p[1] + 3 * p[2]) / box.diagonal);
+      return 0.5 + 0.5 * std::sin(7 * (p[0] + 2 * p[1] + 3 * p[2]) / box.diagonal());
     });
     const OrderBasis basis = order_basis(mesh, build_face_adjacency(mesh));
     const auto cameras = cameras_around(box);

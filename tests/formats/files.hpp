@@ -8,10 +8,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "formats/registry.hpp"
 #include "hiac/base/error.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace hiac::formats {
 
@@ -21,37 +21,9 @@ inline std::string data_dir() {
   return named != nullptr ? named : HIAC_DEFAULT_DATA_DIR;
 }
 
-/// A folder for one test's files, gone afterwards.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "hiac-test-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no scratch folder");
-    path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
+using test::ScratchFolder;
 
-  [[nodiscard]] std::string file(const std::string& name) const { return (path_ / name).string(); }
-  [[nodiscard]] std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(file(name), std::ios::binary) << text;
-    return file(name);
-  }
-
- private:
-  std::filesystem::path path_;
-};
-
-inline std::string text_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
+inline std::string text_of(const std::string& path) { return test::bytes_of(path); }
 
 inline Reading read_any(const std::string& path, const ReadOptions& options = {}) {
   return format_to_read(path).read(path, options);

@@ -1,11 +1,23 @@
-// In place of formats/common/io/isolated.cpp: libFuzzer sees what happens in its own process alone.
-#include "formats/common/io/isolated.hpp"
+// In place of lib/hiac/base/isolated_process.cpp: libFuzzer sees what happens in its own
+// process alone.
+#include "hiac/base/isolated_process.hpp"
 
-namespace hiac::formats {
+namespace hiac {
 
-ForeignMesh read_isolated(const std::string& path, std::string_view,
-                          const std::function<ForeignMesh(const std::string& path)>& open) {
-  return open(path);
+struct IsolatedProcess::Link {};
+
+IsolatedProcess::IsolatedProcess(std::string library, Serve serve)
+    : library_(std::move(library)),
+      serve_(std::move(serve)),
+      memory_(std::make_shared<SharedMemory>()) {}
+
+IsolatedProcess::~IsolatedProcess() = default;
+
+PackedAnswer IsolatedProcess::answer(const std::string& path, const std::string& request) {
+  const std::size_t begin = (memory_->size() + kPackPage - 1) / kPackPage * kPackPage;
+  PackWriter out(memory_->descriptor(), begin);
+  serve_(path, request, out);
+  return PackedAnswer(memory_, begin, out.end());
 }
 
-}  // namespace hiac::formats
+}  // namespace hiac

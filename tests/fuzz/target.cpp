@@ -37,6 +37,8 @@ Target target_named(const std::string& name) {
     return {name, ".csv", [](const std::string& path) { formats::read_points(path); }};
   if (formats::is_surface_file("input." + name))
     return {name, "." + name, [](const std::string& path) { formats::read_surface(path); }};
+  if (name == "vtu-surface")
+    return {name, ".vtu", [](const std::string& path) { formats::read_surface(path); }};
 #ifdef HIAC_WITH_NETCDF
   if (name == "classic-netcdf")
     return {name, ".e", [](const std::string& path) {

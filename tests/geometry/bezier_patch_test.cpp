@@ -27,7 +27,7 @@ TEST(BezierPatch, IsTheTraceOfTheShapeFunctionsOnEveryFace) {
     const ZooMesh mesh = test::make_mesh(positions, {cell});
     for (std::size_t f = 0; f < face_count(kind); ++f) {
       const FaceForm form = face_form(mesh, 0, f, 1e-10);
-      const auto nodes = patch_nodes(mesh, 0, f, form);
+      const auto points = control_points(mesh, 0, f, form);
       EXPECT_EQ(form.shape.degree, static_cast<int>(order_of(kind)));
       for (int i = 0; i < 10; ++i) {
         double u = number(random), v = number(random);
@@ -45,11 +45,8 @@ TEST(BezierPatch, IsTheTraceOfTheShapeFunctionsOnEveryFace) {
         for (std::size_t c = 0; c < 3; ++c) {
           double expected = 0;
           for (std::size_t n = 0; n < positions.size(); ++n) expected += shape[n] * positions[n][c];
-          std::array<double, kMostPatchNodes> coordinate;
-          for (std::size_t n = 0; n < form.shape.node_count(); ++n)
-            coordinate[n] = positions[nodes[n]][c];
           PatchNet<double> net;
-          patch_net(form.shape, std::span(coordinate).first(form.shape.node_count()), net);
+          for (std::size_t p = 0; p < net.size(); ++p) net[p] = points[p][c];
           const std::size_t degree = form.shape.degree;
           const PatchValue value =
               evaluate_patch(degree, net, BernsteinValues(degree, u), BernsteinValues(degree, v));

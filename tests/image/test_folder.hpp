@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <random>
 #include <string>
@@ -16,41 +15,25 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/image/image.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace hiac {
 
 /// A test with a folder of its own, empty at first and gone in the end.
 class FolderTest : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::temp_directory_path() /
-              (std::string("hiac_") + test->test_suite_name() + "_" + test->name());
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_.file(name); }
 
-  [[nodiscard]] std::string path(const std::string& name) const {
-    return (folder_ / name).string();
-  }
-
-  static std::string bytes_of(const std::string& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
+  static std::string bytes_of(const std::string& file) { return test::bytes_of(file); }
   static void write_bytes(const std::string& file, const std::string& bytes) {
     std::filesystem::remove(
         file);  // a new file: some file systems flush one that is cut to nothing
     std::ofstream(file, std::ios::binary)
         .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   }
-  [[nodiscard]] std::size_t file_count() const {
-    return static_cast<std::size_t>(
-        std::distance(std::filesystem::directory_iterator(folder_), {}));
-  }
+  [[nodiscard]] std::size_t file_count() const { return folder_.names().size(); }
 
-  std::filesystem::path folder_;
+  test::ScratchFolder folder_;
 };
 
 /// A python that has numpy: the first one, or the system's; empty where there is none.

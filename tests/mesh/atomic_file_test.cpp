@@ -1,41 +1,28 @@
 #include "hiac/mesh/atomic_file.hpp"
 
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include "hiac/base/error.hpp"
 #include "hiac/mesh/file_descriptor.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace hiac {
 namespace {
 
 namespace fs = std::filesystem;
+using test::bytes_of;
 using testing::ElementsAre;
 
 class AtomicFile : public testing::Test {
  protected:
-  void SetUp() override {
-    char name[] = "/tmp/hiac-atomic-XXXXXX";
-    folder_ = ::mkdtemp(name);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_ / name; }
-
-  [[nodiscard]] std::vector<std::string> names() const {
-    std::vector<std::string> found;
-    for (const auto& entry : fs::directory_iterator(folder_))
-      found.push_back(entry.path().filename());
-    return found;
-  }
-  static std::string content(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_.file(name); }
+  [[nodiscard]] std::vector<std::string> names() const { return folder_.names(); }
   static void put(const std::string& path, const std::string& text) {
     write_atomically(path, [&](int descriptor) {
       write_fully(descriptor, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()},
@@ -44,27 +31,27 @@ class AtomicFile : public testing::Test {
   }
 
  private:
-  fs::path folder_;
+  test::ScratchFolder folder_;
 };
 
 TEST_F(AtomicFile, CreatesAndReplaces) {
   put(path("a"), "first");
   put(path("a"), "second");
-  EXPECT_EQ(content(path("a")), "second");
+  EXPECT_EQ(bytes_of(path("a")), "second");
   EXPECT_THAT(names(), ElementsAre("a"));
 }
 
 TEST_F(AtomicFile, NothingIsSeenUntilItIsWhole) {
   put(path("a"), "old");
-  write_atomically(path("a"), [&](int) { EXPECT_EQ(content(path("a")), "old"); });
-  EXPECT_EQ(content(path("a")), "");
+  write_atomically(path("a"), [&](int) { EXPECT_EQ(bytes_of(path("a")), "old"); });
+  EXPECT_EQ(bytes_of(path("a")), "");
 }
 
 TEST_F(AtomicFile, FailureLeavesTheOldFileAndNothingElse) {
   put(path("a"), "old");
   EXPECT_THROW(write_atomically(path("a"), [](int) { throw std::runtime_error("no"); }),
                std::runtime_error);
-  EXPECT_EQ(content(path("a")), "old");
+  EXPECT_EQ(bytes_of(path("a")), "old");
   EXPECT_THAT(names(), ElementsAre("a"));
 }
 
@@ -82,7 +69,7 @@ TEST_F(AtomicFile, WorksInTheCurrentFolder) {
   fs::current_path(path(""));
   put("a", "x");
   fs::current_path(before);
-  EXPECT_EQ(content(path("a")), "x");
+  EXPECT_EQ(bytes_of(path("a")), "x");
 }
 
 TEST_F(AtomicFile, RefusesAFolder) {

@@ -13,10 +13,12 @@
 
 #include "hiac/base/error.hpp"
 #include "tests/mesh/sample_meshes.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace hiac {
 namespace {
 
+using test::bytes_of;
 using testing::ElementsAreArray;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
@@ -47,24 +49,14 @@ void expect_equal(const ZooFile& a, const ZooFile& b) {
   }
 }
 
-/// A folder of its own that is removed at the end.
 class ZooContainer : public testing::Test {
  protected:
-  void SetUp() override {
-    char name[] = "/tmp/hiac-zoo-XXXXXX";
-    folder_ = ::mkdtemp(name);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_ / name; }
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_.file(name); }
 
  private:
-  fs::path folder_;
+  test::ScratchFolder folder_;
 };
 
-std::string read_bytes(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 void write_bytes(const std::string& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
 }
@@ -127,11 +119,11 @@ TEST_F(ZooContainer, WritingLeavesNothingBesideTheFile) {
 
 TEST_F(ZooContainer, FailedWritingLeavesTheOldFileWhole) {
   write_zoo_file(path("a.zoo"), sample_file());
-  const std::string before = read_bytes(path("a.zoo"));
+  const std::string before = bytes_of(path("a.zoo"));
   ZooFile broken = sample_file();
   broken.mesh.xyz = std::vector<double>{1};
   EXPECT_THROW(write_zoo_file(path("a.zoo"), broken), InputError);
-  EXPECT_EQ(read_bytes(path("a.zoo")), before);
+  EXPECT_EQ(bytes_of(path("a.zoo")), before);
   EXPECT_EQ(std::distance(fs::directory_iterator(path("")), fs::directory_iterator()), 1);
 }
 
@@ -148,7 +140,7 @@ TEST_F(ZooContainer, SaysThatAFileIsMissingOrNoZoo) {
 
 TEST_F(ZooContainer, RefusesEveryTruncation) {
   write_zoo_file(path("a.zoo"), ZooFile{samples::brick_grid(1), {}});
-  const std::string whole = read_bytes(path("a.zoo"));
+  const std::string whole = bytes_of(path("a.zoo"));
   for (std::size_t size = 0; size < whole.size(); ++size) {
     write_bytes(path("cut"), whole.substr(0, size));
     EXPECT_THAT(complaint([&] { read_zoo_file(path("cut")); }), HasSubstr("stream ended before"));
@@ -163,7 +155,7 @@ TEST_F(ZooContainer, RefusesEveryTruncation) {
 
 TEST_F(ZooContainer, NoticesEveryByteThatIsFlipped) {
   write_zoo_file(path("a.zoo"), ZooFile{samples::brick_grid(1), {}});
-  const std::string whole = read_bytes(path("a.zoo"));
+  const std::string whole = bytes_of(path("a.zoo"));
   for (std::size_t at = 0; at < whole.size(); ++at) {
     std::string flipped = whole;
     flipped[at] = static_cast<char>(flipped[at] ^ (1 << (at % 8)));
@@ -223,7 +215,7 @@ TEST_F(ZooContainer, ReadsANamedPipe) {
 
 TEST_F(ZooContainer, StreamIsReadToItsEndChunkAndNoFurther) {
   write_zoo_file(path("a.zoo"), sample_file());
-  write_bytes(path("two.zoo"), read_bytes(path("a.zoo")) + read_bytes(path("a.zoo")));
+  write_bytes(path("two.zoo"), bytes_of(path("a.zoo")) + bytes_of(path("a.zoo")));
   const int descriptor = ::open(path("two.zoo").c_str(), O_RDONLY);
   for (int i = 0; i < 2; ++i) expect_equal(read_zoo_stream(descriptor, "two"), sample_file());
   ::close(descriptor);

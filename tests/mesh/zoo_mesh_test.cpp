@@ -194,7 +194,7 @@ TEST(ScalarField, NamesWhatThereIsWhenThereIsNoSuchField) {
 TEST(ScalarField, AcceptsEveryNameThatIsListed) {
   const ZooMesh mesh = vector_mesh();
   const auto names = scalar_field_names(mesh);
-  EXPECT_EQ(names.size(), 1 + 4 + 7 + 5 + 1u);
+  EXPECT_EQ(names.size(), 1 + 4 + 13 + 5 + 1u);
   for (const std::string& name : names) EXPECT_EQ(scalar_field(mesh, name).values.size(), 1u);
 }
 

@@ -45,6 +45,21 @@ TEST(Convexity, ABodyWithSlantedSidesIsConvex) {
     EXPECT_TRUE(is_convex(moved(structured(4, cut), slanted)));
 }
 
+// Stars of five and seven points and a square twice, each convex along all edges.
+TEST(Convexity, WhatWindsAroundTwiceIsNot) {
+  for (const int sectors : {3, 4, 5, 8}) EXPECT_TRUE(is_convex(wound(sectors, 1))) << sectors;
+  for (const auto& [sectors, turns] : {std::pair(5, 2), std::pair(8, 2), std::pair(7, 3)}) {
+    const ZooMesh mesh = wound(sectors, turns);
+    EXPECT_FALSE(is_convex(mesh)) << sectors;
+    // whichever face comes first
+    std::vector<Cell> cells = cells_of(mesh);
+    for (int k = 1; k < sectors; ++k) {
+      std::ranges::rotate(cells, cells.begin() + 1);
+      EXPECT_FALSE(is_convex(make_mesh(positions_of(mesh), cells))) << sectors;
+    }
+  }
+}
+
 TEST(Convexity, NotchesCavitiesAndTunnelsAreNot) {
   const auto notch = [](const Position& p) { return p[2] > 0.7 && p[0] > 0.3 && p[0] < 0.7; };
   const auto corner = [](const Position& p) { return p[0] > 0.7 && p[1] > 0.7 && p[2] > 0.7; };

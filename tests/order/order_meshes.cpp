@@ -176,4 +176,19 @@ ZooMesh flat_between() {
   return make_mesh(positions, cells);
 }
 
+ZooMesh wound(int sectors, int turns) {
+  std::vector<Position> places{{0, 0, 0}, {0, 0, 1}};
+  std::vector<Cell> cells;
+  for (int i = 0; i < sectors; ++i) {
+    // a second time at the same places to the last bit
+    const double part = static_cast<double>((i * turns) % sectors) / sectors;
+    const double angle = 2 * std::numbers::pi * part;
+    for (const double z : {0.0, 1.0}) places.push_back({std::cos(angle), std::sin(angle), z});
+    const auto low = static_cast<NodeId>(2 + 2 * i);
+    const auto next = static_cast<NodeId>(2 + 2 * ((i + 1) % sectors));
+    cells.push_back({CellKind::prism6, {0, next, low, 1, next + 1, low + 1}});
+  }
+  return make_mesh(places, cells);
+}
+
 }  // namespace hiac::test

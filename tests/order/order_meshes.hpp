@@ -63,4 +63,8 @@ ZooMesh corners_in_line(NodeId in_line);
 /// tetrahedron (cell 0) there that joins them.
 ZooMesh flat_between();
 
+/// `sectors` prisms around the z axis, from z = 0 to 1, that go around it `turns` times, each over
+/// less than half a turn: the boundary bends outwards at all of its edges.
+ZooMesh wound(int sectors, int turns);
+
 }  // namespace hiac::test

@@ -46,6 +46,23 @@ TEST_F(PreviewContext, AFaultOfACallIsAnError) {
   context().check("doing nothing");
 }
 
+// By default a driver that loses a context goes on as if nothing had happened.
+TEST_F(PreviewContext, AsksTheDriverToTellOfALoss) {
+  if (!epoxy_has_gl_extension("GL_KHR_robustness") && !epoxy_has_gl_extension("GL_ARB_robustness"))
+    GTEST_SKIP() << context().device().name << " cannot tell";
+  GLint strategy = 0;
+  glGetIntegerv(GL_RESET_NOTIFICATION_STRATEGY, &strategy);
+  EXPECT_EQ(strategy, GL_LOSE_CONTEXT_ON_RESET);
+}
+
+TEST_F(PreviewContext, ALostContextIsAnError) {
+  const auto status = glGetGraphicsResetStatus;
+  glGetGraphicsResetStatus = [] { return GLenum{GL_INNOCENT_CONTEXT_RESET}; };
+  EXPECT_THROW(context().check("drawing"), preview::DriverError);
+  glGetGraphicsResetStatus = status;
+  context().check("drawing");
+}
+
 TEST_F(PreviewContext, AShaderThatIsRefusedIsAnErrorOfOneLine) {
   try {
     preview::compute_program("#version 450 core\nvoid main() { nonsense; }\n");

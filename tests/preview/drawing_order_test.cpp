@@ -10,7 +10,7 @@ namespace {
 
 TEST(DrawingOrder, GroupsComeByTheirCentroidsAndTheRestIsReversed) {
   const ZooMesh mesh = test::lattice_with_fields(2);
-  const Scene scene = test::cube_scene(Projection::perspective, 40, 30);
+  const Scene scene = test::benchmark_scene(Projection::perspective, 40, 30);
   const Projector projector(scene.camera, scene.image);
   VisibilityOrder order = test::exact_order_of(mesh, scene);
   const std::vector<CellId> plain = preview::back_to_front(mesh, order, projector);

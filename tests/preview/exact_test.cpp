@@ -10,7 +10,7 @@
 namespace hiac {
 namespace {
 
-using test::cube_scene;
+using test::benchmark_scene;
 using test::delaunay_with_fields;
 using test::lattice_with_fields;
 
@@ -23,7 +23,7 @@ TEST_F(ExactPreview, BothProjectionsGlowsAndSeparateFields) {
   for (const Projection projection : {Projection::orthographic, Projection::perspective})
     for (const Glow glow : {Glow::chromaticity, Glow::emission})
       for (const char* color : {"f", "g"}) {
-        Scene scene = cube_scene(projection, 120, 90);
+        Scene scene = benchmark_scene(projection, 120, 90);
         scene.volume.glow = glow;
         scene.volume.color->field = std::string(color);
         SCOPED_TRACE(std::string(color) + (glow == Glow::emission ? " emission" : "") +
@@ -39,7 +39,7 @@ TEST_F(ExactPreview, RandomScenes) {
   for (std::uint64_t k = 0; k < 20; ++k) {
     const ZooMesh mesh = delaunay_with_fields(20 + 15 * k, k);
     Scene scene =
-        cube_scene(k % 2 == 0 ? Projection::orthographic : Projection::perspective, 97, 83);
+        benchmark_scene(k % 2 == 0 ? Projection::orthographic : Projection::perspective, 97, 83);
     const double distance = 1.2 + 6 * unit(random), angle = 6.283 * unit(random);
     const double height = 2 * unit(random) - 1;
     scene.camera.eye = {0.5 + distance * std::cos(angle), 0.5 + distance * std::sin(angle),
@@ -58,7 +58,7 @@ TEST_F(ExactPreview, ViewsAlongTheAxesAndDiagonalsOfALattice) {
     for (const std::uint32_t size : {100U, 101U, 120U})
       for (const test::Position& way :
            {test::Position{1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {1, 1, 0}, {0, -1, 1}, {1, 1, 1}}) {
-        Scene scene = cube_scene(projection, size, size);
+        Scene scene = benchmark_scene(projection, size, size);
         for (std::size_t c = 0; c < 3; ++c) scene.camera.eye[c] = 0.5 + 3 * way[c];
         scene.camera.up =
             way[2] != 0 ? std::array<double, 3>{1, -1, 0} : std::array<double, 3>{0, 0, 1};
@@ -68,11 +68,27 @@ TEST_F(ExactPreview, ViewsAlongTheAxesAndDiagonalsOfALattice) {
       }
 }
 
+// Rays through pixel centres run along edges and faces that are far narrower than a pixel, and pass
+// from one cell to the other half way. The mesh's own sides are beside the picture.
+TEST_F(ExactPreview, FacesThatAreNearlyEdgeOn) {
+  const ZooMesh mesh = lattice_with_fields(5);
+  for (const double width : {1.1e-4, 5e-5, 2e-5}) {  // of a face, pixels
+    Scene scene = benchmark_scene(Projection::orthographic, 120, 120);
+    scene.camera.height = 0.75;  // 32 pixels a cube
+    scene.camera.up = {0, 1, 0};
+    const double middle = 0.5 + 0.5 / 160, tilt = width / 32;
+    scene.camera.look_at = {middle, middle, 0.5};
+    scene.camera.eye = {middle + 3 * tilt, middle + 3 * tilt, 3.5};
+    SCOPED_TRACE(width);
+    expect_close(mesh, scene, 2e-6, kRms);
+  }
+}
+
 TEST_F(ExactPreview, EyesInsideTheMesh) {
   for (const ZooMesh& mesh : {delaunay_with_fields(200, 3), lattice_with_fields(4)})
     for (const test::Position& eye :
          {test::Position{0.52, 0.47, 0.31}, {0.5, 0.5, 0.5}, {1.02, 0.5, 0.5}}) {
-      Scene scene = cube_scene(Projection::perspective, 100, 80);
+      Scene scene = benchmark_scene(Projection::perspective, 100, 80);
       scene.camera.eye = eye;
       scene.camera.look_at = {0.1, 0.2, 0.8};
       scene.camera.fov = 75;
@@ -86,7 +102,7 @@ TEST_F(ExactPreview, PiecesOfLargeOpticalDepth) {
   test::add_node_field(mesh, "f", [](const test::Position& p) { return p[0]; });
   for (const Glow glow : {Glow::chromaticity, Glow::emission})
     for (const double tau : {1.0, 3.0, 40.0}) {
-      Scene scene = cube_scene(Projection::orthographic, 60, 50);
+      Scene scene = benchmark_scene(Projection::orthographic, 60, 50);
       scene.volume.glow = glow;
       scene.volume.color->points = {{0, {1, 0, 0.5}}, {1, {0, 1, 0.5}}};
       scene.volume.extinction->points = {{0, {0}}, {1, {tau}}};
@@ -99,7 +115,7 @@ TEST_F(ExactPreview, PiecesOfLargeOpticalDepth) {
 TEST_F(ExactPreview, FunctionsOfManyBreakpoints) {
   const ZooMesh mesh = delaunay_with_fields(60, 12);
   for (const char* color : {"f", "g"}) {
-    Scene scene = cube_scene(Projection::perspective, 80, 60);
+    Scene scene = benchmark_scene(Projection::perspective, 80, 60);
     scene.volume.color->field = std::string(color);
     scene.volume.color->points.clear();
     for (int k = 0; k <= 400; ++k)
@@ -116,7 +132,7 @@ TEST_F(ExactPreview, FunctionsOfManyBreakpoints) {
 TEST_F(ExactPreview, ClippingSlab) {
   const ZooMesh mesh = delaunay_with_fields(150, 4);
   for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
-    Scene scene = cube_scene(projection, 100, 80);
+    Scene scene = benchmark_scene(projection, 100, 80);
     scene.camera.clip = {{3.3, 3.8}};
     expect_close(mesh, scene, kLargest, kRms);
     scene.camera.clip = {{3.7, std::numeric_limits<double>::infinity()}};
@@ -125,11 +141,11 @@ TEST_F(ExactPreview, ClippingSlab) {
 }
 
 TEST_F(ExactPreview, DenseMediaAndFarFromTheOrigin) {
-  Scene scene = cube_scene(Projection::perspective, 100, 80);
+  Scene scene = benchmark_scene(Projection::perspective, 100, 80);
   for (auto& point : scene.volume.extinction->points) point.value[0] *= 1000;
   const ZooMesh mesh = delaunay_with_fields(150, 5);
   expect_close(mesh, scene, kLargest, kRms);
-  Scene far = cube_scene(Projection::perspective, 100, 80);
+  Scene far = benchmark_scene(Projection::perspective, 100, 80);
   const auto away = [](const test::Position& p) {
     return test::Position{p[0] + 1e6, p[1] - 1e6, p[2] + 1e6};
   };
@@ -141,7 +157,7 @@ TEST_F(ExactPreview, DenseMediaAndFarFromTheOrigin) {
 TEST_F(ExactPreview, StepsAndThinShells) {
   const ZooMesh mesh = delaunay_with_fields(150, 6);
   for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
-    Scene scene = cube_scene(projection, 100, 80);
+    Scene scene = benchmark_scene(projection, 100, 80);
     scene.volume.color->points = {
         {0.3, {1, 0, 0}}, {0.3, {0, 1, 0}}, {0.6, {0, 0, 1}}, {0.6, {1, 1, 0}}};
     scene.volume.extinction->points = {{0.2, {0}},  {0.2, {5}},     {0.4, {0}},
@@ -161,7 +177,7 @@ TEST_F(ExactPreview, FieldsOfCellsAndCorners) {
   }
   mesh.fields.push_back({"c", "", FieldLocation::cell, 1, std::move(of_cells)});
   mesh.fields.push_back({"k", "", FieldLocation::corner, 1, std::move(of_corners)});
-  Scene scene = cube_scene(Projection::perspective, 100, 80);
+  Scene scene = benchmark_scene(Projection::perspective, 100, 80);
   scene.volume.color->field = "c";
   scene.volume.extinction->field = "k";
   expect_close(mesh, scene, kLargest, kRms);
@@ -173,7 +189,7 @@ TEST_F(ExactPreview, HomogeneousMediumHasNoHoles) {
   for (const ZooMesh& mesh : {delaunay_with_fields(300, 9), lattice_with_fields(6)})
     for (const test::Position& eye :
          {test::Position{3.1, 2.3, 2.7}, {3.5, 0.5, 0.5}, {3.5, 3.5, 0.5}}) {
-      Scene scene = cube_scene(Projection::orthographic, 150, 150);
+      Scene scene = benchmark_scene(Projection::orthographic, 150, 150);
       scene.camera.eye = eye;
       scene.volume.extinction->points = {{0, {tau}}};
       const Image image = preview_of(mesh, scene);

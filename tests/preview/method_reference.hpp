@@ -11,12 +11,12 @@
 namespace hiac::test {
 
 /// Light and alpha of one pixel by a method of the paper's section 7, slowly and to the letter, in
-/// extended precision. Every linear tetrahedron is met by the ray in world space. M1: each slab
-/// between breakpoints by itself. M0, M2 and M3, for tetrahedra without a breakpoint: the thickest
-/// point is a corner in front of the others or the crossing of two edges, found by trying all; the
-/// triangle with two corners that holds the pixel is the region; light at its corners by
-/// quadrature. Shares no code with the preview. One field at the nodes; no isosurfaces, no
-/// clipping. Throws std::invalid_argument for breakpoints with M0, M2 and M3.
+/// extended precision. Every linear tetrahedron is met by the ray in world space, and its slabs
+/// between breakpoints are taken one by one. The region around the pixel is what the polygons by
+/// which the ray enters and leaves the slab have in common on the screen; light at its corners is
+/// found by quadrature, and interpolated in the triangle around the corner where the slab is
+/// thickest that holds the pixel. Opacity, but for M0's, is that of the pixel's own way.
+/// Shares no code with the preview. One field at the nodes; no isosurfaces, no clipping.
 std::array<double, 4> method_pixel(const ZooMesh& mesh, const Scene& scene, preview::Method method,
                                    std::span<const CellId> back_to_front, std::uint32_t x,
                                    std::uint32_t y);

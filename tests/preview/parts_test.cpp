@@ -23,7 +23,7 @@ TEST(PartsOf, CoverARectangleOnce) {
 TEST_F(PreviewParts, HaveTheSamePixels) {
   const ZooMesh mesh = test::delaunay_with_fields(200, 21);
   for (const bool inside : {false, true}) {
-    Scene scene = test::cube_scene(Projection::perspective, 150, 110);
+    Scene scene = test::benchmark_scene(Projection::perspective, 150, 110);
     if (inside) {
       scene.camera.eye = {0.4, 0.5, 0.6};
       scene.camera.fov = 80;
@@ -36,7 +36,7 @@ TEST_F(PreviewParts, HaveTheSamePixels) {
 
 TEST_F(PreviewParts, ACropHasThePixelsOfTheWhole) {
   const ZooMesh mesh = test::delaunay_with_fields(100, 22);
-  const Scene scene = test::cube_scene(Projection::orthographic, 150, 110);
+  const Scene scene = test::benchmark_scene(Projection::orthographic, 150, 110);
   const Image whole = preview_of(mesh, scene);
   preview::Preview engine(context(), mesh, scene);
   const PixelRect part{60, 40, 50, 30};
@@ -49,7 +49,7 @@ TEST_F(PreviewParts, ACropHasThePixelsOfTheWhole) {
 
 TEST_F(PreviewParts, TheBackgroundShowsThrough) {
   const ZooMesh mesh = test::lattice_with_fields(2);
-  Scene scene = test::cube_scene(Projection::orthographic, 40, 30);
+  Scene scene = test::benchmark_scene(Projection::orthographic, 40, 30);
   scene.background.color = {0.25, 0.5, 0.75};
   preview::Preview engine(context(), mesh, scene);
   const VisibilityOrder order = test::exact_order_of(mesh, scene);

@@ -66,7 +66,7 @@ ZooMesh lattice_with_fields(std::size_t n) {
   return mesh;
 }
 
-Scene cube_scene(Projection projection, std::uint32_t width, std::uint32_t height) {
+Scene benchmark_scene(Projection projection, std::uint32_t width, std::uint32_t height) {
   Scene scene = hiac::cube_scene(width);
   scene.image.height = height;
   scene.camera.projection = projection;

@@ -38,7 +38,7 @@ ZooMesh delaunay_with_fields(std::size_t points, std::uint64_t seed);
 ZooMesh lattice_with_fields(std::size_t n);
 
 /// The unit cube from a corner, four colours and six extinctions by f.
-Scene cube_scene(Projection projection, std::uint32_t width, std::uint32_t height);
+Scene benchmark_scene(Projection projection, std::uint32_t width, std::uint32_t height);
 
 VisibilityOrder exact_order_of(const ZooMesh& mesh, const Scene& scene);
 

@@ -1,6 +1,7 @@
 // hiac-preview as a user meets it.
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -35,6 +36,11 @@ class PreviewTool : public test::ToolFolder {
   }
   [[nodiscard]] int preview(const std::string& arguments) const {
     return run("unset DISPLAY; '" HIAC_PREVIEW "' " + arguments);
+  }
+  // With faults of the driver: faulty_driver.cpp.
+  [[nodiscard]] int preview_with(const std::string& faults, const std::string& arguments) const {
+    return run("ASAN_OPTIONS=$ASAN_OPTIONS:verify_asan_link_order=0 " + faults +
+               " LD_PRELOAD='" HIAC_FAULTY_DRIVER "' '" HIAC_PREVIEW "' " + arguments);
   }
   [[nodiscard]] double difference(const std::string& a, const std::string& b) const {
     const Image one = read_image(file(a)).image, two = read_image(file(b)).image;
@@ -100,6 +106,45 @@ TEST_F(PreviewTool, SaysWhatWasTriedWithoutADriver) {
   EXPECT_THAT(complaint(), HasSubstr("libgl1-mesa-dri"));
   EXPECT_EQ(std::ranges::count(complaint(), '\n'), 1);
   EXPECT_FALSE(std::filesystem::exists(file("a.npy")));
+}
+
+// Wherever in its work the tool first hears of it.
+TEST_F(PreviewTool, ALostContextLeavesNoPicture) {
+  for (const std::string method : {"exact", "M1"}) {
+    int losses = 0;
+    for (int after = 0; after < 20; ++after) {
+      const std::string arguments = "m.zoo --view v.toml -o a.npy --method " + method;
+      const int status = preview_with("FAULT_LOST_AFTER=" + std::to_string(after), arguments);
+      if (status == 0) break;
+      ++losses;
+      EXPECT_EQ(status, 4);
+      EXPECT_THAT(complaint(), HasSubstr(": the context was lost while "));
+      EXPECT_EQ(std::ranges::count(complaint(), '\n'), 1) << complaint();
+      EXPECT_FALSE(std::filesystem::exists(file("a.npy")));
+    }
+    EXPECT_GE(losses, 4) << method;  // making a target, drawing, waiting, reading
+    EXPECT_TRUE(std::filesystem::exists(file("a.npy")));
+    std::filesystem::remove(file("a.npy"));
+  }
+}
+
+TEST_F(PreviewTool, TooSmallALimitLeavesNoPicture) {
+  for (const auto& [fault, message] :
+       {std::pair{"FAULT_TEXTURE_SIDE=0", "draws no pictures of any size"},
+        {"FAULT_STORAGE_BYTES=100", "bytes in one buffer, and the driver has 100 at most"}}) {
+    EXPECT_EQ(preview_with(fault, "m.zoo --view v.toml -o a.npy"), 4);
+    EXPECT_THAT(complaint(), HasSubstr(message));
+    EXPECT_EQ(std::ranges::count(complaint(), '\n'), 1) << complaint();
+    EXPECT_FALSE(std::filesystem::exists(file("a.npy")));
+  }
+}
+
+TEST_F(PreviewTool, APictureAboveTheDriversLimitIsDrawnInParts) {
+  ASSERT_EQ(preview("m.zoo --view v.toml -o whole.npy"), 0) << complaint();
+  ASSERT_EQ(preview_with("FAULT_TEXTURE_SIDE=17", "m.zoo --view v.toml -o a.npy --json a.json"), 0)
+      << complaint();
+  EXPECT_EQ(nlohmann::json::parse(bytes_of(file("a.json")))["parts"], 12);
+  EXPECT_EQ(bytes_of(file("whole.npy")), bytes_of(file("a.npy")));
 }
 
 TEST_F(PreviewTool, TwoProcessesAtOnceDrawTheSame) {

@@ -212,14 +212,37 @@ TEST(SceneParser, NamesTheFaultsOfFurtherTables) {
        "view.toml:12: key `volume.color.points`: too small"},
       {"[volume.color]\nfield = 'p'\npoints = [[0, 0, 0, 0]]\npreset = 'x.json'",
        "view.toml:13: key `volume.color.preset`: one of `points` and `preset` is expected"},
-      {"[volume.color]\nfield = 'p'\npreset = 'x.json'",
-       "view.toml:10: key `volume.color.range`: is missing"},
+      {"[volume.color]\nfield = 'p'\npreset = 'virids'",
+       "view.toml:12: key `volume.color.preset`: no colour map of this name (expected a file, or "
+       "one of viridis, plasma"},
+      {"[volume.color]\nfield = 'p'\npreset = 'viridis'\npreset_name = 'x'",
+       "view.toml:13: key `volume.color.preset_name`: has no meaning without a preset file"},
+      {"[volume.color]\nfield = 'p'\npreset = 'viridis'\nrange = 'all'",
+       "view.toml:13: key `volume.color.range`: no such range (expected [low, high], \"auto\""},
+      {"[volume.color]\nfield = 'p'\npreset = 'viridis'\nrange = 'percentile:9,1'",
+       "view.toml:13: key `volume.color.range`: percentiles go from 0 to 100"},
+      {"[volume.color]\nfield = 'p'\npreset = 'viridis'\nrange = 'percentile:1,101'",
+       "view.toml:13: key `volume.color.range`: percentiles go from 0 to 100"},
+      {"[volume.color]\nfield = 'p'\npreset = 'viridis'\nrange = 'percentile:1'",
+       "view.toml:13: key `volume.color.range`: no such range"},
+      {"[volume.color]\nfield = 'p'\npreset = 'viridis'\nscale = 'ln'",
+       "view.toml:13: key `volume.color.scale`: no such choice"},
+      {"[volume.color]\nfield = 'p'\npreset = 'viridis'\nscale = 'log'\nrange = [0, 1]",
+       "view.toml:14: key `volume.color.range`: a logarithmic scale needs a positive range"},
+      {"[volume.color]\nfield = 'p'\nscale = 'log'\npoints = [[0, 0, 0, 0], [1, 1, 1, 1]]",
+       "view.toml:13: key `volume.color.points`: a logarithmic scale needs positive scalars"},
+      {"[volume.color]\nfield = 'p'\ncolor_space = 'srgb'\npoints = [[0, 2, 0, 0]]",
+       "view.toml:13: key `volume.color.points`: a display value is at most 1"},
+      {"[volume.extinction]\nfield = 'p'\nrange = 'auto'\npoints = [[0, 2], [3, 0]]",
+       "view.toml:13: key `volume.extinction.points`: with `range`, scalars go from 0 to 1"},
       {"[volume.color]\nfield = 'p'\npreset = 'x.json'\nrange = [1, 0]",
        "view.toml:13: key `volume.color.range`: low must be below high"},
       {"[volume.color]\nfield = 'p'\npreset = 'none.json'\nrange = [0, 1]",
        "view.toml:12: key `volume.color.preset`: none.json: cannot be opened"},
-      {"[volume.color]\nfield = 'p'\npoints = [[0, 0, 0, 0]]\nrange = [0, 1]",
-       "view.toml:13: key `volume.color.range`: has no meaning without `preset`"},
+      {"[volume.color]\nfield = 'p'\npoints = [[0, 0, 0, 0]]\npreset_name = 'x'",
+       "view.toml:13: key `volume.color.preset_name`: has no meaning without `preset`"},
+      {"[volume.color]\nfield = 'p'\npoints = [[0, 0, 0, 0]]\npreset_tolerance = 1e-3",
+       "view.toml:13: key `volume.color.preset_tolerance`: has no meaning for points"},
       {"[volume.extinction]\nfield = 'p'\npoints = [[0, 1], [1, -0.5]]",
        "view.toml:12: key `volume.extinction.points`: too small (expected at least 0, found -0.5)"},
       {"[volume.extinction]\nfield = 'p'\npoints = 3",
@@ -312,7 +335,8 @@ TEST(SceneParser, ReadsAFileAndNamesItInErrors) {
   std::ofstream(folder / "map.json")
       << R"([{"Name": "m", "ColorSpace": "RGB", "RGBPoints": [0, 0, 0, 0, 4, 1, 0, 1]}])";
   std::ofstream(path) << kLeast
-                      << "[volume.color]\nfield = 'p'\npreset = 'map.json'\nrange = [10, 12]\n";
+                      << "[volume.color]\nfield = 'p'\npreset = 'map.json'\nrange = [10, 12]\n"
+                         "color_space = 'linear'\n";
   const ParsedScene read = read_scene(path);
   EXPECT_EQ(read.scene.volume.color->function()(11), (Color{0.5, 0, 0.5}));
   ASSERT_EQ(read.notes.size(), 1u);

@@ -60,7 +60,9 @@ TEST(SurfaceMeshing, FillsABoxWithoutNewPoints) {
   validate(mesh, "box");
   EXPECT_EQ(mesh.node_count(), 8U);
   EXPECT_NEAR(volume_of(mesh), 6, 1e-14);
-  EXPECT_TRUE(mesh.fields.empty());
+  ASSERT_EQ(mesh.fields.size(), 1U);
+  EXPECT_EQ(mesh.fields[0].name, "region");
+  for (const double region : mesh.fields[0].values) EXPECT_EQ(region, 1);
 }
 
 TEST(SurfaceMeshing, KeepsVolumesAndShapesBelowTheirBounds) {

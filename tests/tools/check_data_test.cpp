@@ -44,7 +44,7 @@ const std::vector<Verdict> kVerdicts{
     // 4 quadratic tetrahedra with a Jacobian at or under zero at a node
     {"nasty/curved/sphereCube.vtk", {"jacobian"}, {"nonplanar_face"}},
     // 36 quadratic tetrahedra with a Jacobian at or under zero at a node
-    {"nasty/curved/sphereCylinder_22492_inv.vtk", {"jacobian"}, {"nonplanar_face"}},
+    {"nasty/curved/sphereCylinder_22492_inv.vtk", {"jacobian", "overlap"}, {"nonplanar_face"}},
     {"nasty/nan/notch_stress.vtk", {}, {}},
     {"nasty/polyhedra/polyhedron2pieces.vtu", {}, {}},
     // ids with gaps, and in either order
@@ -56,15 +56,17 @@ const std::vector<Verdict> kVerdicts{
     // a box of 1e-5
     {"nasty/scale/small_box_hex_1000.vtk", {}, {"nonplanar_face"}},
     // 36 hexahedra with some corner inverted, all with faces that are not planar
-    {"nasty/tangled/hex_5_tangled.vtk", {"jacobian"}, {"nonplanar_face", "nonconvex_cell"}},
+    {"nasty/tangled/hex_5_tangled.vtk",
+     {"jacobian", "overlap"},
+     {"nonplanar_face", "nonconvex_cell"}},
     // 3 pyramids with some corner inverted
-    {"nasty/tangled/mixed-hex-pyr-tet.vtk", {"jacobian"}, {"nonplanar_face"}},
+    {"nasty/tangled/mixed-hex-pyr-tet.vtk", {"jacobian", "overlap"}, {"nonplanar_face"}},
     // 9 inverted hexahedra, 16 with some corner inverted
     {"nasty/tangled/par_untangle_original_hex_mesh.1.0.vtk",
      {"inverted", "jacobian", "folded_face", "overlap"},
      {"nonplanar_face"}},
     // 4 hexahedra with some corner inverted
-    {"nasty/tangled/pave2.e.vtk", {"jacobian"}, {"nonplanar_face", "nonconvex_cell"}},
+    {"nasty/tangled/pave2.e.vtk", {"jacobian", "overlap"}, {"nonplanar_face", "nonconvex_cell"}},
     // 9 inverted tetrahedra
     {"nasty/tangled/tet_4_tangled.vtk", {"inverted", "folded_face", "overlap"}, {}},
     // valid ones of all kinds
@@ -115,12 +117,33 @@ INSTANTIATE_TEST_SUITE_P(Files, CheckData, testing::ValuesIn(kVerdicts), [](cons
   return name;
 });
 
+// Every cell counts once in each figure of its kind, and every number is one.
+void expect_figures_of_all_cells(const nlohmann::json& facts) {
+  std::uint64_t cells = 0;
+  for (const auto& kind : facts["quality"]["kinds"]) {
+    const std::uint64_t of_kind = kind["cells"];
+    cells += of_kind;
+    EXPECT_GE(kind["figures"].size(), 7U);
+    for (const auto& figure : kind["figures"]) {
+      EXPECT_EQ(figure["count"].get<std::uint64_t>() + figure["undefined"].get<std::uint64_t>(),
+                of_kind);
+      if (figure["count"] == 0) continue;
+      EXPECT_TRUE(figure["least"].is_number() && figure["largest"].is_number()) << figure;
+      EXPECT_LE(figure["least"], figure["percentiles"]["50"]) << figure;
+      EXPECT_LE(figure["percentiles"]["50"], figure["largest"]) << figure;
+    }
+  }
+  EXPECT_EQ(cells, facts["cells"].get<std::uint64_t>());
+  EXPECT_GE(facts["quality"]["components"], 1);
+}
+
 TEST_P(CheckData, HasTheRightVerdict) {
   const Verdict& verdict = GetParam();
   const std::string path = data_folder() + "/" + verdict.file;
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
   ASSERT_EQ(run("$CONVERT -q '" + path + "' -o m.zoo"), 0) << complaint();
-  const int code = run("'" HIAC_CHECK "' m.zoo --overlap --json facts.json -o passed.zoo");
+  const int code =
+      run("'" HIAC_CHECK "' m.zoo --overlap --quality --json facts.json -o passed.zoo");
   EXPECT_EQ(code, verdict.invalid.empty() ? 0 : 1) << complaint();
   EXPECT_EQ(std::filesystem::exists(file("passed.zoo")), verdict.invalid.empty());
   const auto facts = nlohmann::json::parse(bytes_of(file("facts.json")));
@@ -130,6 +153,7 @@ TEST_P(CheckData, HasTheRightVerdict) {
   EXPECT_EQ(invalid, verdict.invalid);
   for (const std::string& other : verdict.others)
     EXPECT_TRUE(std::ranges::count(others, other)) << other;
+  expect_figures_of_all_cells(facts);
 }
 
 using CheckPipe = ToolFolder;

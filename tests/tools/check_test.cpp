@@ -126,6 +126,32 @@ TEST_F(CheckTool, TheMeshsConvexityIsToldWithWhatRefutesIt) {
   EXPECT_EQ(read_image(file("p.npy")).image.width(), 40U);
 }
 
+TEST_F(CheckTool, QualityInTextAndJson) {
+  write("m.zoo", side_by_side(structured(2, Cut::bricks),
+                              moved(structured(1, Cut::tetrahedra), [](const Position& p) {
+                                return Position{p[0] + 3, p[1], p[2]};
+                              })));
+  ASSERT_EQ(check("m.zoo -o out.zoo --quality --json facts.json"), 0) << complaint();
+  EXPECT_THAT(complaint(), HasSubstr("components 2, boundary faces 36, boundary shells 2, "
+                                     "cavities 0, tunnels 0"));
+  EXPECT_THAT(complaint(), HasSubstr("quality of 8 brick8, volume 1\n"));
+  EXPECT_THAT(complaint(), HasSubstr("least dihedral angle, degrees"));
+  EXPECT_THAT(complaint(), HasSubstr("0.5..0.6: 6"));  // the tetrahedra's scaled Jacobians
+  const auto quality = facts()["quality"];
+  EXPECT_EQ(quality["components"], 2);
+  EXPECT_EQ(quality["tunnels"], 0);
+  ASSERT_EQ(quality["kinds"].size(), 2U);
+  EXPECT_EQ(quality["kinds"][1]["kind"], "brick8");
+  const auto angles = quality["kinds"][1]["figures"][2];
+  EXPECT_EQ(angles["figure"], "largest_dihedral");
+  EXPECT_EQ(angles["unit"], "degrees");
+  EXPECT_EQ(angles["largest"], 90);
+  EXPECT_EQ(angles["percentiles"]["99"], 90);
+  EXPECT_EQ(angles["histogram"]["counts"].size(), angles["histogram"]["edges"].size() + 1);
+  ASSERT_EQ(check("m.zoo -o out.zoo --json facts.json"), 0) << complaint();
+  EXPECT_FALSE(facts().contains("quality"));
+}
+
 TEST_F(CheckTool, FactsThatCannotBeWrittenAreAnInputError) {
   write("m.zoo", structured(1, Cut::bricks));
   EXPECT_EQ(check("m.zoo -o out.zoo --json nowhere/facts.json"), 3);
@@ -161,6 +187,27 @@ TEST_F(CheckTool, CyclesAreNamedWithTheirCells) {
   EXPECT_THAT(complaint(), HasSubstr("1 -face->"));
 }
 
+// Each cell is convex, and so is the boundary along its edges; but they go around twice.
+TEST_F(CheckTool, CyclesAreNotClaimedOfCellsThatOverlap) {
+  write("m.zoo", wound(5, 2));
+  EXPECT_EQ(check("m.zoo --overlap --cycles --directions 3 --json facts.json"), 1);
+  EXPECT_EQ(facts()["convexity"]["verdict"], "unknown");
+  EXPECT_EQ(facts()["acyclic"], "unknown");
+  EXPECT_EQ(facts()["not_proven_acyclic"], "cells overlap");
+  EXPECT_EQ(facts()["cells_overlap"], true);
+  EXPECT_THAT(complaint(), HasSubstr("; but cells overlap: between them there is no order"));
+  EXPECT_THAT(complaint(), HasSubstr("not proven free of cycles from everywhere: cells overlap"));
+  EXPECT_EQ(check("m.zoo --cycles --directions 3 -o out.zoo --json facts.json"), 0);
+  EXPECT_THAT(complaint(), HasSubstr(", if no cells overlap (--overlap)"));
+  EXPECT_EQ(facts()["acyclic"], "unknown");
+  write("grid.zoo", structured(2, Cut::tetrahedra));
+  EXPECT_EQ(check("grid.zoo --cycles --directions 3 -o out.zoo --json facts.json"), 0);
+  EXPECT_THAT(complaint(), HasSubstr("3 of 3 views without cycles\n"));
+  EXPECT_THAT(complaint(), HasSubstr("  Delaunay; some neighbours have a circumsphere in common"));
+  EXPECT_EQ(facts()["delaunay"], "weak");
+  EXPECT_EQ(facts()["acyclic"], "regular");
+}
+
 TEST_F(CheckTool, ThePictureShowsTheOffenders) {
   write("m.zoo", kTangled);
   EXPECT_EQ(check("m.zoo --picture bad.npy"), 1) << complaint();
@@ -175,6 +222,35 @@ TEST_F(CheckTool, ThePictureShowsTheOffenders) {
   };
   EXPECT_GT(reddest("bad.npy"), 0.5);
   EXPECT_LT(reddest("good.npy"), 0.05);
+}
+
+// More cells than are sorted exactly.
+TEST_F(CheckTool, ThePictureShowsThousandsOfOffenders) {
+  write("m.zoo", inverted(structured(8, Cut::tetrahedra), [](CellId c) { return c % 5 < 2; }));
+  EXPECT_EQ(check("m.zoo --picture bad.npy --size 80x60"), 1) << complaint();
+  const Image image = read_image(file("bad.npy")).image;
+  std::size_t red = 0;
+  for (std::size_t i = 0; i + 3 < image.values().size(); i += 4)
+    red += image.values()[i] - image.values()[i + 1] > 0.3 ? 1 : 0;
+  EXPECT_GT(red, 800U);
+}
+
+// Saddles in one another's hollows: whether they overlap is not decided.
+TEST_F(CheckTool, UndecidedOverlapsAreOneLineWithExamples) {
+  const auto saddle = [](double x, double z) {
+    return moved(structured(1, Cut::bricks), [&](const Position& p) {
+      return Position{p[0] + x, p[1], p[2] + z + 0.4 * (p[0] - 0.5) * (p[1] - 0.5)};
+    });
+  };
+  ZooMesh mesh = side_by_side(saddle(0, 0), saddle(0, 1.01));
+  for (int i = 1; i < 5; ++i)
+    mesh = side_by_side(mesh, side_by_side(saddle(3 * i, 0), saddle(3 * i, 1.01)));
+  write("m.zoo", mesh);
+  ASSERT_EQ(check("m.zoo --overlap -o out.zoo --json facts.json"), 0) << complaint();
+  EXPECT_THAT(complaint(),
+              HasSubstr("5 pairs of cells, curved or with bent faces, whose overlap is "
+                        "undecided: 0+1 2+3 4+5 ...\n"));
+  EXPECT_THAT(facts()["findings"].dump(), HasSubstr("[8,9]"));  // all of them, up to --max-ids
 }
 
 TEST_F(CheckTool, OptionsThatDoNotFitAreUsageErrors) {

@@ -3,7 +3,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <limits>
 #include <string>
 
@@ -13,6 +12,7 @@
 #include "hiac/image/heat_map.hpp"
 #include "hiac/image/image_io.hpp"
 #include "hiac/image/srgb.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace hiac {
 namespace {
@@ -34,30 +34,16 @@ Image picture(std::size_t width = 16, std::size_t height = 12) {
 
 class Compare : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              (std::string("hiac_compare_") +
-               testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  [[nodiscard]] std::string path(const std::string& name) const {
-    return (folder_ / name).string();
-  }
-  static std::string text_of(const std::string& file) {
-    std::ifstream in(file);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_.file(name); }
+  static std::string text_of(const std::string& file) { return test::bytes_of(file); }
   [[nodiscard]] Answer run(const std::string& arguments) const {
-    const int status = std::system(
-        ("cd " + folder_.string() + " && " HIAC_COMPARE " " + arguments + " > out.txt 2> err.txt")
-            .c_str());
+    const int status = std::system(("cd " + folder_.path().string() + " && " HIAC_COMPARE " " +
+                                    arguments + " > out.txt 2> err.txt")
+                                       .c_str());
     return {WEXITSTATUS(status), text_of(path("out.txt")), text_of(path("err.txt"))};
   }
 
-  std::filesystem::path folder_;
+  test::ScratchFolder folder_;
 };
 
 TEST_F(Compare, TellsHowFarImagesAreApart) {

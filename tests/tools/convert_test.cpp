@@ -3,7 +3,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -12,6 +11,7 @@
 #include <sys/wait.h>
 
 #include "hiac/mesh/zoo_container.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace hiac::tools {
 namespace {
@@ -34,33 +34,22 @@ struct Outcome {
 
 class Convert : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (std::filesystem::temp_directory_path() / "hiac-convert-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-    std::ofstream(file("in.vtk")) << kQuadratic;
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void SetUp() override { std::ofstream(file("in.vtk")) << kQuadratic; }
+  [[nodiscard]] std::string file(const std::string& name) const { return folder_.file(name); }
 
-  [[nodiscard]] std::string file(const std::string& name) const { return folder_ + "/" + name; }
-
-  [[nodiscard]] static std::string text_of(const std::string& path) {
-    std::ifstream stream(path, std::ios::binary);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-  }
+  [[nodiscard]] static std::string text_of(const std::string& path) { return test::bytes_of(path); }
 
   /// Runs a shell command in which CONVERT is the tool and names are relative to the folder.
   [[nodiscard]] Outcome run(const std::string& command) const {
-    const std::string whole = "cd '" + folder_ + "' && CONVERT='" HIAC_CONVERT "' && { " + command +
+    const std::string whole = "cd '" + folder_.path().string() +
+                              "' && CONVERT='" HIAC_CONVERT "' && { " + command +
                               " ; } > out.txt 2> err.txt < /dev/null";
     const int status = std::system(whole.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(file("out.txt")),
             text_of(file("err.txt"))};
   }
 
-  std::string folder_;
+  test::ScratchFolder folder_;
 };
 
 TEST_F(Convert, FileToFile) {

@@ -1,4 +1,4 @@
-#include "tools/common/frames.hpp"
+#include "tools/common/picture/frames.hpp"
 
 #include <functional>
 

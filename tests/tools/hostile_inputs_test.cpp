@@ -1,7 +1,10 @@
 // Inputs that are not plain files, that name others, or that hold more than they seem to.
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
+#include <zlib.h>
 
 #include "hiac/mesh/zoo_container.hpp"
 #include "tests/support/meshes.hpp"
@@ -26,6 +29,42 @@ class HostileInputs : public ToolFolder {
     fs::create_directories(fs::path(file(name)).parent_path());
     std::ofstream(file(name), std::ios::binary) << text;
   }
+  /// A VTU file of `blocks` packed megabytes of points that are all zero, with one cell.
+  void write_zeros(const std::string& name, std::size_t blocks) const {
+    constexpr std::size_t kPoints = 87'381;
+    const std::string zeros(12 * kPoints, '\0');
+    uLongf size = compressBound(zeros.size());
+    std::string block(size, '\0');
+    ASSERT_EQ(compress2(reinterpret_cast<Bytef*>(block.data()), &size,
+                        reinterpret_cast<const Bytef*>(zeros.data()), zeros.size(), 9),
+              Z_OK);
+    block.resize(size);
+    std::vector<std::uint64_t> header{blocks, zeros.size(), zeros.size()};
+    header.insert(header.end(), blocks, block.size());
+    std::string text =
+        "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+        "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\"><UnstructuredGrid>"
+        "<Piece NumberOfPoints=\"" +
+        std::to_string(kPoints * blocks) +
+        "\" NumberOfCells=\"1\"><Points><DataArray type=\"Float32\" Name=\"Points\" "
+        "NumberOfComponents=\"3\" format=\"appended\" offset=\"0\"/></Points><Cells>"
+        "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1 2 3</DataArray>"
+        "<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">4</DataArray>"
+        "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">10</DataArray></Cells></Piece>"
+        "</UnstructuredGrid><AppendedData encoding=\"raw\">_";
+    text.append(reinterpret_cast<const char*>(header.data()), 8 * header.size());
+    for (std::size_t b = 0; b < blocks; ++b) text += block;
+    write(name, text + "</AppendedData></VTKFile>\n");
+  }
+  /// One line, and the report that --json asked for.
+  void expect_end_at_the_limit(const std::string& input) const {
+    EXPECT_THAT(complaint(),
+                AllOf(HasSubstr(input + ": takes more than"), HasSubstr("--max-memory SIZE")));
+    EXPECT_EQ(std::ranges::count(complaint(), '\n'), 1) << complaint();
+    EXPECT_THAT(bytes_of(file("facts.json")),
+                AllOf(HasSubstr("\"error\": \"" + input + ": takes more than"),
+                      HasSubstr("\"exit_code\": 3"), HasSubstr("\"total\"")));
+  }
   /// What a converted mesh is, apart from the name that it came from.
   [[nodiscard]] std::string hash(const std::string& name) const {
     return content_hash(read_zoo_file(file(name)).mesh);
@@ -37,11 +76,39 @@ TEST_F(HostileInputs, PackedDataEndAtTheLimitOfMemory) {
       "*NODE\\n1,0,0,0\\n2,1,0,0\\n3,0,1,0\\n4,0,0,1\\n*ELEMENT,TYPE=C3D4\\n1,1,2,3,4\\n";
   ASSERT_EQ(
       run("(printf '" + deck + "'; head -c 600M /dev/zero | tr '\\0' '\\n') | gzip -1 > b.gz"), 0);
-  EXPECT_EQ(run("timeout 60 $CONVERT b.gz --format abaqus --max-memory 200MB -o x.zoo"), 3);
-  EXPECT_THAT(complaint(),
-              AllOf(HasSubstr("b.gz: takes more than"), HasSubstr("--max-memory SIZE")));
+  EXPECT_EQ(run("timeout 60 $CONVERT b.gz --format abaqus --max-memory 200MB -o x.zoo"
+                " --json facts.json"),
+            3);
+  expect_end_at_the_limit("b.gz");
   EXPECT_EQ(run("ls | grep -v txt | xargs"), 0);
-  EXPECT_EQ(bytes_of(file("out.txt")), "b.gz m.zoo\n") << "temporary files are left";
+  EXPECT_EQ(bytes_of(file("out.txt")), "b.gz facts.json m.zoo\n") << "temporary files are left";
+}
+
+TEST_F(HostileInputs, UnpackedGzipTakesItsMemoryOnce) {
+  // 300 MB of comments are read within 400 MB
+  ASSERT_EQ(run("(printf '*NODE\\n1,0,0,0\\n2,1,0,0\\n3,0,1,0\\n4,0,0,1\\n"
+                "*ELEMENT,TYPE=C3D4\\n1,1,2,3,4\\n';"
+                " yes '** '\"$(seq -s ' ' 300)\" | head -c 300M; echo) | gzip -1 > b.gz"),
+            0);
+  EXPECT_EQ(run("timeout 120 $CONVERT b.gz --format abaqus --max-memory 400MB -o x.zoo"), 0)
+      << complaint();
+}
+
+TEST_F(HostileInputs, BlocksOfZerosEndAtTheLimitOfMemory) {
+  write_zeros("z.vtu", 2000);
+  ASSERT_LT(fs::file_size(file("z.vtu")), 4U << 20);
+  EXPECT_EQ(run("timeout 60 $CONVERT z.vtu --max-memory 200MB -o x.zoo --json facts.json"), 3);
+  expect_end_at_the_limit("z.vtu");
+  EXPECT_FALSE(fs::exists(file("x.zoo")));
+  write_zeros("z.vtu", 2);
+  EXPECT_EQ(run("$CONVERT z.vtu --max-memory 200MB -o x.zoo"), 0)
+      << "the file is not sound: " << complaint();
+}
+
+TEST_F(HostileInputs, AReportOnStdoutTellsOfTheLimit) {
+  ASSERT_EQ(run("head -c 600M /dev/zero | gzip -1 > b.gz"), 0);
+  EXPECT_EQ(run("$CONVERT b.gz --format abaqus --list --max-memory 100MB --json -"), 3);
+  EXPECT_THAT(bytes_of(file("out.txt")), HasSubstr("\"exit_code\": 3"));
 }
 
 TEST_F(HostileInputs, EveryFormatOfOneFileIsReadFromPipes) {

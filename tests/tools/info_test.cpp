@@ -20,6 +20,7 @@
 #include "hiac/scene/scene_parser.hpp"
 #include "hiac/scene/scene_writer.hpp"
 #include "hiac/session/session.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace hiac::tools {
 namespace {
@@ -126,6 +127,7 @@ TEST(StarterView, HasTheWholeModelInSight) {
   const Vec right = unit(cross(ahead, scene.camera.up));
   const Vec up = cross(right, ahead);
   const double tangent = std::tan(scene.camera.fov * std::numbers::pi / 360);
+  const double aspect = static_cast<double>(scene.image.width) / scene.image.height;
   double largest = 0;
   for (int corner = 0; corner < 8; ++corner) {
     double x = 0, y = 0, z = 0;
@@ -137,7 +139,7 @@ TEST(StarterView, HasTheWholeModelInSight) {
     }
     EXPECT_GT(z, 0);
     largest =
-        std::max({largest, std::fabs(x) / (z * tangent * 4 / 3), std::fabs(y) / (z * tangent)});
+        std::max({largest, std::fabs(x) / (z * tangent * aspect), std::fabs(y) / (z * tangent)});
   }
   EXPECT_LT(largest, 0.96);
   EXPECT_GT(largest, 0.9);
@@ -148,24 +150,6 @@ TEST(StarterView, IsASpecificationThatCanBeParsed) {
   EXPECT_EQ(parse_scene(to_toml(scene, Comments::explain), "text").scene, scene);
 }
 
-TEST(StarterView, TakesMagnitudesConstantsAndTheFirstFieldWithValues) {
-  ZooMesh mesh = box_of_bricks({0, 0, 0}, {1, 1, 1}, 1);
-  mesh.fields.erase(mesh.fields.begin());
-  const Scene constant = starter_view(mesh, "box");
-  ASSERT_EQ(constant.volume.extinction->points.size(), 1u);
-  EXPECT_NEAR(marched_depth(constant, {0, 0, 0}, {1, 1, 1}), 1, 0.05);  // of one cell
-
-  mesh.fields.insert(mesh.fields.begin(),
-                     {{"empty", "", FieldLocation::cell, 1, std::vector<double>{std::nan("")}},
-                      {"v", "", FieldLocation::cell, 3, std::vector<double>{3, 4, 0}}});
-  EXPECT_EQ(starter_view(mesh, "box").volume.color->field, "v:magnitude");
-
-  mesh.fields.clear();
-  EXPECT_THROW(starter_view(mesh, "box"), InputError);
-  EXPECT_THROW(starter_view(ZooMesh{}, "box"), InputError);
-  EXPECT_THROW(starter_view(box_of_bricks({1, 1, 1}, {1, 1, 1}, 1), "box"), InputError);
-}
-
 /// What hiac-info answers.
 struct Answer {
   int exit_code;
@@ -174,17 +158,7 @@ struct Answer {
 
 class Info : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ =
-        std::filesystem::temp_directory_path() /
-        (std::string("hiac_info_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  [[nodiscard]] std::string path(const std::string& name) const {
-    return (folder_ / name).string();
-  }
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_.file(name); }
   [[nodiscard]] Answer run(const std::string& arguments) const {
     const std::string out = path("answer.txt");
     const int status =
@@ -193,8 +167,18 @@ class Info : public testing::Test {
     return {WEXITSTATUS(status), {std::istreambuf_iterator<char>(file), {}}};
   }
 
-  std::filesystem::path folder_;
+  test::ScratchFolder folder_;
 };
+
+// JSON is UTF-8; texts in files need not be.
+TEST_F(Info, TextsThatAreNotUtf8AreReplacedInFacts) {
+  write_image(path("a.png"), Image(1, 1, rgba_channels(), std::vector<double>(4, 0.5)),
+              {.attributes = {{"Comment", "caf\xe9"}}});
+  const Answer answer = run(path("a.png") + " --json " + path("facts.json"));
+  EXPECT_EQ(answer.exit_code, 0) << answer.output;
+  const auto facts = nlohmann::json::parse(test::bytes_of(path("facts.json")));
+  EXPECT_EQ(facts["attributes"]["Comment"], "caf\xef\xbf\xbd");
+}
 
 TEST_F(Info, DescribesAMesh) {
   write_zoo_file(path("box.zoo"), {box_of_bricks({0, 0, 0}, {1, 2, 2}, 2), {}});
@@ -259,11 +243,13 @@ TEST_F(Info, WritesAStarterView) {
 TEST_F(Info, AnswersBadInputInOneLine) {
   std::ofstream(path("text")) << "hello";
   std::ofstream(path("a.png")) << "hello";
-  const std::pair<std::string, int> cases[] = {
-      {path("none"), 3},     {path("text"), 3},
-      {path("a.png"), 3},    {path("text") + " --starter-view", 3},
-      {folder_.string(), 3}, {"< /dev/null", 3},
-      {"--unknown", 2}};
+  const std::pair<std::string, int> cases[] = {{path("none"), 3},
+                                               {path("text"), 3},
+                                               {path("a.png"), 3},
+                                               {path("text") + " --starter-view", 3},
+                                               {folder_.path().string(), 3},
+                                               {"< /dev/null", 3},
+                                               {"--unknown", 2}};
   for (const auto& [arguments, exit_code] : cases) {
     const Answer answer = run(arguments);
     EXPECT_EQ(answer.exit_code, exit_code) << arguments << "\n" << answer.output;

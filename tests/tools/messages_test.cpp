@@ -1,4 +1,5 @@
 // What the tools say when something is wrong: the right file, the right reason, what helps.
+#include <algorithm>
 #include <limits>
 #include <string>
 #include <utility>
@@ -43,7 +44,7 @@ class Messages : public ToolFolder {
 };
 
 TEST_F(Messages, AFileThatCannotGrowIsTheReason) {
-  for (const char* extension : {".zoo", ".vtu", ".vtkhdf", ".msh"}) {
+  for (const char* extension : {".zoo", ".vtu", ".vtkhdf", ".msh", ".stl", ".ply", ".vtp"}) {
     const std::string name = std::string("out") + extension;
     EXPECT_EQ(run("ulimit -f 2; $CONVERT m.zoo -o " + name), 3);
     EXPECT_THAT(complaint(), AllOf(HasSubstr(name + ": cannot be written (File too large)"),
@@ -109,21 +110,110 @@ TEST_F(Messages, ErrorsInAMeshNameItsFile) {
                                  HasSubstr("--skip-invalid leaves such cells out")));
 }
 
-TEST_F(Messages, AForeignFileIsSentToTheConverter) {
+TEST_F(Messages, AForeignFileIsReadByTheConverter) {
   ASSERT_EQ(run("$CONVERT m.zoo -o m.vtu && gzip -k m.vtu && gzip -k m.zoo"), 0);
+  ASSERT_EQ(run("$RENDER m.zoo --view v.toml -o m.png"), 0) << complaint();
+  ASSERT_EQ(run("$SORT m.zoo --view v.toml -o m.order"), 0) << complaint();
+  const std::string told = "m.vtu is not a zoo mesh: read by hiac-convert";
+  EXPECT_EQ(run("$RENDER m.vtu --view v.toml -o x.png"), 0) << complaint();
+  EXPECT_THAT(complaint(), HasSubstr(told));
+  EXPECT_EQ(run("$SORT m.vtu --view v.toml -o x.order"), 0) << complaint();
+  EXPECT_THAT(complaint(), HasSubstr(told));
+  EXPECT_EQ(bytes_of(file("x.order")), bytes_of(file("m.order")));
+  EXPECT_EQ(run("$RENDER m.vtu --order m.order --view v.toml -o x.png"), 0) << complaint();
+  EXPECT_EQ(run("$CHECK m.vtu -o x.zoo"), 0) << complaint();
+  EXPECT_THAT(complaint(), HasSubstr(told));
+  EXPECT_EQ(run("$INFO m.vtu"), 0) << complaint();
+  EXPECT_THAT(bytes_of(file("out.txt")), HasSubstr("384 tetrahedron4"));
+  // of a file of the converter's nothing is lost
+  EXPECT_EQ(run("$CHECK m.vtu -o m.vtu"), 2);
+  EXPECT_EQ(run("$RENDER m.vtu --view v.toml -q -o x.png"), 0);
+  EXPECT_EQ(complaint(), "");
+}
+
+TEST_F(Messages, AForeignStreamIsSentToTheConverter) {
+  ASSERT_EQ(run("$CONVERT m.zoo -o m.vtu && gzip -k m.vtu"), 0);
   for (const std::string command :
-       {"$RENDER m.vtu --view v.toml -o x.png", "$SORT m.vtu --view v.toml -o x.order",
-        "$CHECK m.vtu -o x.zoo", "$INFO m.vtu"}) {
-    EXPECT_EQ(run(command), 3) << command;
-    EXPECT_THAT(complaint(), HasSubstr("m.vtu: is not a zoo mesh (hiac-convert m.vtu -o m.zoo"))
+       {"$RENDER --view v.toml -o x.png", "$RENDER - --view v.toml -o x.png",
+        "$SORT --view v.toml -o x.order", "$CHECK -o x.zoo", "$INFO"}) {
+    EXPECT_EQ(run("cat m.vtu | " + command), 3) << command;
+    EXPECT_THAT(complaint(),
+                AllOf(HasSubstr("stdin: is not a zoo mesh (hiac-convert --format NAME"),
+                      testing::EndsWith("names)\n")))
         << command;
+    EXPECT_EQ(std::ranges::count(complaint(), '\n'), 1) << complaint();
   }
-  EXPECT_EQ(run("$CHECK m.zoo.gz -o x.zoo"), 3);
-  EXPECT_THAT(complaint(), HasSubstr("m.zoo.gz: is not a zoo mesh, packed by gzip"));
+  EXPECT_EQ(run("$CHECK -o x.zoo < m.vtu.gz"), 3);
+  EXPECT_THAT(complaint(), HasSubstr("stdin: is not a zoo mesh, packed by gzip (hiac-convert"));
+  EXPECT_EQ(run("$CONVERT --format vtu < m.vtu | $CHECK -o x.zoo"), 0) << complaint();
   EXPECT_EQ(run("$CONVERT m.vtu.gz -o x.zoo"), 3);
   EXPECT_THAT(complaint(), HasSubstr("m.vtu.gz: is a vtu file packed by gzip"));
+}
+
+TEST_F(Messages, TheConvertersOptionsAndFailuresPassThrough) {
+  ASSERT_EQ(run("$CONVERT m.zoo -o m.vtu && gzip -k m.vtu && gzip -k m.zoo"), 0);
+  EXPECT_EQ(run("$INFO m.vtu --convert '--field \"f=speed\"'"), 0) << complaint();
+  EXPECT_THAT(bytes_of(file("out.txt")), HasSubstr("speed"));
+  EXPECT_EQ(run("$INFO m.vtu --convert=--field=f=speed"), 0) << complaint();
+  EXPECT_EQ(run("$INFO m.vtu --convert '--step 99'"), 2);
+  EXPECT_THAT(complaint(), HasSubstr("hiac-info: --step 99: m.vtu holds one step"));
+  EXPECT_EQ(run("$INFO m.vtu --convert \"--field 'f\""), 2);
+  EXPECT_THAT(complaint(), HasSubstr("--convert: a quote is not closed"));
+  EXPECT_EQ(run("$INFO m.zoo --convert '--step 0'"), 2);
+  EXPECT_THAT(complaint(), HasSubstr("--convert: m.zoo is not a foreign file"));
+  for (const std::string packed : {"m.zoo.gz", "m.vtu.gz"}) {
+    EXPECT_EQ(run("$RENDER " + packed + " --view v.toml -o y.png"), 3) << packed;
+    EXPECT_THAT(complaint(), HasSubstr("packed by gzip"));
+    EXPECT_FALSE(fs::exists(file("y.png")));
+  }
   EXPECT_EQ(run("$RENDER v.toml --view v.toml -o x.png"), 3);
   EXPECT_THAT(complaint(), HasSubstr("v.toml: is an image specification"));
+  EXPECT_EQ(run(": > empty.zoo; $RENDER empty.zoo --view v.toml -o x.png"), 3);
+  EXPECT_THAT(complaint(), HasSubstr("hiac-render: empty.zoo: stream ended before"));
+}
+
+TEST_F(Messages, WithoutAViewThePictureIsOfTheStarterView) {
+  EXPECT_EQ(run("$RENDER m.zoo --size 64x48 --save-view s.toml -o a.png"), 0) << complaint();
+  EXPECT_THAT(complaint(), HasSubstr("shows 'f'"));
+  EXPECT_EQ(run("$RENDER m.zoo --view s.toml -o b.png"), 0) << complaint();
+  EXPECT_EQ(bytes_of(file("a.png")), bytes_of(file("b.png")));
+  EXPECT_EQ(run("$INFO m.zoo --starter-view --field f --preset inferno --isovalues 2 --dark"), 0);
+  EXPECT_THAT(bytes_of(file("out.txt")), HasSubstr("preset = \"inferno\""));
+  EXPECT_EQ(run("$RENDER m.zoo --size 64x48 --field g -o c.png"), 2);
+  EXPECT_THAT(complaint(), HasSubstr("--field 'g': there is no such"));
+  EXPECT_EQ(run("$RENDER m.zoo --size 64x48 --set volume.glow=dim -o c.png"), 2);
+  EXPECT_THAT(complaint(), HasSubstr("--set volume.glow=dim"));
+  EXPECT_EQ(run("$RENDER m.zoo --view v.toml --field f -o c.png"), 2);
+  EXPECT_EQ(run("$RENDER m.zoo --view v.toml --save-view t.toml -o c.png"), 2);
+  EXPECT_EQ(run("$RENDER m.zoo --size 0x48 -o c.png"), 2);
+  EXPECT_EQ(run("$INFO m.zoo --preset inferno"), 2);
+  EXPECT_FALSE(fs::exists(file("c.png")));
+}
+
+TEST_F(Messages, TheUmbrellaRunsEveryCommand) {
+  const std::string hiac = "'" HIAC_UMBRELLA "' ";
+  EXPECT_EQ(run(hiac + "convert m.zoo -o m.vtu"), 0) << complaint();
+  EXPECT_EQ(run(hiac + "picture m.vtu --size 32x24"), 0) << complaint();
+  EXPECT_THAT(complaint(), HasSubstr("hiac: the picture is m.png"));
+  EXPECT_TRUE(fs::exists(file("m.png")));
+  EXPECT_EQ(run(hiac + "picture m.vtu --size 32x24 -o n.png"), 0) << complaint();
+  EXPECT_EQ(bytes_of(file("m.png")), bytes_of(file("n.png")));
+  EXPECT_EQ(run(hiac + "info nothing.zoo"), 3);
+  EXPECT_EQ(run(hiac + "convrt m.zoo"), 2);
+  EXPECT_THAT(complaint(), HasSubstr("no such command: convrt (did you mean convert?)"));
+  EXPECT_EQ(run(hiac), 2);
+  EXPECT_EQ(run(hiac + "picture"), 2);
+  EXPECT_EQ(run(hiac + "help"), 0);
+  EXPECT_THAT(bytes_of(file("out.txt")), HasSubstr("hiac picture run.inp"));
+  EXPECT_EQ(run(hiac + "help convert"), 0);
+  EXPECT_THAT(bytes_of(file("out.txt")), HasSubstr("--list-formats"));
+  EXPECT_EQ(run(hiac + "--version"), 0);
+}
+
+TEST_F(Messages, NamesThatAreNoTextAreReported) {
+  EXPECT_EQ(run("$CHECK \"$(printf 'no\\377such')\" --json facts.json -o x.zoo"), 3);
+  EXPECT_THAT(bytes_of(file("facts.json")),
+              AllOf(HasSubstr("cannot be opened"), HasSubstr("\"exit_code\": 3")));
 }
 
 TEST_F(Messages, AnOptionThatIsAlmostOneIsGuessed) {

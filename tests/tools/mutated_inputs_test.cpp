@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <random>
 #include <string>
 #include <vector>
@@ -17,6 +16,7 @@
 #include "hiac/image/image_io.hpp"
 #include "hiac/mesh/zoo_container.hpp"
 #include "tests/support/meshes.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace hiac::test {
 namespace {
@@ -30,11 +30,31 @@ constexpr const char* kView =
     "[volume.color]\nfield = \"f\"\npoints = [[0.0, 1.0, 0.0, 0.0], [1.0, 0.0, 1.0, 0.0]]\n"
     "[[isosurface]]\nfield = \"f\"\nvalue = 0.5\ncolor = [1.0, 0.8, 0.2]\nopacity = 0.4\n";
 
+/// A view whose colours are the damaged colour map.
+std::string view_with_map(const std::string& name) {
+  std::string view = kView;
+  const std::string points = "points = [[0.0, 1.0, 0.0, 0.0], [1.0, 0.0, 1.0, 0.0]]";
+  return view.replace(view.find(points), points.size(),
+                      "preset = \"" + name + "\"\nrange = [0.0, 1.0]");
+}
+
+constexpr const char* kMapJson =
+    "[{\"Name\": \"a\", \"ColorSpace\": \"RGB\", \"RGBPoints\": "
+    "[0.0, 0.0, 0.0, 1.0, 0.5, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0]}]\n";
+constexpr const char* kMapXml =
+    "<ColorMaps><ColorMap name=\"a\" space=\"RGB\"><Point x=\"0\" o=\"1\" r=\"0\" g=\"0\" b=\"1\"/>"
+    "<Point x=\"1\" o=\"1\" r=\"1\" g=\"0\" b=\"0\"/></ColorMap></ColorMaps>\n";
+
+constexpr const char* kLegacy =
+    "# vtk DataFile Version 3.0\na\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n"
+    "0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\nPOINT_DATA 4\n"
+    "SCALARS f double 1\nLOOKUP_TABLE default\n1 2 nan 4\n";
+
 constexpr const char* kPoly =
     "4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n4 0\n1\n3 1 3 2\n1\n3 1 2 4\n1\n3 2 3 4\n1\n"
     "3 3 1 4\n0\n0\n";
 
-/// An input, and what reads it: %s is its name.
+/// An input, and what reads it: %s is the damaged file's name (in `view-NAME`: of the view of it).
 struct Input {
   std::string name, command;
 };
@@ -45,6 +65,7 @@ const std::vector<Input> kInputs{
     {"m.zoo", HIAC_CHECK " %s --overlap --cycles -o o.zoo"},
     {"m.zoo", HIAC_INFO " %s"},
     {"m.zoo", HIAC_CONVERT " %s -o o.vtu"},
+    {"m.zoo", HIAC_CONVERT " %s -o o.ply"},
     {"m.zoo", HIAC_TETRAHEDRALIZE " %s --cells -o o.zoo"},
     {"m.order", HIAC_RENDER " m.zoo --view v.toml --order %s -o o.png"},
     {"m.order", HIAC_INFO " %s"},
@@ -54,6 +75,9 @@ const std::vector<Input> kInputs{
     {"a.exr", HIAC_COMPARE " %s b.png"},
     {"a.npy", HIAC_COMPARE " %s b.png"},
     {"a.tiff", HIAC_COMPARE " %s b.png"},
+    {"a.png", HIAC_RENDER " m.zoo --view v.toml --size 4x3 --under %s -o o.exr"},
+    {"c.json", HIAC_RENDER " m.zoo --view view-%s -o o.png"},
+    {"c.xml", HIAC_RENDER " m.zoo --view view-%s -o o.png"},
     {"a.sgi", HIAC_INFO " %s"},
     {"a.pfm", HIAC_INFO " %s"},
     {"a.hdr", HIAC_INFO " %s"},
@@ -62,8 +86,12 @@ const std::vector<Input> kInputs{
     {"s.ply", HIAC_TETRAHEDRALIZE " %s -o o.zoo"},
     {"s.obj", HIAC_TETRAHEDRALIZE " %s -o o.zoo"},
     {"s.poly", HIAC_TETRAHEDRALIZE " %s -o o.zoo"},
+    {"s.vtp", HIAC_TETRAHEDRALIZE " %s -o o.zoo"},
+    {"s.vtu", HIAC_TETRAHEDRALIZE " %s -o o.zoo"},
     {"p.csv", HIAC_TETRAHEDRALIZE " %s --delaunay -o o.zoo"},
     {"m.vtu", HIAC_CONVERT " %s -o o.zoo"},
+    {"m.vtk", HIAC_CONVERT " %s -o o.zoo"},
+    {"m.vtu", HIAC_CONVERT " --list %s"},
     {"m.vtkhdf", HIAC_CONVERT " %s -o o.zoo"},
     {"m.msh", HIAC_CONVERT " %s -o o.zoo"},
 };
@@ -71,9 +99,6 @@ const std::vector<Input> kInputs{
 class MutatedInputs : public testing::Test {
  protected:
   void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "hiac-mutated-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
     ZooMesh mesh = structured(1, Cut::tetrahedra);
     add_node_field(mesh, "f", [](const Position& p) { return p[0]; });
     write_zoo_file(path("m.zoo"), {mesh, {}});
@@ -83,6 +108,11 @@ class MutatedInputs : public testing::Test {
     for (const char* image : {"a.png", "a.exr", "a.npy", "a.tiff", "a.sgi", "a.pfm", "a.hdr"})
       write_image(path(image), Image(4, 3, rgba_channels(), values));
     write_image(path("b.png"), Image(4, 3, rgba_channels(), values));
+    write("c.json", kMapJson);
+    write("c.xml", kMapXml);
+    for (const char* damaged : {"d.json", "d.xml"})
+      write(std::string("view-") + damaged, view_with_map(damaged));
+    write("m.vtk", kLegacy);
     write("s.poly", kPoly);
     write("p.csv", "x,y,z,f\n0,0,0,1\n1,0,0,2\n0,1,0,3\n0,0,1,4\n1,1,1,5\n");
     const std::string points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
@@ -94,12 +124,12 @@ class MutatedInputs : public testing::Test {
         "property double z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n" +
             points + "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
     write("s.stl", stl());
+    ASSERT_EQ(run(HIAC_CONVERT " m.zoo -o s.vtp"), 0) << complaint();
+    write("s.vtu", vtu_surface());
     ASSERT_EQ(run(HIAC_SORT " m.zoo --view v.toml -o m.order"), 0) << complaint();
     for (const char* mesh_file : {"m.vtu", "m.vtkhdf", "m.msh"})
       ASSERT_EQ(run(std::string(HIAC_CONVERT " m.zoo -o ") + mesh_file), 0) << complaint();
   }
-  void TearDown() override { fs::remove_all(folder_); }
-
   static std::string stl() {
     const char* corners[] = {"0 0 0", "1 0 0", "0 1 0", "0 0 1"};
     const int triangles[][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
@@ -112,26 +142,39 @@ class MutatedInputs : public testing::Test {
     return text + "endsolid a\n";
   }
 
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_ / name; }
+  static std::string vtu_surface() {
+    return "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">"
+           "<UnstructuredGrid><Piece NumberOfPoints=\"4\" NumberOfCells=\"4\"><Points>"
+           "<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">"
+           "0 0 0 1 0 0 0 1 0 0 0 1</DataArray></Points><Cells>"
+           "<DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">"
+           "0 2 1 0 1 3 1 2 3 2 0 3</DataArray>"
+           "<DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">3 6 9 12</DataArray>"
+           "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">5 5 5 5</DataArray>"
+           "</Cells></Piece></UnstructuredGrid></VTKFile>";
+  }
+
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_.file(name); }
   void write(const std::string& name, const std::string& bytes) const {
     std::ofstream(path(name), std::ios::binary) << bytes;
   }
   [[nodiscard]] std::string bytes_of(const std::string& name) const {
-    std::ifstream file(path(name), std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
+    return test::bytes_of(path(name));
   }
   [[nodiscard]] std::string complaint() const { return bytes_of("err.txt"); }
 
-  /// The exit status; 128 and the signal's number where one ended it, 124 after 20 seconds.
+  /// The exit status; 128 and the signal's number where one ended it, as after 20 seconds of work;
+  /// 124 where nothing happens.
   [[nodiscard]] int run(const std::string& command) const {
-    const int status = std::system(("cd '" + folder_.string() + "' && timeout 20 " + command +
-                                    " >out.txt 2>err.txt </dev/null")
-                                       .c_str());
+    const int status =
+        std::system(("cd '" + folder_.path().string() + "' && ulimit -t 20 && timeout 300 " +
+                     command + " >out.txt 2>err.txt </dev/null")
+                        .c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
 
  private:
-  fs::path folder_;
+  ScratchFolder folder_;
 };
 
 std::string mutated(std::string bytes, std::mt19937& random) {
@@ -177,6 +220,7 @@ TEST_F(MutatedInputs, EndWithACodeAndALine) {
   const char* wanted = std::getenv("HIAC_MUTATIONS");
   const int rounds = wanted == nullptr ? 20 : std::atoi(wanted);
   std::mt19937 random(20261123);
+  std::size_t runs = 0;
   for (const Input& input : kInputs) {
     const std::string sound = bytes_of(input.name);
     ASSERT_FALSE(sound.empty()) << input.name;
@@ -187,6 +231,7 @@ TEST_F(MutatedInputs, EndWithACodeAndALine) {
       const std::string bytes = round == 0 ? sound : mutated(sound, random);
       write(damaged, bytes);
       const int code = run(command);
+      ++runs;
       if (round == 0) {
         ASSERT_EQ(code, 0) << command << "\n" << complaint();
       }
@@ -197,6 +242,7 @@ TEST_F(MutatedInputs, EndWithACodeAndALine) {
           << complaint();
     }
   }
+  RecordProperty("runs", static_cast<int>(runs));
 }
 
 }  // namespace

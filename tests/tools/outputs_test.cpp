@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@
 #include "hiac/image/image_io.hpp"
 #include "hiac/mesh/zoo_container.hpp"
 #include "tests/support/meshes.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace hiac::test {
 namespace {
@@ -45,7 +47,7 @@ std::vector<std::string> words(const std::string& text) {
 
 std::vector<Output> all_outputs() {
   std::vector<Output> all;
-  for (const char* extension : {".zoo", ".vtu", ".vtkhdf", ".msh"})
+  for (const char* extension : {".zoo", ".vtu", ".vtkhdf", ".msh", ".stl", ".ply", ".vtp"})
     all.push_back({HIAC_CONVERT " mesh.zoo", "-o", extension, std::string(".vtkhdf") != extension});
   all.push_back({HIAC_CHECK " mesh.zoo", "-o", ".zoo"});
   all.push_back({HIAC_TETRAHEDRALIZE " mesh.zoo --cells", "-o", ".zoo"});
@@ -70,9 +72,6 @@ std::vector<Output> all_outputs() {
 class Outputs : public testing::Test {
  protected:
   void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "hiac-outputs-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
     ZooMesh mesh = random_delaunay(12, 1);
     add_node_field(mesh, "f", [](const Position& p) { return p[0]; });
     write_zoo_file(path("mesh.zoo"), {mesh, {}});
@@ -80,13 +79,11 @@ class Outputs : public testing::Test {
     write_image(path("a.png"), Image(4, 3, rgba_channels(), std::vector<double>(48, 0.5)));
     write_image(path("b.png"), Image(4, 3, rgba_channels(), std::vector<double>(48, 0.25)));
   }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  [[nodiscard]] std::string path(const std::string& name) const { return folder_ / name; }
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_.file(name); }
 
   /// The exit status of a shell command in the folder; complaint() is what it printed.
   [[nodiscard]] int run(const std::string& command) const {
-    const std::string line = "cd '" + folder_.string() + "' && { " + command +
+    const std::string line = "cd '" + folder_.path().string() + "' && { " + command +
                              " ; } >stdout.txt 2>stderr.txt </dev/null";
     const int status = std::system(line.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
@@ -95,8 +92,7 @@ class Outputs : public testing::Test {
     return run("timeout 60 " + output.command + " " + output.option + " " + name);
   }
   [[nodiscard]] std::string bytes_of(const std::string& name) const {
-    std::ifstream file(path(name), std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
+    return test::bytes_of(path(name));
   }
   [[nodiscard]] std::string complaint() const { return bytes_of("stderr.txt"); }
 
@@ -106,7 +102,7 @@ class Outputs : public testing::Test {
     return output.extension == ".f32" ? "out.r.f32" : named(output);
   }
   void remove_outputs() const {
-    for (const auto& entry : fs::directory_iterator(folder_))
+    for (const auto& entry : fs::directory_iterator(folder_.path()))
       if (entry.path().filename().string().starts_with("out")) fs::remove_all(entry.path());
   }
 
@@ -117,7 +113,7 @@ class Outputs : public testing::Test {
   }
 
  private:
-  fs::path folder_;
+  ScratchFolder folder_;
 };
 
 TEST_F(Outputs, DevicesAreWrittenTo) {
@@ -194,8 +190,8 @@ TEST_F(Outputs, FilesOfAnotherKindAreNotOverwritten) {
   ASSERT_EQ(run(HIAC_COMPARE " a.png b.png --json kept.json"), 0) << complaint();
   ASSERT_EQ(run(HIAC_CONVERT " mesh.zoo -o kept.vtu"), 0) << complaint();
   const auto is_made = [](const std::string& kept, const Output& output) {
-    const bool mesh = output.extension == ".zoo" || output.extension == ".vtu" ||
-                      output.extension == ".vtkhdf" || output.extension == ".msh";
+    const std::set<std::string> meshes{".zoo", ".vtu", ".vtkhdf", ".msh", ".stl", ".ply", ".vtp"};
+    const bool mesh = meshes.contains(output.extension);
     if (kept == "mesh.zoo" || kept == "kept.vtu") return mesh;
     if (kept == "kept.order") return output.extension == ".order";
     if (kept == "view.toml") return output.extension == ".toml";

@@ -161,11 +161,39 @@ TEST_F(Pipeline, CellsInsideOutInPartAreNamedOrLeftOut) {
       bytes_of(file("err.txt")).find("cell 1 (brick8): the cell is turned inside out in part"),
       std::string::npos)
       << bytes_of(file("err.txt"));
-  EXPECT_NE(bytes_of(file("err.txt")).find("--skip-invalid leaves such cells out"),
-            std::string::npos);
+  EXPECT_NE(
+      bytes_of(file("err.txt"))
+          .find("--skip-invalid leaves such cells out, and hiac-convert --invalid cut divides "
+                "them into tetrahedra"),
+      std::string::npos);
   EXPECT_EQ(run(draw + "--skip-invalid"), 0) << bytes_of(file("err.txt"));
   EXPECT_NE(bytes_of(file("err.txt")).find("1 of 2 cells"), std::string::npos);
   EXPECT_NE(bytes_of(file("facts.json")).find("\"skipped_cells\": 1"), std::string::npos);
+  // the converter refuses it, too, leaves the cell out, or divides it
+  EXPECT_EQ(run("$CONVERT m.zoo --invalid refuse -o r.zoo"), 3);
+  EXPECT_NE(bytes_of(file("err.txt")).find("--invalid cut divides them into tetrahedra"),
+            std::string::npos)
+      << bytes_of(file("err.txt"));
+  EXPECT_FALSE(std::filesystem::exists(file("r.zoo")));
+  EXPECT_EQ(run("$CONVERT m.zoo --invalid skip -o s.zoo"), 0);
+  EXPECT_EQ(read_zoo_file(file("s.zoo")).mesh.cell_count(), 1U);
+  EXPECT_EQ(run("$CONVERT m.zoo --invalid cut -o c.zoo"), 0);
+  EXPECT_NE(bytes_of(file("err.txt")).find("1 of them are so tangled"), std::string::npos);
+  std::vector<double> xyz(mesh.xyz.begin(), mesh.xyz.end());
+  std::copy_n(std::array{1.4, 0.4, 0.4}.begin(), 3, xyz.end() - 3);
+  mesh.xyz = std::move(xyz);
+  write_zoo_file(file("m.zoo"), {mesh, {}});
+  EXPECT_EQ(run("$CONVERT m.zoo --invalid cut -o c.zoo --json cut.json"), 0);
+  EXPECT_NE(bytes_of(file("err.txt")).find("changes the volume by"), std::string::npos)
+      << bytes_of(file("err.txt"));
+  EXPECT_NE(bytes_of(file("cut.json")).find("\"relative_volume_change\": "), std::string::npos);
+  EXPECT_GT(read_zoo_file(file("c.zoo")).mesh.cell_count(), 2U);
+  EXPECT_EQ(run("$RENDER c.zoo --view '" + kSampleView +
+                "' --size 40x30 --set volume.color.field=velocity "
+                "--set volume.extinction.field=velocity -o c.npy"),
+            0)
+      << bytes_of(file("err.txt"));
+  EXPECT_EQ(run("$CONVERT m.zoo --invalid maybe -o c.zoo"), 2);
 }
 
 // A picture of the sample, small, by hiac-render with these options.

@@ -248,7 +248,7 @@ TEST_F(SortTool, AnInterruptLeavesWholeFrames) {
             0)
       << complaint();
   std::size_t frames = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
     const std::string name = entry.path().filename().string();
     if (!name.starts_with("f-")) continue;
     ++frames;

@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <string>
 
 #include <fmt/format.h>
@@ -13,6 +12,7 @@
 
 #include "hiac/mesh/zoo_container.hpp"
 #include "tests/support/instrumented.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 namespace hiac {
 namespace {
@@ -23,29 +23,15 @@ using testing::Not;
 
 class Tetrahedralize : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() /
-              (std::string("hiac_tetrahedralize_") +
-               testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-    write("cube.off", kCube);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  [[nodiscard]] std::string path(const std::string& name) const {
-    return (folder_ / name).string();
-  }
+  void SetUp() override { write("cube.off", kCube); }
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_.file(name); }
   void write(const std::string& name, const std::string& text) const {
     std::ofstream(path(name)) << text;
   }
-  static std::string text_of(const std::string& file) {
-    std::ifstream in(file);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
+  static std::string text_of(const std::string& file) { return test::bytes_of(file); }
   // $T stands for the tool; stderr goes to err.txt
   [[nodiscard]] int run(const std::string& command) const {
-    const int status = std::system(("cd " + folder_.string() +
+    const int status = std::system(("cd " + folder_.path().string() +
                                     " && T=" HIAC_TETRAHEDRALIZE " CONVERT=" HIAC_CONVERT " && (" +
                                     command + ") 2> err.txt")
                                        .c_str());
@@ -59,7 +45,7 @@ class Tetrahedralize : public testing::Test {
   static constexpr const char* kCube =
       "OFF\n8 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
       "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
-  std::filesystem::path folder_;
+  test::ScratchFolder folder_;
 };
 
 double volume_of(const ZooMesh& mesh) {
@@ -154,19 +140,104 @@ std::string cube_stl(double low, double edge, bool inwards) {
   return text;
 }
 
-TEST_F(Tetrahedralize, CavitiesAreToldAndLeftEmptyWhereAsked) {
+TEST_F(Tetrahedralize, OrientationAndPointsSayWhatStaysEmpty) {
+  const auto region_volumes = [&](const char* name) {
+    const ZooMesh whole = mesh(name);
+    EXPECT_EQ(whole.fields.at(0).name, "region");
+    return std::pair(volume_of(whole), std::ranges::max(whole.fields.at(0).values));
+  };
   for (const bool inwards : {true, false}) {
-    write("hollow.stl",
+    write("nested.stl",
           "solid a\n" + cube_stl(0, 3, false) + cube_stl(1, 1, inwards) + "endsolid a\n");
-    ASSERT_EQ(run("$T hollow.stl -o full.zoo"), 0) << errors();
-    EXPECT_EQ(errors().find("oriented as cavities are") != std::string::npos, inwards);
-    EXPECT_NEAR(volume_of(mesh("full.zoo")), 27, 1e-12);
-    ASSERT_EQ(run("$T hollow.stl --hole 1.5,1.5,1.5 -o hollow.zoo"), 0) << errors();
-    EXPECT_THAT(errors(), Not(HasSubstr("oriented as cavities are")));
+    ASSERT_EQ(run("$T nested.stl --json facts.json -o nested.zoo"), 0) << errors();
+    const auto [volume, regions] = region_volumes("nested.zoo");
+    EXPECT_NEAR(volume, inwards ? 26 : 27, 1e-12);
+    EXPECT_EQ(regions, inwards ? 1 : 2);
+    EXPECT_THAT(errors(), HasSubstr(inwards ? "encloses 2 parts: 1 are filled, 1 stay empty"
+                                            : "encloses 2 parts: 2 are filled, 0 stay empty"));
+    EXPECT_EQ(errors().find("in shells within shells") == std::string::npos, inwards);
+    const auto parts = nlohmann::json::parse(text_of(path("facts.json")))["parts"];
+    ASSERT_EQ(parts.size(), 2U);
+    EXPECT_EQ(parts[0]["winding"], 1);
+    EXPECT_EQ(parts[1]["winding"], inwards ? 0 : 2);
+    EXPECT_EQ(parts[1].contains("region"), !inwards);
+    ASSERT_EQ(run("$T nested.stl --hole 1.5,1.5,1.5 -o hollow.zoo"), 0) << errors();
     EXPECT_NEAR(volume_of(mesh("hollow.zoo")), 26, 1e-12);
   }
-  EXPECT_EQ(run("$T hollow.stl --hole 1,2 -o no.zoo"), 2);
-  EXPECT_EQ(run("$T hollow.stl --hole 1,2,3x -o no.zoo"), 2);
+  ASSERT_EQ(run("$T nested.stl --hole 2.5,2.5,2.5 -o inner.zoo"), 0) << errors();
+  EXPECT_NEAR(volume_of(mesh("inner.zoo")), 1, 1e-12);
+  const std::pair<const char*, const char*> wrong[] = {
+      {"--hole 1,2", "expected X,Y,Z"},
+      {"--hole 1,2,3x", "expected X,Y,Z"},
+      {"--hole 1,2,inf", "expected X,Y,Z"},
+      {"--hole=", "X,Y,Z"},
+      {"--hole 4,1,1", "--hole 4,1,1: the point is outside"},
+      {"--hole 1,1.5,1.5", "--hole 1,1.5,1.5: the point is on the surface"}};
+  for (const auto& [arguments, message] : wrong) {
+    EXPECT_EQ(run(std::string("$T nested.stl -o no.zoo ") + arguments), 2) << arguments;
+    EXPECT_THAT(errors(), HasSubstr(message));
+  }
+  EXPECT_EQ(run("$T nested.stl --hole 1.5,1.5,1.5 --hole 0.5,0.5,0.5 -o no.zoo"), 1);
+  EXPECT_THAT(errors(), HasSubstr("nested.stl: all parts that the surface encloses are holes"));
+}
+
+TEST_F(Tetrahedralize, ShellsThatDoNotSayWhatIsInsideAreToldOf) {
+  write("inwards.stl", "solid a\n" + cube_stl(0, 1, true) + cube_stl(2, 1, false) + "endsolid a\n");
+  ASSERT_EQ(run("$T inwards.stl -o inwards.zoo"), 0) << errors();
+  EXPECT_THAT(errors(), HasSubstr("1 parts are in shells that are oriented inwards"));
+  EXPECT_NEAR(volume_of(mesh("inwards.zoo")), 2, 1e-12);
+  // one triangle of the cavity is turned over
+  std::string shells = "solid a\n" + cube_stl(0, 3, false) + cube_stl(1, 1, true) + "endsolid a\n";
+  const std::size_t first = shells.rfind("outer loop\n") + 11;
+  const std::size_t second = shells.find('\n', first) + 1;
+  const std::size_t third = shells.find('\n', second) + 1;
+  std::rotate(shells.begin() + static_cast<std::ptrdiff_t>(first),
+              shells.begin() + static_cast<std::ptrdiff_t>(second),
+              shells.begin() + static_cast<std::ptrdiff_t>(third));
+  write("turned.stl", shells);
+  ASSERT_EQ(run("$T turned.stl -o turned.zoo"), 0) << errors();
+  EXPECT_THAT(errors(), HasSubstr("3 edges have triangles that are oriented against one another"));
+  EXPECT_NEAR(volume_of(mesh("turned.zoo")), 27, 1e-12);
+  // nothing is said where orientation decides nothing
+  ASSERT_EQ(run("$T cube.off -o cube.zoo"), 0);
+  EXPECT_THAT(errors(), Not(HasSubstr("orient")));
+}
+
+// The boundary of a mesh encloses what its cells fill.
+TEST_F(Tetrahedralize, FillsTheBoundaryOfAMesh) {
+  write("shifted.stl",
+        "solid a\n" + cube_stl(0.1, 3, false) + cube_stl(1.1, 1, true) + "endsolid\n");
+  ASSERT_EQ(run("$T shifted.stl --max-volume 0.3 -o m.zoo"), 0) << errors();
+  const double volume = volume_of(mesh("m.zoo"));
+  EXPECT_NEAR(volume, 26, 1e-12);
+  for (const char* extension : {"stl", "ply", "vtp"})
+    for (const char* levels : {"", "--levels 1 "}) {
+      SCOPED_TRACE(extension);
+      ASSERT_EQ(run(fmt::format("$CONVERT m.zoo {}-o b.{}", levels, extension)), 0) << errors();
+      ASSERT_EQ(run(fmt::format("$T b.{} -o back.zoo", extension)), 0) << errors();
+      const double tolerance = extension == std::string("stl") ? 1e-6 : 1e-12;
+      EXPECT_NEAR(volume_of(mesh("back.zoo")), volume, volume * tolerance);
+    }
+  // of quadratic cells: straight, so that subdivision changes nothing
+  write("q.inp",
+        "*NODE\n1, 0, 0, 0\n2, 2, 0, 0\n3, 0, 2, 0\n4, 0, 0, 2\n5, 1, 0, 0\n6, 1, 1, 0\n"
+        "7, 0, 1, 0\n8, 0, 0, 1\n9, 1, 0, 1\n10, 0, 1, 1\n*ELEMENT, TYPE=C3D10\n"
+        "1, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10\n");
+  ASSERT_EQ(run("$CONVERT q.inp --json facts.json -o q.ply && $T q.ply -o q.zoo"), 0) << errors();
+  EXPECT_NEAR(volume_of(mesh("q.zoo")), 8.0 / 6, 1e-14);
+  const auto facts = nlohmann::json::parse(text_of(path("facts.json")));
+  EXPECT_EQ(facts["boundary"]["levels"], 2);
+  EXPECT_EQ(facts["boundary"]["triangles"], 64);
+  EXPECT_EQ(run("$CONVERT m.zoo --levels 1 -o no.vtu"), 2);
+  EXPECT_EQ(run("$CONVERT m.zoo --levels 1 > no.zoo"), 2);
+  EXPECT_EQ(run("$CONVERT m.zoo --levels 7 -o no.ply"), 2);
+  EXPECT_EQ(run("$CONVERT b.ply --format ply -o no.zoo"), 2);
+  EXPECT_EQ(run("$CONVERT b.ply -o no.zoo"), 3);
+  // a mesh is no surface
+  ASSERT_EQ(run("$CONVERT m.zoo -o m.vtu"), 0);
+  EXPECT_EQ(run("$T m.vtu -o no.zoo"), 3);
+  EXPECT_THAT(errors(), HasSubstr("m.vtu: cell 0 is a Tetra (a surface of"));
+  EXPECT_EQ(run("$T b.vtp --cells -o no.zoo"), 2);
 }
 
 TEST_F(Tetrahedralize, DoubledPointsAreWeldedWhereAsked) {
@@ -198,17 +269,38 @@ TEST_F(Tetrahedralize, DoubledPointsAreWeldedWhereAsked) {
 }
 
 TEST_F(Tetrahedralize, PointsInAPlaneButForRoundingAreWarnedOf) {
-  std::string points;
+  // in a plane but for rounding, and one point above it
+  std::string points = "2.5 2.5 4\n";
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 6; ++j)
       points += fmt::format("{} {} {}\n", i, j, (i * 7 + j * 3) % 5 * 1e-16);
-  write("flat.xyz", points);
-  ASSERT_EQ(run("$T flat.xyz --delaunay -o flat.zoo"), 0) << errors();
-  EXPECT_THAT(errors(), HasSubstr("tetrahedra are nearly flat"));
+  write("plane.xyz", points);
+  ASSERT_EQ(run("$T plane.xyz --delaunay -o plane.zoo"), 0) << errors();
+  const ZooMesh all = mesh("plane.zoo");
+  std::size_t flat = 0;
+  for (CellId cell = 0; cell < all.cell_count(); ++cell) {
+    ZooMesh one;
+    one.xyz = all.xyz;
+    one.kinds = std::vector<CellKind>{CellKind::tetrahedron4};
+    one.elems = std::vector<std::uint64_t>{0, 4};
+    const auto nodes = all.cell_nodes(cell);
+    one.nodes = std::vector<NodeId>(nodes.begin(), nodes.end());
+    flat += volume_of(one) < 1e-6 ? 1 : 0;
+  }
+  EXPECT_GT(flat, 0U);
+  EXPECT_LT(flat, all.cell_count());
+  EXPECT_THAT(errors(), HasSubstr(fmt::format("{} of {} tetrahedra are nearly flat", flat,
+                                              all.cell_count())));
   write("solid.xyz", "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 1 1\n");
   ASSERT_EQ(run("$T solid.xyz --delaunay -o solid.zoo"), 0) << errors();
   EXPECT_THAT(errors(), Not(HasSubstr("nearly flat")));
-  ASSERT_EQ(run("$T --version"), 0);
+}
+
+TEST_F(Tetrahedralize, NamesTheLibrariesThatMakeTetrahedra) {
+  ASSERT_EQ(run("$T --version > version.txt"), 0);
+  EXPECT_THAT(text_of(path("version.txt")),
+              testing::ContainsRegex("CGAL [0-9]+\\.[0-9]+.*, GMP [0-9]+\\.[0-9]+.*, TetGen "
+                                     "[0-9]+\\.[0-9]+"));
 }
 
 TEST_F(Tetrahedralize, JoinsPoints) {

@@ -28,8 +28,9 @@
 #include "hiac/scene/view_of.hpp"
 #include "tools/check/picture.hpp"
 #include "tools/check/report.hpp"
+#include "tools/common/foreign_mesh.hpp"
 #include "tools/common/mesh_io.hpp"
-#include "tools/common/specification.hpp"
+#include "tools/common/picture/specification.hpp"
 #include "tools/common/tool.hpp"
 
 namespace {
@@ -38,12 +39,12 @@ using namespace hiac;
 using namespace hiac::tools;
 
 struct Options {
-  std::string input, output, view, picture, size;
+  std::string input, conversion, output, view, picture, size;
   std::vector<std::string> overrides;
   std::uint32_t directions = 0;
   std::size_t max_ids = 20;
   double planarity = RenderSettings{}.planarity;
-  bool overlap = false, cycles = false, repair = false;
+  bool overlap = false, cycles = false, quality = false, repair = false;
 };
 
 // A view that cycles are looked for in.
@@ -103,6 +104,7 @@ class Judge {
     add(std::move(fit));
     if (options_.overlap) overlaps(mesh, shapes, folded);
     if (options_.cycles) cycles(mesh, shapes);
+    if (options_.quality) quality(mesh, shapes);
   }
 
   [[nodiscard]] const Judgement& judgement() const { return judgement_; }
@@ -125,7 +127,9 @@ class Judge {
   void cycles(const ZooMesh& mesh, const CellShapes& shapes) {
     const OrderBasis basis = tool_.timed("basis", [&] { return order_basis(mesh, adjacency_); });
     judgement_.certificate =
-        tool_.timed("certificate", [&] { return certify_acyclic(basis, shapes); });
+        judgement_.cells_overlap()
+            ? Certificate{Acyclicity::unknown, Delaunay::unknown, "cells overlap"}
+            : tool_.timed("certificate", [&] { return certify_acyclic(basis, shapes); });
     std::vector<Offender> cells;
     std::set<CellId> known;  // a cell counts once, whatever the number of views
     tool_.frames().begin("views", views_.size());
@@ -139,6 +143,13 @@ class Judge {
       tool_.frames().advance();
     }
     add_finding(judgement_.findings, Defect::cycle, std::move(cells));
+  }
+
+  void quality(const ZooMesh& mesh, const CellShapes& shapes) {
+    const int hand = shapes.hand == Turn::left ? -1 : 1;
+    judgement_.quality =
+        Quality{tool_.timed("parts", [&] { return mesh_parts(mesh, adjacency_, shapes); }),
+                tool_.timed("quality", [&] { return mesh_quality(mesh, hand); })};
   }
 
   Tool& tool_;
@@ -200,7 +211,10 @@ void check_options(const Options& options) {
 }
 
 void claim_files(Tool& tool, const Options& options) {
-  RunFiles files{{options.input, options.view}, {{"-o", options.output, FileKind::mesh, true}}};
+  // a mended mesh may replace the mesh, but not a file that hiac-convert reads
+  const bool replaceable = !is_foreign_mesh(options.input);
+  RunFiles files{{options.input, options.view},
+                 {{"-o", options.output, FileKind::mesh, replaceable}}};
   add_image(files.outputs, "--picture", options.picture);
   tool.claim(std::move(files));
 }
@@ -210,8 +224,9 @@ void check(Tool& tool, const Options& options) {
   check_options(options);
   const bool pass_on = passes_on(tool, options);
   const std::vector<NamedView> views = wanted_views(options);
-  ZooFile file =
-      tool.timed("read", [&] { return read_mesh(options.input, MeshNumbers::as_given); });
+  ZooFile file = tool.timed("read", [&] {
+    return read_any_mesh(tool, {options.input, options.conversion}, MeshNumbers::as_given);
+  });
   const std::string subject = input_name(options.input);
   Judge judge(tool, options, views);
   const bool sound = judge.numbers(file.mesh);
@@ -256,6 +271,7 @@ int main(int argc, char** argv) {
   Tool tool("hiac-check", "Judges whether a mesh is valid, and names its defects.",
             std::string("  hiac-check part.zoo --overlap\n"
                         "  hiac-check part.zoo --cycles --directions 100 --json cycles.json\n"
+                        "  hiac-check part.zoo --quality --json quality.json\n"
                         "  hiac-check part.zoo --repair -o mended.zoo\n"
                         "  hiac-check part.zoo --picture where.png\n"
                         "  hiac-convert part.vtu | hiac-check | hiac-sort --view view.toml | "
@@ -263,7 +279,8 @@ int main(int argc, char** argv) {
                 kMeaning);
   Options options;
   auto& app = tool.app();
-  app.add_option("MESH", options.input, "Zoo mesh; - or none: stdin");
+  app.add_option("MESH", options.input, kMeshHelp);
+  add_conversion(app, options.conversion);
   app.add_option("-o,--output", options.output,
                  "Write a valid mesh here; - or none: to stdout, unless stdout is a terminal or "
                  "--json - uses it")
@@ -272,8 +289,13 @@ int main(int argc, char** argv) {
   app.add_flag("--cycles", options.cycles,
                "Look for a proof that no view has a visibility cycle, and for cycles in the views "
                "of --view and --directions");
+  app.add_flag("--quality", options.quality,
+               "Tell the shapes of the cells (volumes, dihedral angles, edge, aspect and radius "
+               "ratios, condition, scaled Jacobian) and count components, boundary shells, "
+               "cavities and tunnels");
   app.add_option("--view", options.view,
-                 "For --cycles: the camera of this image specification (TOML), or all its frames")
+                 "For --cycles: the camera of this image specification (TOML, or a picture made by "
+                 "one), or all its frames")
       ->type_name("SPEC");
   app.add_option("--set", options.overrides, "Override KEY=VALUE of the specification; repeatable")
       ->type_name("KEY=VALUE")

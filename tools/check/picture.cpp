@@ -4,15 +4,16 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <set>
 #include <span>
 #include <utility>
 
+#include "hiac/geometry/box.hpp"
 #include "hiac/geometry/vector.hpp"
 #include "hiac/image/image_io.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
+#include "hiac/order/published/centroid.hpp"
 #include "hiac/order/visibility_order.hpp"
 #include "hiac/render/engine.hpp"
 #include "hiac/scene/scene.hpp"
@@ -30,6 +31,9 @@ constexpr double kSkin = 1e-3, kThread = 1.2e-3;
 constexpr double kBend = 0.94;
 // Edges of so many offending cells are drawn; of more, the cells alone.
 constexpr std::size_t kMostFramed = 4000;
+// So many offending cells are sorted exactly; more by their middles. Tangled cells overlap, so that
+// there is no right order of them, and it would take minutes to find that out.
+constexpr std::size_t kMostExact = 1000;
 
 Vector moved(const Vector& p, double by, const Vector& along) {
   return {p[0] + by * along[0], p[1] + by * along[1], p[2] + by * along[2]};
@@ -40,19 +44,23 @@ class Drawing {
  public:
   explicit Drawing(double size) : size_(size) {}
 
-  void add(const std::array<Vector, 4>& corners, Paint paint) {
-    for (const Vector& p : corners) {
-      nodes_.push_back(static_cast<NodeId>(xyz_.size() / 3));
-      xyz_.insert(xyz_.end(), p.begin(), p.end());
+  // Tetrahedra of common corners: each of four numbers among them. Neighbours share nodes, so that
+  // only the outer faces are compared with those of other parts when the drawing is sorted.
+  void add(std::span<const Vector> corners, std::span<const std::array<std::uint8_t, 4>> cells,
+           Paint paint) {
+    const auto first = static_cast<NodeId>(xyz_.size() / 3);
+    for (const Vector& p : corners) xyz_.insert(xyz_.end(), p.begin(), p.end());
+    for (const auto& cell : cells) {
+      for (const std::uint8_t corner : cell) nodes_.push_back(first + corner);
+      paints_.push_back(static_cast<double>(paint));
     }
-    paints_.push_back(static_cast<double>(paint));
   }
 
   // Between two triangles, corner to corner.
   void add_prism(const std::array<Vector, 3>& a, const std::array<Vector, 3>& b, Paint paint) {
-    add({a[0], a[1], a[2], b[2]}, paint);
-    add({a[0], a[1], b[1], b[2]}, paint);
-    add({a[0], b[0], b[1], b[2]}, paint);
+    constexpr std::array<std::array<std::uint8_t, 4>, 3> kCells{
+        {{0, 1, 2, 5}, {0, 1, 4, 5}, {0, 3, 4, 5}}};
+    add(std::array{a[0], a[1], a[2], b[0], b[1], b[2]}, kCells, paint);
   }
 
   void add_skin(const Vector& a, const Vector& b, const Vector& c) {
@@ -106,16 +114,10 @@ struct Ball {
 };
 
 Ball ball_around(const ZooMesh& mesh) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Vector low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
-  for (const NodeId node : mesh.nodes)
-    for (std::size_t c = 0; c < 3; ++c) {
-      low[c] = std::min(low[c], mesh.position(node)[c]);
-      high[c] = std::max(high[c], mesh.position(node)[c]);
-    }
+  const Box box = box_of_cells(mesh);
   Ball ball{};
-  for (std::size_t c = 0; c < 3; ++c) ball.centre[c] = 0.5 * low[c] + 0.5 * high[c];
-  ball.radius = length(minus(high, ball.centre));
+  for (std::size_t c = 0; c < 3; ++c) ball.centre[c] = 0.5 * box.low[c] + 0.5 * box.high[c];
+  ball.radius = length(minus(box.high, ball.centre));
   return ball;
 }
 
@@ -144,13 +146,21 @@ void add_cell(const ZooMesh& mesh, CellId cell, Paint paint, bool framed, Drawin
   const auto nodes = mesh.cell_nodes(cell);
   const ShapeTopology& shape = topology_of(mesh.kinds[cell]);
   const auto at = [&](std::size_t k) { return position(mesh, nodes[k]); };
-  Vector middle{};
-  for (std::size_t k = 0; k < shape.corner_count; ++k)
-    middle = moved(middle, 1 / static_cast<double>(shape.corner_count), at(k));
-  for (const ShapeFace& face : shape.faces)
-    for (std::size_t k = 2; k < face.corner_count; ++k)
-      drawing.add({at(face.corners[0]), at(face.corners[k - 1]), at(face.corners[k]), middle},
-                  paint);
+  std::vector<Vector> corners;
+  for (std::size_t k = 0; k < shape.corner_count; ++k) corners.push_back(at(k));
+  std::vector<std::array<std::uint8_t, 4>> cells{{0, 1, 2, 3}};
+  if (shape.corner_count > 4) {  // from the faces to the middle
+    Vector middle{};
+    for (const Vector& p : corners)
+      middle = moved(middle, 1 / static_cast<double>(shape.corner_count), p);
+    const auto last = static_cast<std::uint8_t>(corners.size());
+    corners.push_back(middle);
+    cells.clear();
+    for (const ShapeFace& face : shape.faces)
+      for (std::size_t k = 2; k < face.corner_count; ++k)
+        cells.push_back({face.corners[0], face.corners[k - 1], face.corners[k], last});
+  }
+  drawing.add(corners, cells, paint);
   if (!framed) return;
   for (const auto& [from, to] : shape.edges) drawing.add_thread(at(from), at(to), paint);
 }
@@ -237,6 +247,12 @@ Scene scene_around(const Ball& ball, const ZooMesh& drawn, ImageSize size) {
   return scene;
 }
 
+VisibilityOrder order_of(const ZooMesh& drawn, const Scene& scene, bool exact) {
+  const View view = view_of(scene.camera);
+  if (!exact) return centroid_order(drawn, view);
+  return exact_order(drawn, build_face_adjacency(drawn), view, scene.render.planarity).order;
+}
+
 }  // namespace
 
 void write_defect_picture(Tool& tool, const ZooMesh& mesh, const FaceAdjacency& adjacency,
@@ -252,9 +268,10 @@ void write_defect_picture(Tool& tool, const ZooMesh& mesh, const FaceAdjacency& 
   add_boundary(mesh, adjacency, drawing);
   const ZooMesh drawn = std::move(drawing).mesh();
   const Scene scene = scene_around(ball, drawn, size);
-  const OrderResult order = exact_order(drawn, build_face_adjacency(drawn), view_of(scene.camera),
-                                        scene.render.planarity);
-  const RenderResult result = render(drawn, order.order, scene, true, &tool.progress());
+  const VisibilityOrder order = tool.timed(
+      "picture_order", [&] { return order_of(drawn, scene, cells.size() <= kMostExact); });
+  const RenderResult result = tool.timed(
+      "picture_render", [&] { return render(drawn, order, scene, true, &tool.progress()); });
   write_image(path, result.image);
 }
 

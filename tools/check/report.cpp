@@ -56,6 +56,9 @@ std::string name_of(const Offender& offender, Offence offence) {
 }
 
 std::string row(const Finding& finding, std::size_t max_ids) {
+  // there may be thousands of these beside a few that matter
+  constexpr std::size_t kExamples = 3;
+  if (finding.defect == Defect::possible_overlap) max_ids = std::min(max_ids, kExamples);
   const DefectDescription& about = description_of(finding.defect);
   std::vector<std::string> names;
   for (const Offender& offender : first_of(finding.offenders, max_ids))
@@ -98,7 +101,15 @@ std::string cycles_text(const Judgement& judgement, std::size_t max_ids) {
                             cycle_text(group, max_ids));
   }
   if (told > max_ids) text += fmt::format("  {:<8} {:>9} cycles more\n", "", told - max_ids);
-  return text + fmt::format("  {} of {} views without cycles\n", free, judgement.views.size());
+  text += fmt::format("  {} of {} views without cycles", free, judgement.views.size());
+  const bool proven =
+      judgement.certificate && judgement.certificate->acyclicity != Acyclicity::unknown;
+  if (judgement.cells_overlap())
+    text +=
+        "; but cells overlap: between them there is no order, and a cycle, or none, means nothing";
+  else if (!judgement.overlaps_asked && !proven)
+    text += ", if no cells overlap (--overlap)";
+  return text + "\n";
 }
 
 std::string_view name_of(Acyclicity acyclicity) {
@@ -142,11 +153,22 @@ Json convexity_json(const MeshConvexity& found, std::size_t max_ids) {
   return json;
 }
 
+std::string_view name_of(Delaunay delaunay) {
+  constexpr std::array<std::string_view, 4> kNames{"unknown", "no", "weak", "strict"};
+  return kNames[static_cast<std::size_t>(delaunay)];
+}
+
 std::string certificate_text(const Certificate& certificate) {
+  constexpr std::array<std::string_view, 4> kTexts{
+      "", "  not Delaunay\n", "  Delaunay; some neighbours have a circumsphere in common\n",
+      "  Delaunay\n"};
+  const std::string text(kTexts[static_cast<std::size_t>(certificate.delaunay)]);
   if (certificate.acyclicity == Acyclicity::unknown)
-    return fmt::format("  not proven free of cycles from everywhere: {}\n", certificate.reason);
-  return fmt::format("  {}: proven free of cycles from everywhere\n",
-                     certificate.acyclicity == Acyclicity::delaunay ? "Delaunay" : "regular");
+    return text +
+           fmt::format("  not proven free of cycles from everywhere: {}\n", certificate.reason);
+  return text + fmt::format("  proven free of cycles from everywhere: {}\n",
+                            certificate.acyclicity == Acyclicity::delaunay ? "strictly Delaunay"
+                                                                           : "regular");
 }
 
 std::string repair_text(const RepairCounts& c) {
@@ -206,6 +228,12 @@ Json views_json(const Judgement& judgement, std::size_t max_ids) {
 
 }  // namespace
 
+bool Judgement::cells_overlap() const {
+  return std::ranges::any_of(findings, [](const Finding& finding) {
+    return finding.defect == Defect::overlap || finding.defect == Defect::folded_face;
+  });
+}
+
 std::string judgement_table(const ZooMesh& mesh, const Judgement& judgement, std::size_t max_ids) {
   std::string text = fmt::format("  {}; {} nodes\n", cells_by_kind(mesh), mesh.node_count());
   if (judgement.repair) text += repair_text(*judgement.repair);
@@ -213,6 +241,7 @@ std::string judgement_table(const ZooMesh& mesh, const Judgement& judgement, std
   if (judgement.convexity) text += convexity_text(*judgement.convexity, max_ids);
   if (!judgement.views.empty()) text += cycles_text(judgement, max_ids);
   if (judgement.certificate) text += certificate_text(*judgement.certificate);
+  if (judgement.quality) text += quality_table(*judgement.quality);
   const bool valid = !any_invalid(judgement.findings);
   text += fmt::format("  {}", valid ? "valid" : "INVALID");
   if (valid && !judgement.overlaps_asked) text += " as far as asked (--overlap: overlaps, too)";
@@ -224,12 +253,17 @@ nlohmann::ordered_json judgement_facts(const Judgement& judgement, std::size_t m
   for (const Finding* finding : sorted(judgement.findings))
     facts["findings"].push_back(finding_json(*finding, max_ids));
   if (judgement.convexity) facts["convexity"] = convexity_json(*judgement.convexity, max_ids);
-  if (!judgement.views.empty()) facts["views"] = views_json(judgement, max_ids);
+  if (!judgement.views.empty()) {
+    facts["views"] = views_json(judgement, max_ids);
+    facts["cells_overlap"] = judgement.cells_overlap();
+  }
   if (judgement.certificate) {
     facts["acyclic"] = name_of(judgement.certificate->acyclicity);
+    facts["delaunay"] = name_of(judgement.certificate->delaunay);
     if (!judgement.certificate->reason.empty())
       facts["not_proven_acyclic"] = judgement.certificate->reason;
   }
+  if (judgement.quality) facts["quality"] = quality_json(*judgement.quality);
   if (judgement.repair)
     facts["repair"] = {{"reoriented_cells", judgement.repair->reoriented_cells},
                        {"dropped_cells", judgement.repair->dropped_cells},

@@ -13,6 +13,7 @@
 #include "hiac/check/regularity.hpp"
 #include "hiac/check/repair.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
+#include "tools/check/quality_report.hpp"
 
 namespace hiac::tools {
 
@@ -29,7 +30,11 @@ struct Judgement {  // NOLINT(bugprone-exception-escape): the standard library's
   std::optional<MeshConvexity> convexity;
   std::optional<Certificate> certificate;
   std::optional<RepairCounts> repair;
+  std::optional<Quality> quality;
   bool overlaps_asked = false;
+
+  /// Whether cells are known to have inner points in common, so that no order of them is right.
+  [[nodiscard]] bool cells_overlap() const;
 };
 
 /// A table of the findings, what makes the mesh invalid first, for people.

@@ -9,12 +9,18 @@
 #include <unistd.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/mesh/zoo_chunks.hpp"
 #include "tools/common/file_kind.hpp"
 
 namespace hiac::tools {
 namespace {
 
 constexpr std::string_view kZoo = "\x89ZOO\r\n\x1a\n";
+
+// Told of what begins as gzip's files do.
+std::string packing_of(std::string_view head) {
+  return head.starts_with("\x1f\x8b") ? ", packed by gzip" : "";
+}
 
 // What a regular file is that is no zoo container, and what helps; empty for a zoo container, and
 // for what the reader complains about itself.
@@ -27,10 +33,21 @@ std::string foreign_file(const std::string& path) {
   const auto kind = kind_of_file(path);
   if (kind && *kind != FileKind::mesh)
     return fmt::format("is {} (a zoo mesh expected)", kind_phrase(*kind));
-  const std::string packed = head.starts_with("\x1f\x8b") ? ", packed by gzip" : "";
+  const std::string packed = packing_of(head);
   const auto zoo = std::filesystem::path(path).replace_extension(".zoo").filename().string();
   return fmt::format("is not a zoo mesh{} (hiac-convert {} -o {} makes one of a foreign file)",
                      packed, path, zoo);
+}
+
+// A mesh from stdin; what is no zoo mesh is told what makes one of it.
+ZooFile read_stdin(MeshNumbers numbers) try {
+  return read_zoo_stream(STDIN_FILENO, "stdin", numbers);
+} catch (const NotZooError& foreign) {
+  throw InputError(
+      "stdin",
+      fmt::format("is not a zoo mesh{} (hiac-convert --format NAME, before this in the pipe, makes "
+                  "one of a foreign file; hiac-convert --list-formats tells the names)",
+                  packing_of(foreign.beginning())));
 }
 
 }  // namespace
@@ -42,7 +59,7 @@ std::string input_name(const std::string& path) {
 ZooFile read_mesh(const std::string& path, MeshNumbers numbers) {
   if (path.empty() && isatty(STDIN_FILENO) != 0)
     throw UsageError("no mesh: name a file, or pipe a mesh in");
-  if (path.empty() || path == "-") return read_zoo_stream(STDIN_FILENO, "stdin", numbers);
+  if (path.empty() || path == "-") return read_stdin(numbers);
   if (const std::string other = foreign_file(path); !other.empty()) throw InputError(path, other);
   return read_zoo_file(path, numbers);
 }

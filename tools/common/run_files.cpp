@@ -1,9 +1,11 @@
 #include "tools/common/run_files.hpp"
 
 #include <filesystem>
+#include <map>
 #include <system_error>
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include "hiac/base/error.hpp"
 #include "hiac/base/output_file.hpp"
@@ -15,26 +17,35 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Whether two paths name one file, which may not be there yet.
-bool same_file(const std::string& a, const std::string& b) {
+// What two paths have in common if they name one file, which may not be there yet: its device and
+// number, or else its whole path.
+std::string identity_of(const std::string& path) {
+  struct stat found = {};
+  if (stat(path.c_str(), &found) == 0) return fmt::format("{} {}", found.st_dev, found.st_ino);
   std::error_code error;
-  if (fs::exists(a, error) && fs::exists(b, error)) return fs::equivalent(a, b, error);
-  return fs::weakly_canonical(fs::absolute(a), error) ==
-         fs::weakly_canonical(fs::absolute(b), error);
+  return fs::weakly_canonical(fs::absolute(path), error).string();
 }
 
-void require_own_file(const RunFiles& files, std::size_t at) {
-  const RunOutput& output = files.outputs[at];
+// Refuses outputs that are inputs, or each other's files. There may be thousands, one for every
+// frame: their identities are looked up, not compared pair by pair.
+void require_own_files(const RunFiles& files) {
+  std::map<std::string, const RunOutput*> seen;  // null: an input
   for (const std::string& input : files.inputs)
-    if (!is_stdout(input) && !output.may_replace_input && same_file(input, output.path))
+    if (!is_stdout(input)) seen.emplace(identity_of(input), nullptr);
+  for (const RunOutput& output : files.outputs) {
+    if (is_stdout(output.path) || is_stream(output.path)) continue;
+    const auto [at, is_new] = seen.emplace(identity_of(output.path), &output);
+    if (is_new) continue;
+    if (at->second != nullptr)
+      throw UsageError(fmt::format("{} {}: is also the file of {} (another name expected)",
+                                   output.option, output.path, at->second->option));
+    if (!output.may_replace_input)
       throw UsageError(
           fmt::format("{} {}: is an input of this run, which would be lost (another "
                       "name expected)",
                       output.option, output.path));
-  for (std::size_t other = 0; other < at; ++other)
-    if (!is_stdout(files.outputs[other].path) && same_file(files.outputs[other].path, output.path))
-      throw UsageError(fmt::format("{} {}: is also the file of {} (another name expected)",
-                                   output.option, output.path, files.outputs[other].option));
+    at->second = &output;
+  }
 }
 
 }  // namespace
@@ -49,10 +60,9 @@ void require_same_kind(const RunOutput& output) {
 }
 
 void require_safe(const RunFiles& files) {
-  for (std::size_t at = 0; at < files.outputs.size(); ++at) {
-    const RunOutput& output = files.outputs[at];
+  require_own_files(files);
+  for (const RunOutput& output : files.outputs) {
     if (is_stdout(output.path) || is_stream(output.path)) continue;
-    require_own_file(files, at);
     require_same_kind(output);
     require_writable(output.path);
   }

@@ -39,6 +39,18 @@ std::string hint_for(const CLI::App& app, int argc, char** argv) {
   return "";
 }
 
+/// The words of the command line, last one first, as CLI11 wants them. The value of --convert
+/// begins with a hyphen as options do: it goes into one word with it.
+std::vector<std::string> reversed_words(int argc, char** argv) {
+  std::vector<std::string> words;
+  for (int i = 1; i < argc; ++i) {
+    words.emplace_back(argv[i]);
+    if (words.back() == "--convert" && i + 1 < argc) words.back() += std::string("=") + argv[++i];
+  }
+  std::ranges::reverse(words);
+  return words;
+}
+
 }  // namespace
 
 std::uint64_t peak_memory_bytes() {
@@ -77,7 +89,7 @@ int Tool::run(int argc, char** argv, const std::function<void()>& work) {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   try {
-    app_.parse(argc, argv);
+    app_.parse(reversed_words(argc, argv));
   } catch (const CLI::CallForHelp&) {
     std::cout << app_.help();
     return 0;
@@ -89,7 +101,7 @@ int Tool::run(int argc, char** argv, const std::function<void()>& work) {
               << name_ << " --help)\n";
     return static_cast<int>(ExitCode::usage);
   }
-  const double start = seconds_now();
+  start_ = seconds_now();
   auto exit_code = ExitCode::done;
   std::string message;
   try {
@@ -122,7 +134,7 @@ int Tool::run(int argc, char** argv, const std::function<void()>& work) {
     facts_["error"] = message;
   }
   try {
-    write_facts(static_cast<int>(exit_code), seconds_now() - start);
+    write_facts(static_cast<int>(exit_code), seconds_now() - start_);
   } catch (const Error& error) {
     std::cerr << name_ << ": " << plain_line(error.what()) << '\n';
     if (exit_code == ExitCode::done) exit_code = error.exit_code();
@@ -132,22 +144,47 @@ int Tool::run(int argc, char** argv, const std::function<void()>& work) {
 
 void Tool::watch_memory() {
   const std::uint64_t most = common_.max_memory > 0 ? common_.max_memory : machine_memory() / 4 * 3;
-  // in the thread that watches, while the others work on: nothing but the files is put in order
-  memory_ = std::make_unique<MemoryWatch>(most, [this, most] {
-    remove_temporary_files();
-    const std::string line = fmt::format(
-        "{}: {}: takes more than {:.3g} GB of memory (--max-memory SIZE sets the limit)\n", name_,
-        plain_line(subject_), static_cast<double>(most) * 1e-9);
-    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, line.data(), line.size());
-    _exit(static_cast<int>(ExitCode::input));
-  });
+  memory_ = std::make_unique<MemoryWatch>(most, [this, most] { end_at_limit(most); });
+}
+
+// In the thread that watches, while the others work on: it reads only what they do not change.
+void Tool::end_at_limit(std::uint64_t most) {
+  const auto code = static_cast<int>(ExitCode::input);
+  std::string subject;
+  nlohmann::ordered_json facts{{"tool", name_}, {"version", version_text()}};
+  {
+    const std::lock_guard lock(told_);
+    subject = subject_;
+    facts["warnings"] = warnings_;
+  }
+  const std::string message =
+      fmt::format("{}: takes more than {:.3g} GB of memory (--max-memory SIZE sets the limit)",
+                  subject, static_cast<double>(most) * 1e-9);
+  std::string lines = fmt::format("{}: {}\n", name_, plain_line(message));
+  facts["peak_memory_bytes"] = std::max(used_memory(), peak_memory_bytes());
+  facts["error"] = message;
+  facts["exit_code"] = code;
+  facts["seconds"]["total"] = seconds_now() - start_;
+  // before the other temporary files go: no further one begins then
+  try {
+    if (claimed_) write_report(facts);
+  } catch (const Error& error) {
+    lines += fmt::format("{}: {}\n", name_, plain_line(error.what()));
+  }
+  remove_temporary_files();
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, lines.data(), lines.size());
+  _exit(code);
 }
 
 void Tool::claim(RunFiles files) {
-  if (!files.inputs.empty()) subject_ = input_name(files.inputs.front());
+  if (!files.inputs.empty()) {
+    const std::lock_guard lock(told_);
+    subject_ = input_name(files.inputs.front());
+  }
   files.outputs.insert(files.outputs.begin(), facts_output());
   try {
     require_safe(files);
+    claimed_ = true;
   } catch (const UsageError&) {
     facts_refused_ = true;
     throw;
@@ -171,7 +208,10 @@ void Tool::print(const std::string& text) const {
 }
 
 void Tool::warn(const std::string& line) {
-  warnings_.push_back(line);
+  {
+    const std::lock_guard lock(told_);
+    warnings_.push_back(line);
+  }
   note("warning: " + line);
 }
 
@@ -196,9 +236,15 @@ void Tool::write_facts(int exit_code, double seconds) {
   facts_["warnings"] = warnings_;
   facts_["exit_code"] = exit_code;
   facts_["seconds"]["total"] = seconds;
-  const std::string text = facts_.dump(2) + "\n";
+  write_report(facts_);
+}
+
+void Tool::write_report(const nlohmann::ordered_json& facts) const {
+  if (common_.json.empty()) return;
   if (!is_stdout(common_.json)) require_same_kind(facts_output());
-  write_text(common_.json, text);
+  // names of files need not be UTF-8
+  const auto replace = nlohmann::ordered_json::error_handler_t::replace;
+  write_text(common_.json, facts.dump(2, ' ', false, replace) + "\n");
 }
 
 Tool::StageClock::StageClock(Tool& tool, std::string name)

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -97,15 +99,20 @@ class Tool {
   };
 
   void watch_memory();
+  [[noreturn]] void end_at_limit(std::uint64_t most);
   void write_facts(int exit_code, double seconds);
+  void write_report(const nlohmann::ordered_json& facts) const;
   [[nodiscard]] RunOutput facts_output() const { return {"--json", common_.json, FileKind::facts}; }
 
   std::string name_;
   CLI::App app_;
   CommonOptions common_;
   nlohmann::ordered_json facts_;
+  std::mutex told_;  // guards what the memory's watch reads: warnings_ and subject_
   std::vector<std::string> warnings_;
-  bool facts_refused_ = false;  // their file would destroy another
+  bool facts_refused_ = false;         // their file would destroy another
+  std::atomic<bool> claimed_ = false;  // the outputs have been tried
+  double start_ = 0;
   Progress progress_, frames_;
   std::unique_ptr<ProgressBar> bar_;  // while work is done
   std::string subject_ = "memory";    // the input, once it is claimed

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -18,6 +19,7 @@
 #include "formats/zoo/zoo_format.hpp"
 #include "hiac/base/error.hpp"
 #include "hiac/base/output_file.hpp"
+#include "hiac/mesh/boundary_surface.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
 #include "hiac/mesh/file_descriptor.hpp"
 #include "hiac/mesh/zoo_container.hpp"
@@ -26,6 +28,8 @@
 #include "tools/common/plain_text.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/common/version.hpp"
+#include "tools/convert/edits.hpp"
+#include "tools/convert/invalid_cells.hpp"
 #include "tools/convert/listing.hpp"
 #include "tools/convert/option_names.hpp"
 #include "tools/convert/spooled_input.hpp"
@@ -38,7 +42,8 @@ constexpr const char* kExamples =
     "  hiac-convert --list run.vtu\n"
     "  hiac-convert run.vtk --field velocity:magnitude=speed | hiac-sort --view v.toml\n"
     "  hiac-convert run.vtu --derive 'speed=magnitude(velocity)' -o run.zoo\n"
-    "  hiac-convert run.zoo -o run.vtu";
+    "  hiac-convert run.zoo -o run.vtu\n"
+    "  hiac-convert run.zoo --levels 3 -o boundary.ply";
 
 struct Options {
   std::string input;
@@ -47,7 +52,7 @@ struct Options {
   bool list_formats = false;
   bool list = false;
   std::vector<std::string> fields;
-  std::vector<std::string> derivations;
+  Edits edits;
   std::string time;
   std::optional<std::size_t> step;
   std::optional<std::string> block;
@@ -56,6 +61,8 @@ struct Options {
   bool approximate = false;
   bool allow_external = false;
   bool adjacency = true;
+  std::optional<InvalidCellsFate> invalid;
+  std::optional<unsigned> levels;
 
   [[nodiscard]] bool from_stdin() const { return input.empty() || input == "-"; }
   [[nodiscard]] bool to_stdout() const { return output.empty() || output == "-"; }
@@ -68,8 +75,8 @@ void add_options(CLI::App& app, Options& options) {
       "--format, any format that is one file");
   app.add_option(
          "-o,--output", options.output,
-         "Output file; its extension chooses the format (.zoo, .vtu, .vtkhdf, .msh); - or none: a "
-         "zoo stream to stdout")
+         "Output file; its extension chooses the format (.zoo, .vtu, .vtkhdf, .msh; .stl, .ply, "
+         ".vtp: the boundary alone); - or none: a zoo stream to stdout")
       ->type_name("FILE");
   app.add_option("--format", options.format,
                  "Read INPUT as this format instead of detecting the format")
@@ -78,17 +85,13 @@ void add_options(CLI::App& app, Options& options) {
   app.add_flag("--list", options.list, "Print the contents of INPUT; convert nothing");
   app.add_option("--field", options.fields,
                  "Convert this field and give it the name NEW; FIELD:x and FIELD:magnitude are "
-                 "the scalars of a vector field; repeatable (default: all fields)")
+                 "scalars of a vector field, FIELD:von_mises of a tensor field; repeatable "
+                 "(default: all fields)")
       ->type_name("NAME[=NEW]")
       ->expected(1)
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  app.add_option("--derive", options.derivations,
-                 "Add a field computed from another: 'NAME=magnitude(FIELD)'; repeatable")
-      ->type_name("FORMULA")
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  options.edits.add_options(app);
   CLI::Option* time = app.add_option("--time", options.time,
                                      "Convert the step at this time; nearest:T: the nearest to T")
                           ->type_name("T");
@@ -106,6 +109,22 @@ void add_options(CLI::App& app, Options& options) {
   app.add_flag("--allow-external", options.allow_external,
                "Read files that INPUT names (by links of HDF5, in XDMF, PVD, VTM, include lines) "
                "wherever they lie, not only in its folder");
+  app.add_option("--invalid", options.invalid,
+                 "What becomes of cells that are partly turned inside out, which cannot be drawn: "
+                 "refuse the mesh, skip them, or cut them into tetrahedra of positive volume and "
+                 "state how much volume that changes (default: they are converted as they are)")
+      ->type_name("refuse|skip|cut")
+      ->transform(CLI::CheckedTransformer(
+                      std::map<std::string, InvalidCellsFate>{{"refuse", InvalidCellsFate::refuse},
+                                                              {"skip", InvalidCellsFate::skip},
+                                                              {"cut", InvalidCellsFate::cut}},
+                      CLI::ignore_case)
+                      .description(""));
+  app.add_option("--levels", options.levels,
+                 "With .stl, .ply, .vtp: halve the edges of the boundary's faces N times, which "
+                 "makes 4^N triangles of one (default: 0 if all cells are linear, otherwise 2)")
+      ->check(CLI::Range(0U, kMostBoundaryLevels))
+      ->type_name("N");
   app.add_flag("--adjacency,!--no-adjacency", options.adjacency,
                "Store which cells share faces, so that later stages start faster (default: yes)");
 }
@@ -135,9 +154,12 @@ formats::ReadOptions read_options(const Options& options) {
 }
 
 const formats::Format& format_of(const Options& options, const std::string& path) {
-  return options.format.empty()
-             ? formats::format_to_read(path)
-             : *as_option("--", [&] { return &formats::format_named(options.format); });
+  if (options.format.empty()) return formats::format_to_read(path);
+  const formats::Format& format =
+      *as_option("--", [&] { return &formats::format_named(options.format); });
+  if (!format.read)
+    throw UsageError(fmt::format("--format {}: files of this format are not read", options.format));
+  return format;
 }
 
 /// stdin, or a pipe that INPUT names.
@@ -241,10 +263,15 @@ bool keeps_format(const Options& options) {
 
 void claim_files(Tool& tool, const Options& options) {
   RunFiles files{{options.input}, {}};
+  bool boundary = false;
   if (!options.list && !options.to_stdout()) {
-    as_option("-o ", [&] { formats::format_to_write(options.output); });
+    as_option("-o ", [&] {
+      boundary = static_cast<bool>(formats::format_to_write(options.output).write_boundary);
+    });
     files.outputs.push_back({"-o", options.output, FileKind::mesh, keeps_format(options)});
   }
+  if (options.levels && !boundary)
+    throw UsageError("--levels: only for the boundary of a mesh (-o FILE.stl, .ply or .vtp)");
   tool.claim(std::move(files));
 }
 
@@ -279,7 +306,26 @@ void write_output(Tool& tool, const Options& options, const ZooMesh& mesh) {
     write_zoo_stream(STDOUT_FILENO, {mesh, {}}, "stdout");
     return;
   }
-  note_all(tool, formats::format_to_write(options.output).write(options.output, mesh));
+  const formats::Format& format = formats::format_to_write(options.output);
+  if (!format.write_boundary) return note_all(tool, format.write(options.output, mesh));
+  const unsigned levels = options.levels.value_or(default_boundary_levels(mesh));
+  const BoundarySurface surface = boundary_surface(mesh, levels);
+  tool.facts()["boundary"] = {{"triangles", surface.triangles.size()},
+                              {"points", surface.xyz.size() / 3},
+                              {"levels", levels}};
+  tool.note(fmt::format("boundary of {} triangles and {} points (edges halved {} times)",
+                        surface.triangles.size(), surface.xyz.size() / 3, levels));
+  note_all(tool, format.write_boundary(options.output, surface));
+}
+
+/// Keeps the fields that are asked for, and those derived.
+void select(ZooMesh& mesh, const Options& options) {
+  if (options.fields.empty()) return;
+  std::vector<Field> fields =
+      as_option("--", [&] { return formats::select_fields(mesh, options.fields); });
+  const auto derived = std::span(mesh.fields).last(options.edits.derivations.size());
+  fields.insert(fields.end(), derived.begin(), derived.end());
+  mesh.fields = std::move(fields);
 }
 
 void convert(Tool& tool, const Options& options) {
@@ -295,9 +341,13 @@ void convert(Tool& tool, const Options& options) {
       tool.timed("read", [&] { return with_options_named([&] { return read_input(options); }); });
   ZooMesh& mesh = reading.mesh;
   if (options.corners_only) formats::keep_corners(mesh, reading.notes);
-  mesh.fields = as_option(
-      "--", [&] { return formats::select_fields(mesh, options.fields, options.derivations); });
+  edit(tool, mesh, options.edits);
+  select(mesh, options);
   note_all(tool, reading.notes);
+  if (options.invalid)
+    tool.timed("invalid cells", [&] {
+      treat_invalid_cells(tool, *options.invalid, input_name(options.input), mesh);
+    });
   const bool to_zoo = options.to_stdout() || formats::format_to_write(options.output).name == "zoo";
   if (!options.adjacency)
     mesh.adjacency.reset();

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "hiac/base/finite_range.hpp"
+#include "hiac/geometry/box.hpp"
 #include "hiac/mesh/location_name.hpp"
 #include "hiac/mesh/mesh_hash.hpp"
 
@@ -16,32 +17,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The extent of the finite ones among some numbers.
-struct Extent {
-  double low = std::numeric_limits<double>::infinity();
-  double high = -std::numeric_limits<double>::infinity();
-  std::uint64_t not_finite = 0;
+std::string text_of(const FiniteRange& range) {
+  std::string text =
+      range.empty() ? "no finite value" : fmt::format("{:g} to {:g}", range.low, range.high);
+  if (range.not_finite > 0) text += fmt::format(", {} not finite", range.not_finite);
+  return text;
+}
 
-  void add(double value) {
-    if (!std::isfinite(value)) {
-      ++not_finite;
-      return;
-    }
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  [[nodiscard]] bool empty() const { return low > high; }
-  [[nodiscard]] std::string text() const {
-    std::string range = empty() ? "no finite value" : fmt::format("{:g} to {:g}", low, high);
-    if (not_finite > 0) range += fmt::format(", {} not finite", not_finite);
-    return range;
-  }
-  void put_into(Json& facts) const {
-    facts["minimum"] = empty() ? Json() : Json(low);
-    facts["maximum"] = empty() ? Json() : Json(high);
-    facts["not_finite"] = not_finite;
-  }
-};
+void put(const FiniteRange& range, Json& facts) {
+  facts["minimum"] = range.empty() ? Json() : Json(range.low);
+  facts["maximum"] = range.empty() ? Json() : Json(range.high);
+  facts["not_finite"] = range.not_finite;
+}
 
 std::string line(std::string_view label, const std::string& value) {
   return fmt::format("  {:<12} {}\n", label, value);
@@ -66,44 +53,42 @@ void describe_cells(const ZooMesh& mesh, Description& description) {
 }
 
 void describe_bounds(const ZooMesh& mesh, Description& description) {
-  std::array<Extent, 3> bounds;
-  for (std::size_t i = 0; i < mesh.xyz.size(); ++i) bounds[i % 3].add(mesh.xyz[i]);
-  if (bounds[0].empty()) return;
-  const double diagonal = std::hypot(bounds[0].high - bounds[0].low, bounds[1].high - bounds[1].low,
-                                     bounds[2].high - bounds[2].low);
+  if (mesh.node_count() == 0) return;
+  const Box box = box_of_nodes(mesh);
   Json facts = Json::array();
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    facts.push_back({bounds[axis].low, bounds[axis].high});
-    description.text +=
-        line(axis == 0 ? "bounds" : "", fmt::format("{} {}", "xyz"[axis], bounds[axis].text()));
+    facts.push_back({box.low[axis], box.high[axis]});
+    description.text += line(axis == 0 ? "bounds" : "", fmt::format("{} {:g} to {:g}", "xyz"[axis],
+                                                                    box.low[axis], box.high[axis]));
   }
   description.facts["bounds"] = facts;
+  const double diagonal = box.diagonal();
   description.facts["diagonal"] = diagonal;
   description.text += line("diagonal", fmt::format("{:g}", diagonal));
 }
 
-/// The extent of a scalar field, or of the lengths of a vector field.
-Extent field_extent(const Field& field) {
-  Extent extent;
+/// The range of a scalar field, or of the lengths of a vector field.
+FiniteRange field_range(const Field& field) {
+  FiniteRange range;
   const auto values = field.values.view();
   for (std::size_t i = 0; i < values.size(); i += field.components) {
     double length = values[i];
     if (field.components > 1) length = std::fabs(length);
     for (std::size_t c = 1; c < field.components; ++c) length = std::hypot(length, values[i + c]);
-    extent.add(length);
+    range.include(length);
   }
-  return extent;
+  return range;
 }
 
 void describe_fields(const ZooMesh& mesh, Description& description) {
   description.facts["fields"] = Json::array();
   for (const Field& field : mesh.fields) {
-    const Extent extent = field_extent(field);
+    const FiniteRange range = field_range(field);
     Json facts{{"name", field.name},
                {"unit", field.unit},
                {"location", location_name(field.location)},
                {"components", field.components}};
-    extent.put_into(facts);
+    put(range, facts);
     description.facts["fields"].push_back(facts);
     const bool first = &field == &mesh.fields.front();
     const std::string unit = field.unit.empty() ? "" : " " + field.unit;
@@ -112,7 +97,7 @@ void describe_fields(const ZooMesh& mesh, Description& description) {
              fmt::format(
                  "{} ({}, {}): {}{}{}", field.name, location_name(field.location),
                  field.components == 1 ? "scalar" : fmt::format("{} components", field.components),
-                 field.components == 1 ? "" : "magnitude ", extent.text(), unit));
+                 field.components == 1 ? "" : "magnitude ", text_of(range), unit));
   }
   if (mesh.fields.empty()) description.text += line("fields", "none");
 }
@@ -210,14 +195,14 @@ Description describe_image(const ImageFile& file, const std::string& subject) {
   description.text += line("size", fmt::format("{} x {} pixels", image.width(), image.height()));
   description.facts["channels"] = Json::array();
   for (std::size_t c = 0; c < image.channel_count(); ++c) {
-    Extent extent;
+    FiniteRange range;
     for (std::size_t i = c; i < image.values().size(); i += image.channel_count())
-      extent.add(image.values()[i]);
+      range.include(image.values()[i]);
     Json facts{{"name", image.channels()[c]}};
-    extent.put_into(facts);
+    put(range, facts);
     description.facts["channels"].push_back(facts);
     description.text +=
-        line(c == 0 ? "channels" : "", fmt::format("{}: {}", image.channels()[c], extent.text()));
+        line(c == 0 ? "channels" : "", fmt::format("{}: {}", image.channels()[c], text_of(range)));
   }
   description.facts["attributes"] = Json::object();
   for (const auto& [name, text] : file.attributes) {

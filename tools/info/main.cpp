@@ -7,9 +7,10 @@
 #include "hiac/base/error.hpp"
 #include "hiac/image/image_io.hpp"
 #include "hiac/order/order_file.hpp"
-#include "hiac/scene/scene_writer.hpp"
-#include "hiac/session/session.hpp"
+#include "tools/common/file_kind.hpp"
+#include "tools/common/foreign_mesh.hpp"
 #include "tools/common/mesh_io.hpp"
+#include "tools/common/picture/starter_command.hpp"
 #include "tools/common/plain_text.hpp"
 #include "tools/common/text_output.hpp"
 #include "tools/common/tool.hpp"
@@ -21,19 +22,24 @@ using namespace hiac;
 using namespace hiac::tools;
 
 struct Options {
-  std::string input, output;
+  std::string input, conversion, output;
   ReadOptions reading;
+  StarterOptions starter;
   bool starter_view = false;
 };
 
-Description describe(const Options& options) {
+Description describe(const Tool& tool, const Options& options) {
   const std::string subject = input_name(options.input);
   if (has_image_extension(options.input))
     return describe_image(read_image(options.input, options.reading), subject);
+  const bool is_order = subject != "stdin" && kind_of_file(options.input) == FileKind::order;
   try {
-    return describe_mesh(read_mesh(options.input), subject);
+    if (is_order) return describe_mesh(read_mesh(options.input), subject);
+    return describe_mesh(read_any_mesh(tool, {options.input, options.conversion},
+                                       MeshNumbers::checked, {"--no-adjacency"}),
+                         subject);
   } catch (const InputError& no_mesh) {
-    if (subject == "stdin") throw;
+    if (!is_order) throw;
     try {
       return describe_orders(read_order_chunks(options.input), subject);
     } catch (const InputError&) {
@@ -43,12 +49,13 @@ Description describe(const Options& options) {
 }
 
 void write_starter_view(Tool& tool, const Options& options) {
-  const ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
+  const ZooFile file = tool.timed("read", [&] {
+    return read_any_mesh(tool, {options.input, options.conversion}, MeshNumbers::checked,
+                         {"--no-adjacency"});
+  });
   const std::string subject = input_name(options.input);
-  const Scene scene = tool.timed("view", [&] { return starter_view(file.mesh, subject); });
-  tool.facts()["field"] = scene.volume.color->field;
-  write_text(options.output, fmt::format("# A first view of {}: a start to change from.\n\n{}",
-                                         subject, to_toml(scene, Comments::explain)));
+  write_text(options.output,
+             file_text(make_view(tool, file.mesh, subject, options.starter), subject));
 }
 
 void inform(Tool& tool, const Options& options) {
@@ -61,7 +68,9 @@ void inform(Tool& tool, const Options& options) {
     write_starter_view(tool, options);
     return;
   }
-  const Description description = tool.timed("read", [&] { return describe(options); });
+  if (are_given(options.starter))
+    throw UsageError("--field, --preset, --isovalues, --dark: only for --starter-view");
+  const Description description = tool.timed("read", [&] { return describe(tool, options); });
   tool.facts()["file"] = input_name(options.input);
   tool.facts().update(description.facts);
   if (!json_on_stdout || !is_stdout(options.output))
@@ -77,14 +86,17 @@ int main(int argc, char** argv) {
             "  hiac-info part.exr --json -");
   Options options;
   auto& app = tool.app();
-  app.add_option(
-      "FILE", options.input,
-      "Zoo mesh, order file, or image (" + image_extensions() + "); - or none: a mesh from stdin");
+  app.add_option("FILE", options.input,
+                 "Zoo mesh, any file that hiac-convert reads, order file, or image (" +
+                     image_extensions() + "); - or none: a zoo mesh from stdin");
+  add_conversion(app, options.conversion);
   app.add_option("-o,--output", options.output, "Where the text goes; - or none: stdout")
       ->type_name("FILE");
-  app.add_flag("--starter-view", options.starter_view,
-               "Write an image specification for the mesh: whole model in sight, first field over "
-               "its range, mean optical depth about 1");
+  app.add_flag(
+      "--starter-view", options.starter_view,
+      "Write an image specification for the mesh: whole model in sight, the field that says "
+      "most over its range, mean optical depth about 1");
+  add_starter_options(app, options.starter);
   app.add_option("--width", options.reading.width, "Width in pixels of a .f32 image");
   app.add_flag("--linear", options.reading.linear,
                "The integers of a .tiff or .sgi image are linear, not sRGB-encoded");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <future>
 #include <iostream>
 #include <optional>
@@ -15,22 +16,19 @@
 #include "hiac/base/seconds.hpp"
 #include "hiac/frame/crop.hpp"
 #include "hiac/frame/renderable.hpp"
-#include "hiac/image/image_io.hpp"
 #include "hiac/order/algorithm.hpp"
 #include "hiac/preview/context.hpp"
 #include "hiac/preview/preview.hpp"
 #include "hiac/scene/camera_path.hpp"
-#include "hiac/scene/scene_writer.hpp"
-#include "hiac/session/ordering.hpp"
+#include "hiac/session/scene_orders.hpp"
 #include "hiac/tetrahedralize/subdivide_cells.hpp"
 #include "tools/common/as_option.hpp"
-#include "tools/common/frames.hpp"
 #include "tools/common/mesh_io.hpp"
-#include "tools/common/order_by.hpp"
-#include "tools/common/order_facts.hpp"
-#include "tools/common/picture_command.hpp"
+#include "tools/common/picture/frames.hpp"
+#include "tools/common/picture/order_facts.hpp"
+#include "tools/common/picture/picture_command.hpp"
+#include "tools/common/picture/picture_output.hpp"
 #include "tools/common/tool.hpp"
-#include "tools/common/version.hpp"
 
 namespace {
 
@@ -70,44 +68,21 @@ ZooMesh drawn_mesh(Tool& tool, const ZooMesh& mesh, unsigned levels) {
   return std::move(made.mesh);
 }
 
-// The orders of the frames of one mesh.
-class Orders {
- public:
-  Orders(const ZooMesh& mesh, const Options& options, std::optional<GivenOrders> given)
-      : mesh_(mesh), given_(std::move(given)), ordering_(mesh, {}) {
-    if (!options.algorithm.empty()) algorithm_ = parse_algorithm(options.algorithm, "--algorithm");
-    overlap_ = options.overlap;
-    if (given_) refuse_overlap_beside(options, *given_);
+// How the frames of one mesh are ordered, but for the cells that are left out.
+void prepare_orders(SceneOrders& orders, const Options& options, const Scene& scene,
+                    std::optional<GivenOrders> given) {
+  if (!options.algorithm.empty())
+    orders.sort_by({.algorithm = parse_algorithm(options.algorithm, "--algorithm"), .tiling = {}});
+  if (given) {
+    refuse_overlap_beside(options, *given);
+    orders.use(std::move(*given));
   }
+  if (options.overlap) orders.look_for_overlaps(scene.render.planarity);
+}
 
-  struct Made {
-    VisibilityOrder order;
-    double seconds = 0;
-  };
-
-  [[nodiscard]] Made of(const Scene& scene) {
-    const double start = seconds_now();
-    VisibilityOrder order = made(scene);
-    if (!skipped.empty()) order = without_cells(order, skipped);
-    return {std::move(order), seconds_now() - start};
-  }
-
-  std::vector<CellId> skipped;  // left out of all orders
-
- private:
-  VisibilityOrder made(const Scene& scene) {
-    if (given_) return fitting_order(*given_, ordering_.mesh_hash(), mesh_, scene).order;
-    if (overlap_ && !looked_) ordering_.look_for_overlaps(scene.render.planarity);
-    looked_ = true;
-    const OrderBasis* basis = needs_basis(algorithm_) ? &ordering_.basis() : nullptr;
-    return order_by(algorithm_, {}, mesh_, basis, scene);
-  }
-
-  const ZooMesh& mesh_;
-  std::optional<GivenOrders> given_;
-  Ordering ordering_;
-  OrderAlgorithm algorithm_ = OrderAlgorithm::exact;
-  bool overlap_ = false, looked_ = false;
+struct TimedOrder {
+  MeshOrder order;
+  double seconds = 0;
 };
 
 // Of one of the paper's methods.
@@ -124,14 +99,30 @@ Json region_facts(const PreviewStatistics& statistics) {
           {"left_uncut", r.uncut}};
 }
 
+// What a drawn picture shows, by its alpha.
+DrawnFacts facts_of(const Image& image, bool is_part) {
+  DrawnFacts facts{0, 0, is_part};
+  const auto alpha = image.channel_index("A");
+  double largest = 0;
+  for (std::size_t y = 0; y < image.height(); ++y)
+    for (std::size_t x = 0; x < image.width(); ++x) {
+      const double opacity = image.at(x, y, *alpha);
+      if (opacity > 0) ++facts.covered_pixels;
+      largest = std::max(largest, opacity);
+    }
+  facts.largest_optical_depth = -std::log1p(-std::min(largest, 1.0));
+  return facts;
+}
+
 // Draws the frames of one scene.
 class Previewer {
  public:
   Previewer(Tool& tool, const Options& options, const Scene& scene, const ZooMesh& mesh,
-            Orders& orders)
+            SceneOrders& orders)
       : tool_(tool),
         options_(options),
         scene_(scene),
+        mesh_(mesh),
         orders_(orders),
         context_(as_option("--device: ", [&] { return Context(options.device); })),
         preview_(
@@ -146,9 +137,9 @@ class Previewer {
 
   // The frames in order; the next one's order is made while one is drawn.
   void draw(const std::vector<Scene>& frames, const std::vector<std::string>& paths) {
-    std::future<Orders::Made> next = order_of(frames.front());
+    std::future<TimedOrder> next = order_of(frames.front());
     for (std::size_t k = 0; k < frames.size(); ++k) {
-      const Orders::Made made = next.get();
+      const TimedOrder made = next.get();
       if (k + 1 < frames.size()) next = order_of(frames[k + 1]);
       tool_.add_seconds("order", made.seconds);
       Json facts = draw_one(frames[k], made.order, paths[k]);
@@ -163,14 +154,21 @@ class Previewer {
   }
 
  private:
-  std::future<Orders::Made> order_of(const Scene& frame) {
-    return std::async(std::launch::async, [this, &frame] { return orders_.of(frame); });
+  std::future<TimedOrder> order_of(const Scene& frame) {
+    return std::async(std::launch::async, [this, &frame] {
+      const double start = seconds_now();
+      MeshOrder order = orders_.of(frame);
+      return TimedOrder{std::move(order), seconds_now() - start};
+    });
   }
 
-  Json draw_one(const Scene& frame, const VisibilityOrder& order, const std::string& path) {
+  Json draw_one(const Scene& frame, const MeshOrder& order, const std::string& path) {
     const preview::PreviewResult result =
-        preview_.draw(frame.camera, order, part_, !options_.no_background);
+        preview_.draw(frame.camera, order.record.order, part_, !options_.no_background);
     require_numbers(result.image);
+    // what glows without absorbing has no alpha
+    if (frame.volume.glow != Glow::emission)
+      warn_of_empty(tool_, options_, mesh_, frame, facts_of(result.image, part_.has_value()), path);
     const PreviewStatistics& s = result.statistics;
     tool_.add_seconds("upload", s.upload_seconds);
     tool_.add_seconds("regions", s.regions_seconds);
@@ -184,16 +182,7 @@ class Previewer {
     if (s.regions.reverted > 0)
       tool_.note(fmt::format("M2 fell back to M1 at {} of {} vertices: beyond its tables",
                              s.regions.reverted, s.regions.vertices));
-    tool_.timed("write", [&] {
-      write_image(picture_path(path), result.image,
-                  {.linear = options_.linear,
-                   .background_included = !options_.no_background,
-                   .attributes = {{"Software", "hiac-preview " + version_text()},
-                                  {"hiac:mesh", mesh_hash_},
-                                  {"hiac:specification", to_toml(frame)}},
-                   .depth = options_.depth,
-                   .format = options_.format});
-    });
+    write_picture(tool_, options_, "hiac-preview", path, result.image, mesh_hash_, frame);
     Json facts{{"order", order_facts(order)}, {"parts", s.parts}};
     if (options_.method != "exact") facts["regions"] = region_facts(s);
     return facts;
@@ -202,7 +191,8 @@ class Previewer {
   Tool& tool_;
   const Options& options_;
   const Scene& scene_;
-  Orders& orders_;
+  const ZooMesh& mesh_;
+  SceneOrders& orders_;
   Context context_;
   Preview preview_;
   std::string mesh_hash_;
@@ -238,19 +228,25 @@ void claim_files(Tool& tool, const Options& options, const Scene* scene) {
   tool.claim(std::move(files));
 }
 
+// Throws where the options do not fit the scene, and claims the files of all its frames.
+void fit_to(Tool& tool, const Options& options, const Scene& scene) {
+  if (!options.crop.empty()) require_inside(parse_crop(options.crop), scene.image);
+  check_frame_options(options, scene);
+  if (options.all_frames) claim_files(tool, options, &scene);
+}
+
 void draw(Tool& tool, Options options) {
-  if (options.view.empty()) throw UsageError("--view is required");
   if (options.method != "exact" && options.precision != "single")
     throw UsageError("--precision " + options.precision + ": for --method exact alone");
   claim_files(tool, options, nullptr);
   check_picture_output(tool, options);
-  const ParsedScene parsed = specification_of(tool, options);
-  const Scene& scene = parsed.scene;
-  if (!options.crop.empty()) require_inside(parse_crop(options.crop), scene.image);
-  check_frame_options(options, scene);
-  if (options.all_frames) claim_files(tool, options, &scene);
+  std::optional<ParsedScene> parsed = specification_of(tool, options);
+  const bool early = parsed.has_value();  // what can be refused is, before the mesh is read
+  if (early) fit_to(tool, options, parsed->scene);
+  const ZooFile file = mesh_of(tool, options);
+  const Scene scene = scene_for(tool, options, std::move(parsed), file.mesh);
+  if (!early) fit_to(tool, options, scene);
   note_what_is_not_drawn(tool, options, scene);
-  const ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
   const ZooMesh mesh = drawn_mesh(tool, file.mesh, options.levels);
   tool.facts()["cells"] = mesh.cell_count();
   tool.facts()["method"] = options.method;
@@ -261,14 +257,15 @@ void draw(Tool& tool, Options options) {
               "whose order is made here");
     given.reset();
   }
-  Orders orders(mesh, options, std::move(given));
-  orders.skipped = with_names(options, [&] { return invalid_ones(tool, options, mesh, scene); });
+  SceneOrders orders(mesh, {});
+  prepare_orders(orders, options, scene, std::move(given));
+  orders.leave_out(with_names(options, [&] { return invalid_ones(tool, options, mesh, scene); }));
+  warn_of_invisible(tool, options, mesh, scene);
   std::vector<Scene> frames;
   std::vector<std::string> paths;
   for (const std::uint32_t frame : chosen_frames(scene, options.frame)) {
-    const bool numbered = options.all_frames || has_frame_number(options.output);
     frames.push_back(scene_of_frame(scene, frame));
-    paths.push_back(scene.path && numbered ? frame_path(options.output, frame) : options.output);
+    paths.push_back(scene.path ? path_of_frame(options, frame) : options.output);
   }
   if (scene.path) tool.frames().begin("frames", frames.size());
   Previewer(tool, options, scene, mesh, orders).draw(frames, paths);
@@ -302,7 +299,6 @@ int main(int argc, char** argv) {
   Options options;
   auto& app = tool.app();
   add_picture_command(app, options, "hiac-preview");
-  app.get_option("--view")->required(false);
   app.add_option("--method", options.method,
                  "exact: every ray is cut at the cells' faces and at breakpoints and integrated "
                  "pixel by pixel; M0 to M3: the methods of Williams, Max and Stein's section 7, "

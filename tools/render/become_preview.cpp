@@ -1,15 +1,12 @@
 #include "tools/render/become_preview.hpp"
 
-#include <filesystem>
 #include <iostream>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
-#include <unistd.h>
-
 #include "hiac/base/error.hpp"
+#include "tools/common/sibling_program.hpp"
 
 namespace hiac::tools {
 namespace {
@@ -41,13 +38,8 @@ std::vector<std::string> without_engine(int argc, char** argv) {
 std::optional<int> become_preview(int argc, char** argv) {
   std::vector<std::string> arguments = without_engine(argc, argv);
   if (arguments.empty()) return std::nullopt;
-  std::vector<char*> pointers;
-  for (std::string& argument : arguments) pointers.push_back(argument.data());
-  pointers.push_back(nullptr);
-  std::error_code unknown;
-  const auto self = std::filesystem::read_symlink("/proc/self/exe", unknown);
-  if (!unknown) execv((self.parent_path() / kProgram).c_str(), pointers.data());
-  execvp(kProgram, pointers.data());
+  std::vector<char*> pointers = pointers_to(arguments);
+  become(places_of(kProgram), pointers);
   std::cerr << "hiac-render: --engine preview: the program hiac-preview is neither beside "
                "hiac-render nor on PATH (it is built where libegl-dev and libepoxy-dev are "
                "installed)\n";

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,22 +12,23 @@
 #include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/base/finite_range.hpp"
 #include "hiac/base/progress.hpp"
 #include "hiac/frame/renderable.hpp"
+#include "hiac/geometry/box.hpp"
 #include "hiac/image/composite.hpp"
 #include "hiac/image/image_io.hpp"
 #include "hiac/render/engine.hpp"
 #include "hiac/render/explain_pixel.hpp"
 #include "hiac/scene/camera_path.hpp"
-#include "hiac/scene/scene_writer.hpp"
 #include "hiac/session/session.hpp"
-#include "tools/common/frames.hpp"
 #include "tools/common/mesh_io.hpp"
-#include "tools/common/order_facts.hpp"
-#include "tools/common/picture_command.hpp"
+#include "tools/common/picture/frames.hpp"
+#include "tools/common/picture/order_facts.hpp"
+#include "tools/common/picture/picture_command.hpp"
+#include "tools/common/picture/picture_output.hpp"
 #include "tools/common/text_output.hpp"
 #include "tools/common/tool.hpp"
-#include "tools/common/version.hpp"
 #include "tools/render/become_preview.hpp"
 #include "tools/render/color_bar.hpp"
 #include "tools/render/picture_options.hpp"
@@ -45,39 +44,22 @@ struct Options : PictureCommand {
   std::string under, color_bar, pixel, engine, method;
   double color_bar_length = 0;  // 0: a round number near a tenth of the diagonal
   PictureOptions picture;
-  bool strict = false;
 };
 
 using Json = nlohmann::ordered_json;
 
-double diagonal(const ZooMesh& mesh) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  std::array<double, 3> low{kInfinity, kInfinity, kInfinity},
-      high{-kInfinity, -kInfinity, -kInfinity};
-  for (std::size_t i = 0; i < mesh.xyz.size(); ++i) {
-    low[i % 3] = std::min(low[i % 3], mesh.xyz[i]);
-    high[i % 3] = std::max(high[i % 3], mesh.xyz[i]);
-  }
-  return mesh.node_count() == 0 ? 0
-                                : std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-}
-
 void note_field(Tool& tool, const ZooMesh& mesh, const std::string& role, const std::string& name) {
   const Field field = scalar_field(mesh, name);
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const double value : field.values) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  tool.facts()["fields"][role] = {{"name", name}, {"minimum", low}, {"maximum", high}};
-  tool.note(fmt::format("{} by {} from {:g} to {:g}", role, name, low, high));
+  const FiniteRange range(field.values.view());
+  tool.facts()["fields"][role] = {{"name", name}, {"minimum", range.low}, {"maximum", range.high}};
+  tool.note(fmt::format("{} by {} from {:g} to {:g}", role, name, range.low, range.high));
 }
 
 // What a user needs to choose extinctions, but for the optical depth.
 void note_model(Tool& tool, const ZooMesh& mesh, const Scene& scene) {
   if (scene.volume.color) note_field(tool, mesh, "colour", scene.volume.color->field);
   if (scene.volume.extinction) note_field(tool, mesh, "extinction", scene.volume.extinction->field);
-  const double size = diagonal(mesh);
+  const double size = box_of_nodes(mesh).diagonal();
   tool.facts()["cells"] = mesh.cell_count();
   tool.facts()["diagonal"] = size;
   tool.note(fmt::format("diagonal {:g}", size));
@@ -115,8 +97,6 @@ void require_truth(const std::string& path, const RenderStatistics& s) {
         fmt::format("{}: not written: {} ray segments were met out of order "
                     "(--strict)",
                     path, s.violations));
-  if (s.covered_pixels == 0)
-    throw JudgementError(fmt::format("{}: not written: no cell is seen (--strict)", path));
 }
 
 // Makes pictures of one mesh.
@@ -158,18 +138,12 @@ class Renderer {
     require_numbers(picture.image);
     note_order(*picture.order);
     Json facts = note_work(tool_, options_.all_frames, *picture.statistics);
-    if (options_.strict) require_truth(path, *picture.statistics);
+    const RenderStatistics& met = *picture.statistics;
+    warn_of_empty(tool_, options_, session_.mesh(), scene,
+                  {met.covered_pixels, met.largest_optical_depth, request.part.has_value()}, path);
+    if (options_.strict) require_truth(path, met);
     facts["order"] = order_facts(*picture.order);
-    tool_.timed("write", [&] {
-      write_image(picture_path(path), picture.image,
-                  {.linear = options_.linear,
-                   .background_included = !options_.no_background,
-                   .attributes = {{"Software", "hiac-render " + version_text()},
-                                  {"hiac:mesh", picture.mesh_hash},
-                                  {"hiac:specification", to_toml(scene)}},
-                   .depth = options_.depth,
-                   .format = options_.format});
-    });
+    write_picture(tool_, options_, "hiac-render", path, picture.image, picture.mesh_hash, scene);
     return facts;
   }
 
@@ -190,8 +164,7 @@ void render_frames(Tool& tool, const Options& options, const Scene& scene,
   for (const std::uint32_t frame : frames) renderer.require_order(scene_of_frame(scene, frame));
   tool.frames().begin("frames", frames.size());
   for (const std::uint32_t frame : frames) {
-    const bool numbered = options.all_frames || has_frame_number(options.output);
-    const std::string path = numbered ? frame_path(options.output, frame) : options.output;
+    const std::string path = path_of_frame(options, frame);
     Json facts{{"frame", frame}, {"file", path}};
     facts.update(renderer.render(scene_of_frame(scene, frame), request, path));
     tool.facts()["frames"].push_back(std::move(facts));
@@ -228,7 +201,7 @@ std::string label_of(const ZooMesh& mesh, const std::string& field) {
 
 void write_color_bar(Tool& tool, const Options& options, const ZooMesh& mesh,
                      const Volume& volume) {
-  const double size = diagonal(mesh);
+  const double size = box_of_nodes(mesh).diagonal();
   const double round_length = size > 0 ? round_below(size / 10) : 1;
   const double length = options.color_bar_length > 0 ? options.color_bar_length : round_length;
   const ColorBarLabels labels{volume.color ? label_of(mesh, volume.color->field) : "",
@@ -260,17 +233,39 @@ void refuse_preview_options(const Options& options) {
 }
 
 void explain(Tool& tool, Options options) {
-  tool.claim({{options.input, options.view, options.order}, {}});
+  RunFiles files{{options.input, options.view, options.order}, {}};
+  if (!options.save_view.empty())
+    files.outputs.push_back({"--save-view", options.save_view, FileKind::specification});
+  tool.claim(std::move(files));
   parse_pixel(options.pixel);
-  const ParsedScene parsed = specification_of(tool, options);
-  check_frame_options(options, parsed.scene);
-  const ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
+  std::optional<ParsedScene> parsed = specification_of(tool, options);
+  if (parsed) check_frame_options(options, parsed->scene);
+  const ZooFile file = mesh_of(tool, options);
   Renderer renderer(tool, options, file);
+  const Scene scene = scene_for(tool, options, std::move(parsed), file.mesh);
+  check_frame_options(options, scene);
   with_names(options, [&] {
-    renderer.check(parsed.scene);
-    note_model(tool, file.mesh, parsed.scene);
-    renderer.explain(options.frame ? scene_of_frame(parsed.scene, *options.frame) : parsed.scene);
+    renderer.check(scene);
+    note_model(tool, file.mesh, scene);
+    renderer.explain(options.frame ? scene_of_frame(scene, *options.frame) : scene);
   });
+}
+
+// What is asked of the pictures of a scene, and the picture behind them, which the request names.
+struct Request {
+  PictureRequest picture;
+  std::optional<Image> under;
+};
+
+// Throws where the options do not fit the scene, and claims the files of all its frames.
+void fit_to(Tool& tool, const Options& options, const Scene& scene, Request& request) {
+  request.picture = picture_request(options.picture, scene.image);
+  request.picture.background = !options.no_background;
+  const PixelRect part = require_possible(request.picture, scene.image);
+  request.under = read_under(options, {part.width, part.height});
+  if (request.under) request.picture.under = &*request.under;
+  check_frame_options(options, scene);
+  if (options.all_frames) claim_files(tool, options, &scene);
 }
 
 void render(Tool& tool, Options options) {
@@ -278,25 +273,23 @@ void render(Tool& tool, Options options) {
   check_picture_output(tool, options);
   if (!options.color_bar.empty()) require_known_image_extension(options.color_bar);
   if (!options.picture.channels.empty()) require_room_for_channels(picture_format(options));
-  const ParsedScene parsed = specification_of(tool, options);
-  const Scene& scene = parsed.scene;
-  PictureRequest request = picture_request(options.picture, scene.image);
-  request.background = !options.no_background;
-  const PixelRect part = require_possible(request, scene.image);
-  const std::optional<Image> under = read_under(options, {part.width, part.height});
-  if (under) request.under = &*under;
-  check_frame_options(options, scene);
-  if (options.all_frames) claim_files(tool, options, &scene);
-  const ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
+  std::optional<ParsedScene> parsed = specification_of(tool, options);
+  const bool early = parsed.has_value();  // what can be refused is, before the mesh is read
+  Request request;
+  if (early) fit_to(tool, options, parsed->scene, request);
+  const ZooFile file = mesh_of(tool, options);
   Renderer renderer(tool, options, file);
+  const Scene scene = scene_for(tool, options, std::move(parsed), file.mesh);
+  if (!early) fit_to(tool, options, scene, request);
   with_names(options, [&] { renderer.check(scene); });
   note_model(tool, file.mesh, scene);
+  warn_of_invisible(tool, options, file.mesh, scene);
   if (!options.color_bar.empty()) write_color_bar(tool, options, file.mesh, scene.volume);
   if (scene.path) {
-    render_frames(tool, options, scene, request, renderer);
+    render_frames(tool, options, scene, request.picture, renderer);
     return;
   }
-  Json facts = renderer.render(scene, request, options.output);
+  Json facts = renderer.render(scene, request.picture, options.output);
   facts.erase("seconds");  // the run's own, stage by stage, stay
   tool.facts().update(facts);
 }
@@ -307,6 +300,8 @@ int main(int argc, char** argv) {
   if (const std::optional<int> failed = become_preview(argc, argv)) return *failed;
   Tool tool(
       "hiac-render", "Makes a volume-rendered picture of a mesh.",
+      "  hiac-render run.inp -o run.png   # any file that hiac-convert reads, and a starter view\n"
+      "  hiac-render run.exo --convert '--step 3' --field stress --save-view run.toml -o run.png\n"
       "  hiac-render part.zoo --view view.toml -o part.png\n"
       "  hiac-render part.zoo --view view.toml --order part.order --size 2048x1536 -o part.exr\n"
       "  hiac-render part.zoo --view view.toml --set camera.fov=20 -o part.npy\n"
@@ -335,9 +330,6 @@ int main(int argc, char** argv) {
                  "the diagonal")
       ->check(CLI::PositiveNumber)
       ->type_name("L");
-  app.add_flag("--strict", options.strict,
-               "End with exit code 1 and without a picture where the picture may mislead: ray "
-               "segments met out of order, or no cell in sight");
   app.add_option(
          "--engine", options.engine,
          "accurate (the default), or preview: OpenGL, by hiac-preview, whose options it has "

@@ -3,7 +3,7 @@
 #include "hiac/base/error.hpp"
 #include "hiac/frame/channels.hpp"
 #include "tools/common/as_option.hpp"
-#include "tools/common/picture_command.hpp"
+#include "tools/common/picture/picture_command.hpp"
 
 namespace hiac::tools {
 void add_picture_options(CLI::App& app, PictureOptions& options) {

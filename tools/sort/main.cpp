@@ -17,12 +17,12 @@
 #include "hiac/scene/camera_path.hpp"
 #include "hiac/scene/view_of.hpp"
 #include "hiac/session/ordering.hpp"
-#include "tools/common/frames.hpp"
+#include "tools/common/foreign_mesh.hpp"
 #include "tools/common/mesh_io.hpp"
 #include "tools/common/naming.hpp"
-#include "tools/common/order_by.hpp"
-#include "tools/common/order_facts.hpp"
-#include "tools/common/specification.hpp"
+#include "tools/common/picture/frames.hpp"
+#include "tools/common/picture/order_facts.hpp"
+#include "tools/common/picture/specification.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/sort/report.hpp"
 
@@ -32,7 +32,7 @@ using namespace hiac;
 using namespace hiac::tools;
 
 struct Options {
-  std::string input, view, output, given;
+  std::string input, conversion, view, output, given;
   std::vector<std::string> overrides;
   std::optional<std::uint32_t> frame;
   std::string algorithm;  // empty: the exact one
@@ -41,13 +41,8 @@ struct Options {
 };
 
 // How to sort, as the options say.
-struct Method {
-  OrderAlgorithm algorithm;
-  TilingOptions tiling;
-};
-
-Method method_of(const Options& options) {
-  Method method{OrderAlgorithm::exact, {}};
+OrderMethod method_of(const Options& options) {
+  OrderMethod method;
   if (!options.algorithm.empty())
     method.algorithm = parse_algorithm(options.algorithm, "--algorithm");
   const bool tiled = method.algorithm == OrderAlgorithm::multitiled;
@@ -124,32 +119,31 @@ class Sorting {
 
   OrderRecord make(const Scene& scene, std::uint32_t frame) {
     const double start = seconds_now();
-    const bool exact = method_.algorithm == OrderAlgorithm::exact;
-    MeshOrder made = exact ? ordering_.exact(scene) : by_another(scene, frame);
-    if (const std::string line = order_line(made); !line.empty()) tool_.detail(line);
-    const VisibilityOrder& order = made.record.order;
-    Json facts = order_facts(made);
-    OrderStatistics statistics = made.statistics.value_or(OrderStatistics{});
+    MeshOrder found = made(scene, frame);
+    if (const std::string line = order_line(found); !line.empty()) tool_.detail(line);
+    const VisibilityOrder& order = found.record.order;
+    Json facts = order_facts(found);
+    OrderStatistics statistics = found.statistics.value_or(OrderStatistics{});
     statistics.cells_in_groups = facts["cells_in_groups"];
     statistics.largest_group = facts["largest_group"];
     reported_.push_back(
         {frame, order.algorithm, statistics, order.groups.size(), seconds_now() - start});
     if (options_.verify) verify(scene, order, frame, facts);
     keep(std::move(facts), frame);
-    return std::move(made.record);
+    return std::move(found.record);
   }
 
   [[nodiscard]] std::string name_of(std::uint32_t frame) const {
     return scene_.path ? fmt::format("frame {}: ", frame) : "";
   }
 
-  // The order of an algorithm of which nothing but its groups is known.
-  MeshOrder by_another(const Scene& scene, std::uint32_t frame) {
-    const OrderBasis* basis = needs_basis(method_.algorithm) ? &ordering_.basis() : nullptr;
-    VisibilityOrder order = tool_.timed("order", [&] {
-      return order_by(method_.algorithm, method_.tiling, mesh_, basis, scene, name_of(frame));
-    });
-    return {{ordering_.mesh_hash(), view_hash(scene), std::move(order)}, {}};
+  // Errors name the frame.
+  MeshOrder made(const Scene& scene, std::uint32_t frame) {
+    try {
+      return ordering_.made_by(method_, scene);
+    } catch (const JudgementError& error) {
+      throw JudgementError(name_of(frame) + error.what());
+    }
   }
 
   void verify(const Scene& scene, const VisibilityOrder& order, std::uint32_t frame, Json& facts) {
@@ -179,7 +173,7 @@ class Sorting {
   std::vector<std::uint32_t> frames_;
   std::size_t next_ = 0;
   const ZooMesh& mesh_;
-  Method method_;
+  OrderMethod method_;
   Ordering ordering_;
   std::set<std::string> views_;  // the hashes of those that have an order
   std::vector<ReportedOrder> reported_;
@@ -223,7 +217,9 @@ void sort(Tool& tool, const Options& options) {
   method_of(options);
   const Scene scene = read_specification(options.view, options.overrides).scene;
   chosen_frames(scene, options.frame);
-  ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
+  ZooFile file = tool.timed("read", [&] {
+    return read_any_mesh(tool, {options.input, options.conversion});
+  });
   tool.facts()["cells"] = file.mesh.cell_count();
   const ZooMesh mesh = file.mesh;
   naming(input_name(options.input), options.view, {options.given, options.output, "stdout"}, [&] {
@@ -248,9 +244,11 @@ int main(int argc, char** argv) {
       "  hiac-sort part.zoo --view view.toml --order part.order --verify");
   Options options;
   auto& app = tool.app();
-  app.add_option("MESH", options.input, "Zoo mesh; - or none: stdin");
+  app.add_option("MESH", options.input, kMeshHelp);
+  add_conversion(app, options.conversion);
   app.add_option("--view", options.view,
-                 "Image specification (TOML) with the camera, or with a camera path")
+                 "Image specification (TOML) with the camera or a camera path, or a picture made "
+                 "by one (.png .exr .tiff)")
       ->required()
       ->type_name("SPEC");
   app.add_option("--set", options.overrides, "Override KEY=VALUE of the specification; repeatable")

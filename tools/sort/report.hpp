@@ -8,7 +8,7 @@
 
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/order/verify_order.hpp"
-#include "tools/common/order_facts.hpp"
+#include "tools/common/picture/order_facts.hpp"
 
 namespace hiac::tools {
 

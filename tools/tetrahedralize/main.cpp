@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "formats/surface/point_file.hpp"
 #include "formats/surface/surface_file.hpp"
@@ -18,29 +15,23 @@
 #include "hiac/geometry/predicates.hpp"
 #include "hiac/tetrahedralize/meshing/delaunay.hpp"
 #include "hiac/tetrahedralize/meshing/library_versions.hpp"
-#include "hiac/tetrahedralize/meshing/surface_defects.hpp"
-#include "hiac/tetrahedralize/meshing/surface_meshing.hpp"
 #include "hiac/tetrahedralize/subdivide_cells.hpp"
-#include "hiac/tetrahedralize/surface_parts.hpp"
-#include "hiac/tetrahedralize/weld_surface.hpp"
+#include "tools/common/foreign_mesh.hpp"
 #include "tools/common/mesh_io.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/common/version.hpp"
+#include "tools/tetrahedralize/surface_source.hpp"
 
 namespace {
 
 using namespace hiac;
 using namespace hiac::tools;
-using Json = nlohmann::ordered_json;
 
 struct Options {
   std::string input, output;
   bool cells = false, delaunay = false;
-  SurfaceMeshing surface;
-  std::optional<double> weld;
-  std::vector<std::string> holes;
+  SurfaceOptions surface;
   Subdivision subdivision;
-  std::size_t max_ids = 20;
 };
 
 // What the input is made of.
@@ -60,7 +51,7 @@ Source source_of(const Options& options) {
       throw UsageError("--cells: a zoo mesh expected");
     return Source::cells;
   }
-  if (surface) return Source::surface;
+  if (formats::may_hold_surface(options.input)) return Source::surface;
   throw UsageError(formats::is_point_file(options.input)
                        ? "a file of points is tetrahedralized with --delaunay"
                        : "what is to be done with a mesh: --cells (cut its cells) or --delaunay "
@@ -68,114 +59,15 @@ Source source_of(const Options& options) {
 }
 
 void require_fitting_options(const Options& options, Source source) {
-  const SurfaceMeshing& s = options.surface;
-  if (source != Source::surface &&
-      (s.quality || s.max_volume || s.preserve_surface || options.weld || !options.holes.empty()))
+  const SurfaceOptions& s = options.surface;
+  if (source != Source::surface && (s.meshing.quality || s.meshing.max_volume ||
+                                    s.meshing.preserve_surface || s.weld || !s.holes.empty()))
     throw UsageError(
         "--quality, --max-volume, --preserve-surface, --weld, --hole: only for surfaces");
   if (source != Source::cells && (options.subdivision.linearize || options.subdivision.levels > 0))
     throw UsageError("--linearize, --levels: only with --cells");
   if (options.subdivision.levels > 0 && !options.subdivision.linearize)
     throw UsageError("--levels: only with --linearize");
-}
-
-// Surfaces ----------------------------------------------------------------------------------------
-
-// The first few of a list, and how many more there are.
-template <typename List, typename Text>
-std::string listed(const List& list, std::size_t most, const Text& text) {
-  std::vector<std::string> shown;
-  for (std::size_t k = 0; k < std::min(most, list.size()); ++k) shown.push_back(text(list[k]));
-  std::string line = fmt::format("{}", fmt::join(shown, ", "));
-  if (list.size() > most) line += fmt::format(" and {} more", list.size() - most);
-  return line;
-}
-
-// Defects are told one kind a line, all of them; then the surface is refused.
-void judge(Tool& tool, const Options& options, const SurfaceDefects& defects) {
-  Json& facts = tool.facts()["surface_defects"];
-  facts = {{"open_edges", Json::array()},
-           {"intersecting_triangles", Json::array()},
-           {"degenerate_triangles", defects.degenerate}};
-  for (const auto& edge : defects.open)
-    facts["open_edges"].push_back({{"points", edge.points}, {"triangle", edge.triangle}});
-  for (const auto& [a, b] : defects.intersecting) facts["intersecting_triangles"].push_back({a, b});
-  if (defects.none()) return;
-  std::vector<std::string> kinds;
-  const auto tell = [&](const std::string& what, const auto& list, const auto& text) {
-    if (list.empty()) return;
-    kinds.push_back(fmt::format("{} {}", list.size(), what));
-    tool.print(fmt::format("{}: {}\n", what, listed(list, options.max_ids, text)));
-  };
-  tell("open edges", defects.open, [](const SurfaceDefects::Edge& e) {
-    return fmt::format("{}-{} of triangle {}", e.points[0], e.points[1], e.triangle);
-  });
-  tell("pairs of triangles that intersect", defects.intersecting,
-       [](const auto& pair) { return fmt::format("{} and {}", pair.first, pair.second); });
-  tell("triangles without area", defects.degenerate,
-       [](std::uint32_t triangle) { return fmt::format("{}", triangle); });
-  const char* const help =
-      defects.open.empty() || options.weld ? "" : "; --weld TOL joins points that are doubled";
-  throw JudgementError(fmt::format("{}: the surface is not closed and free of intersections ({}{})",
-                                   input_name(options.input), fmt::join(kinds, ", "), help));
-}
-
-// X,Y,Z
-std::array<double, 3> point_of(const std::string& text) {
-  std::array<double, 3> point{};
-  int length = 0;
-  // NOLINTNEXTLINE(cert-err34-c): what is no number, or too large a one, is refused below
-  const int found =
-      std::sscanf(text.c_str(), "%lf,%lf,%lf%n", &point[0], &point[1], &point[2], &length);
-  const bool whole = found == 3 && static_cast<std::size_t>(length) == text.size();
-  if (!whole || !std::ranges::all_of(point, [](double x) { return std::isfinite(x); }))
-    throw UsageError(fmt::format("--hole: expected X,Y,Z (found {})", text));
-  return point;
-}
-
-// TetGen fills all that any surface encloses, whichever way that is oriented.
-void warn_of_cavities(Tool& tool, const Surface& surface) {
-  if (!surface.triangulated() || !surface.holes.empty()) return;
-  const std::vector<double> volumes = enclosed_volumes(surface);
-  const auto inwards = std::ranges::count_if(volumes, [](double v) { return v < 0; });
-  const auto outwards = std::ranges::count_if(volumes, [](double v) { return v > 0; });
-  if (inwards > 0 && outwards > 0)
-    tool.warn(
-        fmt::format("{} of {} parts of the surface are oriented as cavities are, and are "
-                    "filled: --hole X,Y,Z leaves the part around a point empty",
-                    inwards, volumes.size()));
-}
-
-void weld(Tool& tool, double tolerance, Surface& surface) {
-  const WeldCounts counts = tool.timed("weld", [&] { return weld_surface(surface, tolerance); });
-  tool.facts()["weld"] = {{"tolerance", tolerance},
-                          {"points", counts.points},
-                          {"facets", counts.facets},
-                          {"farthest", counts.farthest}};
-  tool.note(fmt::format("{} points became others, at most {:.3g} away; {} facets are gone by that",
-                        counts.points, counts.farthest, counts.facets));
-}
-
-ZooFile mesh_of_surface(Tool& tool, const Options& options) {
-  formats::SurfaceReading reading =
-      tool.timed("read", [&] { return formats::read_surface(options.input); });
-  for (const std::string& note : reading.notes) tool.note(note);
-  if (options.weld) weld(tool, *options.weld, reading.surface);
-  for (const std::string& hole : options.holes) reading.surface.holes.push_back(point_of(hole));
-  warn_of_cavities(tool, reading.surface);
-  const Surface& surface = reading.surface;
-  tool.facts()["surface"] = {{"points", surface.points.size()}, {"facets", surface.facets.size()}};
-  // of facets with several polygons and holes TetGen itself tells
-  if (surface.triangulated()) {
-    SurfaceDefects defects = tool.timed("check", [&] { return find_surface_defects(surface); });
-    if (reading.inner_facets) defects.open.clear();
-    judge(tool, options, defects);
-  }
-  try {
-    return {tool.timed("mesh", [&] { return mesh_surface(surface, options.surface); }), {}};
-  } catch (const JudgementError& e) {
-    throw JudgementError(fmt::format("{}: {}", input_name(options.input), e.what()));
-  }
 }
 
 // Points ------------------------------------------------------------------------------------------
@@ -262,7 +154,7 @@ void tell_of_orientations(Tool& tool, const ZooMesh& mesh) {
 }
 
 ZooFile mesh_of_cells(Tool& tool, const Options& options) {
-  const ZooFile file = tool.timed("read", [&] { return read_mesh(options.input); });
+  const ZooFile file = tool.timed("read", [&] { return read_any_mesh(tool, {options.input, {}}); });
   SubdividedMesh parts =
       tool.timed("mesh", [&] { return subdivide_cells(file.mesh, options.subdivision); });
   tool.note(fmt::format("{} cells became {} tetrahedra; {} nodes are new, {} no longer needed",
@@ -279,7 +171,7 @@ void tetrahedralize(Tool& tool, const Options& options) {
   require_binary_output(options.output);
   const Source source = source_of(options);
   require_fitting_options(options, source);
-  ZooFile file = source == Source::surface  ? mesh_of_surface(tool, options)
+  ZooFile file = source == Source::surface  ? mesh_of_surface(tool, options.input, options.surface)
                  : source == Source::points ? mesh_of_points(tool, options)
                                             : mesh_of_cells(tool, options);
   if (source == Source::surface) file.mesh.metadata.emplace_back("source", options.input);
@@ -305,8 +197,8 @@ int main(int argc, char** argv) {
   Options options;
   auto& app = tool.app();
   app.add_option("INPUT", options.input,
-                 "Closed surface (.stl .ply .obj .off, TetGen's .poly .smesh), points (.csv .txt "
-                 ".xyz .node) or zoo mesh; - or none: a zoo mesh from stdin");
+                 "Closed surface (.stl .ply .obj .off .vtp .vtu, TetGen's .poly .smesh), points "
+                 "(.csv .txt .xyz .node) or zoo mesh; - or none: a zoo mesh from stdin");
   app.add_option("-o,--output", options.output, "Zoo mesh; - or none: stdout")->type_name("FILE");
   auto* cells = app.add_flag("--cells", options.cells,
                              "Cut a mesh's cells into conforming tetrahedra; quadratic and cubic "
@@ -320,27 +212,28 @@ int main(int argc, char** argv) {
                  "With --linearize: halve all edges N times first (8^N times the tetrahedra)")
       ->check(CLI::Range(0U, kMostSubdivisionLevels))
       ->type_name("N");
-  app.add_option("--quality", options.surface.quality,
+  app.add_option("--quality", options.surface.meshing.quality,
                  "Surfaces: largest ratio of circumradius to shortest edge (usually 1.1 to 2)")
       ->check(CLI::Range(1.0, 1e6))
       ->type_name("RATIO");
-  app.add_option("--max-volume", options.surface.max_volume,
+  app.add_option("--max-volume", options.surface.meshing.max_volume,
                  "Surfaces: largest volume of a tetrahedron")
       ->check(CLI::PositiveNumber)
       ->type_name("V");
-  app.add_flag("--preserve-surface", options.surface.preserve_surface,
+  app.add_flag("--preserve-surface", options.surface.meshing.preserve_surface,
                "Surfaces: put no new points on the surface");
   app.add_option(
-         "--weld", options.weld,
+         "--weld", options.surface.weld,
          "Surfaces: join points that are at most TOL apart, in the units of the file (0: at "
          "the same place)")
       ->check(CLI::NonNegativeNumber)
       ->type_name("TOL");
-  app.add_option("--hole", options.holes,
-                 "Surfaces: leave the part around this point empty; repeatable")
+  app.add_option("--hole", options.surface.holes,
+                 "Surfaces: leave the enclosed part around this point empty; repeatable")
       ->type_name("X,Y,Z")
       ->allow_extra_args(false);
-  app.add_option("--max-ids", options.max_ids, "How many surface defects of each kind to list")
+  app.add_option("--max-ids", options.surface.max_ids,
+                 "How many surface defects of each kind to list")
       ->default_val(20)
       ->type_name("N");
   return tool.run(argc, argv, [&] { tetrahedralize(tool, options); });

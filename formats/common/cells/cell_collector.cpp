@@ -73,9 +73,20 @@ void CellCollector::convert(std::size_t index, int type, std::span<const NodeId>
   finish_cell(index, kind);
 }
 
+/// Whether a cell with a problem is of its true kind all the same; keeps the nodes left out then.
+bool CellCollector::takes_true_kind(const TrueCell& found) {
+  if (found.replaced.empty()) return false;
+  if (!options_.approximate)
+    for (const auto& [node, by] : found.replaced)
+      if (!same_place_ || !same_place_(ordered_[node], ordered_[by])) return false;
+  for (const auto& [node, by] : found.replaced)
+    result_.replaced.emplace_back(ordered_[node], ordered_[by]);
+  return true;
+}
+
 void CellCollector::add_true_kind(std::size_t index, int type, CellKind kind) {
   const TrueCell found = true_kinds_.find(kind, ordered_);
-  if (!found.problem.empty()) {
+  if (!found.problem.empty() && !takes_true_kind(found)) {
     ++problems_[fmt::format("{} that {}", type_name_(type), found.problem)];
     if (first_problem_.empty())
       first_problem_ =
@@ -108,11 +119,13 @@ ConvertedCells CellCollector::finish(std::size_t total, std::vector<std::string>
   if (any_unsupported && !options_.skip_unsupported)
     throw InputError(
         subject_,
-        fmt::format(
-            "holds volume cells that cannot be converted: {}{}{} "
-            "(ReadOptions::skip_unsupported leaves them out{})",
-            listed_unsupported(), first_problem_, reason_.empty() ? "" : "; " + reason_,
-            any_reducible_ ? ", ReadOptions::corners_of_unsupported takes their corners" : ""));
+        fmt::format("holds volume cells that cannot be converted: {}{}{} "
+                    "(ReadOptions::skip_unsupported leaves them out{})",
+                    listed_unsupported(), first_problem_, reason_.empty() ? "" : "; " + reason_,
+                    any_reducible_ ? ", ReadOptions::corners_of_unsupported takes their corners"
+                    : problems_.empty() || options_.approximate
+                        ? ""
+                        : ", ReadOptions::approximate converts those with repeated nodes"));
   write_notes(notes);
   if (result_.all_kept && result_.kinds.size() != total) start_kept();
   return std::move(result_);

@@ -24,6 +24,9 @@ struct ConvertedCells {
   /// For every entry of `nodes` its place among the nodes of the file's cell; empty unless
   /// requested (keep_places).
   std::vector<std::uint8_t> places;
+  /// Mid-edge nodes of cells with repeated corners that were left out, and the nodes that take
+  /// their place in the true cell.
+  std::vector<std::pair<NodeId, NodeId>> replaced;
 };
 
 /// Converts a file's cells one after the other: it puts nodes into the zoo's order, gives cells
@@ -40,6 +43,13 @@ class CellCollector {
   void reserve(std::size_t cells, std::size_t entries);
   /// From now on ConvertedCells::places is kept.
   void keep_places() { keep_places_ = true; }
+
+  /// Cells with repeated corners whose mid-edge nodes do not follow take their true kind where
+  /// `same_place` says of these nodes that they lie where they should (and, with
+  /// ReadOptions::approximate, anywhere).
+  void accept_mid_nodes(std::function<bool(NodeId, NodeId)> same_place) {
+    same_place_ = std::move(same_place);
+  }
 
   /// Says why cells are unsupported, for the message that refuses them.
   void explain(const std::string& reason) { reason_ = reason; }
@@ -59,6 +69,7 @@ class CellCollector {
 
   void convert(std::size_t index, int type, std::span<const NodeId> nodes, CellKind kind,
                std::span<const std::uint8_t> permutation);
+  bool takes_true_kind(const TrueCell& found);
   void add_true_kind(std::size_t index, int type, CellKind kind);
   void finish_cell(std::size_t index, CellKind kind);
   void start_kept();
@@ -80,6 +91,7 @@ class CellCollector {
   Counts extra_nodes_;
   std::map<std::string, std::size_t> problems_;  ///< unsupported because of their nodes
   std::map<std::string, std::size_t> true_cells_;
+  std::function<bool(NodeId, NodeId)> same_place_;
   std::string first_problem_;
   std::string reason_;
   bool any_reducible_ = false;

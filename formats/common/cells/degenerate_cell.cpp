@@ -92,7 +92,7 @@ TrueCell solve_corners(CellKind kind, const Corners& first) {
     if (topology_of(shape).corner_count != corners.size()) continue;
     const auto numbering = numbering_of(topology_of(shape), corners, faces);
     if (!numbering) return {kNoShape};
-    TrueCell cell{{}, kind_of(shape, CellOrder::linear), {}};
+    TrueCell cell{{}, kind_of(shape, CellOrder::linear), {}, {}};
     std::copy(numbering->begin(), numbering->end(), cell.nodes.begin());
     return cell;
   }
@@ -104,10 +104,14 @@ TrueCell with_mid_nodes(CellKind kind, const TrueCell& corners, const Corners& f
                         std::span<const NodeId> nodes) {
   const auto edges = topology_of(kind).edges;
   const std::size_t mid0 = corner_count(kind);
+  TrueCell cell = corners;
+  const auto replace = [&](std::size_t node, std::size_t by) {
+    cell.replaced.emplace_back(static_cast<std::uint8_t>(node), static_cast<std::uint8_t>(by));
+    cell.problem = kMidNodes;
+  };
   for (std::size_t e = 0; e < edges.size(); ++e)
     if (first[edges[e][0]] == first[edges[e][1]] && nodes[mid0 + e] != nodes[edges[e][0]])
-      return {kMidNodes};
-  TrueCell cell = corners;
+      replace(mid0 + e, edges[e][0]);
   cell.kind = kind_of(shape_of(corners.kind), CellOrder::quadratic);
   std::size_t next = corner_count(corners.kind);
   for (const ShapeEdge& edge : topology_of(corners.kind).edges) {
@@ -116,7 +120,7 @@ TrueCell with_mid_nodes(CellKind kind, const TrueCell& corners, const Corners& f
     for (std::size_t e = 0; e < edges.size(); ++e) {
       const std::array<std::uint8_t, 2> found{first[edges[e][0]], first[edges[e][1]]};
       if (!std::is_permutation(found.begin(), found.end(), ends.begin())) continue;
-      if (mid && nodes[*mid] != nodes[mid0 + e]) return {kMidNodes};
+      if (mid && nodes[*mid] != nodes[mid0 + e]) replace(mid0 + e, *mid);
       if (!mid) mid = mid0 + e;
     }
     if (!mid) return {kNoShape};
@@ -144,6 +148,16 @@ TrueCell TrueKinds::find(CellKind kind, std::span<const NodeId> nodes) {
   const TrueCell& corners = known->second;
   if (!corners.problem.empty() || order_of(kind) == CellOrder::linear) return corners;
   return with_mid_nodes(kind, corners, first, nodes);
+}
+
+std::vector<std::vector<std::uint8_t>> merged_faces(CellKind kind, std::span<const NodeId> nodes) {
+  const Corners first = first_of(kind, nodes);
+  std::vector<std::vector<std::uint8_t>> faces;
+  for (const ShapeFace& face : topology_of(kind).faces) {
+    const Polygon polygon = merged_face(face, first);
+    if (polygon.size() > 2 && !repeats(polygon)) faces.emplace_back(polygon.begin(), polygon.end());
+  }
+  return faces;
 }
 
 }  // namespace hiac::formats

@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "hiac/mesh/zoo_mesh.hpp"
 
@@ -18,7 +19,15 @@ struct TrueCell {
   CellKind kind{};
   /// Node i of the true cell is node nodes[i] of the cell as it was written.
   std::array<std::uint8_t, 20> nodes{};
+  /// Mid-edge nodes of the cell as it was written that are not those of the true cell, and the
+  /// nodes that lie where they should: the end of a collapsed edge, or the other middle of an edge
+  /// that two edges became. `problem` says so, but `kind` and `nodes` are valid.
+  std::vector<std::pair<std::uint8_t, std::uint8_t>> replaced = {};
 };
+
+/// The faces of a cell with repeated nodes that have an area, as places of its nodes, turning as
+/// the shape's faces do. They close round the cell; fewer than four of them hold no volume.
+std::vector<std::vector<std::uint8_t>> merged_faces(CellKind kind, std::span<const NodeId> nodes);
 
 /// Finds the true kind of cells that were written with repeated nodes: the brick that is a prism, a
 /// pyramid, a tetrahedron or a wedge, in any position, and likewise for the other shapes.

@@ -57,6 +57,8 @@ void add_centres(CellShape shape, std::vector<Point>& points) {
     add(mean_of(corners, std::span(face.corners).first(face.corner_count)));
   constexpr std::array<std::uint8_t, 8> kAll{0, 1, 2, 3, 4, 5, 6, 7};
   add(mean_of(corners, std::span(kAll).first(corners.size())));
+  // half-way from a pyramid's base to its apex, where the elements of Fuentes et al. have theirs
+  if (shape == CellShape::pyramid) add({0.25, 0.25, 0.5});
   points = std::move(so_far.points);
 }
 

@@ -12,7 +12,8 @@
 namespace hiac::formats {
 
 /// Evenly spaced points of a reference cell (shape_functions.hpp): all possible positions of nodes
-/// in a cell of that order. For order 2 they include the centres of all faces and of the cell.
+/// in a cell of that order. For order 2 they include the centres of all faces and of the cell, and
+/// of a pyramid also the middle between base and apex.
 struct Lattice {
   CellShape shape;
   std::size_t order;

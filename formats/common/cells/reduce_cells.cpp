@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "formats/common/cells/face_cells.hpp"
-#include "formats/common/cells/polyhedra.hpp"
+#include "formats/common/cells/cell_divider.hpp"
+#include "formats/common/cells/point_values.hpp"
 #include "formats/common/cells/recognized_cells.hpp"
 #include "formats/common/mesh/mesh_rewrite.hpp"
 
@@ -19,44 +19,31 @@ namespace {
 
 /// The number of cells used to recognize a type.
 constexpr std::size_t kSamples = 64;
-/// Values that differ by less than this, relative to the largest value, are the same.
-constexpr double kSameDouble = 1e-12;
-constexpr double kSameSingle = 1e-6;
-
-/// Values at all points: the coordinates, or a field.
-struct PointValues {
-  std::string name;
-  std::size_t width;
-  std::vector<double> values;
-  double same = 0;  ///< values that differ by less are the same
-  double low = 0;
-  double high = 0;
-};
-
-PointValues point_values(std::string name, std::size_t width, std::vector<double>&& values) {
-  PointValues result{std::move(name), width, std::move(values)};
-  bool single = true;
-  double largest = 0;
-  result.low = HUGE_VAL;
-  result.high = -HUGE_VAL;
-  for (const double value : result.values) {
-    if (!std::isfinite(value)) continue;
-    single = single && static_cast<double>(static_cast<float>(value)) == value;
-    largest = std::max(largest, std::abs(value));
-    result.low = std::min(result.low, value);
-    result.high = std::max(result.high, value);
-  }
-  result.same = largest * (single ? kSameSingle : kSameDouble);
-  return result;
-}
-
 /// The findings for a cell type that the zoo does not have.
 struct RichType {
   std::optional<RecognizedCell> cell;
   std::size_t count = 0;
   std::vector<double> errors;  ///< the largest, for the coordinates and every field
+  /// How far rounding by one unit at most takes the interpolant from a node left out.
+  double rounding = 0;
   bool turned = false;
 };
+
+/// Whether a cell of a kind of the zoo names one of its nodes twice.
+bool has_repeated_nodes(const ForeignMesh& mesh) {
+  std::size_t begin = 0;
+  for (const std::uint16_t number : mesh.cell_types) {
+    const ForeignType& type = mesh.types[number];
+    const auto nodes = std::span(mesh.cell_nodes).subspan(begin, type.nodes);
+    begin += type.nodes;
+    if (type.conversion.fate != CellFate::converted) continue;
+    for (std::size_t i = 1; i < nodes.size(); ++i)
+      if (std::find(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(i), nodes[i]) !=
+          nodes.begin() + static_cast<std::ptrdiff_t>(i))
+        return true;
+  }
+  return false;
+}
 
 class Reducer {
  public:
@@ -74,7 +61,7 @@ class Reducer {
 
   std::string run() {
     find_rich_types();
-    if (rich_.empty() && mesh_.polyhedra.cells.empty()) return {};
+    if (rich_.empty() && mesh_.polyhedra.cells.empty() && !options_.approximate) return {};
     for (std::size_t cell = 0; cell < mesh_.cell_count(); ++cell) measure(cell);
     judge();
     std::size_t polyhedron = 0;
@@ -82,14 +69,15 @@ class Reducer {
     for (std::size_t cell = 0; cell < cells; ++cell) {
       const auto rich = rich_.find(mesh_.cell_types[cell]);
       if (polyhedron < mesh_.polyhedra.cells.size() && mesh_.polyhedra.cells[polyhedron] == cell)
-        turn_polyhedron(cell, polyhedron++);
+        divider_.turn_polyhedron(cell, polyhedron++);
       else if (rich != rich_.end() && rich->second.turned)
         turn_rich(cell, *rich->second.cell);
-      else
+      else if (!options_.approximate || !divider_.divide_collapsed(cell))
         rewrite_.keep();
     }
     rewrite_.finish();
-    note_polyhedra();
+    divider_.add_notes();
+    reasons_.insert(reasons_.end(), divider_.reasons().begin(), divider_.reasons().end());
     return fmt::format("{}", fmt::join(reasons_, "; "));
   }
 
@@ -128,7 +116,21 @@ class Reducer {
       if (!foreign.places.empty()) samples[type] = {foreign.places};
       if (complete[type]) rich.cell = recognized_cell(foreign.conversion, samples[type]);
       rich.errors.resize(values_.size(), 0.0);
+      if (rich.cell) rich.rounding = rounding_of(*rich.cell);
     }
+  }
+
+  /// Every value is off by half a unit at most: the node's own, and those that its place takes.
+  static double rounding_of(const RecognizedCell& cell) {
+    double most = 0;
+    for (const auto& left_out : cell.left_out) {
+      double sum = 1;
+      for (std::size_t n = 0; n < cell.weights.size(); ++n)
+        for (const auto& [place, weight] : cell.weights[n])
+          sum += std::abs(left_out.shape_functions[n] * weight);
+      most = std::max(most, sum / 2);
+    }
+    return most;
   }
 
   /// Measures how far the interpolant of the nearest kind is from the file's values at the nodes
@@ -174,9 +176,13 @@ class Reducer {
         continue;
       }
       bool exact = true;
-      for (std::size_t v = 0; v < values_.size(); ++v) exact &= rich.errors[v] <= values_[v].same;
+      bool rounded = true;  // as far as the digits tell
+      for (std::size_t v = 0; v < values_.size(); ++v) {
+        exact &= rich.errors[v] <= values_[v].same;
+        rounded &= rich.errors[v] <= std::max(values_[v].same, rich.rounding * values_[v].unit);
+      }
       const bool high = rich.cell->order > 3;
-      rich.turned = options_.approximate || (exact && !high);
+      rich.turned = options_.approximate || (rounded && !high);
       if (!rich.turned) {
         reasons_.push_back(
             high ? fmt::format("{} are of order {} (ReadOptions::approximate makes them cubic: {})",
@@ -187,13 +193,23 @@ class Reducer {
                                what, kind_name(rich.cell->kind), errors_of(rich)));
         continue;
       }
-      mesh_.notes.push_back(
-          exact ? fmt::format("{} became {}, which loses nothing: the nodes left out, and the "
-                              "fields there, are what the others make of them",
-                              what, kind_name(rich.cell->kind))
-                : fmt::format("approximated {} by {}: {}", what, kind_name(rich.cell->kind),
-                              errors_of(rich)));
+      mesh_.notes.push_back(note_of(what, rich, exact, rounded));
     }
+  }
+
+  [[nodiscard]] std::string note_of(const std::string& what, const RichType& rich, bool exact,
+                                    bool rounded) const {
+    const std::string_view kind = kind_name(rich.cell->kind);
+    if (exact)
+      return fmt::format(
+          "{} became {}, which loses nothing: the nodes left out, and the fields "
+          "there, are what the others make of them",
+          what, kind);
+    if (!rounded) return fmt::format("approximated {} by {}: {}", what, kind, errors_of(rich));
+    return fmt::format(
+        "{} became {}, which loses nothing but what the digits of the file round: {} "
+        "({} units in the last digit are allowed: {:.3g} for nodes)",
+        what, kind, errors_of(rich), rich.rounding, rich.rounding * values_.front().unit);
   }
 
   /// The errors at the file's nodes.
@@ -236,102 +252,6 @@ class Reducer {
     rewrite_.add(place, nodes, kind.weights);
   }
 
-  void turn_polyhedron(std::size_t cell, std::size_t polyhedron) {
-    const auto position = [&](std::int64_t number) {
-      return std::span<const double>(mesh_.xyz).subspan(3 * rewrite_.place_of(number, cell), 3);
-    };
-    const auto faces = turned_outward(faces_of(mesh_.polyhedra, polyhedron, subject_), position);
-    if (!faces) return leave_polyhedron("have faces that do not close round them");
-    if (const auto known = cell_of_faces(*faces)) {
-      ++recognized_;
-      rewrite_.replace();
-      return rewrite_.add(
-          mesh_.type_place(fmt::format("polyhedron, a {}", topology_of(known->kind).name),
-                           known->nodes.size(), converted_to(known->kind)),
-          known->nodes, {});
-    }
-    if (!options_.approximate)
-      return leave_polyhedron(
-          "have faces that no kind has (ReadOptions::approximate divides them into tetrahedra and "
-          "pyramids)");
-    divide(cell, *faces);
-  }
-
-  void leave_polyhedron(const std::string& reason) {
-    const std::string text = "polyhedra " + reason;
-    if (std::find(reasons_.begin(), reasons_.end(), text) == reasons_.end())
-      reasons_.push_back(text);
-    rewrite_.keep();
-  }
-
-  /// The point at the mean of nodes; cells with the same nodes share it.
-  std::int64_t centre_of(std::span<const std::int64_t> numbers, std::size_t cell) {
-    std::set<std::size_t> places;
-    for (const std::int64_t number : numbers) places.insert(rewrite_.place_of(number, cell));
-    Weights weights;
-    for (const std::size_t place : places)
-      weights.emplace_back(place, 1.0 / static_cast<double>(places.size()));
-    for (PointValues& values : values_) widen(values, weights);
-    return rewrite_.point(std::move(weights), 0);
-  }
-
-  /// Records the range of values over the nodes that a centre is the mean of.
-  void widen(const PointValues& values, const Weights& weights) {
-    double& range = ranges_[values.name];
-    for (std::size_t c = 0; c < values.width; ++c) {
-      double low = HUGE_VAL;
-      double high = -HUGE_VAL;
-      for (const auto& [place, weight] : weights) {
-        low = std::min(low, values.values[place * values.width + c]);
-        high = std::max(high, values.values[place * values.width + c]);
-      }
-      if (high > low) range = std::max(range, high - low);
-    }
-  }
-
-  void divide(std::size_t cell, const std::vector<FaceNodes>& faces) {
-    FaceNodes all;
-    for (const FaceNodes& face : faces) all.insert(all.end(), face.begin(), face.end());
-    const std::int64_t centre = centre_of(all, cell);
-    const std::uint16_t tetrahedron =
-        mesh_.type_place("part of a polyhedron", 4, converted_to(CellKind::tetrahedron4));
-    const std::uint16_t pyramid =
-        mesh_.type_place("part of a polyhedron", 5, converted_to(CellKind::pyramid5));
-    rewrite_.replace();
-    ++divided_;
-    // the zoo's bases turn counter-clockwise seen from the apex, opposite to these faces
-    for (const FaceNodes& face : faces) {
-      if (face.size() == 3) {
-        rewrite_.add(tetrahedron, std::array{face[0], face[2], face[1], centre}, {});
-      } else if (face.size() == 4) {
-        rewrite_.add(pyramid, std::array{face[0], face[3], face[2], face[1], centre}, {});
-      } else {
-        const std::int64_t middle = centre_of(face, cell);
-        for (std::size_t i = 0; i < face.size(); ++i)
-          rewrite_.add(tetrahedron,
-                       std::array{face[(i + 1) % face.size()], face[i], middle, centre}, {});
-      }
-    }
-  }
-
-  void note_polyhedra() {
-    if (recognized_ > 0)
-      mesh_.notes.push_back(
-          fmt::format("{} polyhedra have the faces of kinds and became these", recognized_));
-    if (divided_ == 0) return;
-    std::string text = fmt::format(
-        "divided {} polyhedra into tetrahedra and pyramids round their centres, with "
-        "the mean of the nodes there",
-        divided_);
-    for (const auto& [name, range] : ranges_)
-      if (!name.empty())
-        text += fmt::format(
-            "; field '{}' differs by up to {:.3g} over the nodes of one, which "
-            "bounds the error inside",
-            name, range);
-    mesh_.notes.push_back(std::move(text));
-  }
-
   ForeignMesh& mesh_;
   const ReadOptions& options_;
   const std::string& subject_;
@@ -339,9 +259,7 @@ class Reducer {
   std::vector<PointValues> values_;  ///< the coordinates first
   std::map<std::uint16_t, RichType> rich_;
   std::vector<std::string> reasons_;
-  std::size_t recognized_ = 0;
-  std::size_t divided_ = 0;
-  std::map<std::string, double> ranges_;
+  CellDivider divider_{mesh_, options_, subject_, rewrite_, values_};
 };
 
 }  // namespace
@@ -352,7 +270,10 @@ std::string reduce_cells(ForeignMesh& mesh, const ReadOptions& options,
       std::any_of(mesh.types.begin(), mesh.types.end(), [](const ForeignType& type) {
         return type.conversion.fate == CellFate::unsupported && type.conversion.corners;
       });
-  if (mesh.polyhedra.cells.empty() && (!any_rich || options.corners_of_unsupported)) return {};
+  const bool any_collapsed = options.approximate && has_repeated_nodes(mesh);
+  if (mesh.polyhedra.cells.empty() && !any_collapsed &&
+      (!any_rich || options.corners_of_unsupported))
+    return {};
   return Reducer(mesh, options, fields, subject).run();
 }
 

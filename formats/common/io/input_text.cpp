@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <limits>
 #include <new>
+#include <span>
 #include <vector>
 
 #include <fmt/format.h>
 #include <zlib.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/base/page_buffer.hpp"
 
 namespace hiac::formats {
 namespace {
-
-constexpr std::size_t kBufferBytes = 1 << 18;
 
 /// zlib's state, freed whatever happens.
 class Inflater {
@@ -26,8 +26,9 @@ class Inflater {
   Inflater(const Inflater&) = delete;
   Inflater& operator=(const Inflater&) = delete;
 
-  /// Appends more bytes to `out`; returns zlib's status.
-  int unpack(std::string& out) {
+  /// Unpacks the next bytes into the beginning of `out` and sets how many they are; returns zlib's
+  /// status.
+  int unpack(std::span<std::uint8_t> out, std::size_t& count) {
     if (stream_.avail_in == 0) {
       constexpr std::size_t kMost = std::numeric_limits<uInt>::max();
       const std::string_view part = rest_.substr(0, kMost);
@@ -36,10 +37,12 @@ class Inflater {
       stream_.avail_in = static_cast<uInt>(part.size());
       rest_.remove_prefix(part.size());
     }
-    stream_.next_out = reinterpret_cast<Bytef*>(buffer_.data());
-    stream_.avail_out = static_cast<uInt>(buffer_.size());
+    const auto space =
+        static_cast<uInt>(std::min<std::size_t>(out.size(), std::numeric_limits<uInt>::max()));
+    stream_.next_out = out.data();
+    stream_.avail_out = space;
     const int status = inflate(&stream_, Z_NO_FLUSH);
-    out.append(buffer_.data(), buffer_.size() - stream_.avail_out);
+    count = space - stream_.avail_out;
     return status;
   }
 
@@ -50,23 +53,29 @@ class Inflater {
  private:
   z_stream stream_{};
   std::string_view rest_;
-  std::vector<char> buffer_ = std::vector<char>(kBufferBytes);
 };
 
-std::string unpacked(std::string_view packed, const std::string& path) {
+/// The bytes of a gzip file. Only what has been unpacked takes memory, once, and no time is spent
+/// on copies: where memory is limited (MemoryWatch), it ends at the limit.
+SharedArray<std::uint8_t> unpacked(std::string_view packed, const std::string& path) {
+  constexpr std::size_t kFirstBytes = std::size_t{1} << 20;
   Inflater inflater(packed);
-  std::string text;
+  const auto buffer = std::make_shared<PageBuffer>();
+  std::size_t filled = 0;
   while (true) {
-    const int status = inflater.unpack(text);
+    if (filled == buffer->bytes().size()) buffer->grow(std::max(kFirstBytes, 2 * filled));
+    std::size_t count = 0;
+    const int status = inflater.unpack(buffer->bytes().subspan(filled), count);
+    filled += count;
     if (status == Z_STREAM_END) {
-      if (inflater.at_end()) return text;
+      if (inflater.at_end()) return {buffer->bytes().first(filled), buffer};
       inflater.next_member();
     } else if (status == Z_BUF_ERROR) {
       throw InputError(path,
                        fmt::format("the gzip data end too early (after {} bytes)", packed.size()));
     } else if (status != Z_OK) {
-      throw InputError(
-          path, fmt::format("the gzip data are damaged (after {} unpacked bytes)", text.size()));
+      throw InputError(path,
+                       fmt::format("the gzip data are damaged (after {} unpacked bytes)", filled));
     }
   }
 }
@@ -78,7 +87,7 @@ InputText::InputText(const std::string& path)
   if (is_gzip(text_)) {
     unpacked_ = unpacked(text_, path);
     file_.reset();
-    text_ = unpacked_;
+    text_ = {reinterpret_cast<const char*>(unpacked_.data()), unpacked_.size()};
   }
   text_ = without_byte_order_mark(text_);
 }
@@ -93,11 +102,14 @@ bool is_gzip(std::string_view head) { return head.starts_with("\x1f\x8b\x08"); }
 
 std::string unpacked_head(std::string_view head, std::size_t limit) {
   Inflater inflater(head);
-  std::string text;
-  while (text.size() < limit)
-    if (inflater.unpack(text) != Z_OK) break;
-  text.resize(std::min(text.size(), limit));
-  return text;
+  std::vector<std::uint8_t> bytes(limit);
+  std::size_t filled = 0;
+  for (int status = Z_OK; status == Z_OK && filled < limit;) {
+    std::size_t count = 0;
+    status = inflater.unpack(std::span(bytes).subspan(filled), count);
+    filled += count;
+  }
+  return {bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(filled)};
 }
 
 }  // namespace hiac::formats

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
 
 #include "formats/common/io/mapped_file.hpp"
+#include "hiac/base/shared_array.hpp"
 
 namespace hiac::formats {
 
@@ -23,7 +25,7 @@ class InputText {
  private:
   std::string path_;
   std::unique_ptr<MappedFile> file_;  ///< none once unpacked
-  std::string unpacked_;
+  SharedArray<std::uint8_t> unpacked_;
   std::string_view text_;
 };
 

@@ -55,24 +55,15 @@ MappedFile::~MappedFile() {
   if (data_ != nullptr) munmap(const_cast<char*>(data_), size_);
 }
 
-MemoryFile::MemoryFile(std::string_view text, const std::string& subject) : subject_(subject) {
-  descriptor_ = memfd_create("hiac", MFD_CLOEXEC);
-  if (descriptor_ < 0) fail(subject, "cannot be copied into memory");
-  path_ = fmt::format("/proc/self/fd/{}", descriptor_);
-  try {
-    write_all(descriptor_, text, 0, subject_);
-  } catch (...) {
-    close(descriptor_);
-    throw;
-  }
+MemoryFile::MemoryFile(std::string_view text, const std::string& subject)
+    : path_(fmt::format("/proc/self/fd/{}", memory_.descriptor())), subject_(subject) {
+  write_all(memory_.descriptor(), text, 0, subject_);
 }
-
-MemoryFile::~MemoryFile() { close(descriptor_); }
 
 void MemoryFile::put_zero(std::size_t at, std::size_t length) {
   std::string word(length, ' ');
   word.front() = '0';
-  write_all(descriptor_, word, at, subject_);
+  write_all(memory_.descriptor(), word, at, subject_);
 }
 
 }  // namespace hiac::formats

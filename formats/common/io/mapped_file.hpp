@@ -3,6 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "hiac/base/shared_memory.hpp"
+
 namespace hiac::formats {
 
 /// A regular file mapped into memory, which can be read without allocating memory for it.
@@ -26,7 +28,6 @@ class MemoryFile {
  public:
   /// Throws InputError naming `subject` when there is no memory for it.
   MemoryFile(std::string_view text, const std::string& subject);
-  ~MemoryFile();
   MemoryFile(const MemoryFile&) = delete;
   MemoryFile& operator=(const MemoryFile&) = delete;
 
@@ -35,7 +36,7 @@ class MemoryFile {
   void put_zero(std::size_t at, std::size_t length);
 
  private:
-  int descriptor_ = -1;
+  SharedMemory memory_;
   std::string path_;
   std::string subject_;
 };

@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "formats/common/cells/cell_collector.hpp"
 #include "formats/common/cells/reduce_cells.hpp"
+#include "formats/common/io/bytes_behind.hpp"
 #include "formats/common/io/printable.hpp"
 #include "formats/common/mesh/block_choice.hpp"
 #include "formats/common/mesh/gate.hpp"
@@ -56,6 +58,21 @@ std::vector<const ForeignField*> chosen_fields(const ForeignMesh& foreign,
   return chosen;
 }
 
+/// The steps at which the file's fields have values.
+FieldSteps steps_of_fields(const ForeignMesh& foreign) {
+  FieldSteps steps = foreign.field_steps;
+  if (!steps.empty()) return steps;
+  std::set<std::string> always;
+  for (const ForeignField& field : foreign.fields) {
+    if (field.step)
+      steps[field.name].insert(*field.step);
+    else
+      always.insert(field.name);
+  }
+  for (const std::string& name : always) steps.erase(name);
+  return steps;
+}
+
 /// Where the nodes of every cell begin in ForeignMesh::cell_nodes.
 std::vector<std::uint64_t> cell_starts(const ForeignMesh& foreign) {
   std::vector<std::uint64_t> starts{0};
@@ -99,6 +116,10 @@ class Assembler {
       return field->location == FieldLocation::corner;
     });
     if (any_corner) collector.keep_places();
+    collector.accept_mid_nodes([&](NodeId a, NodeId b) {
+      if (made_.size() != resolver.made().size()) made_ = resolver.made();
+      return distance_between(a, b) == 0;
+    });
     std::size_t begin = 0;
     for (std::size_t cell = 0; cell < foreign_.cell_count(); ++cell) {
       const std::size_t type = foreign_.cell_types[cell];
@@ -111,8 +132,50 @@ class Assembler {
     }
     cells_ = collector.finish(foreign_.cell_count(), reading_.notes);
     made_ = resolver.made();
+    note_replaced();
     if (!any_corner) foreign_.cell_nodes = {};
     finish_nodes();
+  }
+
+  /// The value of a point, or of a node that was made between two.
+  [[nodiscard]] double value_at(std::span<const double> values, std::size_t width, NodeId node,
+                                std::size_t component) const {
+    const std::size_t points = foreign_.point_count();
+    if (node < points) return values[node * width + component];
+    const auto& [a, b] = made_[node - points];
+    return (values[a * width + component] + values[b * width + component]) / 2;
+  }
+
+  [[nodiscard]] double distance_between(NodeId a, NodeId b) const {
+    std::array<double, 3> edge{};
+    for (std::size_t c = 0; c < 3; ++c)
+      edge[c] = value_at(foreign_.xyz, 3, a, c) - value_at(foreign_.xyz, 3, b, c);
+    return std::hypot(edge[0], edge[1], edge[2]);
+  }
+
+  /// Says how far mid-edge nodes that were left out lie from the nodes in their place, and how much
+  /// their values differ.
+  void note_replaced() {
+    if (cells_.replaced.empty()) return;
+    double farthest = 0;
+    for (const auto& [node, by] : cells_.replaced)
+      farthest = std::max(farthest, distance_between(node, by));
+    std::string note = fmt::format(
+        "{} mid-edge nodes of cells with repeated corners do not follow the corners and were left "
+        "out: nodes move by up to {:.3g}",
+        cells_.replaced.size(), farthest);
+    for (const ForeignField* field : fields_) {
+      if (field->location != FieldLocation::node) continue;
+      const std::vector<double> values = field->values();
+      if (values.size() != field->components * points_) continue;
+      double error = 0;
+      for (const auto& [node, by] : cells_.replaced)
+        for (std::size_t c = 0; c < field->components; ++c)
+          error = std::max(error, std::abs(value_at(values, field->components, node, c) -
+                                           value_at(values, field->components, by, c)));
+      note += fmt::format(", field '{}' errs by up to {:.3g}", field->name, error);
+    }
+    reading_.notes.push_back(std::move(note));
   }
 
   static std::size_t index(int type) { return static_cast<std::size_t>(type); }
@@ -199,6 +262,9 @@ class Assembler {
       if (!step_ && field->step && (!last || *field->step > *last)) last = field->step;
     if (!last || *last >= foreign_.times.size()) return;
     reading_.mesh.metadata.emplace_back("time", fmt::format("{}", foreign_.times[*last]));
+    // without a request, fields that a later step does not have are those of their own last step
+    if (step_ || !foreign_.field_steps.empty())
+      note_absent_fields(steps_of_fields(foreign_), foreign_.times, *last, reading_.notes);
     if (step_ || foreign_.times.size() < 2) return;
     reading_.notes.push_back(last_step_note(foreign_.times.size(), foreign_.times[*last]));
     for (const ForeignField* field : fields_)
@@ -272,6 +338,8 @@ Inventory inventory_of(const ForeignMesh& foreign, std::string_view format,
   inventory.times = foreign.times;
   for (const ForeignBlock& block : foreign.blocks) inventory.blocks.push_back(block.name);
   inventory.notes = foreign.notes;
+  note_partial_fields(steps_of_fields(foreign), foreign.times.size(), inventory.notes);
+  note_bytes_behind_container(subject, inventory.notes);
   return inventory;
 }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "formats/common/cells/cell_conversion.hpp"
+#include "formats/common/mesh/field_steps.hpp"
 #include "formats/common/mesh/format.hpp"
 #include "hiac/base/parallel.hpp"
 
@@ -79,6 +80,9 @@ struct ForeignMesh {
   std::vector<ForeignBlock> blocks;
   std::vector<double> times;  ///< in the file's order
   std::vector<ForeignField> fields;
+  /// For a reader that adds the fields of one step only: the steps at which each field of the file
+  /// has values. Empty: `fields` holds those of all steps.
+  FieldSteps field_steps;
   std::vector<std::pair<std::string, std::string>> metadata;
   std::vector<std::string> notes;
 

@@ -11,6 +11,10 @@
 
 #include "hiac/mesh/zoo_mesh.hpp"
 
+namespace hiac {
+struct BoundarySurface;
+}
+
 namespace hiac::formats {
 
 /// The options that choose the parts of a file to read.
@@ -90,6 +94,10 @@ struct Format {
   std::function<Inventory(const std::string& path)> inspect;
   /// Returns notes on what the format cannot hold.
   std::function<std::vector<std::string>(const std::string& path, const ZooMesh& mesh)> write;
+  /// For formats of surfaces, which hold the boundary of a mesh: writes one; `write` makes it with
+  /// default_boundary_levels (hiac/mesh/boundary_surface.hpp). Empty for other formats.
+  std::function<std::vector<std::string>(const std::string& path, const BoundarySurface& surface)>
+      write_boundary;
 };
 
 /// The range of a field's finite values.

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "formats/common/cells/node_order.hpp"
+#include "formats/common/io/bytes_behind.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats {
@@ -34,6 +35,7 @@ void pass_gate(Reading& reading, const UsedPoints& used, const std::string& subj
 
 void finish_reading(Reading& reading, const std::string& subject) {
   if (reading.mesh.cell_count() > 0) {
+    note_bytes_behind_container(subject, reading.notes);
     auto& metadata = reading.mesh.metadata;
     const bool named = std::any_of(metadata.begin(), metadata.end(),
                                    [](const auto& entry) { return entry.first == "source"; });

@@ -82,31 +82,13 @@ std::vector<Field> requested(const ZooMesh& mesh, const std::string& request) {
   return found;
 }
 
-Field derived(const ZooMesh& mesh, const std::string& derivation) {
-  constexpr std::string_view kFunction = "magnitude(";
-  const std::string option = fmt::format("derive {}", derivation);
-  const std::size_t equals = derivation.find('=');
-  const std::string_view formula = equals == std::string::npos
-                                       ? std::string_view()
-                                       : std::string_view(derivation).substr(equals + 1);
-  if (equals == 0 || !formula.starts_with(kFunction) || !formula.ends_with(')'))
-    throw UsageError(option + ": not understood ('NAME=magnitude(FIELD)' expected)");
-  const std::string name(formula.substr(kFunction.size(), formula.size() - kFunction.size() - 1));
-  std::optional<Field> field = scalar_named(mesh, name + ":magnitude");
-  if (!field) refuse(mesh, option);
-  field->name = derivation.substr(0, equals);
-  return std::move(*field);
-}
-
 }  // namespace
 
-std::vector<Field> select_fields(const ZooMesh& mesh, std::span<const std::string> requests,
-                                 std::span<const std::string> derivations) {
+std::vector<Field> select_fields(const ZooMesh& mesh, std::span<const std::string> requests) {
   std::vector<Field> fields;
   if (requests.empty()) fields = mesh.fields;
   for (const std::string& request : requests)
     for (Field& field : requested(mesh, request)) fields.push_back(std::move(field));
-  for (const std::string& derivation : derivations) fields.push_back(derived(mesh, derivation));
   return fields;
 }
 

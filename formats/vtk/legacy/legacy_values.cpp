@@ -109,6 +109,17 @@ void skip_metadata(LegacyWords& words, std::size_t components) {
 
 }  // namespace
 
+NumberType read_legacy_type(LegacyWords& words, bool numeric) {
+  using Family = NumberType::Family;
+  const std::string name = words.keyword("a data type");
+  const auto type = legacy_number_type(name);
+  if (!type) words.fail(fmt::format("unknown data type '{}'", name.substr(0, 40)));
+  if (type->family == Family::variant ||
+      (numeric && (type->family == Family::text || type->family == Family::bit)))
+    words.fail(fmt::format("data type '{}' cannot be read here", name));
+  return *type;
+}
+
 LegacyValues walk_legacy_values(LegacyWords& words, const NumberType& type, std::size_t count,
                                 bool may_be_not_finite) {
   return words.binary() ? walk_binary_values(words, type, count)

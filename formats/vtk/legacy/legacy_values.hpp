@@ -9,6 +9,10 @@
 
 namespace hiac::formats::vtk {
 
+/// The next word as the type of an array. Throws through `words` when it is none, or one that VTK's
+/// reader does not accept here: texts and bits where numbers are expected (`numeric`).
+NumberType read_legacy_type(LegacyWords& words, bool numeric);
+
 /// The position of an array's values in a legacy file: bytes [begin, end).
 struct LegacyValues {
   std::size_t begin = 0;

@@ -49,6 +49,14 @@ std::string LegacyWords::keyword(const std::string& what) {
   return lower(next);
 }
 
+std::string_view LegacyWords::name() {
+  const std::size_t before = at_;
+  keyword("a name");
+  std::string_view name = text_.substr(before, at_ - before);
+  name.remove_prefix(std::min(name.find_first_not_of(" \t\r\n\v\f"), name.size()));
+  return name;
+}
+
 std::size_t LegacyWords::count(const std::string& what) {
   const std::string_view next = word();
   if (next.empty()) fail(fmt::format("the file ends too soon ({} expected)", what));

@@ -27,6 +27,8 @@ class LegacyWords {
   std::string_view word();
   /// The next word in lower case; `what` names what was expected in the error at the file's end.
   std::string keyword(const std::string& what);
+  /// The next word as a name, with its case kept.
+  std::string_view name();
   /// The next word as a count.
   std::size_t count(const std::string& what);
   /// The next word as a finite number.

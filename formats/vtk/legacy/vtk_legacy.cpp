@@ -1,167 +1,31 @@
-#include <algorithm>
-#include <cctype>
-#include <memory>
+#include <vtkDataSet.h>
 
-#include <fmt/format.h>
-#include <vtkCellData.h>
-#include <vtkDataArray.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkRectilinearGrid.h>
-#include <vtkRectilinearGridReader.h>
-#include <vtkStructuredGrid.h>
-#include <vtkStructuredGridReader.h>
-#include <vtkStructuredPoints.h>
-#include <vtkStructuredPointsReader.h>
-#include <vtkUnstructuredGrid.h>
-#include <vtkUnstructuredGridReader.h>
-
-#include "formats/common/io/mapped_file.hpp"
 #include "formats/common/mesh/gate.hpp"
 #include "formats/vtk/from_vtk.hpp"
-#include "formats/vtk/legacy/legacy_layout.hpp"
-#include "formats/vtk/legacy/legacy_values.hpp"
-#include "formats/vtk/message_capture.hpp"
+#include "formats/vtk/legacy/legacy_file.hpp"
+#include "formats/vtk/packed_dataset.hpp"
+#include "formats/vtk/reading_process.hpp"
 #include "formats/vtk/vtk_formats.hpp"
-#include "hiac/base/error.hpp"
+#include "hiac/base/isolated_process.hpp"
 
 namespace hiac::formats {
 namespace {
 
-using vtk::LegacyArray;
-using vtk::LegacyLayout;
-
-/// A dataset and the notes on how it was read.
-struct LegacyDataset {
-  vtkSmartPointer<vtkDataSet> dataset;
-  std::string title;
-  std::vector<std::string> notes;
-};
-
-/// Legacy files write a blank in a name as "%20", and likewise other characters.
-std::string decoded(const std::string& name) {
-  std::string result;
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    const bool coded = name[i] == '%' && i + 2 < name.size() &&
-                       std::isxdigit(static_cast<unsigned char>(name[i + 1])) != 0 &&
-                       std::isxdigit(static_cast<unsigned char>(name[i + 2])) != 0;
-    if (!coded) {
-      result += name[i];
-      continue;
-    }
-    result += static_cast<char>(std::stoi(name.substr(i + 1, 2), nullptr, 16));
-    i += 2;
-  }
-  return result;
-}
-
-template <typename Reader, typename Dataset>
-vtkSmartPointer<vtkDataSet> read_with(const std::string& path) {
-  vtkNew<Reader> reader;
-  reader->ReadAllScalarsOn();
-  reader->ReadAllVectorsOn();
-  reader->ReadAllNormalsOn();
-  reader->ReadAllTensorsOn();
-  reader->ReadAllColorScalarsOn();
-  reader->ReadAllTCoordsOn();
-  reader->ReadAllFieldsOn();
-  auto dataset = vtkSmartPointer<Dataset>::New();
-  // bypasses the pipeline, whose search for the dimensions mistakes data for keywords
-  reader->ReadMeshSimple(path, dataset);
-  return dataset;
-}
-
-vtkSmartPointer<vtkDataSet> read_dataset(const std::string& path, LegacyLayout::Dataset dataset) {
-  switch (dataset) {
-    case LegacyLayout::Dataset::unstructured_grid:
-      return read_with<vtkUnstructuredGridReader, vtkUnstructuredGrid>(path);
-    case LegacyLayout::Dataset::structured_grid:
-      return read_with<vtkStructuredGridReader, vtkStructuredGrid>(path);
-    case LegacyLayout::Dataset::structured_points:
-      return read_with<vtkStructuredPointsReader, vtkStructuredPoints>(path);
-    case LegacyLayout::Dataset::rectilinear_grid:
-      return read_with<vtkRectilinearGridReader, vtkRectilinearGrid>(path);
-  }
-  return nullptr;
-}
-
-/// C++ streams do not read "nan" and "inf", and so VTK's reader stops there. It gets a copy with
-/// zeros in their places; afterwards the values are restored.
-std::unique_ptr<MemoryFile> without_not_finite(std::string_view text, const LegacyLayout& layout,
-                                               const std::string& subject) {
-  std::unique_ptr<MemoryFile> copy;
-  for (const LegacyArray& array : layout.attributes) {
-    if (!array.has_not_finite) continue;
-    if (!copy) copy = std::make_unique<MemoryFile>(text, subject);
-    vtk::for_each_not_finite(text, array.begin, array.end, [&](const vtk::NotFiniteWord& word) {
-      copy->put_zero(word.at, word.length);
-    });
-  }
-  return copy;
-}
-
-vtkDataArray* array_read_as(const LegacyArray& array, vtkDataSet& dataset) {
-  vtkDataSetAttributes* data = array.on_points
-                                   ? static_cast<vtkDataSetAttributes*>(dataset.GetPointData())
-                                   : dataset.GetCellData();
-  return data->GetArray(decoded(array.name).c_str());
-}
-
-void restore_not_finite(std::string_view text, const LegacyArray& array, vtkDataSet& dataset,
-                        const std::string& subject) {
-  vtkDataArray* read = array_read_as(array, dataset);
-  if (read == nullptr || static_cast<std::size_t>(read->GetNumberOfTuples()) != array.tuples ||
-      static_cast<std::size_t>(read->GetNumberOfComponents()) != array.components)
-    throw InputError(subject, fmt::format("array '{}' was not read whole", array.name));
-  vtk::for_each_not_finite(text, array.begin, array.end, [&](const vtk::NotFiniteWord& word) {
-    read->SetComponent(static_cast<vtkIdType>(word.index / array.components),
-                       static_cast<int>(word.index % array.components), word.value);
-  });
-}
-
-/// Of several arrays with one name VTK keeps the last. Removes the others from the layout, with a
-/// note.
-void drop_replaced_arrays(LegacyLayout& layout) {
-  std::vector<LegacyArray> kept;
-  for (std::size_t i = 0; i < layout.attributes.size(); ++i) {
-    const LegacyArray& array = layout.attributes[i];
-    const bool replaced = std::any_of(layout.attributes.begin() + static_cast<long>(i) + 1,
-                                      layout.attributes.end(), [&](const LegacyArray& later) {
-                                        return later.on_points == array.on_points &&
-                                               decoded(later.name) == decoded(array.name);
-                                      });
-    if (replaced)
-      layout.notes.push_back(
-          fmt::format("several arrays have the name '{}': the last is read", array.name));
-    else
-      kept.push_back(array);
-  }
-  layout.attributes = std::move(kept);
-}
-
-LegacyDataset read_legacy(const std::string& path) {
-  const MappedFile file(path);
-  LegacyLayout layout = vtk::check_legacy_file(file.text(), path);
-  drop_replaced_arrays(layout);
-  const std::unique_ptr<MemoryFile> copy = without_not_finite(file.text(), layout, path);
-  const vtk::MessageCapture messages;
-  LegacyDataset result{read_dataset(copy ? copy->path() : path, layout.dataset), layout.title,
-                       std::move(layout.notes)};
-  messages.throw_on_error(path);
-  const auto points = static_cast<std::size_t>(result.dataset->GetNumberOfPoints());
-  const auto cells = static_cast<std::size_t>(result.dataset->GetNumberOfCells());
-  if (points != layout.points || cells != layout.cells)
-    throw InputError(path, fmt::format("was not read whole ({} points and {} cells expected, {} "
-                                       "and {} found)",
-                                       layout.points, layout.cells, points, cells));
-  for (const LegacyArray& array : layout.attributes)
-    if (array.has_not_finite) restore_not_finite(file.text(), array, *result.dataset, path);
-  for (std::string& warning : messages.warnings()) result.notes.push_back(std::move(warning));
-  return result;
+/// What VTK reads in another process.
+vtk::LegacyDataset read_legacy(const std::string& path) {
+  const auto process = vtk::reading_process();
+  PackedAnswer answer = process->answer(path, vtk::legacy_request());
+  PackReader in(answer.bytes(), path);
+  vtk::LegacyDataset legacy;
+  legacy.dataset = vtk::unpack_dataset(in, answer);
+  if (legacy.dataset == nullptr) in.fail();
+  legacy.title = in.text();
+  legacy.notes = vtk::unpack_texts(in);
+  return legacy;
 }
 
 Reading read_mesh(const std::string& path, const ReadOptions& options) {
-  LegacyDataset legacy = read_legacy(path);
+  vtk::LegacyDataset legacy = read_legacy(path);
   Reading reading = vtk::mesh_from_vtk(legacy.dataset, options, path);
   if (!legacy.title.empty() && legacy.title != "vtk output")
     reading.mesh.metadata.emplace_back("title", legacy.title);
@@ -171,7 +35,7 @@ Reading read_mesh(const std::string& path, const ReadOptions& options) {
 }
 
 Inventory inspect(const std::string& path) {
-  LegacyDataset legacy = read_legacy(path);
+  vtk::LegacyDataset legacy = read_legacy(path);
   Inventory inventory = vtk::inventory_from_vtk(*legacy.dataset, path);
   inventory.format = "vtk";
   inventory.notes = std::move(legacy.notes);

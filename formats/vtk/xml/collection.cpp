@@ -4,16 +4,20 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 
+#include "formats/common/io/bytes_behind.hpp"
 #include "formats/common/io/mapped_file.hpp"
 #include "formats/common/io/named_file.hpp"
 #include "formats/common/mesh/block_choice.hpp"
+#include "formats/common/mesh/field_steps.hpp"
 #include "formats/common/mesh/gate.hpp"
 #include "formats/common/mesh/merge_pieces.hpp"
 #include "formats/common/mesh/steps.hpp"
 #include "formats/registry.hpp"
+#include "formats/vtk/reading_process.hpp"
 #include "formats/vtk/vtk_formats.hpp"
 #include "formats/vtk/xml/vtk_xml.hpp"
 #include "formats/vtk/xml/xml_layout.hpp"
@@ -57,6 +61,7 @@ class Members {
   [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
 
   Reading read() const {
+    const auto process = vtk::reading_process();  // one for all members
     std::vector<Reading> pieces;
     ReadOptions options = options_;
     options.block.reset();
@@ -71,6 +76,7 @@ class Members {
   }
 
   [[nodiscard]] Inventory inspect() const {
+    const auto process = vtk::reading_process();
     Inventory all;
     for (const Member& member : members_) add_piece(all, format_of(member).inspect(member.path));
     all.blocks = names_;
@@ -213,6 +219,42 @@ std::vector<double> times_of(const std::vector<TimedMember>& members) {
   return times;
 }
 
+/// The names of the arrays on points and cells that a dataset's file declares. The data of inline
+/// arrays are passed over, not parsed.
+void add_array_names(std::string_view xml, std::set<std::string>& names) {
+  xml = xml.substr(0, xml.find("<AppendedData"));
+  constexpr std::string_view kName = " Name=\"";
+  for (const std::string_view section : {"PointData", "CellData"}) {
+    for (std::size_t at = xml.find(section); at != std::string_view::npos;
+         at = xml.find(section, at)) {
+      at += section.size();
+      const std::size_t tag_end = xml.find('>', at);
+      if (tag_end == std::string_view::npos) break;
+      if (xml[tag_end - 1] == '/') continue;
+      const std::size_t end = std::min(xml.find(section, tag_end), xml.size());
+      const std::string_view body = xml.substr(tag_end, end - tag_end);
+      for (std::size_t name = body.find(kName); name != std::string_view::npos;
+           name = body.find(kName, name)) {
+        name += kName.size();
+        names.emplace(body.substr(name, body.find('"', name) - name));
+      }
+      at = std::min(end + section.size(), xml.size());
+    }
+  }
+}
+
+/// The steps at which every array is in one of the files.
+FieldSteps field_steps(const std::vector<TimedMember>& members, const std::vector<double>& times) {
+  FieldSteps steps;
+  for (const TimedMember& member : members) {
+    std::set<std::string> names;
+    add_array_names(MappedFile(member.member.path).text(), names);
+    const auto step = std::lower_bound(times.begin(), times.end(), member.time) - times.begin();
+    for (const std::string& name : names) steps[name].insert(static_cast<std::size_t>(step));
+  }
+  return steps;
+}
+
 std::vector<Member> members_at(std::vector<TimedMember>&& all, double time) {
   std::vector<Member> members;
   for (TimedMember& member : all)
@@ -229,14 +271,18 @@ Reading read_collection(const std::string& path, const ReadOptions& options) {
   std::erase_if(reading.mesh.metadata, [](const auto& entry) { return entry.first == "time"; });
   reading.mesh.metadata.emplace_back("time", fmt::format("{}", time));
   if (!step && times.size() > 1) reading.notes.push_back(last_step_note(times.size(), time));
+  note_behind_root(MappedFile(path).text(), "VTKFile", reading.notes);
   return reading;
 }
 
 Inventory inspect_collection(const std::string& path) {
   std::vector<TimedMember> all = collection(path);
   const std::vector<double> times = times_of(all);
+  const FieldSteps steps = field_steps(all, times);
   Inventory inventory = Members(members_at(std::move(all), times.back()), {}, path).inspect();
   inventory.format = "pvd";
+  note_partial_fields(steps, times.size(), inventory.notes);
+  note_behind_root(MappedFile(path).text(), "VTKFile", inventory.notes);
   inventory.times = times;
   return inventory;
 }

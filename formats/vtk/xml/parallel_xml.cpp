@@ -4,6 +4,7 @@
 #include "formats/common/io/named_file.hpp"
 #include "formats/common/mesh/gate.hpp"
 #include "formats/common/mesh/merge_pieces.hpp"
+#include "formats/vtk/reading_process.hpp"
 #include "formats/vtk/vtk_formats.hpp"
 #include "formats/vtk/xml/vtk_xml.hpp"
 #include "formats/vtk/xml/xml_layout.hpp"
@@ -39,6 +40,7 @@ Format parallel_format(Format piece, std::string_view name, std::string_view ext
   };
   const vtk::XmlReader reader = vtk::xml_reader(type);
   format.read = [reader, parallel_type](const std::string& path, const ReadOptions& options) {
+    const auto process = vtk::reading_process();  // one for all pieces
     std::vector<Reading> pieces;
     for (const std::string& file : piece_paths(path, parallel_type))
       pieces.push_back(reader.read(file, options));
@@ -49,6 +51,7 @@ Format parallel_format(Format piece, std::string_view name, std::string_view ext
     return reading;
   };
   format.inspect = [reader, parallel_type, name](const std::string& path) {
+    const auto process = vtk::reading_process();
     Inventory inventory;
     inventory.format = name;
     for (const std::string& file : piece_paths(path, parallel_type))

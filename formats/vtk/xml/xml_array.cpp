@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <limits>
 
@@ -206,6 +207,14 @@ Bytes read_compressed(const XmlArray& array, const XmlStorage& storage, std::siz
   return result;
 }
 
+/// The bytes [first, first + count) of a checked array's binary data.
+Bytes read_binary(const XmlArray& array, std::size_t first, std::size_t count,
+                  const XmlStorage& storage, const std::string& subject) {
+  return storage.compressor == Compressor::none
+             ? ByteRun(array, 0, subject).read(storage.header_bytes + first, count)
+             : read_compressed(array, storage, first, count, subject);
+}
+
 void check_ascii(XmlArray& array, std::size_t values, bool may_be_not_finite,
                  const std::string& subject) {
   if (values > 0 && values > (array.data.size() + 1) / 2)
@@ -267,16 +276,42 @@ std::vector<std::int64_t> read_xml_integers(const XmlArray& array, std::size_t f
     return result;
   }
   const std::size_t width = array.type.bytes;
-  const Bytes bytes =
-      storage.compressor == Compressor::none
-          ? ByteRun(array, 0, subject).read(storage.header_bytes + first * width, count * width)
-          : read_compressed(array, storage, first * width, count * width, subject);
+  const Bytes bytes = read_binary(array, first * width, count * width, storage, subject);
   const std::size_t unused = 64 - 8 * width;
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint64_t word = word_of(&bytes[i * width], width, storage.big_endian);
     result.push_back(array.type.family == NumberType::Family::unsigned_integer
                          ? static_cast<std::int64_t>(word)
                          : static_cast<std::int64_t>(word << unused) >> unused);
+  }
+  return result;
+}
+
+std::vector<double> read_xml_reals(const XmlArray& array, std::size_t count,
+                                   const XmlStorage& storage, const std::string& subject) {
+  std::vector<double> result;
+  if (array.type.family != NumberType::Family::real) {
+    for (const std::int64_t whole : read_xml_integers(array, 0, count, storage, subject))
+      result.push_back(static_cast<double>(whole));
+    return result;
+  }
+  result.reserve(count);
+  if (array.encoding == Encoding::ascii) {
+    LegacyWords words(array.data, {});
+    while (result.size() < count) {
+      double value = 0;
+      judge_ascii_number(words.word(), array.type, value);
+      result.push_back(value);
+    }
+    return result;
+  }
+  const std::size_t width = array.type.bytes;
+  const Bytes bytes = read_binary(array, 0, count * width, storage, subject);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint64_t word = word_of(&bytes[i * width], width, storage.big_endian);
+    result.push_back(width == sizeof(float) ? static_cast<double>(std::bit_cast<float>(
+                                                  static_cast<std::uint32_t>(word)))
+                                            : std::bit_cast<double>(word));
   }
   return result;
 }

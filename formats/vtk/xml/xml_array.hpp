@@ -42,4 +42,9 @@ std::vector<std::int64_t> read_xml_integers(const XmlArray& array, std::size_t f
                                             std::size_t count, const XmlStorage& storage,
                                             const std::string& subject);
 
+/// `count` numbers of a checked array of any type but text, from the first on. Throws
+/// InputError(subject, ...) when they cannot be decompressed.
+std::vector<double> read_xml_reals(const XmlArray& array, std::size_t count,
+                                   const XmlStorage& storage, const std::string& subject);
+
 }  // namespace hiac::formats::vtk

@@ -170,7 +170,7 @@ class Steps {
   }
 
   /// Records what must be blanked so that only the arrays of the chosen step remain.
-  void sort_arrays(std::size_t at, const XmlStep& chosen) {
+  void sort_arrays(std::size_t at, XmlStep& chosen) {
     std::vector<bool> told(chosen.times.size(), false);
     bool any = false;
     for (auto tag = next_tag(at); tag && tag->name != "AppendedData"; tag = next_tag(at)) {
@@ -185,6 +185,8 @@ class Steps {
           fail(
               fmt::format("an array belongs to step {} (0 to {} expected)", step, told.size() - 1));
         told[step] = true;
+        if (const auto name = attribute(*tag, "Name"))
+          chosen.field_steps[std::string(name->value)].insert(step);
         wanted |= step == chosen.step;
       }
       if (!wanted) at = element_end(*tag);

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "formats/common/mesh/field_steps.hpp"
 #include "formats/common/mesh/format.hpp"
 
 namespace hiac::formats::vtk {
@@ -14,6 +15,7 @@ namespace hiac::formats::vtk {
 struct XmlStep {
   std::vector<double> times;  ///< of all steps
   std::size_t step = 0;
+  FieldSteps field_steps;  ///< of the arrays that belong to some steps
   /// The file reduced to this step: the attributes that declare steps, and the arrays of the other
   /// steps, are replaced by blanks, so that everything else keeps its position.
   std::string text;

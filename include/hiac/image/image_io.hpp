@@ -8,7 +8,7 @@
 
 namespace hiac {
 
-/// An image and the texts in its file (`.exr` and `.png`; other formats hold no texts).
+/// An image and the texts in its file (`.exr`, `.png` and `.tiff`; other formats hold no texts).
 struct ImageFile {
   Image image;
   /// Name and text: "hiac:specification", "hiac:mesh", "Software" ...
@@ -43,7 +43,8 @@ struct ReadOptions {
 ///            further channel: raw little-endian float32, top row first
 ///     .exr   32-bit float channels, ZIP-compressed without loss; attributes in the header
 ///     .png   8 or 16 bits; attributes in the header
-///     .tiff  (.tif) 8 or 16 bits, or float32: premultiplied, linear
+///     .tiff  (.tif) 8 or 16 bits, or float32: premultiplied, linear; attributes in the header:
+///            Software in its tag, the others as a JSON object in ImageDescription
 ///     .sgi   (.rgba) SGI's format, 8 or 16 bits
 ///     .pfm   float32, no alpha
 ///     .hdr   Radiance's format: 8 bits a colour with a common exponent, no alpha

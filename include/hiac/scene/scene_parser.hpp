@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,11 +11,26 @@
 
 namespace hiac {
 
+/// The points of a transfer function whose range is left to its field's values: a specification
+/// alone does not know them, only the mesh does (with_field_ranges in session.hpp).
+template <std::size_t N>
+struct UnscaledPoints {
+  std::vector<typename PiecewiseLinear<N>::Point> points;  ///< scalars from 0 to 1
+  /// Percentiles of the field's values, low < high; {0, 100} spans all values.
+  std::array<double, 2> percents{0, 100};
+  bool logarithmic = false;  ///< 0 to 1 is even in the scalar's logarithm
+  double tolerance = 1e-4;   ///< of piecewise-linear functions in place of logarithmic ones
+};
+
 /// A specification as read, with notes for the user.
 struct ParsedScene {
   Scene scene;
+  /// The points of scene.volume.color and scene.volume.extinction, which have none as long as they
+  /// are here.
+  std::optional<UnscaledPoints<3>> color = {};
+  std::optional<UnscaledPoints<1>> extinction = {};
   /// One line each: the error bound of a preset's conversion to piecewise-linear RGB.
-  std::vector<std::string> notes;
+  std::vector<std::string> notes = {};
 };
 
 /// Replaces one value of a specification: KEY=VALUE, such as `camera.fov=20` or

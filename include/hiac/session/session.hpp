@@ -13,6 +13,7 @@
 #include "hiac/mesh/zoo_container.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/scene/scene.hpp"
+#include "hiac/scene/scene_parser.hpp"
 
 /// Makes a picture of a mesh and a specification: the interface for all front ends (commands,
 /// windows, scripts). Meshes, specifications and images are read and written by zoo_container.hpp,
@@ -113,14 +114,21 @@ class Session {
   std::unique_ptr<State> state_;
 };
 
+/// Puts the points of a specification's transfer functions on the scalars of their fields, where
+/// their `range` is "auto" or percentiles: those of the finite values at nodes, corners or cells
+/// that belong to cells of the mesh, every value once, percentiles linear between two values. On a
+/// logarithmic scale only positive values count. A field with one value, or percentiles that are
+/// equal, takes what the points have in the middle, at 0.5. Notes say which range was found.
+///
+/// Throws UsageError if a field does not exist, and InputError if it has no such values, or too
+/// large ones.
+ParsedScene with_field_ranges(ParsedScene parsed, const ZooMesh& mesh);
+
 /// Returns the requested part. Throws UsageError if the request does not fit a picture of that
 /// size: to be called before a long computation.
 PixelRect require_possible(const PictureRequest& request, ImageSize size);
 
-/// A first image specification for a mesh: all nodes of its cells are visible from a raised corner,
-/// the first field that has values is coloured over its range, and the extinction grows with it
-/// such that the mean optical depth over the pixels that the mesh covers is about 1. Throws
-/// InputError(subject, ...) for a mesh without cells or without such a field.
+/// The scene of make_starter_view (starter_view.hpp) as it is without any options.
 Scene starter_view(const ZooMesh& mesh, const std::string& subject = "mesh");
 
 }  // namespace hiac

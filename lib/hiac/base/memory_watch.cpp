@@ -15,6 +15,8 @@
 #include <pthread.h>
 #include <unistd.h>
 
+#include "hiac/base/shared_memory.hpp"
+
 namespace hiac {
 namespace {
 
@@ -48,11 +50,12 @@ std::uint64_t number_at(std::string_view text) {
   return number;
 }
 
-/// The sum of the lines of a process's status that count memory of its own.
+/// The sum of the lines of a process's status that count memory of its own. What processes share is
+/// counted once, by bytes_in_shared_memory.
 std::uint64_t memory_of(const char* status_path) {
   const SystemText status(status_path);
   std::uint64_t sum = 0;
-  for (const std::string_view counted : {"\nRssAnon:", "\nRssShmem:", "\nVmSwap:"})
+  for (const std::string_view counted : {"\nRssAnon:", "\nVmSwap:"})
     if (const std::size_t at = status.text().find(counted); at != std::string_view::npos)
       sum += number_at(status.text().substr(at + counted.size()));
   return sum * kKibibyte;
@@ -67,7 +70,7 @@ std::uint64_t number_in(const char* path) {
 }  // namespace
 
 std::uint64_t used_memory() {
-  std::uint64_t sum = memory_of("/proc/self/status");
+  std::uint64_t sum = memory_of("/proc/self/status") + bytes_in_shared_memory();
   std::array<char, 64> path{};
   std::snprintf(path.data(), path.size(), "/proc/self/task/%d/children", getpid());
   const SystemText children(path.data());

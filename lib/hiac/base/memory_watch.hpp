@@ -10,7 +10,8 @@
 namespace hiac {
 
 /// Bytes of memory that this process and its children use now: what they have written to, not what
-/// they have reserved, and not the files that they map. 0 where the system does not tell.
+/// they have reserved, and not the files that they map; SharedMemory once, whoever maps it. 0 where
+/// the system does not tell.
 std::uint64_t used_memory();
 
 /// Bytes of memory that the machine, or the control group of this process, has.

@@ -1,18 +1,13 @@
 #include "hiac/check/box_tree.hpp"
 
+#include <array>
 #include <bit>
-#include <limits>
 #include <numeric>
 #include <utility>
 
 #include "hiac/base/parallel.hpp"
 
 namespace hiac {
-
-Box Box::empty() {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  return {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
-}
 
 BoxTree::BoxTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
   if (boxes_.empty()) return;

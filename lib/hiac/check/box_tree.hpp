@@ -1,34 +1,12 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "hiac/geometry/box.hpp"
+
 namespace hiac {
-
-/// A closed box along the axes. The empty one has low > high.
-struct Box {
-  std::array<double, 3> low, high;
-
-  static Box empty();
-  void include(std::span<const double, 3> p) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      low[c] = std::min(low[c], p[c]);
-      high[c] = std::max(high[c], p[c]);
-    }
-  }
-  void include(const Box& box) {
-    include(std::span<const double, 3>(box.low));
-    include(std::span<const double, 3>(box.high));
-  }
-  [[nodiscard]] bool meets(const Box& other) const {
-    for (std::size_t c = 0; c < 3; ++c)
-      if (other.high[c] < low[c] || high[c] < other.low[c]) return false;
-    return true;
-  }
-};
 
 /// Finds the boxes that meet a given one with a balanced tree, divided at the median of the centres
 /// along the widest axis and built in parallel. About 32 bytes per box besides the boxes.

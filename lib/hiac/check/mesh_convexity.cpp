@@ -55,6 +55,10 @@ bool is_planar(const ZooMesh& mesh, const BoundaryFace& face) {
   return side_of(mesh, face, face.nodes[3]) == 0;
 }
 
+bool is_sound(const ZooMesh& mesh, const BoundaryFace& face) {
+  return face.inside != 0 && is_planar(mesh, face);
+}
+
 bool reaches_outside(const ZooMesh& mesh, const BoundaryFace& plane, const BoundaryFace& face) {
   return std::ranges::any_of(face.nodes,
                              [&](NodeId node) { return side_of(mesh, plane, node) < 0; });
@@ -132,7 +136,9 @@ MeshConvexity judge_convexity(const ZooMesh& mesh, const FaceAdjacency& adjacenc
     found.verdict = Convexity::not_convex;
   } else {
     found.reason = uneven ? "edges have more or fewer than two boundary faces"
-                          : "boundary faces are not planar, or cells have no volume";
+                   : std::ranges::all_of(faces, [&](const auto& f) { return is_sound(mesh, f); })
+                       ? "the boundary overlaps itself, or winds around more than once"
+                       : "boundary faces are not planar, or cells have no volume";
   }
   return found;
 }

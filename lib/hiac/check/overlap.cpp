@@ -10,6 +10,7 @@
 #include "hiac/check/box_tree.hpp"
 #include "hiac/check/conformity.hpp"
 #include "hiac/check/hull_overlap.hpp"
+#include "hiac/check/interior_point.hpp"
 #include "hiac/geometry/vector.hpp"
 
 namespace hiac {
@@ -132,7 +133,14 @@ class Question {
     if (are_separated_neighbors(a, b)) return {};
     if (counts_as_convex(a) && counts_as_convex(b)) return certain(a, b);
     if (common_point(a.hull, sign_of(a), 0, b.hull, sign_of(b), 0)) return certain(a, b);
-    return {Overlap::possible, 0};
+    return by_maps(a, b);
+  }
+
+  // Decides by the cells' own maps, whatever their faces.
+  [[nodiscard]] CellOverlap by_maps(const Asked& a, const Asked& b) const {
+    const auto point = common_interior_point(mesh_, a.cell, b.cell);
+    if (!point) return {Overlap::possible, 0};
+    return {Overlap::certain, 2 * point->depth};
   }
 
   [[nodiscard]] CellOverlap of_curved(const Asked& a, const Asked& b, bool separated) const {
@@ -143,7 +151,7 @@ class Question {
     }
     if (common_point(a.hull, sign_of(a), a.reach, b.hull, sign_of(b), b.reach))
       return certain(a, b);
-    return {Overlap::possible, 0};
+    return by_maps(a, b);
   }
 
   const ZooMesh& mesh_;

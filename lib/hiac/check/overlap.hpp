@@ -16,7 +16,8 @@ enum class Overlap : std::uint8_t { none, possible, certain };
 
 struct CellOverlap {
   Overlap overlap = Overlap::none;
-  /// If certain: overlap_depth relative to the smaller cell's size (its longest edge or diagonal).
+  /// If certain: overlap_depth relative to the smaller cell's size (its longest edge or diagonal);
+  /// of cells that common_interior_point decides, twice the depth of that point.
   double depth = 0;
 };
 
@@ -25,14 +26,16 @@ struct CellOverlap {
 /// Exact for convex cells with planar faces: none or certain (are_separated). For other linear
 /// cells: none if the hulls of their corners are separated, or if each of two cells that share a
 /// face (or have faces with corners at the same places) is separated from all other faces of the
-/// other cell; certain if common_point finds a point of both; else possible. Quadrilaterals whose
+/// other cell; certain if common_point or common_interior_point finds a point of both; else
+/// possible. Quadrilaterals whose
 /// deviation from a plane is at most `planarity` count as planar; their cells then overlap
 /// certainly or not at all, and grazing_overlap covers the effect of their rounding.
 ///
 /// Curved cells lie within the hull of their corners widened by curved_reach. The answer is none if
 /// these are disjoint or, for two cells with a common node, if the hulls of the corners alone are
 /// (it is not proven here that cells with positive Jacobians do not overlap where they meet);
-/// certain if a point of both is farther than curved_reach from all faces.
+/// certain if a point of both is farther than curved_reach from all faces, or if
+/// common_interior_point finds one; else possible.
 ///
 /// A cell without volume, or whose Jacobian changes its sign, has no well-defined interior: the
 /// answer is none or possible.

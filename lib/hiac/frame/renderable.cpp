@@ -17,6 +17,7 @@
 #include "hiac/element/cell_field.hpp"
 #include "hiac/element/world_polynomial.hpp"
 #include "hiac/frame/isosurfaces.hpp"
+#include "hiac/geometry/box.hpp"
 #include "hiac/geometry/face_form.hpp"
 #include "hiac/geometry/jacobian_sign.hpp"
 #include "hiac/geometry/vector.hpp"
@@ -130,15 +131,6 @@ const char* fault_of(const ZooMesh& mesh, std::size_t cell, double planarity) {
   return nullptr;
 }
 
-void check_geometry(const ZooMesh& mesh, double planarity) {
-  const std::vector<CellId> invalid = invalid_cells(mesh, planarity);
-  if (invalid.empty()) return;
-  const Failures failures{invalid.size(), invalid.front()};
-  throw InvalidCellError(
-      cell_name(mesh, failures.first),
-      fmt::format("{}{})", fault_of(mesh, failures.first, planarity), others(failures)));
-}
-
 // Checks that every cell's nodes determine the polynomial that interpolates fields. `skip_invalid`:
 // except for cells that are left out.
 void check_polynomials(const ZooMesh& mesh, double planarity, bool skip_invalid) {
@@ -201,21 +193,6 @@ void check_size(const std::string& name, std::span<const double> values) {
                   kLargestNumber, failures.count, values[failures.first]));
 }
 
-double diagonal_of(const ZooMesh& mesh) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  std::array<double, 3> least{kInfinity, kInfinity, kInfinity};
-  std::array<double, 3> most{-kInfinity, -kInfinity, -kInfinity};
-  for (NodeId node = 0; node < mesh.node_count(); ++node) {
-    const auto p = mesh.position(node);
-    for (std::size_t c = 0; c < 3; ++c) {
-      least[c] = std::min(least[c], p[c]);
-      most[c] = std::max(most[c], p[c]);
-    }
-  }
-  if (mesh.node_count() == 0) return 0;
-  return std::hypot(most[0] - least[0], most[1] - least[1], most[2] - least[2]);
-}
-
 // Checks that no pixel can be brighter than colours may be.
 void check_brightness(const ZooMesh& mesh, const Scene& scene) {
   const auto refuse = [](const std::string& key, double most) {
@@ -231,7 +208,7 @@ void check_brightness(const ZooMesh& mesh, const Scene& scene) {
   double brightest = 0;
   for (const auto& point : scene.volume.color->points)
     for (const double component : point.value) brightest = std::max(brightest, component);
-  const double most = brightest * diagonal_of(mesh);
+  const double most = brightest * box_of_nodes(mesh).diagonal();
   if (!(most <= kLargestColor)) refuse("volume.color.points", most);
 }
 
@@ -241,6 +218,15 @@ std::vector<CellId> invalid_cells(const ZooMesh& mesh, double planarity) {
   return collect<CellId>(mesh.cell_count(), kGrain, [&](std::size_t cell, auto& found) {
     if (fault_of(mesh, cell, planarity) != nullptr) found.push_back(static_cast<CellId>(cell));
   });
+}
+
+void require_valid_cells(const ZooMesh& mesh, double planarity) {
+  const std::vector<CellId> invalid = invalid_cells(mesh, planarity);
+  if (invalid.empty()) return;
+  const Failures failures{invalid.size(), invalid.front()};
+  throw InvalidCellError(
+      cell_name(mesh, failures.first),
+      fmt::format("{}{})", fault_of(mesh, failures.first, planarity), others(failures)));
 }
 
 VisibilityOrder without_cells(const VisibilityOrder& order, std::span<const CellId> cells) {
@@ -266,7 +252,7 @@ VisibilityOrder without_cells(const VisibilityOrder& order, std::span<const Cell
 }
 
 void check_renderable(const ZooMesh& mesh, const Scene& scene, InvalidCells invalid) {
-  if (invalid == InvalidCells::refused) check_geometry(mesh, scene.render.planarity);
+  if (invalid == InvalidCells::refused) require_valid_cells(mesh, scene.render.planarity);
   if (scene.render.interpolation == Interpolation::polynomial)
     check_polynomials(mesh, scene.render.planarity, invalid == InvalidCells::skipped);
   std::set<std::string> fields;

@@ -36,6 +36,9 @@ void check_renderable(const ZooMesh& mesh, const Scene& scene,
 /// (jacobian_sign; `planarity` of its size counts as zero).
 std::vector<CellId> invalid_cells(const ZooMesh& mesh, double planarity);
 
+/// Throws the InvalidCellError of check_renderable if there are such cells.
+void require_valid_cells(const ZooMesh& mesh, double planarity);
+
 /// The order without the given cells (ascending).
 VisibilityOrder without_cells(const VisibilityOrder& order, std::span<const CellId> cells);
 

@@ -139,6 +139,21 @@ std::array<NodeId, kMostPatchNodes> patch_nodes(const ZooMesh& mesh, CellId cell
   return of_face;
 }
 
+PatchNet<std::array<double, 3>> control_points(const ZooMesh& mesh, CellId cell, std::size_t face,
+                                               const FaceForm& form) {
+  const auto nodes = patch_nodes(mesh, cell, face, form);
+  PatchNet<std::array<double, 3>> points{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    std::array<double, kMostPatchNodes> coordinates;
+    const std::size_t count = form.shape.node_count();
+    for (std::size_t k = 0; k < count; ++k) coordinates[k] = mesh.position(nodes[k])[c];
+    PatchNet<double> net;
+    patch_net(form.shape, std::span(coordinates).first(count), net);
+    for (std::size_t k = 0; k < form.shape.control_count(); ++k) points[k][c] = net[k];
+  }
+  return points;
+}
+
 bool has_curved_faces(const ZooMesh& mesh, CellId cell, double straightness) {
   const CellKind kind = mesh.kinds[cell];
   const auto nodes = mesh.cell_nodes(cell);

@@ -43,6 +43,11 @@ FaceForm face_form(const ZooMesh& mesh, CellId cell, std::size_t face, double st
 std::array<NodeId, kMostPatchNodes> patch_nodes(const ZooMesh& mesh, CellId cell, std::size_t face,
                                                 const FaceForm& form);
 
+/// Returns the control points of a face's patch, whose convex hull contains the face; those beyond
+/// the first form.shape.control_count() are 0.
+PatchNet<std::array<double, 3>> control_points(const ZooMesh& mesh, CellId cell, std::size_t face,
+                                               const FaceForm& form);
+
 /// Returns whether any face of a cell is curved.
 bool has_curved_faces(const ZooMesh& mesh, CellId cell, double straightness);
 

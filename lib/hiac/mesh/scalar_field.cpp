@@ -8,6 +8,7 @@
 #include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
 #include "hiac/mesh/location_name.hpp"
+#include "hiac/mesh/tensor_invariants.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 
 namespace hiac {
@@ -16,12 +17,34 @@ namespace {
 constexpr std::size_t kGrain = 1 << 14;
 constexpr std::string_view kMagnitude = "magnitude";
 
-/// Returns the names of a vector's or a symmetric tensor's components; none for other counts.
+/// Returns the names of a vector's or a tensor's components; none for other counts.
 std::span<const std::string_view> component_names(std::uint32_t components) {
   static constexpr std::array<std::string_view, 3> kVector{"x", "y", "z"};
-  static constexpr std::array<std::string_view, 6> kTensor{"xx", "yy", "zz", "xy", "yz", "xz"};
+  static constexpr std::array<std::string_view, 6> kSymmetric{"xx", "yy", "zz", "xy", "yz", "xz"};
+  static constexpr std::array<std::string_view, 9> kTensor{"xx", "xy", "xz", "yx", "yy",
+                                                           "yz", "zx", "zy", "zz"};
   if (components == 2 || components == 3) return std::span(kVector).first(components);
-  if (components == 6) return kTensor;
+  if (components == 6) return kSymmetric;
+  if (components == 9) return kTensor;
+  return {};
+}
+
+/// A scalar of a symmetric tensor.
+struct Invariant {
+  std::string_view name;
+  double (*of)(const SymmetricTensor&);
+};
+
+/// Returns the scalars of tensors (fields of six or nine components); none for other counts.
+std::span<const Invariant> invariants(std::uint32_t components) {
+  static constexpr std::array<Invariant, 6> kInvariants{
+      {{"von_mises", von_mises},
+       {"tresca", tresca},
+       {"trace", trace},
+       {"principal_1", [](const SymmetricTensor& t) { return principal_values(t)[0]; }},
+       {"principal_2", [](const SymmetricTensor& t) { return principal_values(t)[1]; }},
+       {"principal_3", [](const SymmetricTensor& t) { return principal_values(t)[2]; }}}};
+  if (components == 6 || components == 9) return kInvariants;
   return {};
 }
 
@@ -79,6 +102,15 @@ const Field* find_field(const ZooMesh& mesh, std::string_view name) {
   return found;
 }
 
+/// The coordinates of the nodes, which a field of the mesh of this name goes before.
+constexpr std::string_view kPosition = "position";
+
+Field coordinate(const ZooMesh& mesh, const std::string& name, std::uint32_t axis) {
+  std::vector<double> values(mesh.node_count());
+  for (NodeId node = 0; node < values.size(); ++node) values[node] = mesh.position(node)[axis];
+  return {name, "", FieldLocation::node, 1, SharedArray<double>(std::move(values))};
+}
+
 [[noreturn]] void refuse(const ZooMesh& mesh, const std::string& reference) {
   const std::vector<std::string> names = scalar_field_names(mesh);
   throw UsageError(
@@ -109,6 +141,8 @@ std::vector<std::string> scalar_field_names(const ZooMesh& mesh) {
       names.push_back(components.empty() ? fmt::format("{}:{}", name, c)
                                          : fmt::format("{}:{}", name, components[c]));
     names.push_back(fmt::format("{}:{}", name, kMagnitude));
+    for (const Invariant& invariant : invariants(field.components))
+      names.push_back(fmt::format("{}:{}", name, invariant.name));
   }
   return names;
 }
@@ -120,9 +154,16 @@ Field scalar_field(const ZooMesh& mesh, const std::string& reference) {
   const std::size_t colon = reference.rfind(':');
   if (colon == std::string::npos) refuse(mesh, reference);
   const std::string_view suffix = std::string_view(reference).substr(colon + 1);
-  const Field* field = find_field(mesh, std::string_view(reference).substr(0, colon));
+  const std::string_view name = std::string_view(reference).substr(0, colon);
+  const Field* field = find_field(mesh, name);
+  if (field == nullptr && name == kPosition)
+    if (const auto axis = component_of(suffix, 3)) return coordinate(mesh, reference, *axis);
   if (field == nullptr) refuse(mesh, reference);
   if (suffix == kMagnitude) return magnitude(*field, reference);
+  for (const Invariant& invariant : invariants(field->components))
+    if (suffix == invariant.name)
+      return reduced(*field, reference,
+                     [&](auto tuple) { return invariant.of(*symmetric_tensor(tuple)); });
   const auto component = component_of(suffix, field->components);
   if (!component) refuse(mesh, reference);
   return reduced(*field, reference, [c = *component](auto tuple) { return tuple[c]; });

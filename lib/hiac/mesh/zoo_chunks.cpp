@@ -171,9 +171,10 @@ FaceAdjacency read_adjacency(const RawChunk& chunk, const std::string& subject) 
 
 void check_file_header(const FileHeader& header, const std::string& subject) {
   if (header.magic != kMagic)
-    throw InputError(subject, fmt::format("not a zoo container (the magic bytes {} expected, {} "
-                                          "found)",
-                                          hexadecimal(kMagic), hexadecimal(header.magic)));
+    throw NotZooError(subject,
+                      fmt::format("not a zoo container (the magic bytes {} expected, {} found)",
+                                  hexadecimal(kMagic), hexadecimal(header.magic)),
+                      {header.magic.begin(), header.magic.end()});
   if (header.version != kVersion)
     throw InputError(subject, fmt::format("unknown version of the zoo container ({} expected, {} "
                                           "found)",

@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "hiac/base/error.hpp"
 #include "hiac/mesh/zoo_container.hpp"
 #include "hiac/mesh/zoo_layout.hpp"
 
@@ -16,7 +18,20 @@ struct RawChunk {
   std::uint64_t checksum;
 };
 
-/// Throws InputError unless `header` is a container's header of a supported version.
+/// What begins with other bytes than a zoo container.
+class NotZooError : public InputError {
+ public:
+  NotZooError(const std::string& subject, const std::string& message, std::string beginning)
+      : InputError(subject, message), beginning_(std::move(beginning)) {}
+  /// The bytes that were found in place of the magic ones.
+  [[nodiscard]] const std::string& beginning() const { return beginning_; }
+
+ private:
+  std::string beginning_;
+};
+
+/// Throws NotZooError unless `header` has a container's magic bytes, and InputError unless it is of
+/// a supported version.
 void check_file_header(const zoo_layout::FileHeader& header, const std::string& subject);
 
 /// Returns the chunk's type. Throws InputError unless the header's checksum, type and zeros are

@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/base/page_buffer.hpp"
 #include "hiac/mesh/file_descriptor.hpp"
 #include "hiac/mesh/zoo_chunks.hpp"
 
@@ -21,34 +22,6 @@ using namespace zoo_layout;
   throw InputError(subject, fmt::format("stream ended before {} ({} bytes expected, {} found)",
                                         within, expected, found));
 }
-
-/// Whole pages of memory from the system: aligned, not touched before they are filled, and grown
-/// without copying. The destructor unmaps them.
-class PageBuffer {
- public:
-  PageBuffer() = default;
-  ~PageBuffer() {
-    if (size_ > 0) ::munmap(data_, size_);
-  }
-  PageBuffer(const PageBuffer&) = delete;
-  PageBuffer& operator=(const PageBuffer&) = delete;
-
-  void grow(std::size_t size) {
-    void* grown = size_ == 0 ? ::mmap(nullptr, size, PROT_READ | PROT_WRITE,
-                                      MAP_PRIVATE | MAP_ANONYMOUS, -1, 0)
-                             : ::mremap(data_, size_, size, MREMAP_MAYMOVE);
-    if (grown == MAP_FAILED) throw std::bad_alloc();
-    data_ = grown;
-    size_ = size;
-  }
-  [[nodiscard]] std::span<std::uint8_t> bytes() const {
-    return {static_cast<std::uint8_t*>(data_), size_};
-  }
-
- private:
-  void* data_ = nullptr;
-  std::size_t size_ = 0;
-};
 
 /// Reads `size` bytes into memory that never exceeds twice the size that has arrived (or
 /// kFirstStep). Returns fewer bytes if the stream ends.

@@ -115,18 +115,25 @@ class Current {
     EGLint count = 0;
     if (eglChooseConfig(display_, wanted, &config, 1, &count) != EGL_TRUE || count < 1)
       return "no OpenGL configuration";
-    const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION,
-                              4,
-                              EGL_CONTEXT_MINOR_VERSION,
-                              5,
-                              EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                              EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                              EGL_NONE};
-    context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, version);
+    // a driver says that it lost a context only where it is asked to; not all can
+    context_ = create(config, true);
+    if (context_ == EGL_NO_CONTEXT) context_ = create(config, false);
     if (context_ == EGL_NO_CONTEXT) return "no OpenGL 4.5";
     if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) != EGL_TRUE)
       return "its context cannot be used";
     return "";
+  }
+
+  [[nodiscard]] EGLContext create(EGLConfig config, bool tells_of_loss) const {
+    std::vector<EGLint> wanted{
+        EGL_CONTEXT_MAJOR_VERSION,       4,
+        EGL_CONTEXT_MINOR_VERSION,       5,
+        EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};
+    if (tells_of_loss)
+      wanted.insert(wanted.end(),
+                    {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY, EGL_LOSE_CONTEXT_ON_RESET});
+    wanted.push_back(EGL_NONE);
+    return eglCreateContext(display_, config, EGL_NO_CONTEXT, wanted.data());
   }
 
   EGLDisplay display_ = EGL_NO_DISPLAY;

@@ -1,34 +1,18 @@
 #include "hiac/preview/drawn_fields.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-
-#include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/base/finite_range.hpp"
 #include "hiac/base/parallel.hpp"
-#include "hiac/preview/exact_shaders.hpp"
+#include "hiac/geometry/box.hpp"
 
 namespace hiac::preview {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Optical depth of the mesh's diagonal at the largest extinction: what is above that is opaque in a
 // part of it that no pixel shows, and products of densities stay numbers in single precision.
 constexpr double kThickestMesh = 1e12;
-
-double diagonal(const ZooMesh& mesh) {
-  std::array<double, 3> low{kInfinity, kInfinity, kInfinity},
-      high{-kInfinity, -kInfinity, -kInfinity};
-  for (std::size_t i = 0; i < mesh.xyz.size(); ++i) {
-    low[i % 3] = std::min(low[i % 3], mesh.xyz[i]);
-    high[i % 3] = std::max(high[i % 3], mesh.xyz[i]);
-  }
-  return mesh.node_count() == 0 ? 0
-                                : std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
-}
 
 // The number of a field in a scene's list, which it joins.
 std::size_t number_of(DrawnScene& drawn, const std::string& name) {
@@ -38,22 +22,13 @@ std::size_t number_of(DrawnScene& drawn, const std::string& name) {
   return drawn.fields.size() - 1;
 }
 
-// The scalars of a field that something depends on: breakpoints and isovalues.
-struct Marks {
-  double least = kInfinity, most = -kInfinity;
-  void include(double scalar) {
-    least = std::min(least, scalar);
-    most = std::max(most, scalar);
-  }
-};
-
-void scale(DrawnField& field, std::span<const double> values, Marks marks) {
-  if (!(marks.least < marks.most))
-    for (const double value : values)
-      if (std::isfinite(value)) marks.include(value);
-  if (marks.least <= marks.most) {
-    field.middle = marks.least / 2 + marks.most / 2;
-    const double half = marks.most / 2 - marks.least / 2;
+// `marks`: the range of what tells the field's scalars apart, breakpoints and isovalues.
+void scale(DrawnField& field, std::span<const double> values, FiniteRange marks) {
+  if (!(marks.low < marks.high))
+    for (const double value : values) marks.include(value);
+  if (!marks.empty()) {
+    field.middle = marks.low / 2 + marks.high / 2;
+    const double half = marks.high / 2 - marks.low / 2;
     if (half > 0) field.half = half;
   }
   field.values.resize(values.size());
@@ -62,16 +37,26 @@ void scale(DrawnField& field, std::span<const double> values, Marks marks) {
   });
 }
 
+void add_surfaces(DrawnScene& drawn, const Scene& scene) {
+  for (std::size_t s = 0; s < scene.isosurfaces.size(); ++s) {
+    const std::size_t field = number_of(drawn, scene.isosurfaces[s].field);
+    auto at = std::ranges::find(drawn.surface_fields, field, &SurfaceField::field);
+    if (at == drawn.surface_fields.end()) at = drawn.surface_fields.insert(at, {field, {}});
+    at->surfaces.push_back(s);
+    drawn.surface_field_of.push_back(static_cast<std::size_t>(at - drawn.surface_fields.begin()));
+  }
+  for (SurfaceField& of_field : drawn.surface_fields)
+    std::ranges::stable_sort(of_field.surfaces, {},
+                             [&](std::size_t s) { return scene.isosurfaces[s].value; });
+}
+
 }  // namespace
 
 DrawnScene drawn_scene(const ZooMesh& mesh, const Scene& scene) {
   DrawnScene drawn;
-  if (scene.isosurfaces.size() > kMostSurfaces)
-    throw UsageError(fmt::format("isosurface: previews draw at most {} (found {})", kMostSurfaces,
-                                 scene.isosurfaces.size()));
   drawn.lights = scene.lights;
   drawn.isosurfaces = make_isosurfaces(mesh, scene, Projector(scene.camera, scene.image));
-  const double longest = diagonal(mesh);
+  const double longest = box_of_nodes(mesh).diagonal();
   drawn.optics = make_optics_tables(scene.volume, Integration::exact,
                                     kThickestMesh / std::max(longest, 1 / kThickestMesh));
   const auto& color = scene.volume.color;
@@ -79,8 +64,7 @@ DrawnScene drawn_scene(const ZooMesh& mesh, const Scene& scene) {
   if (extinction || color)
     drawn.extinction = number_of(drawn, extinction ? extinction->field : color->field);
   drawn.color = drawn.optics.same_field ? drawn.extinction : number_of(drawn, color->field);
-  for (const Isosurface& surface : scene.isosurfaces)
-    drawn.surfaces.push_back(number_of(drawn, surface.field));
+  add_surfaces(drawn, scene);
   if (drawn.fields.empty()) {  // nothing but a background
     drawn.fields.push_back({.name = "", .location = FieldLocation::cell, .values = {}});
     drawn.fields[0].values.resize(mesh.cell_count());
@@ -88,16 +72,21 @@ DrawnScene drawn_scene(const ZooMesh& mesh, const Scene& scene) {
   }
   for (std::size_t f = 0; f < drawn.fields.size(); ++f) {
     const Field field = scalar_field(mesh, drawn.fields[f].name);
-    Marks marks;
+    FiniteRange marks;
     if (f == drawn.extinction)
       for (const double b : drawn.optics.extinction_function.breakpoints()) marks.include(b);
     if (f == drawn.color)
       for (const double b : drawn.optics.color_function.breakpoints()) marks.include(b);
-    for (std::size_t s = 0; s < drawn.surfaces.size(); ++s)
-      if (drawn.surfaces[s] == f) marks.include(scene.isosurfaces[s].value);
+    for (const SurfaceField& of_field : drawn.surface_fields)
+      for (const std::size_t s : of_field.surfaces)
+        if (of_field.field == f) marks.include(scene.isosurfaces[s].value);
     drawn.fields[f].location = field.location;
     scale(drawn.fields[f], field.values.view(), marks);
   }
+  drawn.surface_values.resize(scene.isosurfaces.size());
+  for (const SurfaceField& of_field : drawn.surface_fields)
+    for (const std::size_t s : of_field.surfaces)
+      drawn.surface_values[s] = drawn.fields[of_field.field].scaled(scene.isosurfaces[s].value);
   return drawn;
 }
 

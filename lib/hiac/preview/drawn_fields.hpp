@@ -23,19 +23,26 @@ struct DrawnField {
   [[nodiscard]] double scaled(double value) const { return (value - middle) / half; }
 };
 
+/// A field that has isosurfaces.
+struct SurfaceField {
+  std::size_t field;                  ///< number of the field
+  std::vector<std::size_t> surfaces;  ///< of the scene, by ascending value
+};
+
 /// What of a scene the shaders draw: its fields, each once, and who reads them.
 struct DrawnScene {
   std::vector<DrawnField> fields;
   std::size_t extinction = 0, color = 0;  ///< numbers of fields
-  std::vector<std::size_t> surfaces;      ///< of the isosurfaces' fields
-  OpticsTables optics;                    ///< in the mesh's scalars
-  Isosurfaces isosurfaces;                ///< their lights' directions depend on the view
+  std::vector<SurfaceField> surface_fields;
+  std::vector<std::size_t> surface_field_of;  ///< of the scene's isosurfaces: in surface_fields
+  std::vector<double> surface_values;  ///< of the scene's isosurfaces, scaled as their fields
+  OpticsTables optics;                 ///< in the mesh's scalars
+  Isosurfaces isosurfaces;             ///< their lights' directions depend on the view
   std::vector<Light> lights;
   [[nodiscard]] bool same_field() const { return optics.same_field; }
 };
 
-/// Throws UsageError, as scalar_field does, when a field does not exist, or when there are more
-/// isosurfaces than shaders draw (kMostSurfaces).
+/// Throws UsageError, as scalar_field does, when a field does not exist.
 DrawnScene drawn_scene(const ZooMesh& mesh, const Scene& scene);
 
 }  // namespace hiac::preview

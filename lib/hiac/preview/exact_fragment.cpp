@@ -7,27 +7,29 @@ namespace {
 constexpr const char* kMeet = R"(
 uniform ivec4 part;
 uniform vec4 rays;  // center_x, center_y, 1 / pixels per unit
+#if STORED
+layout(std430, binding = 4) readonly buffer Records { vec4 records[]; };
+flat in uint row;
+#else
 flat in vec4 data[RECORD - 2];
+#endif
 out vec4 light;
 
 const float kFarAlong = 1e30;
 
 struct Segment {
   real length;  // world units
-#if SURFACES > 0
-  real crossed[SURFACES];  // the share of the segment where a surface is met; 2: nowhere
-#endif
   real front[FIELDS], back[FIELDS];
 };
 
 // d of the four faces at the pixel: entered ones, less those that are left.
 void meet_faces(vec2 at, out real v[4]) {
-  precise vec4 coarse = data[2] + data[3] * at.x + data[4] * at.y;
+  precise vec4 coarse = DATA(4) + DATA(5) * at.x + DATA(6) * at.y;
 #if DOUBLE
-  dvec4 all = dvec4(coarse) + (dvec4(data[5]) + dvec4(data[6]) * double(at.x) +
-                               dvec4(data[7]) * double(at.y));
+  dvec4 all = dvec4(coarse) + (dvec4(DATA(7)) + dvec4(DATA(8)) * double(at.x) +
+                               dvec4(DATA(9)) * double(at.y));
 #else
-  precise vec4 rest = data[5] + data[6] * at.x + data[7] * at.y;
+  precise vec4 rest = DATA(7) + DATA(8) * at.x + DATA(9) * at.y;
   precise vec4 all = coarse + rest;
 #endif
   for (int k = 0; k < 4; ++k) v[k] = all[k];
@@ -44,10 +46,10 @@ void limit(int kind, real v, inout real entry, inout real exit) {
 
 constexpr const char* kMeetSegment = R"(
 bool meet(out Segment segment) {
-  vec2 at = gl_FragCoord.xy - 0.5 + (vec2(part.xy) - data[0].xy);
+  vec2 at = gl_FragCoord.xy - 0.5 + (vec2(part.xy) - DATA(2).xy);
   real v[4];
   meet_faces(at, v);
-  int kinds = int(data[0].w);
+  int kinds = int(DATA(2).w);
   real exit = -v[3];
 #if NEAR
   real entry = -real(kFarAlong);
@@ -58,30 +60,29 @@ bool meet(out Segment segment) {
 #endif
   limit(kinds % 3, v[1], entry, exit);
   limit(kinds / 3, v[2], entry, exit);
-#if SURFACES > 0
+#if SURFACE_FIELDS > 0
   real whole_entry = entry, whole_exit = exit;
-  int all = int(data[0].w);
+  int all = int(DATA(2).w);
   int first = slot_of(v, all, entry, 0), last = slot_of(v, all, -exit, 1);
 #endif
 #if CLIPPED
-  entry = max(entry, real(data[1].x));
-  exit = min(exit, real(data[1].y));
+  entry = max(entry, real(DATA(3).x));
+  exit = min(exit, real(DATA(3).y));
 #endif
   if (!(entry < exit)) return false;
-#if SURFACES > 0
-  meet_surfaces(at, max(whole_entry, real(-1e9)), whole_exit, entry, exit, first, last,
-                segment.crossed);
+#if SURFACE_FIELDS > 0
+  begin_surfaces(at, max(whole_entry, real(-1e9)), whole_exit, entry, exit, first, last);
 #endif
   segment.length = exit - entry;
 #if PERSPECTIVE
   real front = real(1) / (real(1) - entry), back = real(1) / (real(1) - exit);
   vec2 slopes = (gl_FragCoord.xy + vec2(part.xy) - rays.xy) * rays.z;
-  segment.length *= real(data[0].z * sqrt(1.0 + dot(slopes, slopes))) * front * back;
+  segment.length *= real(DATA(2).z * sqrt(1.0 + dot(slopes, slopes))) * front * back;
 #endif
   for (int f = 0; f < FIELDS; ++f) {
-    vec4 q = data[FIELD_AT(f) - 2];
+    vec4 q = DATA(FIELD_AT(f));
 #if DOUBLE
-    dvec4 p = dvec4(q) + dvec4(data[FIELD_AT(f) - 1]);
+    dvec4 p = dvec4(q) + dvec4(DATA(FIELD_AT(f) + 1));
     double base = p.x + p.y * double(at.x) + p.z * double(at.y);
     segment.front[f] = base + p.w * entry;
     segment.back[f] = base + p.w * exit;
@@ -94,7 +95,7 @@ bool meet(out Segment segment) {
     segment.front[f] *= front;
     segment.back[f] *= back;
 #endif
-    vec2 range = f == 0 ? data[1].zw : data[FIELD_AT(f) - 2 + (DOUBLE == 1 ? 2 : 1)].xy;
+    vec2 range = f == 0 ? DATA(3).zw : DATA(FIELD_AT(f) + (DOUBLE == 1 ? 2 : 1)).xy;
     segment.front[f] = clamp(segment.front[f], real(range.x), real(range.y));
     segment.back[f] = clamp(segment.back[f], real(range.x), real(range.y));
   }
@@ -154,17 +155,17 @@ void main() {
   float alpha = 0.0, behind = 1.0;
   real share = real(0);
   float whole = float(segment.length);
-  for (int step = 0; step < 16384; ++step) {
-#if SURFACES > 0
-    Nearest nearest = nearest_of(segment.crossed);
+#if SURFACE_FIELDS > 0
+  Crossing nearest = next_crossing(Crossing(real(-1), 0u, 0, 0));
 #endif
+  for (int step = 0; step < 16384; ++step) {
     Extinction tau = extinction_at(w.interval);
     look_ahead(w, tau.low, tau.high);
 #if SEPARATE
     Color kappa = color_at(c.interval);
     look_ahead(c, kappa.low, kappa.high);
     real until = min(w.until, c.until);
-#if SURFACES > 0
+#if SURFACE_FIELDS > 0
     until = min(until, nearest.share);
 #endif
     real tau_end = until < w.until ? w.from + (w.to - w.from) * until : w.next;
@@ -173,7 +174,7 @@ void main() {
 #else
     real until = w.until;
     real tau_end = w.next, kappa_here = w.here;
-#if SURFACES > 0
+#if SURFACE_FIELDS > 0
     until = min(until, nearest.share);
     if (until < w.until) tau_end = w.from + (w.to - w.from) * until;
 #endif
@@ -200,14 +201,13 @@ void main() {
 #endif
     sum += behind * shine;
     behind *= weights.root * weights.root;
-#if SURFACES > 0
+#if SURFACE_FIELDS > 0
     if (f >= 1.0 && nearest.share <= until) {
-      vec4 lit = surface_light(nearest.which);
+      vec4 lit = surface_light(nearest);
       sum += behind * lit.rgb;
       alpha += behind * lit.a;
       behind *= 1.0 - lit.a;
-      segment.crossed[nearest.which] = real(2);
-      nearest = nearest_of(segment.crossed);
+      nearest = next_crossing(nearest);
     }
     bool more = nearest.share <= real(1);
 #else

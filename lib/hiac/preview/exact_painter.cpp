@@ -71,17 +71,13 @@ std::vector<DeviceNode> device_nodes(const ZooMesh& mesh, const Projector& proje
 ExactPainter::ExactPainter(const Context& context, const ZooMesh& mesh, const DrawnScene& scene,
                            bool fine)
     : context_(context), mesh_(mesh), scene_(scene), layout_(empty_layout(indices_.get())) {
-  variant_.surfaces = scene.surfaces.size();
+  variant_.surface_fields = scene.surface_fields.size();
   // which cell an isosurface at a face belongs to is decided alike in both
-  variant_.fine = fine || variant_.surfaces > 0;
+  variant_.fine = fine || variant_.surface_fields > 0;
   variant_.fields = scene.fields.size();
   GLint components = 0;
   glGetIntegerv(GL_MAX_FRAGMENT_INPUT_COMPONENTS, &components);
-  if (4 * (variant_.record() - 2) > static_cast<std::size_t>(components))
-    throw DriverError(fmt::format(
-        "{}: {} fields and isosurfaces need {} numbers a pixel, and the driver hands on {} at most",
-        context.device().name, variant_.fields + variant_.surfaces, 4 * (variant_.record() - 2),
-        components));
+  variant_.stored = 4 * (variant_.record() - 2) > static_cast<std::size_t>(components);
   std::vector<double> values;
   for (const DrawnField& field : scene.fields) {
     field_layouts_.push_back(static_cast<std::uint32_t>(values.size()));
@@ -91,6 +87,9 @@ ExactPainter::ExactPainter(const Context& context, const ZooMesh& mesh, const Dr
   require_room(context, values.size() * sizeof(double), "the fields");
   require_room(context, mesh.node_count() * sizeof(DeviceNode), "the nodes");
   values_.set(std::span<const double>(values));
+  const std::vector<DeviceSurface> surfaces = device_surfaces(scene);
+  require_room(context, surfaces.size() * sizeof(DeviceSurface), "the isosurfaces");
+  surfaces_.set(std::span<const DeviceSurface>(surfaces));
   const std::size_t record = variant_.record() * 4 * sizeof(float);
   chunk_ = std::min(kMostCells, context.limits().storage_block_bytes / record);
   chunk_ = std::max<std::size_t>(std::min(chunk_, mesh.cell_count()), 1);
@@ -147,14 +146,14 @@ void ExactPainter::set_view(const Projector& projector) {
                        static_cast<GLsizei>(variant_.fields), field_layouts_.data());
   glProgramUniform4f(program_.get(), place_of(program_, "rays"), static_cast<float>(axes.center_x),
                      static_cast<float>(axes.center_y), static_cast<float>(1 / scale), 0);
-  std::vector<float> lights;
+  std::vector<double> lights;
   for (const Light& light : scene_.lights) {
     std::array<double, 3> direction{};
     if (light.direction) direction = projector.camera_vector(unit(*light.direction));
-    for (const double component : direction) lights.push_back(static_cast<float>(component));
+    lights.insert(lights.end(), direction.begin(), direction.end());
   }
   if (const GLint place = place_of(program_, "lights"); place >= 0)
-    glProgramUniform3fv(program_.get(), place, static_cast<GLsizei>(scene_.lights.size()),
+    glProgramUniform3dv(program_.get(), place, static_cast<GLsizei>(scene_.lights.size()),
                         lights.data());
   context_.check("setting the view");
 }
@@ -171,14 +170,18 @@ void ExactPainter::draw(const PixelRect& part, std::span<const CellId> back_to_f
   context_.check("drawing cells");
 }
 
-// A bit for every face that a surface is closed at: of surface s, the face without corner k.
+// A bit for every face that a surface is closed at: of a field's surfaces, the face without corner
+// k. Surfaces of one value are closed at the same faces, those of others lie in none of these.
 void ExactPainter::set_closed_faces(std::span<const CellId> cells) {
-  std::vector<std::uint32_t> closed(cells.size());
+  const std::size_t words = closed_words(scene_);
+  std::vector<std::uint32_t> closed(words * cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
-    for (const IsosurfaceCut& cut : scene_.isosurfaces.in(cells[i]))
+    for (const IsosurfaceCut& cut : scene_.isosurfaces.in(cells[i])) {
+      const std::size_t f = scene_.surface_field_of[cut.surface];
       for (std::uint32_t k = 0; cut.closed_faces != 0 && k < 4; ++k)
         if ((cut.closed_faces & (1U << tetrahedron_face_without(k))) != 0)
-          closed[i] |= 1U << (4 * cut.surface + k);
+          closed[words * i + f / 8] |= 1U << (4 * (f % 8) + k);
+    }
   closed_.set(std::span<const std::uint32_t>(closed));
 }
 
@@ -190,9 +193,9 @@ void ExactPainter::draw_chunk(std::span<const CellId> cells) {
   });
   corners_.set(std::span<const NodeId>(chunk_corners_));
   numbers_.set(cells);
-  if (variant_.surfaces > 0) set_closed_faces(cells);
-  const std::array<GLuint, 6> buffers{nodes_.get(),  corners_.get(), numbers_.get(),
-                                      values_.get(), records_.get(), closed_.get()};
+  if (variant_.surface_fields > 0) set_closed_faces(cells);
+  const std::array<GLuint, 7> buffers{nodes_.get(),   corners_.get(), numbers_.get(), values_.get(),
+                                      records_.get(), closed_.get(),  surfaces_.get()};
   for (GLuint k = 0; k < buffers.size(); ++k)
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, k, buffers[k]);
   const auto count = static_cast<GLuint>(cells.size());

@@ -45,7 +45,7 @@ class ExactPainter {
   ExactVariant variant_;
   std::optional<ExactVariant> compiled_;
   ProgramName setup_, program_;
-  Buffer nodes_, values_, corners_, numbers_, records_, closed_, indices_;
+  Buffer nodes_, values_, corners_, numbers_, records_, closed_, surfaces_, indices_;
   std::vector<Buffer> tables_;  // of transfer functions, and textures of these
   std::vector<TextureName> table_textures_;
   VertexArrayName layout_;                    // refers to the indices

@@ -24,7 +24,11 @@ uniform dvec2 slab;             // near, far (ray parameter)
 uniform ivec4 part;             // corner and size
 
 const int kEntered = 0, kLeft = 1, kBeside = 2;
-const double kThinnest = 1.0lf / 8192.0lf;       // pixels: faces narrower than this are edge-on
+// Faces narrower than this share of their length count as edge-on, and shorter ones than kShort
+// where they are narrower than this share of that: the longer a face, the less well its plane is
+// known.
+const double kThinnest = 1.0lf / 2097152.0lf;
+const double kShort = 8.0lf;                     // pixels
 const double kOnLine = 1.0lf / 268435456.0lf;    // pixels: what counts as lying on a line
 const float kGrow = 0.01;                        // pixels: a rasteriser snaps to 1/256
 const float kFar = 4096.0;                       // pixels from the anchor
@@ -65,7 +69,7 @@ double area_of(dvec2 a, dvec2 b, dvec2 c) {
 bool is_thin(ivec3 f, double twice) {
   dvec2 one = abs(screen[f.y].xy - screen[f.x].xy), two = abs(screen[f.z].xy - screen[f.x].xy);
   double longest = max(max(one.x, one.y), max(two.x, two.y));
-  return !(abs(twice) > kThinnest * longest);
+  return !(abs(twice) > kThinnest * max(longest, kShort) * longest);
 }
 
 // A line seen edge-on as (c, gx, gy) in pixels, positive where the corner k is. What lies on it is
@@ -366,7 +370,7 @@ void main() {
     records[to + 1u] = vec4(q - dvec4(vec4(q)));
 #endif
   }
-#if SURFACES > 0
+#if SURFACE_FIELDS > 0
   set_surfaces(i, base, slots);
 #endif
 }

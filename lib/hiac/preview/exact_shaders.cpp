@@ -7,12 +7,14 @@ namespace hiac::preview {
 std::string defines_of(const ExactVariant& variant) {
   return fmt::format(
       "#define PERSPECTIVE {}\n#define NEAR {}\n#define CLIPPED {}\n#define DOUBLE {}\n"
-      "#define FIELDS {}\n#define RECORD {}\n#define SURFACES {}\n"
+      "#define FIELDS {}\n#define RECORD {}\n#define SURFACE_FIELDS {}\n#define STORED {}\n"
       "#define FIELD_AT(f) (10 + (f) * (DOUBLE == 1 ? 3 : 2) - ((f) > 0 ? 1 : 0))\n"
-      "#define SURFACE_AT(s) (FIELD_AT(FIELDS) + 1 + (s))\n",
+      "#define SURFACE_AT(f) (FIELD_AT(FIELDS) + 4 * (f))\n"
+      "#if STORED\n#define DATA(k) records[row + uint(k)]\n#else\n"
+      "#define DATA(k) data[(k) - 2]\n#endif\n",
       static_cast<int>(variant.perspective), static_cast<int>(variant.near),
       static_cast<int>(variant.clipped || variant.near), static_cast<int>(variant.fine),
-      variant.fields, variant.record(), variant.surfaces);
+      variant.fields, variant.record(), variant.surface_fields, static_cast<int>(variant.stored));
 }
 
 // Four vertices a cell. The first one's data are those of both triangles (0, 1, 2) and (0, 2, 3).
@@ -20,15 +22,23 @@ std::string exact_vertex_source(const ExactVariant& variant) {
   return "#version 450 core\n" + defines_of(variant) + R"(
 layout(std430, binding = 4) readonly buffer Records { vec4 records[]; };
 uniform ivec4 part;  // corner and size
+#if STORED
+flat out uint row;
+#else
 flat out vec4 data[RECORD - 2];
+#endif
 
 void main() {
   int base = (gl_VertexID >> 2) * RECORD;
   vec4 two = records[base + ((gl_VertexID >> 1) & 1)];
   vec2 at = (gl_VertexID & 1) == 0 ? two.xy : two.zw;
+#if STORED
+  row = uint(base);
+#else
   for (int k = 2; k < RECORD; ++k) data[k - 2] = records[base + k];
+#endif
   vec2 corner = vec2(part.xy) - 0.5;
-  gl_Position = vec4((at + (data[0].xy - corner)) / vec2(part.zw) * 2.0 - 1.0, 0.0, 1.0);
+  gl_Position = vec4((at + (records[base + 2].xy - corner)) / vec2(part.zw) * 2.0 - 1.0, 0.0, 1.0);
 }
 )";
 }

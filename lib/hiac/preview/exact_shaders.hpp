@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,18 +18,19 @@ struct ExactVariant {
   bool clipped = false;  ///< a clipping slab
   bool fine = false;     ///< double precision along rays
   std::size_t fields = 1;
-  std::size_t surfaces = 0;  ///< isosurfaces; they need `fine`, which decides where they begin
+  std::size_t surface_fields = 0;  ///< fields with isosurfaces, which need `fine`: see on_side
+  /// Fragments read the cell's record from memory: it is too long for a driver to hand on.
+  bool stored = false;
 
   /// A cell's record is a row of vectors of four floats. Where a field begins in it: its function
   /// of the place, what that is more in double precision, and its range (the first's is elsewhere).
   [[nodiscard]] std::size_t field_at(std::size_t field) const {
     return 10 + field * (fine ? 3U : 2U) - (field > 0 ? 1U : 0U);
   }
-  /// Behind the fields: for every face and surface on which side the face is, then the surfaces'
-  /// normals.
-  [[nodiscard]] std::size_t record() const {
-    return field_at(fields) + (surfaces > 0 ? 1 + surfaces : 0);
-  }
+  /// Behind the fields, four vectors for each field with isosurfaces: their normal, what that is
+  /// more in double precision, and for every
+  /// face how many of them it is not below, and how many it reaches above.
+  [[nodiscard]] std::size_t record() const { return field_at(fields) + 4 * surface_fields; }
 
   bool operator==(const ExactVariant&) const = default;
 };
@@ -43,8 +46,20 @@ std::string exact_fragment_source(const ExactVariant& variant, const DrawnScene&
 /// GL_RGBA32F, of the texture units 0 and 1; empty where a function needs none.
 std::vector<std::vector<float>> transfer_texels(const DrawnScene& scene);
 
-/// The most isosurfaces that they draw.
-inline constexpr std::size_t kMostSurfaces = 8;
+/// An isosurface in the buffer that the shaders read, field by field in the order of
+/// DrawnScene::surface_fields.
+struct DeviceSurface {
+  double value;                ///< scaled as its field
+  std::uint32_t place;         ///< in the scene
+  std::uint32_t padding;       ///< what follows is aligned to 16 bytes
+  std::array<float, 4> color;  ///< and the logarithm of the transparency
+  std::array<float, 4> phong;  ///< ambient, diffuse, specular, shininess
+};
+std::vector<DeviceSurface> device_surfaces(const DrawnScene& scene);
+
+/// Four bits a field of surfaces tell at which of a cell's faces a surface is closed: the numbers
+/// of 32 bits that a cell has of these.
+std::size_t closed_words(const DrawnScene& scene);
 
 /// Parts of these.
 std::string defines_of(const ExactVariant& variant);

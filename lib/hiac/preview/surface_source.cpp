@@ -1,7 +1,9 @@
 #include <algorithm>
-#include <iterator>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "hiac/preview/exact_shaders.hpp"
 
@@ -14,40 +16,74 @@ std::string vec3(const std::array<double, 3>& v) {
   return fmt::format("vec3({}, {}, {})", number(v[0]), number(v[1]), number(v[2]));
 }
 
-// A surface's value as shaders see its field.
-std::string value_text(const DrawnScene& scene, std::size_t s) {
-  const DrawnField& field = scene.fields[scene.surfaces[s]];
-  return fmt::format("{:.17e}lf", field.scaled(scene.isosurfaces.surfaces[s].value));
-}
+// Isosurfaces in the order of their fields, and there by ascending value. What is below a value has
+// a rank below that of the surface.
+constexpr const char* kSurfaces = R"(
+struct Surface {
+  double value;
+  uint place;        // in the scene
+  vec4 color;        // and the logarithm of the transparency
+  vec4 phong;        // ambient, diffuse, specular, shininess
+};
+layout(std430, binding = 6) readonly buffer Surfaces { Surface surfaces[]; };
+)";
 
 constexpr const char* kSetup = R"(
 layout(std430, binding = 5) readonly buffer Closed { uint closed[]; };
 
+// How many surfaces of a field have values below v, or, with `equal`, at most v.
+float rank_of(int f, double v, bool equal) {
+  uint low = kFirstSurface[f], high = kFirstSurface[f + 1];
+  while (low < high) {
+    uint middle = (low + high) / 2u;
+    double value = surfaces[middle].value;
+    if (equal ? value <= v : value < v)
+      low = middle + 1u;
+    else
+      high = middle;
+  }
+  return float(low - kFirstSurface[f]);
+}
+
 // What is known beforehand of the sides of a cell's faces, as Isosurfaces (frame) has it, so that
-// both cells at a face say the same of it: 1 not below the surface, 2 below it, 0 it depends. And
-// the surfaces' normals in camera coordinates.
+// both cells at a face say the same of it: of how many surfaces a whole face is not below, and of
+// how many it is not below everywhere. And the surfaces' normals in camera coordinates.
 void set_surfaces(uint i, uint base, int slots[4]) {
-  vec4 sides = vec4(0.0);
   dvec3 e1 = camera[1] - camera[0], e2 = camera[2] - camera[0], e3 = camera[3] - camera[0];
   dvec3 n1 = cross(e2, e3), n2 = cross(e3, e1), n3 = cross(e1, e2);
-  for (int s = 0; s < SURFACES; ++s) {
+  for (int f = 0; f < SURFACE_FIELDS; ++f) {
     double v[4];
-    for (int k = 0; k < 4; ++k) v[k] = value_of(kSurfaceField[s], i, k) - kSurfaceValue[s];
-    int both = 0;
+    for (int k = 0; k < 4; ++k) v[k] = value_of(kSurfaceField[f], i, k);
+    uint shut = closed[i * uint(CLOSED_WORDS) + uint(f / 8)] >> (4 * (f % 8));
+    vec4 above, reached;
     for (int k = 0; k < 4; ++k) {
-      ivec3 f = kFace[k];
-      double least = min(min(v[f.x], v[f.y]), v[f.z]), most = max(max(v[f.x], v[f.y]), v[f.z]);
-      int side = least >= 0.0lf ? 1 : (most > 0.0lf ? 0 : 2);
-      // a face on which the surface lies whole, touched from below on both sides
-      if ((closed[i] & (1u << (4u * uint(s) + entry[k]))) != 0u) side = 2;
-      both += side << (2 * slots[k]);
+      ivec3 c = kFace[k];
+      reached[slots[k]] = rank_of(f, max(max(v[c.x], v[c.y]), v[c.z]), false);
+      // a face on which a surface lies whole, touched from below on both sides, counts as below it
+      bool is_shut = (shut & (1u << entry[k])) != 0u;
+      above[slots[k]] = rank_of(f, min(min(v[c.x], v[c.y]), v[c.z]), !is_shut);
     }
-    sides[s / 3] += float(both << (8 * (s % 3)));
     dvec3 g = (v[1] - v[0]) * n1 + (v[2] - v[0]) * n2 + (v[3] - v[0]) * n3;
     double l = length(g);
-    records[base + uint(SURFACE_AT(s))] = vec4(l > 0.0lf ? g / l : dvec3(0.0lf, 0.0lf, 1.0lf), 0.0);
+    uint to = base + uint(SURFACE_AT(f));
+    dvec3 normal = l > 0.0lf ? g / l : dvec3(0.0lf, 0.0lf, 1.0lf);
+    records[to] = vec4(normal, 0.0);
+    records[to + 1u] = vec4(normal - dvec3(vec3(normal)), 0.0);
+    records[to + 2u] = above;
+    records[to + 3u] = reached;
   }
-  records[base + uint(SURFACE_AT(-1))] = sides;
+}
+)";
+
+constexpr const char* kPower = R"(
+// x to a power, for x from 0 to 1. Near 1 single precision does not tell x from its neighbours, of
+// which large powers differ.
+float power(double x, float exponent) {
+  float rest = max(float(1.0lf - x), 0.0);
+  if (rest > 0.125) return pow(float(x), exponent);
+  float series = 1.0 / 8.0;
+  for (int k = 7; k >= 1; --k) series = 1.0 / float(k) + rest * series;
+  return exp(-exponent * rest * series);
 }
 )";
 
@@ -78,8 +114,8 @@ real value_at(int field, vec2 at, real d) {
   vec4 high, low;
   for (int f = 0; f < FIELDS; ++f)
     if (f == field) {
-      high = data[FIELD_AT(f) - 2];
-      low = data[FIELD_AT(f) - 1];
+      high = DATA(FIELD_AT(f));
+      low = DATA(FIELD_AT(f) + 1);
     }
   dvec4 p = dvec4(high) + dvec4(low);
   real value = p.x + p.y * double(at.x) + p.z * double(at.y) + p.w * d;
@@ -89,52 +125,91 @@ real value_at(int field, vec2 at, real d) {
   return value;
 }
 
-// Where the segment from `entry` to `exit`, a part of the ray in the cell from `front` to `back`,
-// meets the surfaces. `first`, `last`: the slots of the faces at front and back.
-void meet_surfaces(vec2 at, real front, real back, real entry, real exit, int first, int last,
-                   out real crossed[SURFACES]) {
-  vec4 sides = data[SURFACE_AT(-1) - 2];
-  real begin = place_of(front), end = place_of(back);
-  real from = place_of(entry), to = place_of(exit);
-  for (int s = 0; s < SURFACES; ++s) {
-    int both = (int(sides[s / 3]) >> (8 * (s % 3))) & 255;
-    int side_front = first < 0 ? 0 : (both >> (2 * first)) & 3;
-    int side_back = last < 0 ? 0 : (both >> (2 * last)) & 3;
-    real a = on_side(value_at(kSurfaceField[s], at, front) - kSurfaceValue[s], side_front);
-    real b = on_side(value_at(kSurfaceField[s], at, back) - kSurfaceValue[s], side_back);
-    crossed[s] = real(2);
-    if ((a >= real(0)) == (b >= real(0))) continue;
-    real place = begin + (end - begin) * min(a / (a - b), real(1));
-    real share = (place - from) / (to - from);
-    // between the clipping planes, which a face of the cell may lie in
-    if (place >= from - abs(from) * real(1e-12) && place <= to + abs(to) * real(1e-12))
-      crossed[s] = clamp(share, real(0), real(1));
-  }
+// A segment, a part of the ray in the cell from `front` to `back`. `first`, `last`: the slots of the
+// faces there.
+struct Chord {
+  vec2 at;
+  real front, back;
+  real begin, end;  // places
+  real from, to;    // of the segment
+  int first, last;
+};
+Chord chord;
+
+void begin_surfaces(vec2 at, real front, real back, real entry, real exit, int first, int last) {
+  chord = Chord(at, front, back, place_of(front), place_of(back), place_of(entry), place_of(exit),
+                first, last);
 }
 
-struct Nearest {
+// Where a segment meets a surface: the share of the segment, 2 for nowhere; the surface's place in
+// the scene, its number here, and the number of its field among those of surfaces.
+struct Crossing {
   real share;
-  int which;
+  uint place;
+  int number, field;
 };
 
-// Of several at one place the first of the scene.
-Nearest nearest_of(real crossed[SURFACES]) {
-  Nearest nearest = Nearest(real(2), 0);
-  for (int s = 0; s < SURFACES; ++s)
-    if (crossed[s] < nearest.share) nearest = Nearest(crossed[s], s);
-  return nearest;
+float of_slot(vec4 v, int slot) {
+  return slot < 2 ? (slot == 0 ? v.x : v.y) : (slot == 2 ? v.z : v.w);
+}
+
+// 1: the face in a slot is not below the surface of that rank, 2: it is below it, 0: it depends.
+int side_of(vec4 above, vec4 reached, int slot, int rank) {
+  if (slot < 0) return 0;
+  if (float(rank) < of_slot(above, slot)) return 1;
+  return float(rank) < of_slot(reached, slot) ? 0 : 2;
+}
+
+// The share of the segment at which a field that is a at the chord's begin and b at its end,
+// less the surface's value, passes it.
+real passage(real a, real b) {
+  if ((a >= real(0)) == (b >= real(0))) return real(2);
+  real place = chord.begin + (chord.end - chord.begin) * min(a / (a - b), real(1));
+  // between the clipping planes, which a face of the cell may lie in
+  if (!(place >= chord.from - abs(chord.from) * real(1e-12) &&
+        place <= chord.to + abs(chord.to) * real(1e-12)))
+    return real(2);
+  return clamp((place - chord.from) / (chord.to - chord.from), real(0), real(1));
+}
+
+bool is_before(Crossing a, Crossing b) {
+  return a.share < b.share || (a.share == b.share && a.place < b.place);
+}
+
+// The crossing after another one. Of several at one place the first of the scene comes first.
+Crossing next_crossing(Crossing last) {
+  Crossing next = Crossing(real(2), 0u, 0, 0);
+  for (int f = 0; f < SURFACE_FIELDS; ++f) {
+    vec4 above = DATA(SURFACE_AT(f) + 2), reached = DATA(SURFACE_AT(f) + 3);
+    vec4 highest = max(above, reached);
+    int low = int(min(min(above.x, above.y), min(above.z, above.w)));
+    int high = int(max(max(highest.x, highest.y), max(highest.z, highest.w)));
+    if (low >= high) continue;  // no surface is between the cell's corners
+    real front = value_at(kSurfaceField[f], chord.at, chord.front);
+    real back = value_at(kSurfaceField[f], chord.at, chord.back);
+    for (int rank = low; rank < high; ++rank) {
+      int number = int(kFirstSurface[f]) + rank;
+      real value = surfaces[number].value;
+      real a = on_side(front - value, side_of(above, reached, chord.first, rank));
+      real b = on_side(back - value, side_of(above, reached, chord.last, rank));
+      Crossing here = Crossing(passage(a, b), surfaces[number].place, number, f);
+      if (here.share <= real(1) && is_before(last, here) && is_before(here, next)) next = here;
+    }
+  }
+  return next;
 }
 
 // Phong's shading by what `lights_on` says of the scene's lights; alpha grows at an angle as that
 // of glass does.
-vec4 lit_surface(vec3 normal, vec3 color, vec4 phong, float log_transparency) {
-  vec2 at = gl_FragCoord.xy + vec2(part.xy) - rays.xy;
+vec4 lit_surface(dvec3 normal, vec3 color, vec4 phong, float log_transparency) {
 #if PERSPECTIVE
-  vec3 ray = normalize(vec3(at.x * rays.z, -at.y * rays.z, 1.0));
+  dvec2 at = dvec2(gl_FragCoord.xy + vec2(part.xy) - rays.xy) * double(rays.z);
+  dvec3 ray = normalize(dvec3(at.x, -at.y, 1.0lf));
 #else
-  vec3 ray = vec3(0.0, 0.0, 1.0);
+  dvec3 ray = dvec3(0.0lf, 0.0lf, 1.0lf);
 #endif
-  float away = dot(normal, ray), facing = abs(away);
+  double away = dot(normal, ray);
+  float facing = float(abs(away));
   vec3 light = phong.x * color + lights_on(normal, ray, away, color, phong);
   float opacity = 1.0 - exp(log_transparency / max(facing, 1e-30));
   return vec4(light * opacity, opacity);
@@ -144,65 +219,82 @@ vec4 lit_surface(vec3 normal, vec3 color, vec4 phong, float log_transparency) {
 std::string light_source(const FrameLight& light, std::size_t index) {
   std::string text = "  {\n";
   if (light.headlight)
-    text += "    float to_light = abs(away), towards_eye = 1.0;\n";
+    text += "    double to_light = abs(away), towards_eye = 1.0lf;\n";
   else
     text += fmt::format(
-        "    vec3 direction = lights[{}];\n"
-        "    float to_light = (away > 0.0 ? -1.0 : 1.0) * dot(normal, direction);\n"
-        "    float towards_eye = -dot(ray, direction);\n",
+        "    dvec3 direction = lights[{}];\n"
+        "    double to_light = (away > 0.0lf ? -1.0lf : 1.0lf) * dot(normal, direction);\n"
+        "    double towards_eye = -dot(ray, direction);\n",
         index);
   return text + fmt::format(
-                    "    if (to_light > 0.0) {{\n"
-                    "      float mirrored = 2.0 * to_light * abs(away) - towards_eye;\n"
-                    "      float shine = mirrored > 0.0 && phong.z > 0.0\n"
-                    "          ? phong.z * min(pow(mirrored, phong.w), 1.0) : 0.0;\n"
-                    "      sum += {} * (phong.y * to_light * color + shine);\n"
+                    "    if (to_light > 0.0lf) {{\n"
+                    "      double mirrored = 2.0lf * to_light * abs(away) - towards_eye;\n"
+                    "      float shine = mirrored > 0.0lf && phong.z > 0.0\n"
+                    "          ? phong.z * power(mirrored, phong.w) : 0.0;\n"
+                    "      sum += {} * (phong.y * float(to_light) * color + shine);\n"
                     "    }}\n  }}\n",
                     vec3(light.color));
 }
 
+// Which fields have surfaces, and where these begin among all.
 std::string constants(const DrawnScene& scene) {
-  std::string fields, values;
-  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
-    if (s > 0) {
-      fields += ", ";
-      values += ", ";
-    }
-    fields += std::to_string(scene.surfaces[s]);
-    values += value_text(scene, s);
+  std::vector<std::string> fields, firsts{"0u"};
+  std::size_t first = 0;
+  for (const SurfaceField& of_field : scene.surface_fields) {
+    fields.push_back(std::to_string(of_field.field));
+    first += of_field.surfaces.size();
+    firsts.push_back(std::to_string(first) + "u");
   }
   return fmt::format(
-      "const int kSurfaceField[SURFACES] = int[]({});\n"
-      "const double kSurfaceValue[SURFACES] = double[]({});\n",
-      fields, values);
+      "#define CLOSED_WORDS {}\nconst int kSurfaceField[SURFACE_FIELDS] = int[]({});\n"
+      "const uint kFirstSurface[SURFACE_FIELDS + 1] = uint[]({});\n",
+      closed_words(scene), fmt::join(fields, ", "), fmt::join(firsts, ", "));
 }
 
 }  // namespace
 
+std::size_t closed_words(const DrawnScene& scene) { return (scene.surface_fields.size() + 7) / 8; }
+
+std::vector<DeviceSurface> device_surfaces(const DrawnScene& scene) {
+  std::vector<DeviceSurface> all;
+  const auto single = [](double v) { return static_cast<float>(std::clamp(v, -1e30, 1e30)); };
+  for (const SurfaceField& of_field : scene.surface_fields)
+    for (const std::size_t s : of_field.surfaces) {
+      const FrameIsosurface& surface = scene.isosurfaces.surfaces[s];
+      all.push_back({scene.surface_values[s],
+                     static_cast<std::uint32_t>(s),
+                     0,
+                     {single(surface.color[0]), single(surface.color[1]), single(surface.color[2]),
+                      single(surface.log_transparency)},
+                     {single(surface.ambient), single(surface.diffuse), single(surface.specular),
+                      single(surface.shininess)}});
+    }
+  return all;
+}
+
 std::string surface_setup_source(const ExactVariant& variant, const DrawnScene& scene) {
-  return variant.surfaces == 0 ? "" : constants(scene) + kSetup;
+  return variant.surface_fields == 0 ? "" : constants(scene) + kSurfaces + kSetup;
 }
 
 std::string surface_fragment_source(const ExactVariant& variant, const DrawnScene& scene) {
-  if (variant.surfaces == 0) return "";
+  if (variant.surface_fields == 0) return "";
   const auto& lights = scene.isosurfaces.lights;
   std::string text =
-      constants(scene) +
-      fmt::format("uniform vec3 lights[{}];\n", std::max<std::size_t>(lights.size(), 1)) +
-      "vec3 lights_on(vec3 normal, vec3 ray, float away, vec3 color, vec4 phong) {\n"
+      constants(scene) + kSurfaces + kPower +
+      fmt::format("uniform dvec3 lights[{}];\n", std::max<std::size_t>(lights.size(), 1)) +
+      "vec3 lights_on(dvec3 normal, dvec3 ray, double away, vec3 color, vec4 phong) {\n"
       "  vec3 sum = vec3(0.0);\n";
   for (std::size_t k = 0; k < lights.size(); ++k) text += light_source(lights[k], k);
-  text += std::string("  return sum;\n}\n") + kMeet + "vec4 surface_light(int which) {\n";
-  for (std::size_t s = 0; s < scene.surfaces.size(); ++s) {
-    const FrameIsosurface& surface = scene.isosurfaces.surfaces[s];
-    fmt::format_to(std::back_inserter(text),
-                   "  if (which == {0}) return lit_surface(data[SURFACE_AT({0}) - 2].xyz, {1}, "
-                   "vec4({2}, {3}, {4}, {5}), {6});\n",
-                   s, vec3(surface.color), number(surface.ambient), number(surface.diffuse),
-                   number(surface.specular), number(surface.shininess),
-                   number(surface.log_transparency));
-  }
-  return text + "  return vec4(0.0);\n}\n";
+  text += std::string("  return sum;\n}\n") + kMeet +
+          "vec4 surface_light(Crossing at) {\n  dvec3 normal;\n";
+  for (std::size_t f = 0; f < scene.surface_fields.size(); ++f)
+    text += fmt::format(
+        "  if (at.field == {0})\n"
+        "    normal = dvec3(DATA(SURFACE_AT({0})).xyz) + dvec3(DATA(SURFACE_AT({0}) + 1).xyz);\n",
+        f);
+  return text +
+         "  Surface s = surfaces[at.number];\n"
+         "  return lit_surface(normal, s.color.rgb, s.phong, s.color.w);\n}\n";
 }
 
 }  // namespace hiac::preview

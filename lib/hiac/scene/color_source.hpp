@@ -1,27 +1,35 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <span>
 #include <string>
 
+#include "hiac/scene/colormaps/colormap_preset.hpp"
 #include "hiac/scene/scene.hpp"
 #include "hiac/scene/spec_key.hpp"
+#include "hiac/scene/transfer_range.hpp"
 
 namespace hiac {
 
-/// The table [volume.color] before a preset is resolved.
+/// Largest errors of a channel where a specification names none: a quarter of a step of 8-bit
+/// display values; of linear values.
+inline constexpr double kDisplayTolerance = 1e-3, kLinearTolerance = 1e-4;
+
+/// The table [volume.color] before its preset and its range are resolved.
 struct ColorSource {
   ColorTransfer transfer;  ///< the field, and the points if any are given
   std::optional<std::string> preset;
   std::optional<std::string> preset_name;
-  std::optional<std::array<double, 2>> range;
-  double preset_tolerance = 1e-4;
+  TransferRange range;
+  std::optional<ColorEncoding> encoding;  ///< none: sRGB for presets, linear for points
+  /// None: kDisplayTolerance for sRGB numbers, kLinearTolerance else.
+  std::optional<double> preset_tolerance;
 };
 
 std::span<const SpecKey<ColorSource>> color_keys();
 
 /// Reads the table: its points, or its preset converted to points, with a note of the error bound.
+/// Points that have to wait for the field's values go into the context.
 ColorTransfer read_color_transfer(const SpecValue& table);
 
 }  // namespace hiac

@@ -9,7 +9,7 @@
 
 #include "hiac/scene/camera_keys.hpp"
 #include "hiac/scene/color_source.hpp"
-#include "hiac/scene/transfer_points.hpp"
+#include "hiac/scene/extinction_source.hpp"
 
 namespace hiac {
 namespace {
@@ -60,15 +60,6 @@ constexpr SpecKey<ImageSize> kImageKeys[] = {
      [](const ImageSize& i) -> Text { return std::to_string(i.height); }},
 };
 
-constexpr SpecKey<ExtinctionTransfer> kExtinctionKeys[] = {
-    {"field", "a field of the mesh, the same or another one", true,
-     [](const SpecValue& v, ExtinctionTransfer& e) { e.field = v.text(); },
-     [](const ExtinctionTransfer& e) -> Text { return toml_text(e.field); }},
-    {"points", "scalar, extinction coefficient per world unit of length", true,
-     [](const SpecValue& v, ExtinctionTransfer& e) { read_points<1>(v, e.points); },
-     [](const ExtinctionTransfer& e) -> Text { return points_text<1>(e.points); }},
-};
-
 constexpr SpecKey<Volume> kVolumeKeys[] = {
     {"glow", "\"chromaticity\" (Williams-Max) or \"emission\" (Wilhelms-Van Gelder)", false,
      [](const SpecValue& v, Volume& volume) { volume.glow = v.name_of<Glow>(kGlows); },
@@ -76,9 +67,7 @@ constexpr SpecKey<Volume> kVolumeKeys[] = {
     {"color", "", false,
      [](const SpecValue& v, Volume& volume) { volume.color = read_color_transfer(v); }, nullptr},
     {"extinction", "", false,
-     [](const SpecValue& v, Volume& volume) {
-       read_keys(v, extinction_keys(), volume.extinction.emplace());
-     },
+     [](const SpecValue& v, Volume& volume) { volume.extinction = read_extinction_transfer(v); },
      nullptr},
 };
 
@@ -216,7 +205,6 @@ constexpr SpecKey<Scene> kSceneKeys[] = {
 }  // namespace
 
 std::span<const SpecKey<ImageSize>> image_keys() { return kImageKeys; }
-std::span<const SpecKey<ExtinctionTransfer>> extinction_keys() { return kExtinctionKeys; }
 std::span<const SpecKey<Volume>> volume_keys() { return kVolumeKeys; }
 std::span<const SpecKey<Isosurface>> isosurface_keys() { return kIsosurfaceKeys; }
 std::span<const SpecKey<Light>> light_keys() { return kLightKeys; }

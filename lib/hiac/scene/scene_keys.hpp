@@ -8,9 +8,9 @@
 namespace hiac {
 
 /// The keys of each table of a specification, in the order in which they are read and written; the
-/// camera's are in camera_keys.hpp.
+/// camera's are in camera_keys.hpp, the transfer functions' in color_source.hpp and
+/// extinction_source.hpp.
 std::span<const SpecKey<ImageSize>> image_keys();
-std::span<const SpecKey<ExtinctionTransfer>> extinction_keys();
 std::span<const SpecKey<Volume>> volume_keys();
 std::span<const SpecKey<Isosurface>> isosurface_keys();
 std::span<const SpecKey<Light>> light_keys();

@@ -21,7 +21,7 @@ namespace {
 ParsedScene parse(std::string_view text, const std::string& subject, const std::string& folder,
                   std::span<const Override> overrides) {
   toml::table document = parse_toml(text, subject);
-  SpecContext context{subject, folder, {}, {}};
+  SpecContext context{.subject = subject, .folder = folder, .overrides = {}, .notes = {}};
   for (const Override& option : overrides)
     context.overrides.push_back(apply_override(document, option));
   inherit_keyframes(document);
@@ -30,6 +30,8 @@ ParsedScene parse(std::string_view text, const std::string& subject, const std::
   read_keys(root, scene_keys(), parsed.scene);
   check_camera_path(root, parsed.scene);
   parsed.notes = std::move(context.notes);
+  parsed.color = std::move(context.color);
+  parsed.extinction = std::move(context.extinction);
   return parsed;
 }
 

@@ -1,10 +1,17 @@
 #include "hiac/scene/scene_writer.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
+
 #include <fmt/format.h>
 
 #include "hiac/scene/camera_keys.hpp"
 #include "hiac/scene/color_source.hpp"
+#include "hiac/scene/extinction_source.hpp"
 #include "hiac/scene/scene_keys.hpp"
+#include "hiac/scene/starter_text.hpp"
 
 namespace hiac {
 namespace {
@@ -44,26 +51,68 @@ std::string cameras_text(const Scene& scene, Comments comments) {
   return text + "\n[camera_path]\n" + keys_text(camera_path_keys(), *path, comments);
 }
 
-}  // namespace
-
-std::string to_toml(const Scene& scene, Comments comments) {
-  std::string text = "[image]\n" + keys_text(image_keys(), scene.image, comments);
-  text += cameras_text(scene, comments);
-  text += "\n[volume]\n" + keys_text(volume_keys(), scene.volume, comments);
-  if (scene.volume.color) {
-    ColorSource source;
-    source.transfer = *scene.volume.color;
-    text += "\n[volume.color]\n" + keys_text(color_keys(), source, comments);
-  }
+std::string volume_text(const Scene& scene, const std::optional<ColorSource>& color,
+                        Comments comments) {
+  std::string text = "\n[volume]\n" + keys_text(volume_keys(), scene.volume, comments);
+  if (color) text += "\n[volume.color]\n" + keys_text(color_keys(), *color, comments);
   if (scene.volume.extinction)
     text += "\n[volume.extinction]\n" +
-            keys_text(extinction_keys(), *scene.volume.extinction, comments);
+            keys_text(extinction_keys(), {*scene.volume.extinction, {}}, comments);
+  return text;
+}
+
+std::string scene_text(const Scene& scene, const std::optional<ColorSource>& color,
+                       Comments comments) {
+  std::string text = "[image]\n" + keys_text(image_keys(), scene.image, comments);
+  text += cameras_text(scene, comments);
+  text += volume_text(scene, color, comments);
   for (const Isosurface& surface : scene.isosurfaces)
     text += "\n[[isosurface]]\n" + keys_text(isosurface_keys(), surface, comments);
   for (const Light& light : scene.lights)
     text += "\n[[light]]\n" + keys_text(light_keys(), light, comments);
   text += "\n[background]\n" + keys_text(background_keys(), scene.background, comments);
   text += "\n[render]\n" + keys_text(render_keys(), scene.render, comments);
+  return text;
+}
+
+/// A section as a comment: what is not one yet becomes one.
+std::string commented(const std::string& section) {
+  std::istringstream lines(section);
+  std::string text = "\n", line;
+  while (std::getline(lines, line)) text += (line.starts_with('#') ? "" : "# ") + line + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string to_toml(const Scene& scene, Comments comments) {
+  std::optional<ColorSource> color;
+  if (scene.volume.color) color.emplace().transfer = *scene.volume.color;
+  return scene_text(scene, color, comments);
+}
+
+std::string starter_text(const Scene& scene, const std::string& preset,
+                         const std::array<double, 2>& range) {
+  ColorSource color;
+  color.transfer.field = scene.volume.color->field;
+  color.preset = preset;
+  // a range has an extent
+  const double widened = range[0] < range[1] ? 0 : std::max(1.0, std::fabs(range[0]));
+  color.range.fixed = {range[0] - widened, range[1] + widened};
+  std::string text = scene_text(scene, color, Comments::explain);
+  if (scene.isosurfaces.empty()) {
+    Isosurface surface;
+    surface.field = color.transfer.field;
+    surface.value = 0.5 * range[0] + 0.5 * range[1];
+    text +=
+        commented("[[isosurface]]\n" + keys_text(isosurface_keys(), surface, Comments::explain));
+  }
+  Turntable turntable;
+  turntable.frames = 36;
+  text += commented("[turntable]  # or keyframes, [[camera]] with frame = N, and:\n" +
+                    keys_text(turntable_keys(), turntable, Comments::explain));
+  text += commented("[camera_path]\n" +
+                    keys_text(camera_path_keys(), KeyframePath{}, Comments::explain));
   return text;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,6 +11,8 @@
 #include <vector>
 
 #include <toml++/toml.h>
+
+#include "hiac/scene/scene_parser.hpp"
 
 namespace hiac {
 
@@ -25,6 +28,9 @@ struct SpecContext {
   std::string folder;
   std::vector<AppliedOverride> overrides;
   std::vector<std::string> notes;
+  /// Points of [volume.color] and [volume.extinction] that wait for their fields' values.
+  std::optional<UnscaledPoints<3>> color = {};
+  std::optional<UnscaledPoints<1>> extinction = {};
 
   /// Returns the override that set the key `path`, a part of it or a table around it, or null.
   [[nodiscard]] const AppliedOverride* override_of(std::string_view path) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,6 +11,10 @@
 #include "hiac/check/overlap.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
 #include "hiac/mesh/mesh_hash.hpp"
+#include "hiac/order/published/centroid.hpp"
+#include "hiac/order/published/mpvo.hpp"
+#include "hiac/order/published/stein.hpp"
+#include "hiac/order/published/visibility_cycle.hpp"
 #include "hiac/scene/view_of.hpp"
 #include "hiac/session/stages.hpp"
 
@@ -61,6 +66,35 @@ MeshOrder Ordering::exact(const Scene& scene) {
           result.statistics,
           planarity,
           common.overlaps.size()};
+}
+
+MeshOrder Ordering::made_by(const OrderMethod& method, const Scene& scene) {
+  if (method.algorithm == OrderAlgorithm::exact) return exact(scene);
+  if (method.algorithm == OrderAlgorithm::mpvo) basis();  // a stage of its own
+  VisibilityOrder order = run_stage(monitor_, "order", [&] { return published(method, scene); });
+  return {{mesh_hash(), view_hash(scene), std::move(order)}, {}, scene.render.planarity};
+}
+
+VisibilityOrder Ordering::published(const OrderMethod& method, const Scene& scene) {
+  const View view = view_of(scene.camera);
+  const double planarity = scene.render.planarity;
+  try {
+    switch (method.algorithm) {
+      case OrderAlgorithm::stein:
+        return stein_order(mesh_, view, planarity);
+      case OrderAlgorithm::multitiled:
+        return multitiled_order(mesh_, view, planarity, method.tiling);
+      case OrderAlgorithm::mpvo:
+        return mpvo_order(basis(), view, planarity);
+      case OrderAlgorithm::centroid:
+        return centroid_order(mesh_, view);
+      case OrderAlgorithm::exact:
+        break;
+    }
+  } catch (const VisibilityCycle& cycle) {
+    throw JudgementError(cycle.what());
+  }
+  throw std::logic_error("an algorithm without a name");
 }
 
 OrderRecord fitting_order(const GivenOrders& orders, const std::string& mesh_hash,

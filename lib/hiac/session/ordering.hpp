@@ -4,8 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "hiac/order/algorithm.hpp"
 #include "hiac/order/order_basis.hpp"
 #include "hiac/order/order_file.hpp"
+#include "hiac/order/published/multitiled.hpp"
 #include "hiac/scene/scene.hpp"
 #include "hiac/session/session.hpp"
 
@@ -19,6 +21,12 @@ struct MeshOrder {
   std::optional<OrderStatistics> statistics;
   double planarity = 0;
   std::uint64_t overlapping_pairs = 0;
+};
+
+/// How an order is made.
+struct OrderMethod {
+  OrderAlgorithm algorithm = OrderAlgorithm::exact;
+  TilingOptions tiling;  ///< of OrderAlgorithm::multitiled
 };
 
 /// Orders one mesh for any number of views; whatever does not depend on the view is computed once,
@@ -35,6 +43,10 @@ class Ordering {
   /// The exact visibility order for a scene's camera (a scene of one frame).
   MeshOrder exact(const Scene& scene);
 
+  /// The order for a scene's camera (a scene of one frame) by any algorithm. Throws JudgementError
+  /// when the algorithm meets a visibility cycle that it has no answer to.
+  MeshOrder made_by(const OrderMethod& method, const Scene& scene);
+
   /// The part of the order that all views share. Uses the adjacency stored with the mesh, or
   /// computes it.
   const OrderBasis& basis();
@@ -43,6 +55,7 @@ class Ordering {
 
  private:
   [[nodiscard]] FaceAdjacency adjacency_of_mesh() const;
+  [[nodiscard]] VisibilityOrder published(const OrderMethod& method, const Scene& scene);
 
   const ZooMesh& mesh_;
   Monitor monitor_;

@@ -9,11 +9,10 @@
 #include "hiac/frame/crop.hpp"
 #include "hiac/frame/renderable.hpp"
 #include "hiac/image/composite.hpp"
-#include "hiac/order/algorithm.hpp"
 #include "hiac/render/engine.hpp"
 #include "hiac/render/explain_pixel.hpp"
 #include "hiac/render/supersampling.hpp"
-#include "hiac/session/ordering.hpp"
+#include "hiac/session/scene_orders.hpp"
 #include "hiac/session/stages.hpp"
 
 namespace hiac {
@@ -41,27 +40,15 @@ RenderResult draw(const ZooMesh& mesh, const VisibilityOrder& order, const Scene
 struct Session::State {
   ZooMesh mesh;
   Monitor monitor;
-  Ordering ordering;
-  std::optional<GivenOrders> given;
-  std::vector<CellId> skipped;
+  SceneOrders orders;
   std::string content;  // its hash, once it is known
 
   State(ZooMesh drawn, Monitor watching)
-      : mesh(std::move(drawn)), monitor(std::move(watching)), ordering(mesh, monitor) {}
+      : mesh(std::move(drawn)), monitor(std::move(watching)), orders(mesh, monitor) {}
 
   const std::string& content_hash_of_mesh() {
     if (content.empty()) content = content_hash(mesh);
     return content;
-  }
-
-  MeshOrder order_of_all(const Scene& scene) {
-    if (!given) return ordering.exact(scene);
-    MeshOrder order{fitting_order(*given, ordering.mesh_hash(), mesh, scene), {}};
-    const std::string& algorithm = order.record.order.algorithm;
-    if (monitor.note && algorithm != algorithm_name(OrderAlgorithm::exact))
-      monitor.note(fmt::format("{}: the order is by {}, not by the exact algorithm", given->subject,
-                               algorithm));
-    return order;
   }
 };
 
@@ -80,31 +67,21 @@ void Session::require_drawable(const Scene& scene) {
 std::vector<CellId> Session::skip_invalid_cells(const Scene& scene) {
   const CancellationScope scope(state_->monitor.cancellation);
   check_renderable(state_->mesh, scene, InvalidCells::skipped);
-  state_->skipped = invalid_cells(state_->mesh, scene.render.planarity);
-  return state_->skipped;
+  std::vector<CellId> cells = invalid_cells(state_->mesh, scene.render.planarity);
+  state_->orders.leave_out(cells);
+  return cells;
 }
 
-void Session::look_for_overlaps(double planarity) {
-  if (state_->given)
-    throw UsageError(state_->given->subject +
-                     " has an order that is there already, made without looking for overlaps");
-  state_->ordering.look_for_overlaps(planarity);
-}
+void Session::look_for_overlaps(double planarity) { state_->orders.look_for_overlaps(planarity); }
 
 void Session::use_orders(std::string subject, std::vector<ExtraChunk> chunks) {
-  state_->given = GivenOrders{std::move(subject), std::move(chunks)};
+  state_->orders.use({std::move(subject), std::move(chunks)});
 }
 
-void Session::require_order(const Scene& scene) {
-  State& s = *state_;
-  if (s.given) fitting_order(*s.given, s.ordering.mesh_hash(), s.mesh, scene);
-}
+void Session::require_order(const Scene& scene) { state_->orders.require(scene); }
 
 std::shared_ptr<const MeshOrder> Session::order(const Scene& scene) {
-  MeshOrder order = state_->order_of_all(scene);
-  if (!state_->skipped.empty())
-    order.record.order = without_cells(order.record.order, state_->skipped);
-  return std::make_shared<const MeshOrder>(std::move(order));
+  return std::make_shared<const MeshOrder>(state_->orders.of(scene));
 }
 
 Picture Session::picture(const Scene& scene, const PictureRequest& request) {

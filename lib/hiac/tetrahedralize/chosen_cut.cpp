@@ -160,4 +160,17 @@ ChosenCut choose_cut(const ZooMesh& mesh, CellId cell, OtherDiagonals other) {
   return best.cut.count == 0 || centered.bad() < best.bad() ? centered : best;
 }
 
+std::vector<ChosenCut> possible_cuts(const ZooMesh& mesh, CellId cell) {
+  const CellKind kind = mesh.kinds[cell];
+  const std::array<NodeId, 8> names = names_by_place(mesh, cell);
+  const auto corners = std::span(names).first(corner_count(kind));
+  std::vector<ChosenCut> cuts{choose_cut(mesh, cell, {})};
+  for (std::size_t apex = 0; apex <= corners.size(); ++apex) {
+    const auto at = apex < corners.size() ? static_cast<std::uint8_t>(apex) : kCellCenter;
+    if (const auto cut = cut_cell_at(at, kind, corners, {}))
+      cuts.push_back(with_signs(mesh, cell, *cut));
+  }
+  return cuts;
+}
+
 }  // namespace hiac

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/tetrahedralize/cell_cut.hpp"
@@ -23,6 +24,10 @@ struct ChosenCut {
 /// preferred if it has no bad tetrahedra; then any other cut without bad ones; then the better of
 /// the first cut and the one around the centre.
 ChosenCut choose_cut(const ZooMesh& mesh, CellId cell, OtherDiagonals other);
+
+/// Returns the cuts of a cell that can be chosen from, its faces cut in one way: that of
+/// choose_cut, those from every corner from which there is one, and the one around the centre.
+std::vector<ChosenCut> possible_cuts(const ZooMesh& mesh, CellId cell);
 
 /// Returns the centre of a cell in its reference cell: the mean of the corners.
 std::array<double, 3> reference_center(CellKind kind);

@@ -21,8 +21,6 @@ constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
 constexpr Real kNegligible = 1e-18L, kNegligibleInCurved = 1e-16L;
 // Of a cell's size: faces that are as planar as this and edges as straight are taken so.
 constexpr Real kPlanar = 1e-12L;
-// Nothing behind less than this is seen.
-constexpr Real kOpaque = 1e-24L;
 
 // To within little.
 bool in_reference_cell(CellKind kind, const Vec& xi) {
@@ -49,101 +47,10 @@ bool in_reference_cell(CellKind kind, const Vec& xi) {
   return outside <= kMargin;
 }
 
-// A Gauss-Legendre rule on [0, 1].
-template <std::size_t N>
-struct Rule {
-  std::array<Real, N> x, w;
-
-  Rule() {
-    for (std::size_t k = 0; k < N; ++k) {
-      Real z = std::cos(std::numbers::pi_v<Real> * (static_cast<Real>(k) + 0.75L) / (N + 0.5L));
-      Real slope = 0;
-      for (int step = 0; step < 12; ++step) {
-        Real before = 1, p = z;
-        for (std::size_t n = 2; n <= N; ++n) {
-          const Real next =
-              ((2 * static_cast<Real>(n) - 1) * z * p - (static_cast<Real>(n) - 1) * before) /
-              static_cast<Real>(n);
-          before = p;
-          p = next;
-        }
-        slope = N * (z * p - before) / (z * z - 1);
-        z -= p / slope;
-      }
-      x[k] = (1 - z) / 2;
-      w[k] = 1 / ((1 - z * z) * slope * slope);
-    }
-  }
-};
-
-// Linear in the scalar: value + slope s.
-struct LinearFunction {
-  Real value, slope;
-};
-
-template <std::size_t N>
-LinearFunction on_piece(const PiecewiseLinear<N>& function, std::size_t channel, Real scalar) {
-  const auto& p = function.piece(function.interval_of(static_cast<double>(scalar)));
-  const Real slope = p.slope[channel];
-  return {p.value[channel] - slope * p.anchor, slope};
-}
-
-ChebyshevSeries applied(const LinearFunction& f, const ChebyshevSeries& scalar) {
-  ChebyshevSeries result = scalar;
-  for (std::size_t k = 0; k <= scalar.degree; ++k) result.c[k] *= f.slope;
-  result.c[0] += f.value;
-  return result;
-}
-
-// Panels of at most unit depth over a piece of optical depth `most` at most; fewer points do where
-// it is thin. `add(rule, u0, u1)`: light of one of them, from u0 to u1 in [0, 1]; false: no more.
-template <std::size_t kThin, std::size_t kThick, typename Add>
-void for_panels(Real most, const Add& add) {
-  static const Rule<kThin> thin;
-  static const Rule<kThick> thick;
-  if (most < 0.02L) {
-    add(thin, Real(0), Real(1));
-    return;
-  }
-  const int panels = 1 + static_cast<int>(std::min<Real>(most, 2000));
-  for (int k = 0; k < panels; ++k)
-    if (!add(thick, static_cast<Real>(k) / panels, static_cast<Real>(k + 1) / panels)) return;
-}
-
-// What a function is at the two ends of a piece.
-struct Ends {
-  Real front, back;
-  [[nodiscard]] Real at(Real u) const { return front + u * (back - front); }
-};
-
-// Light of a piece on which everything is linear, and its optical depth.
-Real add_linear(const std::array<Ends, 3>& color, const Ends& tau, Real length, bool emission,
-                Real transparency, std::array<Real, 3>& rgb) {
-  const auto depth = [&](Real u) {
-    return length * u * (tau.front + u * (tau.back - tau.front) / 2);
-  };
-  Real all = 0, sloped = 0;  // weights of 1 and u
-  for_panels<6, 12>(
-      length * std::max(tau.front, tau.back), [&](const auto& rule, Real u0, Real u1) {
-        if (transparency * std::exp(-depth(u0)) < kOpaque) return false;
-        for (std::size_t k = 0; k < rule.x.size(); ++k) {
-          const Real u = u0 + (u1 - u0) * rule.x[k];
-          const Real weight =
-              (u1 - u0) * rule.w[k] * std::exp(-depth(u)) * (emission ? Real(1) : tau.at(u));
-          all += weight;
-          sloped += weight * u;
-        }
-        return true;
-      });
-  for (std::size_t c = 0; c < 3; ++c)
-    rgb[c] +=
-        transparency * length * (color[c].front * all + (color[c].back - color[c].front) * sloped);
-  return depth(1);
-}
-
 }  // namespace
 
-SceneTruth::SceneTruth(const ZooMesh& mesh, const Scene& scene) : mesh_(mesh), scene_(scene) {
+SceneTruth::SceneTruth(const ZooMesh& mesh, const Scene& scene)
+    : mesh_(mesh), scene_(scene), volume_(scene.volume) {
   const Camera& camera = scene.camera;
   const bool perspective = camera.projection == Projection::perspective;
   eye_ = vec(camera.eye);
@@ -163,14 +70,8 @@ SceneTruth::SceneTruth(const ZooMesh& mesh, const Scene& scene) : mesh_(mesh), s
     }
     return result;
   };
-  if (scene.volume.color) {
-    color_ = scene.volume.color->function();
-    color_field_ = number(scene.volume.color->field);
-  }
-  if (scene.volume.extinction) {
-    extinction_ = scene.volume.extinction->function();
-    extinction_field_ = number(scene.volume.extinction->field);
-  }
+  if (scene.volume.color) color_field_ = number(scene.volume.color->field);
+  if (scene.volume.extinction) extinction_field_ = number(scene.volume.extinction->field);
   for (const Isosurface& surface : scene.isosurfaces)
     surface_fields_.push_back(number(surface.field));
   in_pixel_.resize(std::size_t{scene.image.width} * scene.image.height);
@@ -469,66 +370,17 @@ void SceneTruth::append_stretches(const Cell& cell, const Ray& ray, Real from, R
   append_stretches(cell, ray, middle, to, halvings - 1, guess, stretches);
 }
 
-void SceneTruth::add_linear_piece(const Stretch& stretch, Real from, Real to, Real length,
-                                  Light& light) const {
-  const Volume& volume = scene_.volume;
-  const auto ends = [&](const ChebyshevSeries& scalar, const auto& function, std::size_t c) {
-    const Ends s{scalar.c[0] + from * scalar.c[1], scalar.c[0] + to * scalar.c[1]};
-    const LinearFunction f = on_piece(function, c, s.at(0.5L));
-    return Ends{f.value + f.slope * s.front, f.value + f.slope * s.back};
-  };
-  Ends tau{0, 0};
-  if (volume.extinction) tau = ends(stretch.fields[extinction_field_], extinction_, 0);
-  std::array<Ends, 3> color{};
-  if (volume.color)
-    for (std::size_t c = 0; c < 3; ++c) color[c] = ends(stretch.fields[color_field_], color_, c);
-  light.transparency *= std::exp(-add_linear(color, tau, length, volume.glow == Glow::emission,
-                                             light.transparency, light.rgb));
-}
-
 // from and to: in [-1, 1] of the stretch.
 void SceneTruth::add_piece(const Stretch& stretch, const Ray& ray, Real from, Real to,
                            Light& light) const {
-  const Real half = (stretch.to - stretch.from) / 2 * (to - from) / 2 * ray.unit;
-  if (stretch.cell->kind == CellKind::tetrahedron4) {
-    add_linear_piece(stretch, from, to, 2 * half, light);
-    return;
-  }
-  const auto part = [&](const ChebyshevSeries& whole) {
-    if (whole.degree == 0) return whole;
-    std::array<Real, ChebyshevSeries::kMostDegree + 1> values;
-    for (std::size_t j = 0; j <= whole.degree; ++j)
-      values[j] =
-          whole.at((from + to) / 2 + (to - from) / 2 * ChebyshevSeries::place(whole.degree, j));
-    return ChebyshevSeries::through(whole.degree, values.data());
-  };
-  const bool emission = scene_.volume.glow == Glow::emission;
-  ChebyshevSeries tau;
-  if (scene_.volume.extinction) {
-    const ChebyshevSeries scalar = part(stretch.fields[extinction_field_]);
-    tau = applied(on_piece(extinction_, 0, scalar.at(0)), scalar);
-  }
-  std::array<ChebyshevSeries, 3> color;
-  if (scene_.volume.color) {
-    const ChebyshevSeries scalar = part(stretch.fields[color_field_]);
-    for (std::size_t c = 0; c < 3; ++c)
-      color[c] = applied(on_piece(color_, c, scalar.at(0)), scalar);
-  }
-  const ChebyshevSeries depth = tau.integral();
-  Real largest = 0;
-  for (std::size_t k = 0; k <= tau.degree; ++k) largest += std::abs(tau.c[k]);
-  for_panels<16, 24>(2 * half * largest, [&](const auto& rule, Real u0, Real u1) {
-    const Real before = light.transparency;
-    if (before * std::exp(-half * depth.at(2 * u0 - 1)) < kOpaque) return false;
-    for (std::size_t k = 0; k < rule.x.size(); ++k) {
-      const Real x = 2 * (u0 + (u1 - u0) * rule.x[k]) - 1;
-      const Real weight = 2 * (u1 - u0) * half * rule.w[k] * before *
-                          std::exp(-half * depth.at(x)) * (emission ? Real(1) : tau.at(x));
-      for (std::size_t c = 0; c < 3; ++c) light.rgb[c] += weight * color[c].at(x);
-    }
-    return true;
-  });
-  light.transparency *= std::exp(-half * depth.at(1));
+  const Real length = (stretch.to - stretch.from) / 2 * (to - from) * ray.unit;
+  VolumeTruth::PieceFields fields;
+  if (scene_.volume.color) fields.color = &stretch.fields[color_field_];
+  if (scene_.volume.extinction) fields.extinction = &stretch.fields[extinction_field_];
+  if (stretch.cell->kind == CellKind::tetrahedron4)
+    volume_.add_linear_piece(fields, from, to, length, light);
+  else
+    volume_.add_piece(fields, from, to, length, light);
 }
 
 void SceneTruth::add_surface(const Stretch& stretch, const Ray& ray, std::size_t surface, Real t,
@@ -576,9 +428,9 @@ void SceneTruth::add(const Stretch& stretch, const Ray& ray, Light& light) const
     for (const Real x : places) cuts.push_back({x, surface});
   };
   if (scene_.volume.color)
-    for (const double s : color_.breakpoints()) cut_at(color_field_, s, kNone);
+    for (const double s : volume_.color().breakpoints()) cut_at(color_field_, s, kNone);
   if (scene_.volume.extinction)
-    for (const double s : extinction_.breakpoints()) cut_at(extinction_field_, s, kNone);
+    for (const double s : volume_.extinction().breakpoints()) cut_at(extinction_field_, s, kNone);
   for (std::size_t s = 0; s < surface_fields_.size(); ++s)
     cut_at(surface_fields_[s], scene_.isosurfaces[s].value, s);
   std::ranges::stable_sort(cuts, {}, &Place::x);
@@ -589,7 +441,7 @@ void SceneTruth::add(const Stretch& stretch, const Ray& ray, Light& light) const
                   light);
     if (i + 1 < cuts.size() && cuts[i].x < cuts[i + 1].x)
       add_piece(stretch, ray, cuts[i].x, cuts[i + 1].x, light);
-    if (light.transparency < kOpaque) return;
+    if (light.transparency < VolumeTruth::kOpaque) return;
   }
 }
 
@@ -605,7 +457,7 @@ std::array<Real, 4> SceneTruth::pixel(std::uint32_t x, std::uint32_t y) const {
   Light light;
   std::vector<Stretch> stretches;
   for (const Segment& s : segments) {
-    if (light.transparency < kOpaque) break;
+    if (light.transparency < VolumeTruth::kOpaque) break;
     stretches.clear();
     Vec guess = s.guess;
     append_stretches(*s.cell, ray, s.from, s.to, s.cell->curved ? 10 : 40, guess, stretches);

@@ -9,6 +9,7 @@
 #include "hiac/scene/scene.hpp"
 #include "tests/render/truth/chebyshev_series.hpp"
 #include "tests/render/truth/curved_cell_truth.hpp"
+#include "tests/render/truth/volume_truth.hpp"
 
 namespace hiac::test {
 
@@ -21,9 +22,8 @@ namespace hiac::test {
 /// Along a segment the fields are polynomials: linear in linear tetrahedra; in other cells as many
 /// Chebyshev interpolants as it takes to have them to 1e-18 of their values (in curved cells
 /// 1e-16), by Newton's inverse map from many places. Segments are cut where transfer functions bend
-/// or jump and at isosurfaces; on pieces the optical depth is a polynomial, and the radiance is
-/// summed up by Gauss-Legendre rules that are exact to 1e-19. Shares nothing with the engine but
-/// the shape functions and the definitions of transfer functions and topology.
+/// or jump and at isosurfaces; VolumeTruth has the light of the pieces. Shares nothing with the
+/// engine but the shape functions and the definitions of transfer functions and topology.
 class SceneTruth {
  public:
   using Real = long double;
@@ -77,10 +77,7 @@ class SceneTruth {
     std::vector<ChebyshevSeries> fields;
     Vec guess;  // reference coordinates near its begin
   };
-  struct Light {
-    std::array<Real, 3> rgb{};
-    Real transparency = 1;
-  };
+  using Light = VolumeTruth::Light;
 
   static bool is_curved(const Cell& cell);
   void add_cell(CellId id);
@@ -94,8 +91,6 @@ class SceneTruth {
   static bool newton(const Cell& cell, const Vec& point, Vec& guess);
   void fields_at(const Cell& cell, const Vec& point, Vec& guess, std::vector<Real>& values) const;
   void add(const Stretch& stretch, const Ray& ray, Light& light) const;
-  void add_linear_piece(const Stretch& stretch, Real from, Real to, Real length,
-                        Light& light) const;
   void add_piece(const Stretch& stretch, const Ray& ray, Real from, Real to, Light& light) const;
   void add_surface(const Stretch& stretch, const Ray& ray, std::size_t surface, Real t,
                    Light& light) const;
@@ -104,8 +99,7 @@ class SceneTruth {
   const Scene& scene_;
   Vec eye_, right_, up_, forward_;  // `eye_`: what the camera frame is relative to
   Real per_pixel_;                  // slope, or world units
-  PiecewiseLinear<3> color_;
-  PiecewiseLinear<1> extinction_;
+  VolumeTruth volume_;
   std::size_t color_field_ = 0, extinction_field_ = 0;
   std::vector<std::size_t> surface_fields_;
   std::vector<Field> fields_;

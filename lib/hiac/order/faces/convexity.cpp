@@ -67,11 +67,16 @@ std::vector<BoundaryFace> boundary_faces(const ZooMesh& mesh, const FaceAdjacenc
   return boundary;
 }
 
+// Returns the side of a face's plane on which a node lies.
+int side_of_plane(const ZooMesh& mesh, const BoundaryFace& plane, NodeId node) {
+  return orientation(mesh.position(plane.nodes[0]), mesh.position(plane.nodes[1]),
+                     mesh.position(plane.nodes[2]), mesh.position(node));
+}
+
 // Returns whether every corner of `face` lies in the plane of `plane` or on its inner side.
 bool within(const ZooMesh& mesh, const BoundaryFace& plane, const BoundaryFace& face) {
   return std::ranges::all_of(face.nodes, [&](NodeId node) {
-    const int side = orientation(mesh.position(plane.nodes[0]), mesh.position(plane.nodes[1]),
-                                 mesh.position(plane.nodes[2]), mesh.position(node));
+    const int side = side_of_plane(mesh, plane, node);
     return side == 0 || side == plane.inside;
   });
 }
@@ -93,12 +98,41 @@ int side_of_face(const ZooMesh& mesh, NodeId a, NodeId b, NodeId c, const Bounda
 bool convex_along(const ZooMesh& mesh, NodeId a, NodeId b, const BoundaryFace& f,
                   const BoundaryFace& g) {
   if (!within(mesh, f, g) || !within(mesh, g, f)) return false;
-  const auto in_plane = [&](NodeId node) {
-    return orientation(mesh.position(f.nodes[0]), mesh.position(f.nodes[1]),
-                       mesh.position(f.nodes[2]), mesh.position(node)) == 0;
-  };
+  const auto in_plane = [&](NodeId node) { return side_of_plane(mesh, f, node) == 0; };
   if (!std::ranges::all_of(g.nodes, in_plane)) return true;
   return side_of_face(mesh, a, b, f.inner, f) * side_of_face(mesh, a, b, f.inner, g) < 0;
+}
+
+// Returns whether an edge of the convex polygon `f` has all of `g`, a polygon in the same plane, on
+// its outer side or its line.
+bool apart_at_an_edge(const ZooMesh& mesh, const BoundaryFace& f, const BoundaryFace& g) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    const NodeId a = f.nodes[k], b = f.nodes[(k + 1) % 4];
+    if (a == b) continue;
+    const int inwards = side_of_face(mesh, a, b, f.inner, f);
+    if (std::ranges::none_of(g.nodes, [&](NodeId node) {
+          return orientation(mesh.position(a), mesh.position(b), mesh.position(f.inner),
+                             mesh.position(node)) == inwards;
+        }))
+      return true;
+  }
+  return false;
+}
+
+// Returns whether a surface that is convex along its edges winds around its body once (K. Mehlhorn
+// et al., "Checking geometric programs or verification of geometric structures", 1999): from a
+// point just below the middle of face 0, every face is seen from inside, and the direction of that
+// middle meets no other face. The projection from that point covers the sphere as often everywhere.
+bool winds_once(const ZooMesh& mesh, const std::vector<BoundaryFace>& faces) {
+  const BoundaryFace& first = faces[0];
+  return std::ranges::all_of(faces, [&](const BoundaryFace& face) {
+    if (&face == &first) return true;
+    if (!within(mesh, face, first) || !within(mesh, first, face)) return false;
+    const bool in_plane = std::ranges::all_of(
+        face.nodes, [&](NodeId node) { return side_of_plane(mesh, first, node) == 0; });
+    if (in_plane && side_of_plane(mesh, first, face.inner) != first.inside) return false;
+    return !in_plane || apart_at_an_edge(mesh, first, face) || apart_at_an_edge(mesh, face, first);
+  });
 }
 
 }  // namespace
@@ -127,7 +161,7 @@ bool boundary_is_convex(const ZooMesh& mesh, const FaceAdjacency& adjacency) {
   }
   for (std::uint32_t f = 1; f < faces.size(); ++f)
     if (surfaces.find(f) != surfaces.find(0)) return false;
-  return true;
+  return faces.empty() || winds_once(mesh, faces);
 }
 
 }  // namespace hiac

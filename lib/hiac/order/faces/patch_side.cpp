@@ -65,26 +65,11 @@ int eye_side_of_patch(const std::array<Point3, 4>& p, const View& view, double p
   return quadrilateral_deviation(p[0], p[1], p[2], p[3]) > planarity ? kBothSides : 0;
 }
 
-PatchNet<Vector> hull_of_face(const ZooMesh& mesh, CellId cell, std::size_t face,
-                              const FaceForm& form) {
-  const auto nodes = patch_nodes(mesh, cell, face, form);
-  PatchNet<Vector> hull{};
-  for (std::size_t c = 0; c < 3; ++c) {
-    std::array<double, kMostPatchNodes> coordinates;
-    const std::size_t count = form.shape.node_count();
-    for (std::size_t k = 0; k < count; ++k) coordinates[k] = mesh.position(nodes[k])[c];
-    PatchNet<double> net;
-    patch_net(form.shape, std::span(coordinates).first(count), net);
-    for (std::size_t k = 0; k < form.shape.control_count(); ++k) hull[k][c] = net[k];
-  }
-  return hull;
-}
-
 // With a, b, c the corners around a point of the face, eye_side is -sign det[a - e, b - a, c - a],
 // or -sign det[v, b - a, c - a] for rays of direction v.
 int eye_side_of_curved_face(const ZooMesh& mesh, CellId cell, std::size_t face,
                             const FaceForm& form, const View& view) {
-  const PatchNet<Vector> seen = as_seen(form.shape, hull_of_face(mesh, cell, face, form), view);
+  const PatchNet<Vector> seen = as_seen(form.shape, control_points(mesh, cell, face, form), view);
   const int facing = patch_facing(form.shape, nets_of(form.shape, seen));
   if (facing == 0) return kBothSides;
   const bool listed = runs_as_listed(topology_of(mesh.kinds[cell]).faces[face], form.corners);

@@ -25,8 +25,4 @@ int eye_side_of_patch(const std::array<Point3, 4>& corners, const View& view, do
 int eye_side_of_curved_face(const ZooMesh& mesh, CellId cell, std::size_t face,
                             const FaceForm& form, const View& view);
 
-/// Returns the control points of a curved face, whose convex hull contains it.
-PatchNet<Vector> hull_of_face(const ZooMesh& mesh, CellId cell, std::size_t face,
-                              const FaceForm& form);
-
 }  // namespace hiac

@@ -93,7 +93,7 @@ BentFace bent_face(const ZooMesh& mesh, const UnmatchedFace& face, const View& v
   if (order_of(mesh.kinds[face.cell]) != CellOrder::linear) {
     const FaceForm form = face_form(mesh, face.cell, face.face, planarity);
     if (form.shape.degree > 1) {
-      const PatchNet<Vector> hull = hull_of_face(mesh, face.cell, face.face, form);
+      const PatchNet<Vector> hull = control_points(mesh, face.cell, face.face, form);
       bent.hull.assign(hull.begin(),
                        hull.begin() + static_cast<std::ptrdiff_t>(form.shape.control_count()));
       bent.eye = eye_side_of_curved_face(mesh, face.cell, face.face, form, view);

@@ -103,17 +103,9 @@ std::vector<HullFace> hull_faces(const ZooMesh& mesh, CellId cell) {
     if (order_of(mesh.kinds[cell]) == CellOrder::linear) continue;
     const FaceForm form = face_form(mesh, cell, number, 0);
     if (form.shape.degree == 1) continue;
-    const auto nodes = patch_nodes(mesh, cell, number, form);
-    auto& controls = faces.back().controls;
-    controls.resize(form.shape.control_count());
-    for (std::size_t c = 0; c < 3; ++c) {
-      std::array<double, kMostPatchNodes> coordinates;
-      const std::size_t count = form.shape.node_count();
-      for (std::size_t k = 0; k < count; ++k) coordinates[k] = mesh.position(nodes[k])[c];
-      PatchNet<double> net;
-      patch_net(form.shape, std::span(coordinates).first(count), net);
-      for (std::size_t k = 0; k < controls.size(); ++k) controls[k][c] = net[k];
-    }
+    const PatchNet<Real> net = control_points(mesh, cell, number, form);
+    faces.back().controls.assign(
+        net.begin(), net.begin() + static_cast<std::ptrdiff_t>(form.shape.control_count()));
   }
   return faces;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hiac/geometry/box.hpp"
 #include "hiac/geometry/vector.hpp"
 
 namespace hiac {
@@ -19,16 +20,11 @@ constexpr double kUnderflow = std::numeric_limits<double>::min();
 }  // namespace
 
 MeshScale::MeshScale(const ZooMesh& mesh) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Vector low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
-  double largest = 0;
-  for (std::size_t i = 0; i < mesh.xyz.size(); ++i) {
-    low[i % 3] = std::min(low[i % 3], mesh.xyz[i]);
-    high[i % 3] = std::max(high[i % 3], mesh.xyz[i]);
-    largest = std::max(largest, std::abs(mesh.xyz[i]));
-  }
-  extent = mesh.xyz.empty() ? 0 : taxicab(minus(Point3(high), Point3(low)));
-  rounding = std::numeric_limits<double>::epsilon() * largest;
+  extent = rounding = 0;
+  if (mesh.xyz.empty()) return;
+  const Box box = box_of_nodes(mesh);
+  extent = taxicab(minus(Point3(box.high), Point3(box.low)));
+  rounding = std::numeric_limits<double>::epsilon() * std::max(largest(box.low), largest(box.high));
 }
 
 FacePlane plane_of_face(const CellCorners& cell, const ShapeFace& face, const MeshScale& scale) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "hiac/base/parallel.hpp"
+#include "hiac/geometry/box.hpp"
 #include "hiac/geometry/predicates.hpp"
 #include "hiac/geometry/vector.hpp"
 
@@ -20,20 +21,6 @@ constexpr double kWellBefore = 1e-2;
 // A node whose depth is less than this fraction of its distance from the axis has no place on a
 // window.
 constexpr double kBarelyBefore = 1e-6;
-
-struct Box {
-  Vector low, high;
-};
-
-Box bounds(const ZooMesh& mesh) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Box box{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
-  for (std::size_t i = 0; i < mesh.xyz.size(); ++i) {
-    box.low[i % 3] = std::min(box.low[i % 3], mesh.xyz[i]);
-    box.high[i % 3] = std::max(box.high[i % 3], mesh.xyz[i]);
-  }
-  return box;
-}
 
 // A node's place on a window, if it lies in front of the eye, and the sides of the window beyond
 // which it lies (beyond the plane through the eye and that side).
@@ -114,7 +101,7 @@ class Window {
 };
 
 std::vector<Window> windows_of(const ZooMesh& mesh, const View& view) {
-  const Box box = bounds(mesh);
+  const Box box = box_of_nodes(mesh);
   Vector middle{};
   for (std::size_t c = 0; c < 3; ++c) middle[c] = box.low[c] / 2 + box.high[c] / 2;
   Vector towards = view.direction;

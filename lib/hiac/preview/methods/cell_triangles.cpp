@@ -37,6 +37,25 @@ Range common_intervals(const FrameField& field, CellId cell, std::uint64_t entry
   return range;
 }
 
+// The corner around which a region is cut into triangles: where the slab is thickest, as in Shirley
+// and Tuchman's tetrahedra. It is as thick along a whole side where that is an edge of the slab in
+// one plane of its field and over the other plane; of such corners the leftmost is taken.
+std::size_t thickest_corner(std::span<const RayThrough> rays,
+                            std::span<const std::uint32_t> corners) {
+  constexpr double kAsThick = 1 - 1e-6;
+  const auto thickness = [&](std::uint32_t corner) {
+    return rays[corner].back.depth - rays[corner].front.depth;
+  };
+  double most = 0;
+  for (const std::uint32_t corner : corners) most = std::max(most, thickness(corner));
+  std::size_t best = corners.size();
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    if (thickness(corners[k]) >= kAsThick * most &&
+        (best == corners.size() || rays[corners[k]].at.x < rays[corners[best]].at.x))
+      best = k;
+  return best % corners.size();
+}
+
 }  // namespace
 
 CellTriangles::CellTriangles(const RegionFiller& filler, TriangleBuffer& triangles,
@@ -408,8 +427,11 @@ void CellTriangles::add_regions(const Polyhedron& slab) {
   for (const Subdivision::Region& region : subdivision_.regions()) {
     ++counts_.regions;
     const auto polygon = subdivision_.corners().subspan(region.first, region.count);
-    for (std::size_t k = 1; k + 1 < polygon.size(); ++k)
-      triangles_.add(corners_[polygon[0]], corners_[polygon[k]], corners_[polygon[k + 1]]);
+    const std::size_t thickest = thickest_corner(rays_, polygon);
+    const auto at = [&](std::size_t k) -> const TriangleBuffer::Corner& {
+      return corners_[polygon[(thickest + k) % polygon.size()]];
+    };
+    for (std::size_t k = 1; k + 1 < polygon.size(); ++k) triangles_.add(at(0), at(k), at(k + 1));
   }
 }
 

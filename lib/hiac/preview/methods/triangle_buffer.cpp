@@ -33,6 +33,39 @@ std::array<Place, 3> around_narrow(const std::array<Place, 3>& p,
           at(length / 2, 2 * high - kGrowth)};
 }
 
+// The first whole number from x on, for the coordinates that there are (RegionFiller clips others).
+int first_from(double x) {
+  constexpr double kShift = 1 << 20;
+  return (1 << 20) - static_cast<int>(kShift - x);
+}
+
+// More pixels than this are not looked at one by one.
+constexpr int kFewPixels = 6;
+// A triangle is left out only where no rounding of the shader's can give it the pixel.
+constexpr double kRounding = 1e-5;
+
+// Whether a pixel's centre lies in a triangle, or nearly so.
+bool has_pixel(const std::array<ScreenPoint, 3>& at) {
+  const auto [left, right] = std::minmax({at[0].x, at[1].x, at[2].x});
+  const auto [top, bottom] = std::minmax({at[0].y, at[1].y, at[2].y});
+  const int x0 = first_from(left - 0.5), x1 = -first_from(0.5 - right);
+  const int y0 = first_from(top - 0.5), y1 = -first_from(0.5 - bottom);
+  if (x0 > x1 || y0 > y1) return false;
+  if ((x1 - x0 + 1) * (y1 - y0 + 1) > kFewPixels) return true;
+  for (int y = y0; y <= y1; ++y)
+    for (int x = x0; x <= x1; ++x) {
+      bool inside = true;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const ScreenPoint &p = at[k], &q = at[(k + 1) % 3];
+        const double one = (p.x - (x + 0.5)) * (q.y - (y + 0.5)),
+                     two = (p.y - (y + 0.5)) * (q.x - (x + 0.5));
+        inside = inside && one - two >= -kRounding * (std::abs(one) + std::abs(two));
+      }
+      if (inside) return true;
+    }
+  return false;
+}
+
 }  // namespace
 
 std::array<Place, 3> grown(const std::array<Place, 3>& p) {
@@ -66,6 +99,7 @@ void TriangleBuffer::add(const Corner& a, const Corner& b, const Corner& c) {
     std::swap(corners[1], corners[2]);
     std::swap(at[1], at[2]);
   }
+  if (!has_pixel(at)) return;
   const auto places = grown({{{at[0].x, at[0].y}, {at[1].x, at[1].y}, {at[2].x, at[2].y}}});
   const std::size_t start = floats_.size(), stride = floats_per_vertex();
   floats_.resize(start + 3 * stride);

@@ -39,7 +39,7 @@ class TriangleBuffer {
     std::array<float, kPerspectiveValues> values;
   };
   /// Adds a triangle, counter-clockwise with y up, whichever way it is given; none where its
-  /// corners, rounded to kFine, lie on a line.
+  /// corners, rounded to kFine, lie on a line, or where it contains no pixel's centre.
   void add(const Corner& a, const Corner& b, const Corner& c);
 
   void clear() { floats_.clear(); }

@@ -43,7 +43,11 @@ struct HigherOrderSegments {
 // with emission I = length times the mean of g exp(-A). The integrals are Gauss-Legendre sums whose
 // number of nodes follows from the bound of symmetric_rules.hpp; a piece that needs too many is
 // halved.
-template <bool kEmission, std::size_t kDegree>
+//
+// kSteep: whether the transfer functions are steep (OpticsTables::steep). It is an argument of the
+// template, as what the check of steep functions needs would be kept through every piece of all
+// others.
+template <bool kEmission, bool kSteep, std::size_t kDegree>
 class HigherOrderWalk {
  public:
   HigherOrderWalk(const OpticsTables& optics, const WalkField& color, const WalkField& extinction)
@@ -177,38 +181,17 @@ class HigherOrderWalk {
           hn::Add(hn::NegMulAdd(hn::Add(even, odd), zeta, hn::Sub(even, odd)), means.of_factor);
     }
     Radiance<V> light = light_of(d, channels, constant, linear, zeta);
-    if (HWY_UNLIKELY(optics_.steep)) {
-      // copies: what a function takes the address of is in no register
-      const Piece<V> whole = piece;
-      const Radiance<V> unchecked = light;
-      light = sound_light_of(d, optics_, color_here_, color_.base, extinction_here_,
-                             extinction_.base, whole, unchecked);
+    if constexpr (kSteep) {
+      const auto end = [&](const PowerScalar<V, kDegree>& f, double z, double base)
+                           HWY_ATTR { return end_of(d, f.c, kDegree, z, base); };
+      light = sound_light<kEmission>(
+          d, optics_, light,
+          PieceEnds<D>{color, extinction, end(field, -1.0, color_.base),
+                       end(field, 1.0, color_.base), end(piece.extinction, -1.0, extinction_.base),
+                       end(piece.extinction, 1.0, extinction_.base), piece.length});
     }
     add_behind(light, active, sum);
     return true;
-  }
-
-  // What sound_light makes of a piece's light. It asks for the transfer functions once more, so
-  // that nothing but the piece has to be kept for it.
-  template <class D, class V>
-  static HWY_NOINLINE Radiance<V> sound_light_of(D d, const OpticsTables& optics,
-                                                 IntervalRange color_here, double color_base,
-                                                 IntervalRange extinction_here,
-                                                 double extinction_base, const Piece<V>& piece,
-                                                 const Radiance<V>& light) {
-    const PowerScalar<V, kDegree>& field = optics.same_field ? piece.extinction : piece.color;
-    const auto extinction = reader_at_middle(d, optics.extinction, extinction_here, extinction_base,
-                                             piece.extinction.c[0]);
-    const auto color = optics.same_field ? extinction
-                                         : reader_at_middle(d, optics.color, color_here, color_base,
-                                                            piece.color.c[0]);
-    const auto end = [&](const PowerScalar<V, kDegree>& f, double z, double base)
-                         HWY_ATTR { return end_of(d, f.c, kDegree, z, base); };
-    return sound_light<kEmission>(
-        d, optics, light,
-        PieceEnds<D>{color, extinction, end(field, -1.0, color_base), end(field, 1.0, color_base),
-                     end(piece.extinction, -1.0, extinction_base),
-                     end(piece.extinction, 1.0, extinction_base), piece.length});
   }
 
   template <class D, class V>

@@ -55,7 +55,7 @@ struct HigherOrderField {
 };
 
 // Renders one kind of scene.
-template <bool kEmission, std::size_t kOrder>
+template <bool kEmission, bool kSteep, std::size_t kOrder>
 class HigherOrderRenderer {
  public:
   explicit HigherOrderRenderer(const TileTarget& to)
@@ -89,7 +89,7 @@ class HigherOrderRenderer {
   using D = hn::CappedTag<double, 8>;
   using V = hn::Vec<D>;
   using M = hn::Mask<D>;
-  using Walk = HigherOrderWalk<kEmission, kOrder>;
+  using Walk = HigherOrderWalk<kEmission, kSteep, kOrder>;
 
   HWY_INLINE bool load(CellId cell) {
     const std::uint64_t first_entry = frame_.mesh.elems[cell];
@@ -263,17 +263,19 @@ class HigherOrderRenderer {
   std::optional<HigherOrderDetails> details_;  // if details are requested
 };
 
-template <bool kEmission, std::size_t kOrder>
+template <bool kEmission, bool kSteep, std::size_t kOrder>
 HWY_NOINLINE void render_all(const TileTarget& to, std::span<const CellId> cells) {
-  HigherOrderRenderer<kEmission, kOrder> renderer(to);
+  HigherOrderRenderer<kEmission, kSteep, kOrder> renderer(to);
   for (const CellId cell : cells) renderer.render(cell);
 }
 
 template <std::size_t kOrder>
 void render_order(const TileTarget& to, std::span<const CellId> cells) {
-  const auto render =
-      to.frame.optics.emission ? render_all<true, kOrder> : render_all<false, kOrder>;
-  render(to, cells);
+  const OpticsTables& optics = to.frame.optics;
+  if (optics.emission)
+    (optics.steep ? render_all<true, true, kOrder> : render_all<true, false, kOrder>)(to, cells);
+  else
+    (optics.steep ? render_all<false, true, kOrder> : render_all<false, false, kOrder>)(to, cells);
 }
 
 void render_quadratic_here(const TileTarget& to, std::span<const CellId> cells) {

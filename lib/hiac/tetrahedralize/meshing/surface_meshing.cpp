@@ -16,6 +16,7 @@
 #include "hiac/base/child_process.hpp"
 #include "hiac/base/error.hpp"
 #include "hiac/geometry/predicates.hpp"
+#include "hiac/tetrahedralize/enclosed_parts.hpp"
 
 namespace hiac {
 namespace {
@@ -71,8 +72,7 @@ std::string switches(const Surface& surface, const SurfaceMeshing& how) {
   if (bounded) text += "a";
   if (how.max_volume) text += fmt::format("a{:.17f}", *how.max_volume);
   if (how.preserve_surface) text += "Y";
-  if (!surface.regions.empty()) text += "A";
-  return text;
+  return text + "A";
 }
 
 // Translates the codes that terminatetetgen() of TetGen 1.5 throws.
@@ -100,7 +100,7 @@ struct Answer {
   int code = 0;  // the code that terminatetetgen() threw, or 0
   std::vector<double> xyz;
   std::vector<NodeId> nodes;
-  std::vector<double> regions;  // of the tetrahedra; empty if there are none
+  std::vector<double> regions;  // of the tetrahedra
 };
 
 template <typename T>
@@ -159,12 +159,13 @@ Answer ask_tetgen(const Surface& surface, const SurfaceMeshing& how) {
   std::vector<int> code;
   const bool told = take(rest, code) && code.size() == 1;
   if (told && code[0] != 0) fail(code[0]);
-  if (!told || !take(rest, answer.xyz) || !take(rest, answer.nodes) || !take(rest, answer.regions))
+  if (!told || !take(rest, answer.xyz) || !take(rest, answer.nodes) ||
+      !take(rest, answer.regions) || 4 * answer.regions.size() != answer.nodes.size())
     throw Error(ExitCode::internal, "TetGen's answer is incomplete");
   return answer;
 }
 
-ZooMesh mesh_from(Answer&& answer) {
+ZooMesh mesh_from(const Surface& surface, Answer&& answer) {
   ZooMesh mesh;
   mesh.xyz = std::move(answer.xyz);
   const std::size_t count = answer.nodes.size() / 4;
@@ -178,8 +179,8 @@ ZooMesh mesh_from(Answer&& answer) {
   mesh.nodes = std::move(answer.nodes);
   mesh.elems = std::move(elems);
   mesh.kinds = std::vector<CellKind>(count, CellKind::tetrahedron4);
-  if (!answer.regions.empty())
-    mesh.fields.push_back({"region", "", FieldLocation::cell, 1, std::move(answer.regions)});
+  if (surface.regions.empty()) number_parts(mesh, surface.points.size(), answer.regions);
+  mesh.fields.push_back({kRegionField, "", FieldLocation::cell, 1, std::move(answer.regions)});
   return mesh;
 }
 
@@ -193,7 +194,7 @@ ZooMesh mesh_surface(const Surface& surface, const SurfaceMeshing& how) {
   Answer answer = ask_tetgen(surface, how);
   if (answer.nodes.empty())
     throw JudgementError("the surface encloses nothing (a closed surface expected)");
-  return mesh_from(std::move(answer));
+  return mesh_from(surface, std::move(answer));
 }
 
 }  // namespace hiac

@@ -1,0 +1,53 @@
+#include "hiac/session/field_values.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace hiac {
+
+std::vector<double> values_in_cells(const ZooMesh& mesh, const Field& field) {
+  const auto values = field.values.view();
+  std::vector<double> finite;
+  finite.reserve(values.size());
+  if (field.location != FieldLocation::node) {
+    for (const double value : values)
+      if (std::isfinite(value)) finite.push_back(value);
+    return finite;
+  }
+  std::vector<std::uint8_t> used(mesh.node_count(), 0);
+  for (const NodeId node : mesh.nodes) used[node] = 1;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (used[i] != 0 && std::isfinite(values[i])) finite.push_back(values[i]);
+  return finite;
+}
+
+bool is_finite_in_cells(const ZooMesh& mesh, const Field& field) {
+  const auto values = field.values.view();
+  const auto finite = [&](std::size_t i) { return std::isfinite(values[i]); };
+  if (field.location == FieldLocation::node) return std::ranges::all_of(mesh.nodes, finite);
+  return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
+
+ValueExtent extent_of(const std::vector<double>& values) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  ValueExtent extent{kInfinity, -kInfinity};
+  for (const double value : values) {
+    extent.low = std::min(extent.low, value);
+    extent.high = std::max(extent.high, value);
+  }
+  return extent;
+}
+
+double percentile(std::vector<double>& values, double percent) {
+  const double rank = percent / 100 * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(rank);
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(below);
+  std::nth_element(values.begin(), at, values.end());
+  const double share = rank - static_cast<double>(below);
+  if (share == 0) return *at;
+  return (1 - share) * *at + share * *std::min_element(at + 1, values.end());
+}
+
+}  // namespace hiac

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "hiac/mesh/zoo_mesh.hpp"
+
+namespace hiac {
+
+/// The finite values of a scalar field that belong to cells: of nodes, those that a cell has.
+std::vector<double> values_in_cells(const ZooMesh& mesh, const Field& field);
+
+/// Whether all values of a scalar field that belong to cells are finite.
+bool is_finite_in_cells(const ZooMesh& mesh, const Field& field);
+
+/// The smallest and the largest of values; low > high where there are none.
+struct ValueExtent {
+  double low, high;
+
+  [[nodiscard]] bool is_empty() const { return !(low <= high); }
+};
+
+ValueExtent extent_of(const std::vector<double>& values);
+
+/// The percentile of values (reordered), linear between the two nearest ranks; `values` is not
+/// empty.
+double percentile(std::vector<double>& values, double percent);
+
+}  // namespace hiac

@@ -1,0 +1,223 @@
+#include "hiac/session/visibility.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "hiac/base/parallel.hpp"
+#include "hiac/mesh/interpolant_range.hpp"
+#include "hiac/mesh/shape_functions.hpp"
+#include "hiac/session/field_values.hpp"
+
+namespace hiac {
+namespace {
+
+using Vec = std::array<double, 3>;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// What a field's values are
+// ------------------------------------------------------------------------
+
+/// Bounds of a field's interpolant in one cell.
+ValueExtent cell_extent(const ZooMesh& mesh, const Field& field, CellId cell) {
+  const auto values = field.values.view();
+  if (field.location == FieldLocation::cell) return {values[cell], values[cell]};
+  const auto nodes = mesh.cell_nodes(cell);
+  std::array<double, kMaxNodesPerCell> at{};
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    at[i] = field.location == FieldLocation::node ? values[nodes[i]] : values[mesh.elems[cell] + i];
+  const ValueRange range = interpolant_range(mesh.kinds[cell], std::span(at).first(nodes.size()));
+  return {range.least, range.most};
+}
+
+/// Bounds of the values that a field has in the mesh, between nodes too.
+ValueExtent extent_in_mesh(const ZooMesh& mesh, const Scene& scene, const std::string& name) {
+  constexpr std::size_t kGrain = 4096;
+  const Field field = scalar_field(mesh, name);
+  std::vector<ValueExtent> parts((mesh.cell_count() + kGrain - 1) / kGrain,
+                                 {kInfinity, -kInfinity});
+  parallel_for(mesh.cell_count(), kGrain, [&](IndexRange cells) {
+    ValueExtent& part = parts[cells.begin / kGrain];
+    for (std::size_t cell = cells.begin; cell < cells.end; ++cell) {
+      const ValueExtent here = cell_extent(mesh, field, static_cast<CellId>(cell));
+      part = {std::min(part.low, here.low), std::max(part.high, here.high)};
+    }
+  });
+  ValueExtent whole{kInfinity, -kInfinity};
+  for (const ValueExtent& part : parts)
+    whole = {std::min(whole.low, part.low), std::max(whole.high, part.high)};
+  // polynomials in world coordinates overshoot in their own ways: no bounds of theirs are known
+  // here
+  const double width = whole.high - whole.low;
+  if (scene.render.interpolation == Interpolation::polynomial)
+    whole = {whole.low - width, whole.high + width};
+  return whole;
+}
+
+std::string text_of(const ValueExtent& extent) {
+  return fmt::format("from {:g} to {:g}", extent.low, extent.high);
+}
+
+// Transfer functions
+// -------------------------------------------------------------------------------
+
+template <std::size_t N>
+bool varies(const TransferFunction<N>& transfer) {
+  return std::ranges::any_of(transfer.points, [&](const auto& point) {
+    return point.value != transfer.points.front().value;
+  });
+}
+
+/// The line on a function that is constant where its field has values; none where it is not.
+template <std::size_t N>
+std::optional<std::string> missed(const std::string& key, const TransferFunction<N>& transfer,
+                                  const ValueExtent& extent) {
+  const ValueExtent points{transfer.points.front().scalar, transfer.points.back().scalar};
+  const bool meets = extent.high >= points.low && extent.low <= points.high;
+  if (meets || extent.is_empty() || !varies(transfer)) return std::nullopt;
+  return fmt::format(
+      "{0}: the points go {1}, the values of '{2}' {3}: they do not meet, and everything has one "
+      "value ({0}.range = \"auto\" with points on 0 to 1 follows the field)",
+      key, text_of(points), transfer.field, text_of(extent));
+}
+
+/// The largest extinction over values of the field: at an end, or at a point between.
+double largest_over(const ExtinctionTransfer& transfer, const ValueExtent& extent) {
+  const auto function = transfer.function();
+  double largest = std::max(function(extent.low)[0], function(extent.high)[0]);
+  for (const auto& point : transfer.points)
+    if (point.scalar >= extent.low && point.scalar <= extent.high)
+      largest = std::max(largest, point.value[0]);
+  return largest;
+}
+
+bool glows_alone(const Volume& volume) {
+  if (volume.glow != Glow::emission || !volume.color) return false;
+  return std::ranges::any_of(volume.color->points,
+                             [](const auto& point) { return point.value != Color{}; });
+}
+
+void look_at_volume(const ZooMesh& mesh, const Scene& scene, std::vector<std::string>& found) {
+  const Volume& volume = scene.volume;
+  if (volume.color) {
+    const ValueExtent extent = extent_in_mesh(mesh, scene, volume.color->field);
+    if (const auto line = missed("volume.color", *volume.color, extent)) found.push_back(*line);
+  }
+  if (!volume.extinction) {
+    if (scene.isosurfaces.empty() && !glows_alone(volume))
+      found.emplace_back(
+          "nothing is drawn: there is neither extinction nor a surface (add [volume.extinction] or "
+          "an [[isosurface]])");
+    return;
+  }
+  const ExtinctionTransfer& extinction = *volume.extinction;
+  const ValueExtent extent = extent_in_mesh(mesh, scene, extinction.field);
+  if (extent.is_empty()) return;
+  const auto line = missed("volume.extinction", extinction, extent);
+  if (line) found.push_back(*line);
+  const bool seen = largest_over(extinction, extent) > 0 || glows_alone(volume);
+  if (!seen && !line && scene.isosurfaces.empty())
+    found.push_back(fmt::format(
+        "volume.extinction: zero for all values of '{}' ({}): the medium is not seen (points with "
+        "an extinction above 0 there make it visible)",
+        extinction.field, text_of(extent)));
+}
+
+void look_at_surfaces(const ZooMesh& mesh, const Scene& scene, std::vector<std::string>& found) {
+  for (std::size_t i = 0; i < scene.isosurfaces.size(); ++i) {
+    const Isosurface& surface = scene.isosurfaces[i];
+    const ValueExtent extent = extent_in_mesh(mesh, scene, surface.field);
+    if (extent.is_empty()) continue;
+    if (surface.value < extent.low || surface.value > extent.high)
+      found.push_back(
+          fmt::format("isosurface.{}: '{}' has values {}, never {:g}: there is no such surface "
+                      "(isosurface.{}.value = {:g} lies in the middle)",
+                      i, surface.field, text_of(extent), surface.value, i,
+                      0.5 * extent.low + 0.5 * extent.high));
+  }
+}
+
+// The camera
+// ---------------------------------------------------------------------------------------
+
+/// Where the mesh is, seen from the eye.
+struct Sight {
+  double nearest = kInfinity, farthest = -kInfinity;  ///< along the view direction
+  Vec low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
+};
+
+Sight sight_of(const ZooMesh& mesh, const Camera& camera) {
+  const Vec direction = view_direction(camera);
+  const double length = std::hypot(direction[0], direction[1], direction[2]);
+  Sight sight;
+  for (const NodeId node : mesh.nodes) {
+    const auto p = mesh.position(node);
+    double depth = 0;
+    for (std::size_t a = 0; a < 3; ++a) {
+      depth += (p[a] - camera.eye[a]) * (direction[a] / length);
+      sight.low[a] = std::min(sight.low[a], p[a]);
+      sight.high[a] = std::max(sight.high[a], p[a]);
+    }
+    sight.nearest = std::min(sight.nearest, depth);
+    sight.farthest = std::max(sight.farthest, depth);
+  }
+  return sight;
+}
+
+std::string why_no_pixel(const ZooMesh& mesh, const Scene& scene, bool is_part) {
+  if (mesh.cell_count() == 0) return "no cell is seen: the mesh has none";
+  const Camera& camera = scene.camera;
+  const Sight sight = sight_of(mesh, camera);
+  std::array<std::string, 3> middle;
+  for (std::size_t a = 0; a < 3; ++a)
+    middle[a] = fmt::format("{:g}", 0.5 * sight.low[a] + 0.5 * sight.high[a]);
+  const std::string look =
+      fmt::format("camera.look_at = [{}] looks at the middle of the mesh", fmt::join(middle, ", "));
+  if (camera.projection == Projection::perspective && sight.farthest <= 0)
+    return fmt::format(
+        "no cell is seen: the camera looks away, all of the mesh is behind the eye "
+        "({})",
+        look);
+  if (camera.clip && (sight.farthest < (*camera.clip)[0] || sight.nearest > (*camera.clip)[1]))
+    return fmt::format(
+        "no cell is seen: camera.clip = [{:g}, {:g}] misses the mesh, which lies {:g} to {:g} from "
+        "the eye along the view direction",
+        (*camera.clip)[0], (*camera.clip)[1], sight.nearest, sight.farthest);
+  if (is_part) return "no cell is seen in this part of the picture (another part shows some)";
+  return fmt::format(
+      "no cell is seen: the camera looks past the mesh, or from so far that it is "
+      "smaller than a pixel ({})",
+      look);
+}
+
+/// Half a step of an 8-bit channel: what is more transparent changes no pixel.
+constexpr double kInvisible = 0.5 / 255;
+
+}  // namespace
+
+std::vector<std::string> invisible_parts(const ZooMesh& mesh, const Scene& scene) {
+  std::vector<std::string> found;
+  if (mesh.cell_count() == 0) return found;
+  look_at_volume(mesh, scene, found);
+  look_at_surfaces(mesh, scene, found);
+  return found;
+}
+
+std::optional<std::string> reason_of_empty(const ZooMesh& mesh, const Scene& scene,
+                                           const DrawnFacts& drawn) {
+  if (drawn.covered_pixels == 0) return why_no_pixel(mesh, scene, drawn.is_part);
+  const bool medium_alone = scene.volume.extinction && scene.isosurfaces.empty();
+  const double opacity = -std::expm1(-drawn.largest_optical_depth);
+  if (!medium_alone || glows_alone(scene.volume) || opacity >= kInvisible || opacity <= 0)
+    return std::nullopt;
+  return fmt::format(
+      "the medium is too thin to be seen: its optical depth is at most {:.2g} (extinctions {:.2g} "
+      "times as large reach 1)",
+      drawn.largest_optical_depth, 1 / drawn.largest_optical_depth);
+}
+
+}  // namespace hiac

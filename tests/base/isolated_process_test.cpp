@@ -1,0 +1,177 @@
+#include "hiac/base/isolated_process.hpp"
+
+#include <csignal>
+#include <cstring>
+#include <new>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include "hiac/base/error.hpp"
+#include "hiac/base/memory_watch.hpp"
+
+namespace hiac {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr std::size_t kMebibyte = std::size_t{1} << 20;
+
+/// Does what the request names.
+void serve(const std::string& path, const std::string& request, PackWriter& out) {
+  if (request == "bad input") throw InputError(path, "is bad");
+  if (request == "wrong usage") throw UsageError("wrong");
+  if (request == "no memory") throw std::bad_alloc();
+  if (request == "crash") std::raise(SIGSEGV);
+  if (request == "leave") _exit(7);
+  if (request == "speak") std::fputs("this is not to be seen\n", stderr);
+  out.text(path + " " + request);
+  std::vector<double> numbers(request == "much" ? 4 * kMebibyte : 3);
+  std::iota(numbers.begin(), numbers.end(), 0.5);
+  out.consume_block(numbers.data(), numbers.size() * sizeof(double));
+  out.number(42);
+}
+
+std::string text_of(IsolatedProcess& process, const std::string& request) {
+  const PackedAnswer answer = process.answer("file", request);
+  return PackReader(answer.bytes(), "file").text();
+}
+
+std::string message_of(IsolatedProcess& process, const std::string& request) {
+  try {
+    process.answer("file", request);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(IsolatedProcess, AnswersRequestAfterRequest) {
+  IsolatedProcess process("a library", serve);
+  for (const char* request : {"first", "speak", "third"})
+    EXPECT_EQ(text_of(process, request), std::string("file ") + request);
+}
+
+TEST(IsolatedProcess, PassesErrorsOn) {
+  IsolatedProcess process("a library", serve);
+  EXPECT_EQ(message_of(process, "bad input"), "file: is bad");
+  EXPECT_THROW(process.answer("file", "wrong usage"), UsageError);
+  EXPECT_THROW(process.answer("file", "no memory"), std::bad_alloc);
+  EXPECT_EQ(text_of(process, "again"), "file again");
+}
+
+TEST(IsolatedProcess, ContainsACrash) {
+  IsolatedProcess process("a library", serve);
+  for (int round = 0; round < 2; ++round)
+    EXPECT_THAT(message_of(process, "crash"),
+                HasSubstr("file: a library breaks down on it (a damaged file; signal 11)"));
+  IsolatedProcess other("a library", serve);
+  EXPECT_THAT(message_of(other, "leave"), HasSubstr("status 7"));
+}
+
+TEST(IsolatedProcess, BlocksOutliveTheirAnswer) {
+  const std::uint64_t before = bytes_in_shared_memory();
+  {
+    IsolatedProcess process("a library", serve);
+    double* numbers = nullptr;
+    {
+      PackedAnswer answer = process.answer("file", "much");
+      PackReader in(answer.bytes(), "file");
+      in.text();
+      const std::span<const char> block = in.block();
+      ASSERT_EQ(block.size(), 4 * kMebibyte * sizeof(double));
+      EXPECT_EQ(in.number(), 42U);
+      numbers = static_cast<double*>(answer.take_block(block));
+    }
+    EXPECT_EQ(text_of(process, "next"), "file next");
+    EXPECT_EQ(numbers[0], 0.5);
+    EXPECT_EQ(numbers[4 * kMebibyte - 1], 0.5 + static_cast<double>(4 * kMebibyte - 1));
+    numbers[1] = 7;  // it belongs to whoever took it
+    EXPECT_EQ(numbers[1], 7);
+    const std::uint64_t held = bytes_in_shared_memory() - before;
+    EXPECT_GE(held, 32 * kMebibyte);
+    EXPECT_LT(held, 33 * kMebibyte) << "answers are kept";
+    free_block(numbers);
+    EXPECT_LT(bytes_in_shared_memory() - before, kMebibyte) << "a block is kept";
+  }
+  EXPECT_EQ(bytes_in_shared_memory(), before);
+}
+
+TEST(IsolatedProcess, AnswersAreGivenBack) {
+  const std::uint64_t before = bytes_in_shared_memory();
+  IsolatedProcess process("a library", [](const std::string&, const std::string&, PackWriter& out) {
+    out.array(std::span<const double>(std::vector<double>(kMebibyte, 1.5)));
+  });
+  for (int round = 0; round < 3; ++round) {
+    const PackedAnswer answer = process.answer("file", "");
+    EXPECT_EQ(PackReader(answer.bytes(), "file").array<double>().size(), kMebibyte);
+    EXPECT_LT(bytes_in_shared_memory() - before, 9 * kMebibyte) << round;
+  }
+  EXPECT_LT(bytes_in_shared_memory() - before, kMebibyte);
+}
+
+TEST(IsolatedProcess, SharedMemoryIsCountedOnce) {
+  const std::uint64_t before = used_memory();
+  IsolatedProcess process("a library", [](const std::string&, const std::string&, PackWriter& out) {
+    std::string bytes(256 * kMebibyte, 'x');
+    out.consume_block(bytes.data(), bytes.size());
+  });
+  PackedAnswer answer = process.answer("file", "");
+  PackReader in(answer.bytes(), "file");
+  const std::span<const char> block = in.block();
+  EXPECT_EQ(std::accumulate(block.begin(), block.end(), std::size_t{0}), block.size() * 'x');
+  const std::uint64_t used = used_memory() - before;
+  EXPECT_GT(used, 250 * kMebibyte);
+  EXPECT_LT(used, 320 * kMebibyte);
+}
+
+// ---- what is packed, without a process
+
+template <typename Write>
+std::vector<char> packed(const Write& write) {
+  const SharedMemory memory;
+  PackWriter out(memory.descriptor());
+  write(out);
+  std::vector<char> bytes(out.end());
+  EXPECT_EQ(pread(memory.descriptor(), bytes.data(), bytes.size(), 0),
+            static_cast<ssize_t>(bytes.size()));
+  return bytes;
+}
+
+TEST(Pack, GivesEverythingBack) {
+  std::string large(100'000, 'y');
+  const std::vector<char> bytes = packed([&](PackWriter& out) {
+    out.number(5);
+    out.text("seven b");
+    out.array(std::span<const double>(std::vector{1.5, 2.5}));
+    std::string copy = large;
+    out.consume_block(copy.data(), copy.size());
+    out.number(6);
+  });
+  PackReader in(bytes, "file");
+  EXPECT_EQ(in.number_below(6), 5U);
+  EXPECT_EQ(in.text(), "seven b");
+  EXPECT_EQ(in.array<double>(), (std::vector{1.5, 2.5}));
+  const std::span<const char> block = in.block();
+  EXPECT_EQ(std::string(block.begin(), block.end()), large);
+  EXPECT_EQ((block.data() - bytes.data()) % static_cast<std::ptrdiff_t>(kPackPage), 0);
+  EXPECT_EQ(in.number(), 6U);
+  EXPECT_THROW(in.number(), InputError);
+}
+
+TEST(Pack, RefusesWhatCannotBeRight) {
+  const std::vector<char> bytes = packed([](PackWriter& out) { out.number(1000); });
+  const auto reader = [&] { return PackReader(bytes, "file"); };
+  EXPECT_THROW(reader().number_below(1000), InputError);
+  EXPECT_EQ(reader().number_below(1001), 1000U);
+  EXPECT_THROW(reader().text(), InputError);
+  EXPECT_THROW(reader().array<double>(), InputError);
+  EXPECT_THROW(reader().count(), InputError);
+  EXPECT_THROW(reader().block(), InputError);
+}
+
+}  // namespace
+}  // namespace hiac

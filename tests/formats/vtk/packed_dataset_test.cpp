@@ -1,0 +1,252 @@
+// Datasets that VTK reads in another process arrive whole, whatever that process packs.
+#include "formats/vtk/packed_dataset.hpp"
+
+#include <array>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+#include <vtkBitArray.h>
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkIdList.h>
+#include <vtkIdTypeArray.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationStringKey.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkRectilinearGrid.h>
+#include <vtkStringArray.h>
+#include <vtkStructuredGrid.h>
+#include <vtkUnstructuredGrid.h>
+
+#include "formats/vtk/reading_process.hpp"
+#include "hiac/base/isolated_process.hpp"
+#include "tests/formats/files.hpp"
+
+namespace hiac::formats::vtk {
+namespace {
+
+/// An answer that holds the packed dataset.
+std::unique_ptr<PackedAnswer> packed(vtkDataSet& dataset) {
+  const auto memory = std::make_shared<SharedMemory>();
+  PackWriter out(memory->descriptor());
+  pack_dataset(out, dataset);
+  return std::make_unique<PackedAnswer>(memory, 0, out.end());
+}
+
+vtkSmartPointer<vtkDataSet> passed_on(vtkDataSet& dataset) {
+  const auto copy = vtkSmartPointer<vtkDataSet>::Take(dataset.NewInstance());
+  copy->DeepCopy(&dataset);
+  const auto answer = packed(*copy);
+  PackReader in(answer->bytes(), "file");
+  return unpack_dataset(in, *answer);
+}
+
+void expect_same(vtkFieldData& expected, vtkFieldData& found) {
+  ASSERT_EQ(found.GetNumberOfArrays(), expected.GetNumberOfArrays());
+  for (int i = 0; i < expected.GetNumberOfArrays(); ++i) {
+    vtkAbstractArray* const a = expected.GetAbstractArray(i);
+    vtkAbstractArray* const b = found.GetAbstractArray(i);
+    EXPECT_STREQ(a->GetName(), b->GetName());
+    EXPECT_EQ(a->GetDataType(), b->GetDataType());
+    EXPECT_EQ(a->GetNumberOfComponents(), b->GetNumberOfComponents());
+    ASSERT_EQ(a->GetNumberOfValues(), b->GetNumberOfValues());
+    for (vtkIdType v = 0; v < a->GetNumberOfValues(); ++v)
+      ASSERT_EQ(a->GetVariantValue(v).ToString(), b->GetVariantValue(v).ToString());
+  }
+}
+
+void expect_same(vtkDataSet& expected, vtkDataSet& found) {
+  EXPECT_STREQ(expected.GetClassName(), found.GetClassName());
+  ASSERT_EQ(expected.GetNumberOfPoints(), found.GetNumberOfPoints());
+  ASSERT_EQ(expected.GetNumberOfCells(), found.GetNumberOfCells());
+  for (vtkIdType p = 0; p < expected.GetNumberOfPoints(); ++p) {
+    std::array<double, 3> a, b;
+    expected.GetPoint(p, a.data());
+    found.GetPoint(p, b.data());
+    ASSERT_EQ(a, b) << p;
+  }
+  for (vtkIdType c = 0; c < expected.GetNumberOfCells(); ++c) {
+    ASSERT_EQ(expected.GetCellType(c), found.GetCellType(c));
+    vtkNew<vtkIdList> a;
+    vtkNew<vtkIdList> b;
+    expected.GetCellPoints(c, a);
+    found.GetCellPoints(c, b);
+    ASSERT_EQ(a->GetNumberOfIds(), b->GetNumberOfIds());
+    for (vtkIdType n = 0; n < a->GetNumberOfIds(); ++n) ASSERT_EQ(a->GetId(n), b->GetId(n));
+  }
+  expect_same(*expected.GetPointData(), *found.GetPointData());
+  expect_same(*expected.GetCellData(), *found.GetCellData());
+  expect_same(*expected.GetFieldData(), *found.GetFieldData());
+}
+
+template <typename Array, typename Value>
+vtkSmartPointer<Array> array(const char* name, int components, vtkIdType values, Value step) {
+  auto result = vtkSmartPointer<Array>::New();
+  result->SetName(name);
+  result->SetNumberOfComponents(components);
+  for (vtkIdType v = 0; v < values; ++v) result->InsertNextValue(static_cast<Value>(v) * step);
+  return result;
+}
+
+/// Data of every sort on the points, on the cells and on the whole.
+void add_data(vtkDataSet& dataset) {
+  const vtkIdType points = dataset.GetNumberOfPoints();
+  const vtkIdType cells = dataset.GetNumberOfCells();
+  const auto velocity = array<vtkFloatArray>("v", 3, 3 * points, 0.25F);
+  velocity->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), "m/s");
+  dataset.GetPointData()->AddArray(velocity);
+  dataset.GetPointData()->AddArray(array<vtkBitArray>("marks", 1, points, 1));
+  dataset.GetCellData()->AddArray(array<vtkIntArray>("part", 1, cells, 7));
+  dataset.GetCellData()->AddArray(array<vtkIdTypeArray>("ids", 1, cells, vtkIdType{1} << 40));
+  vtkNew<vtkStringArray> texts;
+  texts->SetName("title");
+  texts->InsertNextValue("a mesh");
+  texts->InsertNextValue("");
+  dataset.GetFieldData()->AddArray(texts);
+  dataset.GetFieldData()->AddArray(array<vtkDoubleArray>("TimeValue", 1, 1, 1.0));
+}
+
+/// `count` tetrahedra in a row and a polyhedron.
+vtkSmartPointer<vtkUnstructuredGrid> unstructured(vtkIdType count) {
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (vtkIdType p = 0; p < count + 3; ++p)
+    points->InsertNextPoint(static_cast<double>(p % 2), static_cast<double>(p / 2 % 2),
+                            static_cast<double>(p));
+  grid->SetPoints(points);
+  for (vtkIdType c = 0; c < count; ++c) {
+    const std::array<vtkIdType, 4> nodes{c, c + 1, c + 2, c + 3};
+    grid->InsertNextCell(VTK_TETRA, 4, nodes.data());
+  }
+  const std::array<vtkIdType, 4> nodes{0, 1, 2, 3};
+  const std::array<vtkIdType, 16> faces{3, 0, 2, 1, 3, 0, 1, 3, 3, 1, 2, 3, 3, 2, 0, 3};
+  grid->InsertNextCell(VTK_POLYHEDRON, 4, nodes.data(), 4, faces.data());
+  add_data(*grid);
+  return grid;
+}
+
+TEST(PackedDataset, UnstructuredGridsArriveWhole) {
+  // small arrays are copied, large ones mapped
+  for (const vtkIdType count : {1, 40'000}) {
+    const auto grid = unstructured(count);
+    const auto found = passed_on(*grid);
+    ASSERT_NE(found, nullptr);
+    expect_same(*grid, *found);
+    auto* const other = vtkUnstructuredGrid::SafeDownCast(found);
+    vtkNew<vtkIdList> a;
+    vtkNew<vtkIdList> b;
+    grid->GetFaceStream(count, a);
+    other->GetFaceStream(count, b);
+    ASSERT_EQ(a->GetNumberOfIds(), 17);
+    ASSERT_EQ(b->GetNumberOfIds(), 17);
+    for (vtkIdType i = 0; i < 17; ++i) EXPECT_EQ(a->GetId(i), b->GetId(i));
+    vtkDataArray* const velocity = found->GetPointData()->GetArray("v");
+    EXPECT_STREQ(velocity->GetInformation()->Get(vtkDataArray::UNITS_LABEL()), "m/s");
+  }
+  const auto empty = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  expect_same(*empty, *passed_on(*empty));
+}
+
+TEST(PackedDataset, StructuredDatasetsArriveWhole) {
+  const auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetExtent(1, 4, 0, 2, -1, 0);
+  image->SetOrigin(1, 2, 3);
+  image->SetSpacing(0.5, 0.25, 2);
+  image->SetDirectionMatrix(0, 1, 0, 1, 0, 0, 0, 0, 1);
+  add_data(*image);
+  expect_same(*image, *passed_on(*image));
+
+  const auto rectilinear = vtkSmartPointer<vtkRectilinearGrid>::New();
+  rectilinear->SetExtent(0, 2, 0, 1, 5, 6);
+  rectilinear->SetXCoordinates(array<vtkFloatArray>("x", 1, 3, 0.5F));
+  rectilinear->SetYCoordinates(array<vtkDoubleArray>("y", 1, 2, 0.1));
+  rectilinear->SetZCoordinates(array<vtkDoubleArray>("z", 1, 2, 3.0));
+  add_data(*rectilinear);
+  expect_same(*rectilinear, *passed_on(*rectilinear));
+
+  const auto structured = vtkSmartPointer<vtkStructuredGrid>::New();
+  structured->SetExtent(0, 2, 0, 1, 0, 1);
+  vtkNew<vtkPoints> points;
+  for (int p = 0; p < 12; ++p) points->InsertNextPoint(p % 3, p / 3 % 2, p / 6 + 0.1 * p);
+  structured->SetPoints(points);
+  add_data(*structured);
+  expect_same(*structured, *passed_on(*structured));
+}
+
+TEST(PackedDataset, WhatAnotherProcessMadeUpIsRefusedOrHarmless) {
+  const auto grid = unstructured(2);
+  const auto structured = vtkSmartPointer<vtkStructuredGrid>::New();
+  structured->SetExtent(0, 1, 0, 1, 0, 1);
+  vtkNew<vtkPoints> points;
+  for (int p = 0; p < 8; ++p) points->InsertNextPoint(p % 2, p / 2 % 2, p / 4);
+  structured->SetPoints(points);
+  add_data(*structured);
+  for (vtkDataSet* dataset :
+       {static_cast<vtkDataSet*>(grid), static_cast<vtkDataSet*>(structured)}) {
+    const std::size_t size = [&] {
+      const auto copy = vtkSmartPointer<vtkDataSet>::Take(dataset->NewInstance());
+      copy->DeepCopy(dataset);
+      return packed(*copy)->bytes().size();
+    }();
+    std::size_t refused = 0;
+    for (std::size_t at = 0; at + 8 <= size; at += 8)
+      for (const std::uint64_t value : {std::uint64_t{0}, std::uint64_t{3}, ~std::uint64_t{0},
+                                        std::uint64_t{1} << 62, std::uint64_t{1} << 31}) {
+        const auto copy = vtkSmartPointer<vtkDataSet>::Take(dataset->NewInstance());
+        copy->DeepCopy(dataset);
+        const auto answer = packed(*copy);
+        std::memcpy(const_cast<char*>(answer->bytes().data()) + at, &value, sizeof value);
+        try {
+          PackReader in(answer->bytes(), "file");
+          const auto found = unpack_dataset(in, *answer);
+          if (found != nullptr) static_cast<void>(found->GetNumberOfCells());
+        } catch (const InputError&) {
+          ++refused;
+        }
+      }
+    EXPECT_GT(refused, size / 8);
+  }
+}
+
+TEST(ReadingProcess, VtkReadsThere) {
+  const ScratchFolder folder;
+  const std::string path = folder.write(
+      "a.vtk",
+      "# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n"
+      "0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n");
+  const auto process = reading_process();
+  EXPECT_EQ(process, reading_process());
+  EXPECT_EQ(read_any(path).mesh.cell_count(), 1U);
+  pid_t child = 0;
+  std::ifstream("/proc/self/task/" + std::to_string(getpid()) + "/children") >> child;
+  ASSERT_GT(child, 0);
+  kill(child, SIGSEGV);
+  try {
+    read_any(path);
+    ADD_FAILURE() << "something else reads";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("a.vtk: VTK breaks down on it (a damaged file; "
+                                                 "signal 11)"));
+  }
+}
+
+TEST(ReadingProcess, IsNewWhenNobodyHoldsIt) {
+  std::weak_ptr<IsolatedProcess> first = reading_process();
+  EXPECT_TRUE(first.expired());
+  const auto second = reading_process();
+  EXPECT_NE(second, nullptr);
+}
+
+}  // namespace
+}  // namespace hiac::formats::vtk

@@ -1,0 +1,125 @@
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "hiac/base/error.hpp"
+#include "hiac/image/srgb.hpp"
+#include "hiac/scene/colormaps/built_in_colormaps.hpp"
+#include "hiac/session/session.hpp"
+#include "tests/support/meshes.hpp"
+
+namespace hiac {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+const std::string kView =
+    "[image]\nwidth = 64\nheight = 8\n"
+    "[camera]\nprojection = 'orthographic'\neye = [0.5, -3, 0.5]\nlook_at = [0.5, 0, 0.5]\n"
+    "up = [0, 0, 1]\nheight = 0.125\n";
+
+ParsedScene view(const std::string& text) { return parse_scene(kView + text, "view.toml"); }
+
+/// One tetrahedron with the values of a field at its nodes, and a node that belongs to no cell.
+ZooMesh tetrahedron(std::vector<double> values) {
+  ZooMesh mesh = test::make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {9, 9, 9}},
+                                 {{CellKind::tetrahedron4, {0, 1, 2, 3}}});
+  mesh.fields.push_back({"f", "", FieldLocation::node, 1, std::move(values)});
+  return mesh;
+}
+
+std::vector<double> scalars(const std::string& keys, const ZooMesh& mesh) {
+  const ParsedScene parsed = with_field_ranges(
+      view("[volume.extinction]\nfield = 'f'\npoints = [[0, 1], [1, 3]]\n" + keys), mesh);
+  EXPECT_FALSE(parsed.extinction);
+  EXPECT_EQ(parsed.notes.size(), 1U);
+  std::vector<double> found;
+  for (const auto& point : parsed.scene.volume.extinction->points) found.push_back(point.scalar);
+  return found;
+}
+
+using Scalars = std::vector<double>;
+
+TEST(FieldRange, FollowsTheValuesThatBelongToCells) {
+  const ZooMesh mesh = tetrahedron({4, 1, 3, 2, 1000});
+  EXPECT_EQ(scalars("range = 'auto'\n", mesh), (Scalars{1, 4}));
+  // numpy.percentile([1, 2, 3, 4], [10, 75]) is [1.3, 3.25]
+  const Scalars percentiles = scalars("range = 'percentile:10,75'\n", mesh);
+  ASSERT_EQ(percentiles.size(), 2U);
+  EXPECT_DOUBLE_EQ(percentiles[0], 1.3);
+  EXPECT_DOUBLE_EQ(percentiles[1], 3.25);
+  EXPECT_EQ(scalars("range = 'percentile:0,100'\n", tetrahedron({4, NAN, 3, 2, -5})),
+            (Scalars{2, 4}));
+}
+
+TEST(FieldRange, ALogarithmicScaleSpansThePositiveValues) {
+  const Scalars found =
+      scalars("range = 'auto'\nscale = 'log'\n", tetrahedron({0, 1e-2, -3, 1e2, 0}));
+  EXPECT_GT(found.size(), 10U);
+  EXPECT_EQ(found.front(), 1e-2);
+  EXPECT_EQ(found.back(), 1e2);
+  EXPECT_THAT(
+      [] {
+        scalars("range = 'auto'\nscale = 'log'\n", tetrahedron({0, -1, -3, 0, 1}));
+      },
+      ThrowsMessage<InputError>(HasSubstr("field 'f': has no positive value")));
+}
+
+TEST(FieldRange, OneValueTakesTheMiddleOfThePoints) {
+  const ParsedScene parsed = with_field_ranges(
+      view("[volume.extinction]\nfield = 'f'\nrange = 'auto'\npoints = [[0, 1], [1, 3]]\n"),
+      tetrahedron({7, 7, 7, 7, 0}));
+  ASSERT_EQ(parsed.scene.volume.extinction->points.size(), 1U);
+  EXPECT_EQ(parsed.scene.volume.extinction->points[0].scalar, 7);
+  EXPECT_EQ(parsed.scene.volume.extinction->points[0].value[0], 2);
+  EXPECT_THAT(parsed.notes[0], HasSubstr("the one value 7"));
+}
+
+TEST(FieldRange, RefusesFieldsWithoutValues) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(
+      [] {
+        scalars("range = 'auto'\n", tetrahedron({kNone, kNone, kNone, kNone, 1}));
+      },
+      ThrowsMessage<InputError>(HasSubstr("field 'f': has no finite value")));
+  EXPECT_THAT(
+      [] {
+        scalars("range = 'auto'\n", tetrahedron({1e120, 0, 0, 0, 1}));
+      },
+      ThrowsMessage<InputError>(HasSubstr("too large")));
+  EXPECT_THROW(with_field_ranges(view("[volume.color]\nfield = 'g'\npreset = 'viridis'\n"),
+                                 tetrahedron({0, 1, 2, 3, 4})),
+               UsageError);
+}
+
+// An opaque cell with the field x from 0 to 1 across the picture shows the colour map's display
+// values.
+TEST(FieldRange, AnOpaqueMediumShowsThePresetsDisplayValues) {
+  ZooMesh mesh = test::structured(1, test::Cut::bricks);
+  test::add_node_field(mesh, "x", [](const test::Position& p) { return p[0]; });
+  for (const std::string& name : built_in_colormap_names()) {
+    const ParsedScene parsed =
+        with_field_ranges(view("[volume.color]\nfield = 'x'\npreset = '" + name +
+                               "'\n[volume.extinction]\nfield = 'x'\npoints = [[0, 1e7]]\n"),
+                          mesh);
+    const Image image = Session(mesh).picture(parsed.scene).image;
+    const ColormapPreset preset = *built_in_colormap(name);
+    double largest = 0;
+    for (std::size_t i = 0; i < 64; ++i) {
+      const auto shown = preset_color(preset, (static_cast<double>(i) + 0.5) / 64);
+      for (std::size_t c = 0; c < 3; ++c)
+        largest = std::fmax(largest, std::fabs(srgb_encode(image.at(i, 4, c)) - shown[c]));
+    }
+    EXPECT_LT(largest, 1.0 / 255) << name;
+    EXPECT_GT(largest, 0) << name;
+  }
+}
+
+}  // namespace
+}  // namespace hiac

@@ -1,0 +1,167 @@
+#include "hiac/session/visibility.hpp"
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "hiac/session/session.hpp"
+#include "tests/support/meshes.hpp"
+
+namespace hiac {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::SizeIs;
+
+/// The unit cube with the field x, from 0 to 1.
+ZooMesh cube() {
+  ZooMesh mesh = test::structured(2, test::Cut::bricks);
+  test::add_node_field(mesh, "x", [](const test::Position& p) { return p[0]; });
+  return mesh;
+}
+
+Scene good_view() {
+  Scene scene = starter_view(cube());
+  scene.image = {32, 24};
+  return scene;
+}
+
+/// The line after drawing, if any.
+std::string reason(const Scene& scene, std::optional<PixelRect> part = std::nullopt) {
+  const ZooMesh mesh = cube();
+  PictureRequest request;
+  request.part = part;
+  const Picture picture = Session(mesh).picture(scene, request);
+  return reason_of_empty(mesh, scene,
+                         {picture.covered_pixels, picture.largest_optical_depth, part.has_value()})
+      .value_or("");
+}
+
+Isosurface surface(double value) {
+  Isosurface made;
+  made.field = "x";
+  made.value = value;
+  return made;
+}
+
+TEST(Visibility, GoodPicturesGiveNoReason) {
+  Scene scene = good_view();
+  EXPECT_THAT(invisible_parts(cube(), scene), IsEmpty());
+  EXPECT_EQ(reason(scene), "");
+  scene.volume.extinction->points = {{0.5, {1}}};  // constant, wherever it is
+  scene.volume.color->points = {{7, {1, 0, 0}}};
+  scene.isosurfaces = {surface(0), surface(0.5), surface(1)};
+  EXPECT_THAT(invisible_parts(cube(), scene), IsEmpty());
+  scene.volume.extinction.reset();
+  EXPECT_THAT(invisible_parts(cube(), scene), IsEmpty());
+  EXPECT_EQ(reason(scene), "");
+  scene.isosurfaces.clear();
+  scene.volume.glow = Glow::emission;
+  EXPECT_THAT(invisible_parts(cube(), scene), IsEmpty());
+  EXPECT_EQ(reason(scene), "");
+}
+
+TEST(Visibility, PointsThatTheFieldDoesNotMeet) {
+  for (const double shift : {-3.0, 3.0}) {
+    Scene scene = good_view();
+    for (auto& point : scene.volume.color->points) point.scalar += shift;
+    EXPECT_THAT(invisible_parts(cube(), scene),
+                ElementsAre(AllOf(HasSubstr("volume.color: the points go from "),
+                                  HasSubstr("the values of 'x' from 0 to 1: they do not meet"),
+                                  HasSubstr("volume.color.range = \"auto\""))));
+    scene = good_view();
+    scene.volume.extinction->points = {{shift, {1}}, {shift + 1, {2}}};
+    EXPECT_THAT(invisible_parts(cube(), scene),
+                ElementsAre(HasSubstr("volume.extinction: the poi")));
+  }
+  Scene touching = good_view();
+  touching.volume.extinction->points = {{1, {1}}, {2, {2}}};
+  EXPECT_THAT(invisible_parts(cube(), touching), IsEmpty());
+}
+
+TEST(Visibility, ExtinctionThatIsZero) {
+  Scene scene = good_view();
+  scene.volume.extinction->points = {{0, {0}}, {1, {0}}, {2, {5}}, {3, {5}}};
+  EXPECT_THAT(
+      invisible_parts(cube(), scene),
+      ElementsAre(HasSubstr("volume.extinction: zero for all values of 'x' (from 0 to 1)")));
+  scene.volume.extinction->points = {{0, {0}}, {0.5, {0}}, {0.5, {5}}, {0.6, {0}}};
+  EXPECT_THAT(invisible_parts(cube(), scene), IsEmpty());
+  scene.volume.extinction->points = {{0, {0}}};
+  scene.isosurfaces = {surface(0.5)};
+  EXPECT_THAT(invisible_parts(cube(), scene), IsEmpty());
+  scene.isosurfaces.clear();
+  scene.volume.extinction.reset();
+  EXPECT_THAT(invisible_parts(cube(), scene), ElementsAre(HasSubstr("nothing is drawn")));
+}
+
+TEST(Visibility, IsovaluesThatTheFieldDoesNotHave) {
+  Scene scene = good_view();
+  scene.isosurfaces = {surface(0.5), surface(1.5), surface(-1)};
+  EXPECT_THAT(invisible_parts(cube(), scene),
+              ElementsAre(AllOf(HasSubstr("isosurface.1: 'x' has values from 0 to 1, never 1.5"),
+                                HasSubstr("isosurface.1.value = 0.5")),
+                          HasSubstr("isosurface.2: 'x' has values from 0 to 1, never -1")));
+}
+
+// A quadratic field of a cell overshoots its nodes: the surface is there.
+TEST(Visibility, IsovaluesBetweenNodesAreFound) {
+  ZooMesh mesh = test::make_mesh({{0, 0, 0},
+                                  {1, 0, 0},
+                                  {0, 1, 0},
+                                  {0, 0, 1},
+                                  {.5, 0, 0},
+                                  {.5, .5, 0},
+                                  {0, .5, 0},
+                                  {0, 0, .5},
+                                  {.5, 0, .5},
+                                  {0, .5, .5}},
+                                 {{CellKind::tetrahedron10, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}}});
+  std::vector<double> values(10, 0);
+  values[4] = values[5] = 1;  // the edge from node 1 overshoots between 4 and 5
+  mesh.fields.push_back({"x", "", FieldLocation::node, 1, std::move(values)});
+  Scene scene = good_view();
+  scene.isosurfaces = {surface(1.05)};
+  EXPECT_THAT(invisible_parts(mesh, scene), IsEmpty());
+  scene.isosurfaces = {surface(9)};
+  EXPECT_THAT(invisible_parts(mesh, scene), SizeIs(1));
+}
+
+TEST(Visibility, ACameraThatLooksAway) {
+  Scene scene = good_view();
+  const Camera good = scene.camera;
+  for (std::size_t a = 0; a < 3; ++a) scene.camera.look_at[a] = 2 * good.eye[a] - good.look_at[a];
+  EXPECT_THAT(reason(scene), AllOf(HasSubstr("the camera looks away"), HasSubstr("behind the eye"),
+                                   HasSubstr("camera.look_at = [0.5, 0.5, 0.5]")));
+  scene.camera = good;
+  scene.camera.look_at[2] += 2;
+  EXPECT_THAT(reason(scene), HasSubstr("the camera looks past the mesh"));
+  scene.camera = good;
+  EXPECT_THAT(reason(scene, PixelRect{0, 0, 2, 2}), HasSubstr("in this part of the picture"));
+}
+
+TEST(Visibility, ASlabThatMisses) {
+  Scene scene = good_view();
+  scene.camera.clip = {{1000, 2000}};
+  EXPECT_THAT(reason(scene), HasSubstr("camera.clip = [1000, 2000] misses the mesh"));
+  scene.camera.clip = {{0, 1e-3}};
+  EXPECT_THAT(reason(scene), HasSubstr("camera.clip = [0, 0.001] misses the mesh"));
+  scene.camera.clip = {{0, 1000}};
+  EXPECT_EQ(reason(scene), "");
+}
+
+TEST(Visibility, AMediumThatIsTooThin) {
+  Scene scene = good_view();
+  for (auto& point : scene.volume.extinction->points) point.value[0] *= 1e-4;
+  EXPECT_THAT(reason(scene), HasSubstr("the medium is too thin to be seen: its optical depth"));
+  for (auto& point : scene.volume.extinction->points) point.value[0] *= 1e3;
+  EXPECT_EQ(reason(scene), "");
+}
+
+}  // namespace
+}  // namespace hiac

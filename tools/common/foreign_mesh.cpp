@@ -1,0 +1,205 @@
+#include "tools/common/foreign_mesh.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "hiac/base/error.hpp"
+#include "hiac/mesh/file_descriptor.hpp"
+#include "tools/common/as_option.hpp"
+#include "tools/common/file_kind.hpp"
+#include "tools/common/mesh_io.hpp"
+#include "tools/common/sibling_program.hpp"
+
+namespace hiac::tools {
+namespace {
+
+constexpr const char* kConverter = "hiac-convert";
+constexpr std::string_view kZoo = "\x89ZOO\r\n\x1a\n";
+constexpr int kNoProgram = 127;
+
+/// A running hiac-convert, the end of its pipe that is read, and a file of memory for its messages.
+struct Conversion {
+  pid_t process;
+  FileDescriptor stream, messages;
+};
+
+Conversion start(std::vector<std::string> arguments) {
+  const std::vector<std::string> places = places_of(kConverter);
+  std::vector<char*> pointers = pointers_to(arguments);
+  std::array<int, 2> ends{};
+  if (pipe2(ends.data(), O_CLOEXEC) != 0)
+    throw Error(ExitCode::internal, fmt::format("no pipe ({})", std::strerror(errno)));
+  FileDescriptor messages(memfd_create("messages", MFD_CLOEXEC));
+  const pid_t parent = getpid();
+  const pid_t child = fork();
+  if (child == 0) {
+    // never outlives this process, whose other threads it does not have
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+    if (getppid() != parent) _exit(1);
+    dup2(ends[1], STDOUT_FILENO);
+    dup2(messages.number(), STDERR_FILENO);
+    become(places, pointers);
+    _exit(kNoProgram);
+  }
+  close(ends[1]);
+  FileDescriptor stream(ends[0]);
+  if (child < 0)
+    throw Error(ExitCode::internal, fmt::format("no child process ({})", std::strerror(errno)));
+  return {child, std::move(stream), std::move(messages)};
+}
+
+std::string messages_of(const Conversion& conversion) {
+  std::string text;
+  std::array<char, 4096> part{};
+  for (;;) {
+    const ssize_t n = pread(conversion.messages.number(), part.data(), part.size(),
+                            static_cast<off_t>(text.size()));
+    if (n <= 0) return text;
+    text.append(part.data(), static_cast<std::size_t>(n));
+  }
+}
+
+/// The last line of hiac-convert's messages, which says why it ended, without its name.
+std::string reason_in(std::string messages) {
+  while (messages.ends_with('\n')) messages.pop_back();
+  std::string line = messages.substr(messages.rfind('\n') + 1);
+  const std::string name = std::string(kConverter) + ": ";
+  return line.starts_with(name) ? line.substr(name.size()) : line;
+}
+
+/// Waits for the end of the conversion and returns its messages; throws its reason where it failed.
+std::string finish(const Conversion& conversion, const std::string& path) {
+  int status = 0;
+  while (waitpid(conversion.process, &status, 0) < 0 && errno == EINTR) continue;
+  std::string messages = messages_of(conversion);
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return messages;
+  if (WIFSIGNALED(status))
+    throw Error(ExitCode::internal,
+                fmt::format("{}: {} was ended by signal {}", path, kConverter, WTERMSIG(status)));
+  const int code = WEXITSTATUS(status);
+  if (code == kNoProgram)
+    throw Error(ExitCode::internal,
+                fmt::format("{}: is not a zoo mesh, and {} is neither beside this program nor on "
+                            "PATH",
+                            path, kConverter));
+  const std::string reason = reason_in(std::move(messages));
+  const std::string name = reason.find(path) == std::string::npos ? path + ": " : "";
+  throw Error(static_cast<ExitCode>(code), name + reason);
+}
+
+std::vector<std::string> arguments_for(const Tool& tool, const MeshInput& input,
+                                       const std::vector<std::string>& further) {
+  std::vector<std::string> arguments{kConverter};
+  const auto given = as_option("--convert: ", [&] { return words_of(input.conversion); });
+  for (const auto& words : {given, further})
+    arguments.insert(arguments.end(), words.begin(), words.end());
+  const CommonOptions& common = tool.common();
+  if (common.quiet) arguments.emplace_back("--quiet");
+  if (common.verbose) arguments.emplace_back("--verbose");
+  if (common.threads > 0) arguments.push_back(fmt::format("--threads={}", common.threads));
+  if (common.max_memory > 0) arguments.push_back(fmt::format("--max-memory={}", common.max_memory));
+  // a name that begins with a hyphen is no option
+  arguments.push_back(input.path.starts_with('-') ? "./" + input.path : input.path);
+  return arguments;
+}
+
+}  // namespace
+
+void add_conversion(CLI::App& app, std::string& conversion) {
+  app.add_option("--convert", conversion,
+                 "Options of hiac-convert for a file that is no zoo mesh, in one word: --convert "
+                 "'--step 3 --block top'")
+      ->type_name("OPTIONS");
+}
+
+bool is_foreign_mesh(const std::string& path) {
+  std::error_code error;
+  if (path.empty() || path == "-") return false;
+  if (std::filesystem::is_directory(path, error)) return true;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
+  std::string head(kZoo.size(), '\0');
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return false;  // whoever reads it says why
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+  // the beginning of a zoo mesh is one, too; files of other formats may be empty (OpenFOAM's .foam)
+  const bool named_zoo = std::filesystem::path(path).extension() == ".zoo";
+  if (kZoo.starts_with(head) && (named_zoo || !head.empty())) return false;
+  const auto kind = kind_of_file(path);
+  if (kind && *kind != FileKind::mesh)
+    throw InputError(path, fmt::format("is {} (a mesh expected)", kind_phrase(*kind)));
+  return true;
+}
+
+ZooFile read_any_mesh(const Tool& tool, const MeshInput& input, MeshNumbers numbers,
+                      const std::vector<std::string>& further) {
+  if (!is_foreign_mesh(input.path)) {
+    if (!input.conversion.empty())
+      throw UsageError(
+          fmt::format("--convert: {} is not a foreign file (a zoo mesh is read as it "
+                      "is)",
+                      input_name(input.path)));
+    return read_mesh(input.path, numbers);
+  }
+  const std::vector<std::string> arguments = arguments_for(tool, input, further);
+  Conversion conversion = start(arguments);
+  std::optional<ZooFile> file;
+  try {
+    file = read_zoo_stream(conversion.stream.number(), input.path, numbers);
+  } catch (const InputError&) {
+    // no one reads on, so that the converter ends; what ended the stream is the better reason
+    { const FileDescriptor closed(std::move(conversion.stream)); }
+    finish(conversion, input.path);
+    throw;
+  }
+  const std::string messages = finish(conversion, input.path);
+  tool.note(fmt::format("{} is not a zoo mesh: read by {}", input.path, fmt::join(arguments, " ")));
+  if (!messages.empty()) tool.print(messages);
+  return *std::move(file);
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::vector<std::string> words;
+  bool inside = false;
+  char quote = '\0';
+  for (const char c : text) {
+    if (quote != '\0') {
+      if (c == quote)
+        quote = '\0';
+      else
+        words.back() += c;
+      continue;
+    }
+    if (c == ' ' || c == '\t' || c == '\n') {
+      inside = false;
+      continue;
+    }
+    if (!inside) words.emplace_back();
+    inside = true;
+    if (c == '\'' || c == '"')
+      quote = c;
+    else
+      words.back() += c;
+  }
+  if (quote != '\0') throw UsageError(fmt::format("a quote is not closed in `{}`", text));
+  return words;
+}
+
+}  // namespace hiac::tools

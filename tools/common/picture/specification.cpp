@@ -1,0 +1,38 @@
+#include "tools/common/picture/specification.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "hiac/base/error.hpp"
+#include "hiac/image/image_io.hpp"
+#include "tools/common/as_option.hpp"
+
+namespace hiac::tools {
+namespace {
+
+/// The specification that a picture was made by, which its writer left in it.
+std::string specification_in(const std::string& picture) {
+  constexpr std::string_view kWidthUnknown =
+      ".f32";  // holds no texts, and cannot be read by itself
+  if (!picture.ends_with(kWidthUnknown)) {
+    const ImageFile file = read_image(picture);
+    const auto found = std::ranges::find(file.attributes, "hiac:specification",
+                                         &std::pair<std::string, std::string>::first);
+    if (found != file.attributes.end()) return found->second;
+  }
+  throw InputError(picture,
+                   "is a picture that does not hold its specification (one in .png, .exr or .tiff "
+                   "by hiac-render or hiac-preview expected, or a TOML file)");
+}
+
+}  // namespace
+
+ParsedScene read_specification(const std::string& path, const std::vector<std::string>& overrides) {
+  return as_option("--set ", [&] {
+    if (!has_image_extension(path)) return read_scene(path, overrides);
+    return parse_scene(specification_in(path), path,
+                       std::filesystem::path(path).parent_path().string(), overrides);
+  });
+}
+
+}  // namespace hiac::tools

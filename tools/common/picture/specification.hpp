@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hiac/scene/scene_parser.hpp"
+
+namespace hiac::tools {
+
+/// The specification in a file with the overrides of the option --set, which errors name. A picture
+/// (.png, .exr, .tiff) gives the specification by which it was made; one that does not hold it is
+/// an InputError.
+ParsedScene read_specification(const std::string& path, const std::vector<std::string>& overrides);
+
+}  // namespace hiac::tools

@@ -1,0 +1,146 @@
+#include "tools/convert/edits.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "hiac/base/error.hpp"
+#include "hiac/check/cells.hpp"
+#include "hiac/derive/deform.hpp"
+#include "hiac/derive/derive_field.hpp"
+#include "hiac/derive/keep_cells.hpp"
+#include "tools/common/as_option.hpp"
+
+namespace hiac::tools {
+namespace {
+
+std::optional<double> number_in(std::string_view text) {
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(number))
+    return std::nullopt;
+  return number;
+}
+
+void tell(Tool& tool, const std::string& note) {
+  tool.note(note);
+  tool.facts()["notes"].push_back(note);
+}
+
+const Field* find_field(const ZooMesh& mesh, std::string_view name) {
+  const auto found = std::ranges::find_if(
+      mesh.fields, [&](const Field& field) { return distinct_name(mesh, field) == name; });
+  return found == mesh.fields.end() ? nullptr : &*found;
+}
+
+void derive(Tool& tool, ZooMesh& mesh, const std::string& formula) {
+  Field field = as_option("--", [&] { return derive_field(mesh, formula); });
+  const auto odd = std::ranges::count_if(field.values.view(),
+                                         [](double value) { return !std::isfinite(value); });
+  if (odd > 0)
+    tell(tool, fmt::format("--derive {}: {} of {} values are not finite", formula, odd,
+                           field.values.size()));
+  mesh.fields.push_back(std::move(field));
+}
+
+// Names the cells that the new positions turn inside out.
+void tell_inverted(Tool& tool, const ZooMesh& mesh, const std::string& option) {
+  const CellShapes shapes = judge_cells(mesh, 0);
+  std::size_t count = 0, first = 0;
+  for (std::size_t cell = shapes.turns.size(); cell-- > 0;) {
+    if (shapes.turns[cell] == shapes.hand || shapes.turns[cell] == Turn::undecided) continue;
+    ++count;
+    first = cell;
+  }
+  tool.facts()["warp"]["inverted_cells"] = count;
+  if (count > 0)
+    tell(tool, fmt::format("{}: {} cells of the deformed mesh are flat or inside out, wholly or in "
+                           "part (the first is cell {})",
+                           option, count, first));
+}
+
+void warp(Tool& tool, ZooMesh& mesh, const std::string& request) {
+  const std::string option = fmt::format("--warp {}", request);
+  // the whole name first: names may hold colons
+  const Field* field = find_field(mesh, request);
+  double scale = 1;
+  if (const std::size_t colon = request.rfind(':');
+      field == nullptr && colon != std::string::npos) {
+    const auto number = number_in(std::string_view(request).substr(colon + 1));
+    if (!number) throw UsageError(option + ": FIELD or FIELD:SCALE expected");
+    scale = *number;
+    field = find_field(mesh, std::string_view(request).substr(0, colon));
+  }
+  if (field == nullptr) throw UsageError(option + ": there is no such field");
+  const Field displacement = *field;
+  try {
+    deform(mesh, displacement, scale);
+  } catch (const UsageError& error) {
+    throw UsageError(fmt::format("{}: {}", option, error.what()));
+  }
+  tool.facts()["warp"] = {{"field", displacement.name}, {"scale", scale}};
+  tell_inverted(tool, mesh, option);
+}
+
+void threshold(Tool& tool, ZooMesh& mesh, const std::string& request) {
+  const std::string option = fmt::format("--threshold {}", request);
+  const std::size_t equals = request.rfind('=');
+  const std::size_t comma = request.find(',', equals == std::string::npos ? 0 : equals);
+  if (equals == std::string::npos || comma == std::string::npos)
+    throw UsageError(option + ": FIELD=LOW,HIGH expected (either may be left out)");
+  const auto bound = [&](std::string_view text, double none) {
+    if (text.empty()) return none;
+    const auto number = number_in(text);
+    if (!number) throw UsageError(fmt::format("{}: '{}' is no number", option, text));
+    return *number;
+  };
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const std::string_view text(request);
+  const double low = bound(text.substr(equals + 1, comma - equals - 1), -kInfinity);
+  const double high = bound(text.substr(comma + 1), kInfinity);
+  if (!(low <= high)) throw UsageError(option + ": LOW is above HIGH");
+  const std::vector<bool> keep = [&] {
+    try {
+      return cells_within(mesh, scalar_field(mesh, request.substr(0, equals)), low, high);
+    } catch (const UsageError& error) {
+      throw UsageError(fmt::format("{}: {}", option, error.what()));
+    }
+  }();
+  const auto kept = std::ranges::count(keep, true);
+  if (kept == 0) throw InputError(option, "no cell has all of its values within these bounds");
+  tool.facts()["threshold"] = {{"kept", kept}, {"cells", keep.size()}};
+  tool.detail(fmt::format("{}: {} of {} cells are kept", option, kept, keep.size()));
+  if (static_cast<std::size_t>(kept) < keep.size()) mesh = keep_cells(mesh, keep);
+}
+
+}  // namespace
+
+void Edits::add_options(CLI::App& app) {
+  app.add_option("--derive", derivations,
+                 "Add a field computed from others: 'speed = magnitude(v)', 'q = 2*p + x^2', "
+                 "'s = von_mises(stress)', 'v = vector(u, v, w)'; repeatable")
+      ->type_name("NAME=EXPRESSION")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_option("--warp", warp,
+                 "Move every node by SCALE (default: 1) times this field, a displacement")
+      ->type_name("FIELD[:SCALE]");
+  app.add_option("--threshold", threshold,
+                 "Keep only the cells of which every value of this scalar field lies from LOW to "
+                 "HIGH; either may be left out")
+      ->type_name("FIELD=LOW,HIGH");
+}
+
+void edit(Tool& tool, ZooMesh& mesh, const Edits& edits) {
+  for (const std::string& formula : edits.derivations) derive(tool, mesh, formula);
+  if (!edits.warp.empty()) warp(tool, mesh, edits.warp);
+  if (!edits.threshold.empty()) threshold(tool, mesh, edits.threshold);
+}
+
+}  // namespace hiac::tools
