@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <span>
 
 #include <gmock/gmock.h>
 
@@ -190,17 +191,37 @@ TEST(NumberParts, PartsWithTheSameFirstPoint) {
   mesh.kinds = std::vector<CellKind>(3, CellKind::tetrahedron4);
   mesh.elems = std::vector<std::uint64_t>{0, 4, 8, 12};
   mesh.nodes = std::vector<NodeId>{0, 1, 2, 3, 0, 1, 2, 5, 0, 1, 2, 4};
+  const std::vector<Point> points{{0, 0, 0}, {0, 0, 1}, {1, 0, 0},
+                                  {0, 1, 0}, {1, 0, 1}, {0, -1, 0}};
   std::vector<double> parts{5, 0, 3};
-  number_parts(mesh, 6, parts);
+  number_parts(mesh, points, parts);
   EXPECT_THAT(parts, ElementsAre(2, 1, 3));
   // the point (0, -1, 0) is of the surface no more, and a list comes before those that continue it
   parts = {5, 0, 3};
-  number_parts(mesh, 5, parts);
+  number_parts(mesh, std::span(points).first(5), parts);
   EXPECT_THAT(parts, ElementsAre(1, 2, 3));
   // without any, too, parts have numbers
   parts = {5, 0, 5};
-  number_parts(mesh, 0, parts);
+  number_parts(mesh, {}, parts);
   EXPECT_THAT(parts, ElementsAre(2, 1, 2));
+}
+
+// TetGen leaves out points that no facet uses: nodes are fewer than points, in any order.
+TEST(NumberParts, PointsThatAreNoNodes) {
+  ZooMesh mesh;
+  mesh.xyz = std::vector<double>{2, 0, 0, 3, 0, 0, 2, 1, 0, 2, 0, 1, 1, 0, 0};
+  mesh.kinds = std::vector<CellKind>(2, CellKind::tetrahedron4);
+  mesh.elems = std::vector<std::uint64_t>{0, 4, 8};
+  mesh.nodes = std::vector<NodeId>{0, 1, 2, 3, 0, 2, 3, 4};
+  const std::vector<Point> points{{9, 9, 9}, {3, 0, 0}, {-9, 0, 0}, {2, 0, 0}, {2, 1, 0},
+                                  {2, 0, 1}, {1, 0, 0}, {1, 0, 0},  {-9, 1, 0}};
+  std::vector<double> parts{0, 1};
+  number_parts(mesh, points, parts);
+  EXPECT_THAT(parts, ElementsAre(2, 1));
+  // nodes that are no points of the surface say nothing: the parts are alike, and keep their order
+  parts = {0, 1};
+  number_parts(mesh, std::span(points).subspan(3, 3), parts);
+  EXPECT_THAT(parts, ElementsAre(1, 2));
 }
 
 }  // namespace

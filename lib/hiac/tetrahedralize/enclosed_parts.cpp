@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -82,26 +81,35 @@ std::optional<unsigned> faces_at(const ZooMesh& mesh, CellId cell, const Positio
   return faces;
 }
 
+// The rank of every node that is at a point of the surface, among these points by x, y, z.
+std::vector<std::optional<NodeId>> ranks_of_nodes(const ZooMesh& mesh,
+                                                  std::span<const Position> surface_points) {
+  std::vector<Position> points(surface_points.begin(), surface_points.end());
+  std::ranges::sort(points);
+  std::vector<std::optional<NodeId>> ranks(mesh.node_count());
+  for (NodeId node = 0; node < ranks.size(); ++node) {
+    const auto at = mesh.position(node);
+    const auto found = std::ranges::lower_bound(points, Position{at[0], at[1], at[2]});
+    if (found != points.end() && std::ranges::equal(*found, at))
+      ranks[node] = static_cast<NodeId>(found - points.begin());
+  }
+  return ranks;
+}
+
 }  // namespace
 
-void number_parts(const ZooMesh& mesh, std::size_t surface_nodes, std::vector<double>& parts) {
-  std::vector<NodeId> by_position(surface_nodes);
-  std::iota(by_position.begin(), by_position.end(), NodeId{0});
-  std::ranges::stable_sort(by_position, [&](NodeId a, NodeId b) {
-    return std::ranges::lexicographical_compare(mesh.position(a), mesh.position(b));
-  });
-  std::vector<NodeId> ranks(surface_nodes);
-  for (NodeId rank = 0; rank < surface_nodes; ++rank) ranks[by_position[rank]] = rank;
-
-  std::map<double, std::vector<NodeId>> points;  // of every part, their ranks
-  std::vector<double> last(surface_nodes, -1);   // the part that met the point last: few meet one
+void number_parts(const ZooMesh& mesh, std::span<const Position> surface_points,
+                  std::vector<double>& parts) {
+  const std::vector<std::optional<NodeId>> ranks = ranks_of_nodes(mesh, surface_points);
+  std::map<double, std::vector<NodeId>> points;     // of every part, their ranks
+  std::vector<double> last(mesh.node_count(), -1);  // the part that met the node last: few meet one
   double previous = -1;
   for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {
     if (parts[cell] != previous) points[previous = parts[cell]];  // even without a surface point
     for (const NodeId node : mesh.cell_nodes(cell)) {
-      if (node >= surface_nodes || last[node] == parts[cell]) continue;
+      if (!ranks[node] || last[node] == parts[cell]) continue;
       last[node] = parts[cell];
-      points[parts[cell]].push_back(ranks[node]);
+      points[parts[cell]].push_back(*ranks[node]);
     }
   }
   std::vector<std::pair<std::vector<NodeId>, double>> order;

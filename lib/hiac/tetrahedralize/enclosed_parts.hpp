@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "hiac/mesh/zoo_mesh.hpp"
@@ -19,11 +20,13 @@ struct EnclosedPart {
 };
 
 /// Numbers the parts of a mesh of tetrahedra from 1: `parts` names the part of every cell in any
-/// way (not negative), and becomes its number. The first `surface_nodes` nodes are the points of
-/// the surface. Of two parts that one comes first whose first surface point (by x, then y, then z)
-/// comes first; if it is the same, the next points decide in the same way. A part thus comes before
-/// those that it surrounds, and numbers depend neither on the file's order nor on the tetrahedra.
-void number_parts(const ZooMesh& mesh, std::size_t surface_nodes, std::vector<double>& parts);
+/// way (not negative), and becomes its number. `surface_points` are those of the surface; nodes are
+/// at them exactly, or are further ones. Of two parts that one comes first whose first surface
+/// point (by x, then y, then z) comes first; if it is the same, the next points decide in the same
+/// way. A part thus comes before those that it surrounds, and numbers depend neither on the file's
+/// order nor on the tetrahedra.
+void number_parts(const ZooMesh& mesh, std::span<const std::array<double, 3>> surface_points,
+                  std::vector<double>& parts);
 
 /// The parts of a mesh of tetrahedra that has the field kRegionField with numbers from 1 on; part n
 /// is number n - 1.

@@ -179,7 +179,7 @@ ZooMesh mesh_from(const Surface& surface, Answer&& answer) {
   mesh.nodes = std::move(answer.nodes);
   mesh.elems = std::move(elems);
   mesh.kinds = std::vector<CellKind>(count, CellKind::tetrahedron4);
-  if (surface.regions.empty()) number_parts(mesh, surface.points.size(), answer.regions);
+  if (surface.regions.empty()) number_parts(mesh, surface.points, answer.regions);
   mesh.fields.push_back({kRegionField, "", FieldLocation::cell, 1, std::move(answer.regions)});
   return mesh;
 }
