@@ -141,6 +141,15 @@ std::vector<char> packed(const Write& write) {
   return bytes;
 }
 
+// A thread that starts holds locks of the memory allocator, which a fork would copy.
+TEST(IsolatedProcess, AnswersWhenTheWatchOverMemoryHasJustBegun) {
+  for (int trial = 0; trial < 100; ++trial) {
+    const MemoryWatch watch(std::uint64_t{1} << 40, [] {});
+    IsolatedProcess process("a library", serve);
+    EXPECT_EQ(text_of(process, "much"), "file much");
+  }
+}
+
 TEST(Pack, GivesEverythingBack) {
   std::string large(100'000, 'y');
   const std::vector<char> bytes = packed([&](PackWriter& out) {

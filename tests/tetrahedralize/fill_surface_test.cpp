@@ -62,7 +62,7 @@ std::vector<test::Shell> sorted(const test::NestedShells& nested) {
 TEST(FillSurface, LeavesWhatShellsWindAroundNoTimeEmpty) {
   std::mt19937_64 random(17);
   std::size_t with_cavities = 0, full = 0, deepest = 0;
-  for (std::size_t trial = 0; trial < test::tried(40); ++trial) {
+  for (std::size_t trial = 0; trial < test::tried(80); ++trial) {
     const test::NestedShells nested = test::nested_shells(true, random);
     std::vector<double> expected, all;
     const std::vector<test::Shell> shells = sorted(nested);

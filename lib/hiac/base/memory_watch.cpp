@@ -99,6 +99,8 @@ MemoryWatch::MemoryWatch(std::uint64_t limit, std::function<void()> exceeded)
   pthread_sigmask(SIG_BLOCK, &all, &before);
   thread_ = std::thread([this] { watch(); });
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  // a thread that starts allocates memory: a fork meanwhile may leave the child a locked allocator
+  watching_.wait();
 }
 
 MemoryWatch::~MemoryWatch() {
@@ -111,6 +113,8 @@ MemoryWatch::~MemoryWatch() {
 }
 
 void MemoryWatch::watch() {
+  peak_ = used_memory();
+  watching_.count_down();
   std::unique_lock lock(mutex_);
   while (!stop_.wait_for(lock, kPause, [this] { return stopped_; })) {
     const std::uint64_t used = used_memory();

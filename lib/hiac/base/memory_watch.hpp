@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
+#include <latch>
 #include <mutex>
 #include <thread>
 
@@ -18,7 +19,8 @@ std::uint64_t used_memory();
 std::uint64_t machine_memory();
 
 /// Looks often, from a thread of its own, how much memory the process and its children use, and
-/// calls `exceeded` once when it is more than `limit` bytes. Lives as long as it is to watch.
+/// calls `exceeded` once when it is more than `limit` bytes. Lives as long as it is to watch. The
+/// thread allocates no memory once this is constructed, so that the process may fork.
 class MemoryWatch {
  public:
   MemoryWatch(std::uint64_t limit, std::function<void()> exceeded);
@@ -37,6 +39,7 @@ class MemoryWatch {
   std::mutex mutex_;
   std::condition_variable stop_;
   bool stopped_ = false;
+  std::latch watching_{1};
   std::atomic<std::uint64_t> peak_{0};
   std::thread thread_;
 };
