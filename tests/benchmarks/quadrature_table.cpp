@@ -23,7 +23,7 @@
 
 #include <fmt/format.h>
 
-#include "hiac/optics/gauss_legendre.hpp"
+#include "hiac/base/gauss_legendre.hpp"
 
 namespace {
 

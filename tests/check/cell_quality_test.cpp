@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "hiac/base/gauss_legendre.hpp"
 #include "hiac/check/quality/mesh_quality.hpp"
 #include "hiac/mesh/shape_functions.hpp"
-#include "hiac/optics/gauss_legendre.hpp"
 #include "tests/check/findings.hpp"
 
 namespace hiac::test {

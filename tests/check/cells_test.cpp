@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "hiac/check/face_nodes.hpp"
 #include "hiac/geometry/predicates.hpp"
 #include "hiac/mesh/corner_fan.hpp"
+#include "hiac/mesh/face_nodes.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 #include "tests/check/findings.hpp"
 #include "tests/order/hard_meshes.hpp"

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hiac/optics/gauss_legendre.hpp"
+#include "hiac/base/gauss_legendre.hpp"
 #include "hiac/optics/linear_piece.hpp"
 
 namespace hiac {

@@ -7,11 +7,11 @@
 #include <limits>
 
 #include "hiac/base/collect.hpp"
-#include "hiac/check/face_nodes.hpp"
 #include "hiac/geometry/jacobian_sign.hpp"
 #include "hiac/geometry/predicates.hpp"
 #include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/corner_fan.hpp"
+#include "hiac/mesh/face_nodes.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 #include "hiac/order/behind_relation.hpp"
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "hiac/optics/gauss_legendre.hpp"
+#include "hiac/base/gauss_legendre.hpp"
 #include "hiac/optics/polynomial_roots.hpp"
 
 namespace hiac {

@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "hiac/optics/gauss_legendre.hpp"
+#include "hiac/base/gauss_legendre.hpp"
 #include "hiac/optics/linear_piece.hpp"
 #include "hiac/optics/transfer_course.hpp"
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "hiac/base/gauss_legendre.hpp"
 #include "hiac/base/parallel.hpp"
 #include "hiac/element/cell_field.hpp"
 #include "hiac/element/cell_surface.hpp"
@@ -13,7 +14,6 @@
 #include "hiac/geometry/inverse_map.hpp"
 #include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/shape_functions.hpp"
-#include "hiac/optics/gauss_legendre.hpp"
 #include "hiac/optics/linear_piece.hpp"
 #include "hiac/render/cells/cell_scan.hpp"
 #include "hiac/render/quadratic_bspline.hpp"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "hiac/base/error.hpp"
+#include "hiac/geometry/cell_volume.hpp"
 #include "hiac/mesh/shape_functions.hpp"
-#include "hiac/tetrahedralize/cell_volume.hpp"
 #include "hiac/tetrahedralize/chosen_cut.hpp"
 
 namespace hiac {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <span>
 
-#include "hiac/check/quality/cell_volume.hpp"
+#include "hiac/geometry/cell_volume.hpp"
 #include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/corner_fan.hpp"
 #include "hiac/mesh/shape_functions.hpp"
@@ -279,7 +279,7 @@ double quality_of(const ZooMesh& mesh, CellId cell, QualityFigure figure, int ha
   const auto corners = [&] { return corners_of(mesh, cell); };
   switch (figure) {
     case volume:
-      return hand * volume_of(mesh, cell);
+      return hand * signed_volume(mesh, cell);
     case least_dihedral:
     case largest_dihedral:
       return dihedral(corners(), hand, figure == largest_dihedral);

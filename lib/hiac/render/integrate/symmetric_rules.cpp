@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "hiac/optics/gauss_legendre.hpp"
+#include "hiac/base/gauss_legendre.hpp"
 
 namespace hiac {
 namespace {

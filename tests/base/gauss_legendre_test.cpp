@@ -1,4 +1,4 @@
-#include "hiac/optics/gauss_legendre.hpp"
+#include "hiac/base/gauss_legendre.hpp"
 
 #include <cmath>
 

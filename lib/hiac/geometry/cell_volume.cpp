@@ -1,12 +1,12 @@
-#include "hiac/check/quality/cell_volume.hpp"
+#include "hiac/geometry/cell_volume.hpp"
 
 #include <array>
 #include <span>
 
-#include "hiac/check/face_nodes.hpp"
+#include "hiac/base/gauss_legendre.hpp"
 #include "hiac/geometry/bezier_patch.hpp"
 #include "hiac/geometry/vector.hpp"
-#include "hiac/optics/gauss_legendre.hpp"
+#include "hiac/mesh/face_nodes.hpp"
 
 namespace hiac {
 namespace {
@@ -77,7 +77,7 @@ double flux_through(const FacePatch& patch) {
 
 }  // namespace
 
-double volume_of(const ZooMesh& mesh, CellId cell) {
+double signed_volume(const ZooMesh& mesh, CellId cell) {
   const CellKind kind = mesh.kinds[cell];
   double three = 0;
   for (std::size_t face = 0; face < face_count(kind); ++face) {
