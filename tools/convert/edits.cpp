@@ -13,7 +13,7 @@
 #include "hiac/check/cells.hpp"
 #include "hiac/derive/deform.hpp"
 #include "hiac/derive/derive_field.hpp"
-#include "hiac/derive/keep_cells.hpp"
+#include "hiac/mesh/parts/keep_cells.hpp"
 #include "tools/common/as_option.hpp"
 
 namespace hiac::tools {

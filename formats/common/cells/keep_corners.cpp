@@ -4,22 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "hiac/mesh/parts/chosen_tuples.hpp"
+#include "hiac/mesh/parts/used_nodes.hpp"
+
 namespace hiac::formats {
-namespace {
-
-constexpr NodeId kUnused = ~NodeId{0};
-
-/// A field restricted to the tuples `chosen`.
-SharedArray<double> chosen_tuples(std::span<const double> values, std::size_t width,
-                                  const std::vector<std::uint64_t>& chosen) {
-  std::vector<double> result;
-  result.reserve(chosen.size() * width);
-  for (const std::uint64_t tuple : chosen)
-    for (std::size_t c = 0; c < width; ++c) result.push_back(values[tuple * width + c]);
-  return result;
-}
-
-}  // namespace
 
 void keep_corners(ZooMesh& mesh, std::vector<std::string>& notes) {
   const auto is_high = [](CellKind kind) { return order_of(kind) != CellOrder::linear; };
@@ -37,17 +25,8 @@ void keep_corners(ZooMesh& mesh, std::vector<std::string>& notes) {
       entries.push_back(mesh.elems[cell] + n);
     elems.push_back(entries.size());
   }
-  std::vector<NodeId> number(mesh.node_count(), kUnused);
-  for (const std::uint64_t entry : entries) number[mesh.nodes[entry]] = 0;
-  std::vector<std::uint64_t> kept;
-  for (std::size_t node = 0; node < number.size(); ++node) {
-    if (number[node] == kUnused) continue;
-    number[node] = static_cast<NodeId>(kept.size());
-    kept.push_back(node);
-  }
-  std::vector<NodeId> nodes;
-  nodes.reserve(entries.size());
-  for (const std::uint64_t entry : entries) nodes.push_back(number[mesh.nodes[entry]]);
+  std::vector<NodeId> nodes = chosen_tuples(mesh.nodes.view(), 1, entries);
+  const std::vector<NodeId> kept = renumber_used_nodes(nodes, mesh.node_count());
 
   notes.push_back(
       fmt::format("kept the corners alone of {} cells of higher order: the data at {} "

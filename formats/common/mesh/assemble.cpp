@@ -18,6 +18,7 @@
 #include "formats/common/mesh/steps.hpp"
 #include "hiac/base/error.hpp"
 #include "hiac/mesh/location_name.hpp"
+#include "hiac/mesh/parts/chosen_tuples.hpp"
 
 namespace hiac::formats {
 namespace {
@@ -198,16 +199,8 @@ class Assembler {
     for (const auto& [a, b] : made_)
       for (std::size_t c = 0; c < width; ++c)
         values.push_back((values[a * width + c] + values[b * width + c]) / 2);
-    return used_.all ? std::move(values) : chosen(values, width, used_.chosen);
-  }
-
-  static std::vector<double> chosen(const std::vector<double>& values, std::size_t width,
-                                    std::span<const std::uint32_t> tuples) {
-    std::vector<double> result;
-    result.reserve(tuples.size() * width);
-    for (const std::size_t tuple : tuples)
-      for (std::size_t c = 0; c < width; ++c) result.push_back(values[tuple * width + c]);
-    return result;
+    return used_.all ? std::move(values)
+                     : chosen_tuples(std::span<const double>(values), width, used_.chosen);
   }
 
   std::vector<double> corner_values(const std::vector<double>& values, std::size_t width) const {
@@ -249,7 +242,7 @@ class Assembler {
       else if (field->location == FieldLocation::corner)
         values = corner_values(values, width);
       else if (!cells_.all_kept)
-        values = chosen(values, width, cells_.kept);
+        values = chosen_tuples(std::span<const double>(values), width, cells_.kept);
       reading_.mesh.fields.push_back(
           {field->name, field->unit, field->location, field->components, std::move(values)});
     }

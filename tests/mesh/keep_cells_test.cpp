@@ -1,4 +1,4 @@
-#include "hiac/derive/keep_cells.hpp"
+#include "hiac/mesh/parts/keep_cells.hpp"
 
 #include <limits>
 #include <vector>

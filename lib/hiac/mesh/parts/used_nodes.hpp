@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "hiac/mesh/zoo_mesh.hpp"
+
+namespace hiac {
+
+/// Numbers the nodes that occur in `nodes`, of `count` in all, without gaps and in their order, and
+/// gives them these numbers there. Returns the former number of each, ascending.
+std::vector<NodeId> renumber_used_nodes(std::span<NodeId> nodes, std::size_t count);
+
+}  // namespace hiac
