@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "hiac/frame/renderable.hpp"
+#include "hiac/mesh/parts/keep_cells.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace hiac {
@@ -141,17 +142,15 @@ TEST(CutCells, WithoutInvalidCellsNothingChanges) {
 
 TEST(CutCells, LeftOutCellsTakeTheirNodesWithThem) {
   const ZooMesh mesh = tangled(1, false);
-  std::vector<CellId> most;
-  for (CellId cell = 0; cell < mesh.cell_count(); ++cell)
-    if (cell != 5) most.push_back(cell);
-  const CutMesh left = leave_out_cells(mesh, most);
-  validate(left.mesh, "left");
-  ASSERT_EQ(left.mesh.cell_count(), 1U);
-  EXPECT_EQ(left.mesh.node_count(), 8U);
-  EXPECT_EQ(left.dropped_nodes, mesh.node_count() - 8);
-  EXPECT_EQ(left.mesh.fields[1].values[0], 5);
-  EXPECT_EQ(brick_volume(left.mesh, 0), brick_volume(mesh, 5));
-  expect_fields(left.mesh);
+  std::vector<bool> keep(mesh.cell_count(), false);
+  keep[5] = true;
+  const ZooMesh left = keep_cells(mesh, keep);
+  validate(left, "left");
+  ASSERT_EQ(left.cell_count(), 1U);
+  EXPECT_EQ(left.node_count(), 8U);
+  EXPECT_EQ(left.fields[1].values[0], 5);
+  EXPECT_EQ(brick_volume(left, 0), brick_volume(mesh, 5));
+  expect_fields(left);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/frame/renderable.hpp"
+#include "hiac/mesh/parts/keep_cells.hpp"
 #include "hiac/tetrahedralize/cut_cells.hpp"
 
 namespace hiac::tools {
@@ -35,10 +36,11 @@ void treat_invalid_cells(Tool& tool, InvalidCellsFate fate, const std::string& s
   const std::string which =
       fmt::format("{} of {} cells are partly turned inside out", cells.size(), mesh.cell_count());
   if (fate == InvalidCellsFate::skip) {
-    CutMesh left = leave_out_cells(mesh, cells);
+    std::vector<bool> keep(mesh.cell_count(), true);
+    for (const CellId cell : cells) keep[cell] = false;
     tool.warn(fmt::format("{} and are left out, the first is cell {}: the mesh has holes there",
                           which, cells.front()));
-    mesh = std::move(left.mesh);
+    mesh = keep_cells(mesh, keep);
     if (mesh.cell_count() == 0) throw InputError(subject, "has no other cells");
     return;
   }

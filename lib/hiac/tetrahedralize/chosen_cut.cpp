@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hiac/geometry/predicates.hpp"
-#include "hiac/mesh/shape_functions.hpp"
+#include "hiac/tetrahedralize/cell_place.hpp"
 
 namespace hiac {
 namespace {
@@ -15,17 +15,6 @@ namespace {
 using Triangle = std::array<std::uint8_t, 3>;
 
 constexpr std::pair<std::size_t, std::size_t> kNoneBad{0, 0};
-
-// Returns the image of the reference cell's centre.
-std::array<double, 3> center_of(const ZooMesh& mesh, CellId cell) {
-  std::array<double, kMaxNodesPerCell> shape;
-  shape_functions<double>(mesh.kinds[cell], reference_center(mesh.kinds[cell]), shape);
-  std::array<double, 3> position{};
-  const auto nodes = mesh.cell_nodes(cell);
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    for (std::size_t a = 0; a < 3; ++a) position[a] += shape[i] * mesh.position(nodes[i])[a];
-  return position;
-}
 
 // Returns the corners' ranks by position, and by number for nodes at the same place: cells agree on
 // them at faces that they share, and at faces with different nodes at the same places.
@@ -111,7 +100,8 @@ ChosenCut with_signs(const ZooMesh& mesh, CellId cell, const CellCut& cut) {
   ChosenCut result{cut, {}};
   const auto nodes = mesh.cell_nodes(cell);
   const bool centered = cut.count > 0 && cut.tetrahedra[0][3] == kCellCenter;
-  const std::array<double, 3> center = centered ? center_of(mesh, cell) : std::array<double, 3>{};
+  const std::array<double, 3> center =
+      centered ? position_of(mesh, center_of(mesh, cell)) : std::array<double, 3>{};
   const auto at = [&](std::uint8_t corner) {
     return corner == kCellCenter ? Point3(center) : mesh.position(nodes[corner]);
   };
@@ -123,15 +113,6 @@ ChosenCut with_signs(const ZooMesh& mesh, CellId cell, const CellCut& cut) {
 }
 
 }  // namespace
-
-std::array<double, 3> reference_center(CellKind kind) {
-  std::array<double, 3> center{};
-  const auto reference = reference_nodes(kind);
-  const std::size_t count = corner_count(kind);
-  for (std::size_t k = 0; k < count; ++k)
-    for (std::size_t a = 0; a < 3; ++a) center[a] += reference[k][a] / static_cast<double>(count);
-  return center;
-}
 
 std::pair<std::size_t, std::size_t> ChosenCut::bad() const {
   const auto all = std::span(signs).first(cut.count);

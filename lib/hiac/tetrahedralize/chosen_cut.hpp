@@ -29,7 +29,4 @@ ChosenCut choose_cut(const ZooMesh& mesh, CellId cell, OtherDiagonals other);
 /// choose_cut, those from every corner from which there is one, and the one around the centre.
 std::vector<ChosenCut> possible_cuts(const ZooMesh& mesh, CellId cell);
 
-/// Returns the centre of a cell in its reference cell: the mean of the corners.
-std::array<double, 3> reference_center(CellKind kind);
-
 }  // namespace hiac

@@ -7,12 +7,11 @@
 
 namespace hiac {
 
-/// A mesh in which some cells were cut into tetrahedra or left out.
+/// A mesh in which some cells were cut into tetrahedra.
 struct CutMesh {
   ZooMesh mesh;
-  std::uint64_t tetrahedra = 0;     ///< that replace the cut cells
-  std::uint64_t vanished = 0;       ///< cut cells that no tetrahedron replaces
-  std::uint64_t dropped_nodes = 0;  ///< nodes that no cell needs any more
+  std::uint64_t tetrahedra = 0;  ///< that replace the cut cells
+  std::uint64_t vanished = 0;    ///< cut cells that no tetrahedron replaces
   /// The sum over the cut cells of how much the volume of their tetrahedra differs from the cell's
   /// (signed_volume; the magnitudes of both).
   double volume_change = 0;
@@ -30,8 +29,5 @@ struct CutMesh {
 /// are copied. Other cells stay as they are, in their order. Metadata is kept, adjacency is not.
 /// Requires a mesh that satisfies validate().
 CutMesh cut_cells(const ZooMesh& mesh, std::span<const CellId> cells);
-
-/// Leaves the given cells (ascending) out.
-CutMesh leave_out_cells(const ZooMesh& mesh, std::span<const CellId> cells);
 
 }  // namespace hiac
