@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <numbers>
 #include <optional>
+#include <span>
 
 #include <fmt/format.h>
 #include <muParser.h>
@@ -13,6 +14,7 @@
 #include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
 #include "hiac/derive/averages.hpp"
+#include "hiac/mesh/tuple_count.hpp"
 
 namespace hiac {
 namespace {
@@ -63,6 +65,18 @@ mu::Parser new_parser() {
   return parser;
 }
 
+// A parser of a translated expression that takes its operands from there: the fields' values, and
+// then a position.
+mu::Parser parser_of(const std::string& text, std::span<double> operands) {
+  mu::Parser parser = new_parser();
+  const std::size_t fields = operands.size() - 3;
+  for (std::size_t k = 0; k < fields; ++k) parser.DefineVar(fmt::format("f{}", k), &operands[k]);
+  for (std::size_t d = 0; d < 3; ++d)
+    parser.DefineVar(fmt::format("x{}", d), &operands[fields + d]);
+  parser.SetExpr(text);
+  return parser;
+}
+
 using Position = std::array<double, 3>;
 
 // The mean position of the nodes of a cell.
@@ -81,18 +95,6 @@ Position position_of(const ZooMesh& mesh, FieldLocation location, std::size_t tu
       location == FieldLocation::node ? static_cast<NodeId>(tuple) : mesh.nodes[tuple];
   const auto p = mesh.position(node);
   return {p[0], p[1], p[2]};
-}
-
-std::size_t tuple_count(const ZooMesh& mesh, FieldLocation location) {
-  switch (location) {
-    case FieldLocation::node:
-      return mesh.node_count();
-    case FieldLocation::cell:
-      return mesh.cell_count();
-    case FieldLocation::corner:
-      break;
-  }
-  return mesh.nodes.size();
 }
 
 }  // namespace
@@ -224,13 +226,7 @@ ScalarExpression::ScalarExpression(const ZooMesh& mesh, std::string_view text) {
   Translation(mesh, text, *this).run();
   std::vector<double> operands(fields_.size() + 3);
   try {
-    mu::Parser parser = new_parser();
-    for (std::size_t k = 0; k < fields_.size(); ++k)
-      parser.DefineVar(fmt::format("f{}", k), &operands[k]);
-    for (std::size_t d = 0; d < 3; ++d)
-      parser.DefineVar(fmt::format("x{}", d), &operands[fields_.size() + d]);
-    parser.SetExpr(text_);
-    parser.Eval();
+    parser_of(text_, operands).Eval();
   } catch (const mu::Parser::exception_type& error) {
     // its places and names are those of the translation
     throw UsageError(fmt::format(
@@ -248,12 +244,7 @@ std::vector<double> ScalarExpression::values(const ZooMesh& mesh, FieldLocation 
   parallel_for(result.size(), kGrain, [&](IndexRange range) {
     // a parser of each range's own: it keeps the operands
     std::vector<double> operands(fields_.size() + 3);
-    mu::Parser parser = new_parser();
-    for (std::size_t k = 0; k < fields_.size(); ++k)
-      parser.DefineVar(fmt::format("f{}", k), &operands[k]);
-    for (std::size_t d = 0; d < 3; ++d)
-      parser.DefineVar(fmt::format("x{}", d), &operands[fields_.size() + d]);
-    parser.SetExpr(text_);
+    const mu::Parser parser = parser_of(text_, operands);
     for (std::size_t i = range.begin; i < range.end; ++i) {
       for (std::size_t k = 0; k < columns.size(); ++k) operands[k] = columns[k][i];
       if (with_position_)

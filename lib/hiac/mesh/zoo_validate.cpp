@@ -6,6 +6,7 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
+#include "hiac/mesh/tuple_count.hpp"
 #include "hiac/mesh/zoo_chunks.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 
@@ -112,27 +113,15 @@ void validate_nodes(const ZooMesh& mesh, const std::string& subject) {
                                           bad_number / 3, "xyz"[bad_number % 3], xyz[bad_number]));
 }
 
-std::size_t tuple_count(const ZooMesh& mesh, FieldLocation location) {
-  switch (location) {
-    case FieldLocation::node:
-      return mesh.node_count();
-    case FieldLocation::cell:
-      return mesh.cell_count();
-    case FieldLocation::corner:
-      return mesh.nodes.size();
-  }
-  return kNone;
-}
-
 void validate_field(const ZooMesh& mesh, const Field& field, const std::string& subject) {
-  const std::size_t tuples = tuple_count(mesh, field.location);
-  if (tuples == kNone)
+  if (field.location > FieldLocation::corner)
     throw InputError(subject, fmt::format("field {:?}: unknown location (below 3 expected, {} "
                                           "found)",
                                           field.name, static_cast<unsigned>(field.location)));
   if (field.components == 0)
     throw InputError(subject, fmt::format("field {:?}: no components (1 or more expected, 0 found)",
                                           field.name));
+  const std::size_t tuples = tuple_count(mesh, field.location);
   const std::size_t values = field.values.size();
   // by division, as a product could overflow
   if (values % field.components != 0 || values / field.components != tuples)
