@@ -14,10 +14,15 @@ struct Interval {
     low = std::min(low, x);
     high = std::max(high, x);
   }
+  void include(const Interval& other) {
+    low = std::min(low, other.low);
+    high = std::max(high, other.high);
+  }
   void widen(double by) {
     low -= by;
     high += by;
   }
+  [[nodiscard]] bool empty() const { return !(low <= high); }
 };
 
 }  // namespace hiac

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 namespace hiac {
 
@@ -30,13 +29,9 @@ bool is_finite_in_cells(const ZooMesh& mesh, const Field& field) {
   return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
 
-ValueExtent extent_of(const std::vector<double>& values) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  ValueExtent extent{kInfinity, -kInfinity};
-  for (const double value : values) {
-    extent.low = std::min(extent.low, value);
-    extent.high = std::max(extent.high, value);
-  }
+Interval extent_of(const std::vector<double>& values) {
+  Interval extent;
+  for (const double value : values) extent.include(value);
   return extent;
 }
 

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "hiac/geometry/interval.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 
 namespace hiac {
@@ -12,14 +13,8 @@ std::vector<double> values_in_cells(const ZooMesh& mesh, const Field& field);
 /// Whether all values of a scalar field that belong to cells are finite.
 bool is_finite_in_cells(const ZooMesh& mesh, const Field& field);
 
-/// The smallest and the largest of values; low > high where there are none.
-struct ValueExtent {
-  double low, high;
-
-  [[nodiscard]] bool is_empty() const { return !(low <= high); }
-};
-
-ValueExtent extent_of(const std::vector<double>& values);
+/// The smallest and the largest of values; empty where there are none.
+Interval extent_of(const std::vector<double>& values);
 
 /// The percentile of values (reordered), linear between the two nearest ranks; `values` is not
 /// empty.

@@ -4,13 +4,14 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include <fmt/format.h>
 
 #include "hiac/base/parallel.hpp"
+#include "hiac/geometry/interval.hpp"
 #include "hiac/mesh/interpolant_range.hpp"
 #include "hiac/mesh/shape_functions.hpp"
-#include "hiac/session/field_values.hpp"
 
 namespace hiac {
 namespace {
@@ -19,11 +20,10 @@ using Vec = std::array<double, 3>;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// What a field's values are
-// ------------------------------------------------------------------------
+// The values of fields
 
 /// Bounds of a field's interpolant in one cell.
-ValueExtent cell_extent(const ZooMesh& mesh, const Field& field, CellId cell) {
+Interval cell_extent(const ZooMesh& mesh, const Field& field, CellId cell) {
   const auto values = field.values.view();
   if (field.location == FieldLocation::cell) return {values[cell], values[cell]};
   const auto nodes = mesh.cell_nodes(cell);
@@ -35,35 +35,47 @@ ValueExtent cell_extent(const ZooMesh& mesh, const Field& field, CellId cell) {
 }
 
 /// Bounds of the values that a field has in the mesh, between nodes too.
-ValueExtent extent_in_mesh(const ZooMesh& mesh, const Scene& scene, const std::string& name) {
+Interval extent_in_mesh(const ZooMesh& mesh, const Field& field) {
   constexpr std::size_t kGrain = 4096;
-  const Field field = scalar_field(mesh, name);
-  std::vector<ValueExtent> parts((mesh.cell_count() + kGrain - 1) / kGrain,
-                                 {kInfinity, -kInfinity});
+  std::vector<Interval> parts((mesh.cell_count() + kGrain - 1) / kGrain);
   parallel_for(mesh.cell_count(), kGrain, [&](IndexRange cells) {
-    ValueExtent& part = parts[cells.begin / kGrain];
-    for (std::size_t cell = cells.begin; cell < cells.end; ++cell) {
-      const ValueExtent here = cell_extent(mesh, field, static_cast<CellId>(cell));
-      part = {std::min(part.low, here.low), std::max(part.high, here.high)};
-    }
+    Interval& part = parts[cells.begin / kGrain];
+    for (std::size_t cell = cells.begin; cell < cells.end; ++cell)
+      part.include(cell_extent(mesh, field, static_cast<CellId>(cell)));
   });
-  ValueExtent whole{kInfinity, -kInfinity};
-  for (const ValueExtent& part : parts)
-    whole = {std::min(whole.low, part.low), std::max(whole.high, part.high)};
-  // polynomials in world coordinates overshoot in their own ways: no bounds of theirs are known
-  // here
-  const double width = whole.high - whole.low;
-  if (scene.render.interpolation == Interpolation::polynomial)
-    whole = {whole.low - width, whole.high + width};
+  Interval whole;
+  for (const Interval& part : parts) whole.include(part);
   return whole;
 }
 
-std::string text_of(const ValueExtent& extent) {
+/// Bounds of the values of fields as a scene draws them; each field is looked through once.
+class Extents {
+ public:
+  Extents(const ZooMesh& mesh, Interpolation interpolation)
+      : mesh_(mesh), interpolation_(interpolation) {}
+
+  const Interval& of(const std::string& field) {
+    const auto [known, is_new] = known_.try_emplace(field);
+    Interval& extent = known->second;
+    if (!is_new) return extent;
+    extent = extent_in_mesh(mesh_, scalar_field(mesh_, field));
+    // polynomials in world coordinates overshoot in their own ways: no bounds of theirs are known
+    // here
+    if (interpolation_ == Interpolation::polynomial) extent.widen(extent.high - extent.low);
+    return extent;
+  }
+
+ private:
+  const ZooMesh& mesh_;
+  Interpolation interpolation_;
+  std::map<std::string, Interval> known_;
+};
+
+std::string text_of(const Interval& extent) {
   return fmt::format("from {:g} to {:g}", extent.low, extent.high);
 }
 
 // Transfer functions
-// -------------------------------------------------------------------------------
 
 template <std::size_t N>
 bool varies(const TransferFunction<N>& transfer) {
@@ -75,10 +87,10 @@ bool varies(const TransferFunction<N>& transfer) {
 /// The line on a function that is constant where its field has values; none where it is not.
 template <std::size_t N>
 std::optional<std::string> missed(const std::string& key, const TransferFunction<N>& transfer,
-                                  const ValueExtent& extent) {
-  const ValueExtent points{transfer.points.front().scalar, transfer.points.back().scalar};
+                                  const Interval& extent) {
+  const Interval points{transfer.points.front().scalar, transfer.points.back().scalar};
   const bool meets = extent.high >= points.low && extent.low <= points.high;
-  if (meets || extent.is_empty() || !varies(transfer)) return std::nullopt;
+  if (meets || extent.empty() || !varies(transfer)) return std::nullopt;
   return fmt::format(
       "{0}: the points go {1}, the values of '{2}' {3}: they do not meet, and everything has one "
       "value ({0}.range = \"auto\" with points on 0 to 1 follows the field)",
@@ -86,7 +98,7 @@ std::optional<std::string> missed(const std::string& key, const TransferFunction
 }
 
 /// The largest extinction over values of the field: at an end, or at a point between.
-double largest_over(const ExtinctionTransfer& transfer, const ValueExtent& extent) {
+double largest_over(const ExtinctionTransfer& transfer, const Interval& extent) {
   const auto function = transfer.function();
   double largest = std::max(function(extent.low)[0], function(extent.high)[0]);
   for (const auto& point : transfer.points)
@@ -101,10 +113,10 @@ bool glows_alone(const Volume& volume) {
                              [](const auto& point) { return point.value != Color{}; });
 }
 
-void look_at_volume(const ZooMesh& mesh, const Scene& scene, std::vector<std::string>& found) {
+void look_at_volume(Extents& extents, const Scene& scene, std::vector<std::string>& found) {
   const Volume& volume = scene.volume;
   if (volume.color) {
-    const ValueExtent extent = extent_in_mesh(mesh, scene, volume.color->field);
+    const Interval& extent = extents.of(volume.color->field);
     if (const auto line = missed("volume.color", *volume.color, extent)) found.push_back(*line);
   }
   if (!volume.extinction) {
@@ -115,8 +127,8 @@ void look_at_volume(const ZooMesh& mesh, const Scene& scene, std::vector<std::st
     return;
   }
   const ExtinctionTransfer& extinction = *volume.extinction;
-  const ValueExtent extent = extent_in_mesh(mesh, scene, extinction.field);
-  if (extent.is_empty()) return;
+  const Interval& extent = extents.of(extinction.field);
+  if (extent.empty()) return;
   const auto line = missed("volume.extinction", extinction, extent);
   if (line) found.push_back(*line);
   const bool seen = largest_over(extinction, extent) > 0 || glows_alone(volume);
@@ -127,11 +139,11 @@ void look_at_volume(const ZooMesh& mesh, const Scene& scene, std::vector<std::st
         extinction.field, text_of(extent)));
 }
 
-void look_at_surfaces(const ZooMesh& mesh, const Scene& scene, std::vector<std::string>& found) {
+void look_at_surfaces(Extents& extents, const Scene& scene, std::vector<std::string>& found) {
   for (std::size_t i = 0; i < scene.isosurfaces.size(); ++i) {
     const Isosurface& surface = scene.isosurfaces[i];
-    const ValueExtent extent = extent_in_mesh(mesh, scene, surface.field);
-    if (extent.is_empty()) continue;
+    const Interval& extent = extents.of(surface.field);
+    if (extent.empty()) continue;
     if (surface.value < extent.low || surface.value > extent.high)
       found.push_back(
           fmt::format("isosurface.{}: '{}' has values {}, never {:g}: there is no such surface "
@@ -142,7 +154,6 @@ void look_at_surfaces(const ZooMesh& mesh, const Scene& scene, std::vector<std::
 }
 
 // The camera
-// ---------------------------------------------------------------------------------------
 
 /// Where the mesh is, seen from the eye.
 struct Sight {
@@ -202,8 +213,9 @@ constexpr double kInvisible = 0.5 / 255;
 std::vector<std::string> invisible_parts(const ZooMesh& mesh, const Scene& scene) {
   std::vector<std::string> found;
   if (mesh.cell_count() == 0) return found;
-  look_at_volume(mesh, scene, found);
-  look_at_surfaces(mesh, scene, found);
+  Extents extents(mesh, scene.render.interpolation);
+  look_at_volume(extents, scene, found);
+  look_at_surfaces(extents, scene, found);
   return found;
 }
 

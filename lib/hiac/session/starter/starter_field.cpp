@@ -41,17 +41,17 @@ bool are_numbers(std::vector<double> values) {
 }
 
 /// The range of a field's values, without the outermost percents where these make up most of it.
-ValueExtent range_to_show(std::vector<double>& values) {
+Interval range_to_show(std::vector<double>& values) {
   constexpr double kMost = 3;
-  const ValueExtent whole = extent_of(values);
-  const ValueExtent inner{percentile(values, 1), percentile(values, 99)};
+  const Interval whole = extent_of(values);
+  const Interval inner{percentile(values, 1), percentile(values, 99)};
   const bool spread =
       inner.high > inner.low && whole.high - whole.low > kMost * (inner.high - inner.low);
   return spread ? inner : whole;
 }
 
 /// Shannon's entropy, in bits, of a histogram of 64 equal bins over a range.
-double entropy(const std::vector<double>& values, const ValueExtent& range) {
+double entropy(const std::vector<double>& values, const Interval& range) {
   constexpr std::size_t kBins = 64;
   std::array<double, kBins> bins{};
   for (const double value : values) {
@@ -70,7 +70,7 @@ double entropy(const std::vector<double>& values, const ValueExtent& range) {
 /// A field, how much it says, and what of it is to be shown.
 struct Candidate {
   Field field;
-  ValueExtent whole, range;
+  Interval whole, range;
   double score;
   bool is_numbering;
 };
