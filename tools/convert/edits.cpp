@@ -1,10 +1,8 @@
 #include "tools/convert/edits.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -13,30 +11,14 @@
 #include "hiac/check/cells.hpp"
 #include "hiac/derive/deform.hpp"
 #include "hiac/derive/derive_field.hpp"
+#include "hiac/mesh/find_field.hpp"
 #include "hiac/mesh/parts/keep_cells.hpp"
 #include "tools/common/as_option.hpp"
+#include "tools/convert/number_text.hpp"
+#include "tools/convert/tell.hpp"
 
 namespace hiac::tools {
 namespace {
-
-std::optional<double> number_in(std::string_view text) {
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(number))
-    return std::nullopt;
-  return number;
-}
-
-void tell(Tool& tool, const std::string& note) {
-  tool.note(note);
-  tool.facts()["notes"].push_back(note);
-}
-
-const Field* find_field(const ZooMesh& mesh, std::string_view name) {
-  const auto found = std::ranges::find_if(
-      mesh.fields, [&](const Field& field) { return distinct_name(mesh, field) == name; });
-  return found == mesh.fields.end() ? nullptr : &*found;
-}
 
 void derive(Tool& tool, ZooMesh& mesh, const std::string& formula) {
   Field field = as_option("--", [&] { return derive_field(mesh, formula); });
@@ -67,22 +49,21 @@ void tell_inverted(Tool& tool, const ZooMesh& mesh, const std::string& option) {
 void warp(Tool& tool, ZooMesh& mesh, const std::string& request) {
   const std::string option = fmt::format("--warp {}", request);
   // the whole name first: names may hold colons
-  const Field* field = find_field(mesh, request);
+  const auto field_named = [&](std::string_view name) {
+    return as_option(option + ": ", [&] { return find_field(mesh, name); });
+  };
+  const Field* field = field_named(request);
   double scale = 1;
   if (const std::size_t colon = request.rfind(':');
       field == nullptr && colon != std::string::npos) {
     const auto number = number_in(std::string_view(request).substr(colon + 1));
     if (!number) throw UsageError(option + ": FIELD or FIELD:SCALE expected");
     scale = *number;
-    field = find_field(mesh, std::string_view(request).substr(0, colon));
+    field = field_named(std::string_view(request).substr(0, colon));
   }
   if (field == nullptr) throw UsageError(option + ": there is no such field");
   const Field displacement = *field;
-  try {
-    deform(mesh, displacement, scale);
-  } catch (const UsageError& error) {
-    throw UsageError(fmt::format("{}: {}", option, error.what()));
-  }
+  as_option(option + ": ", [&] { deform(mesh, displacement, scale); });
   tool.facts()["warp"] = {{"field", displacement.name}, {"scale", scale}};
   tell_inverted(tool, mesh, option);
 }
@@ -104,13 +85,9 @@ void threshold(Tool& tool, ZooMesh& mesh, const std::string& request) {
   const double low = bound(text.substr(equals + 1, comma - equals - 1), -kInfinity);
   const double high = bound(text.substr(comma + 1), kInfinity);
   if (!(low <= high)) throw UsageError(option + ": LOW is above HIGH");
-  const std::vector<bool> keep = [&] {
-    try {
-      return cells_within(mesh, scalar_field(mesh, request.substr(0, equals)), low, high);
-    } catch (const UsageError& error) {
-      throw UsageError(fmt::format("{}: {}", option, error.what()));
-    }
-  }();
+  const std::vector<bool> keep = as_option(option + ": ", [&] {
+    return cells_within(mesh, scalar_field(mesh, request.substr(0, equals)), low, high);
+  });
   const auto kept = std::ranges::count(keep, true);
   if (kept == 0) throw InputError(option, "no cell has all of its values within these bounds");
   tool.facts()["threshold"] = {{"kept", kept}, {"cells", keep.size()}};

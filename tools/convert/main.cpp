@@ -1,7 +1,5 @@
 // hiac-convert: a foreign finite-element file to a zoo mesh, and a zoo mesh to VTU.
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -31,8 +29,10 @@
 #include "tools/convert/edits.hpp"
 #include "tools/convert/invalid_cells.hpp"
 #include "tools/convert/listing.hpp"
+#include "tools/convert/number_text.hpp"
 #include "tools/convert/option_names.hpp"
 #include "tools/convert/spooled_input.hpp"
+#include "tools/convert/tell.hpp"
 
 namespace hiac::tools {
 namespace {
@@ -135,11 +135,9 @@ void read_time(const std::string& text, formats::ReadOptions& options) {
   std::string_view number = text;
   options.nearest_time = number.starts_with(kNearest);
   if (options.nearest_time) number.remove_prefix(kNearest.size());
-  double time = 0;
-  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), time);
-  if (error != std::errc() || end != number.data() + number.size() || !std::isfinite(time))
+  options.time = number_in(number);
+  if (!options.time)
     throw UsageError(fmt::format("--time {}: a number, or nearest:NUMBER expected", text));
-  options.time = time;
 }
 
 formats::ReadOptions read_options(const Options& options) {
@@ -276,11 +274,7 @@ void claim_files(Tool& tool, const Options& options) {
 }
 
 void note_all(Tool& tool, const std::vector<std::string>& notes) {
-  for (const std::string& told : notes) {
-    const std::string note = with_option_names(told);
-    tool.note(note);
-    tool.facts()["notes"].push_back(note);
-  }
+  for (const std::string& note : notes) tell(tool, with_option_names(note));
 }
 
 void report_mesh(Tool& tool, const ZooMesh& mesh) {

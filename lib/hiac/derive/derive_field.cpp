@@ -14,6 +14,7 @@
 #include "hiac/base/parallel.hpp"
 #include "hiac/derive/averages.hpp"
 #include "hiac/derive/scalar_expression.hpp"
+#include "hiac/mesh/find_field.hpp"
 #include "hiac/mesh/tensor_invariants.hpp"
 
 namespace hiac {
@@ -53,16 +54,12 @@ std::vector<std::string_view> arguments_of(std::string_view text) {
 const Field& field_named(const ZooMesh& mesh, std::string_view argument) {
   std::string name(argument);
   std::erase(name, '"');
-  const Field* found = nullptr;
+  if (const Field* field = find_field(mesh, name)) return *field;
   std::string names;
-  for (const Field& field : mesh.fields) {
+  for (const Field& field : mesh.fields)
     names += (names.empty() ? "" : ", ") + distinct_name(mesh, field);
-    if (distinct_name(mesh, field) == name) found = &field;
-  }
-  if (found == nullptr)
-    throw UsageError(fmt::format("field '{}': there is no such field ({})", name,
-                                 names.empty() ? "the mesh has none" : "expected one of " + names));
-  return *found;
+  throw UsageError(fmt::format("field '{}': there is no such field ({})", name,
+                               names.empty() ? "the mesh has none" : "expected one of " + names));
 }
 
 // A field with `width` numbers for every tuple of a tensor field: `of(tensor)`.

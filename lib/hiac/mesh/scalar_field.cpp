@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -7,7 +6,7 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
-#include "hiac/mesh/location_name.hpp"
+#include "hiac/mesh/find_field.hpp"
 #include "hiac/mesh/tensor_invariants.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 
@@ -82,26 +81,6 @@ Field magnitude(const Field& field, const std::string& name) {
   });
 }
 
-/// A field's name with its location: what tells fields of one name apart.
-std::string located_name(const Field& field) {
-  return fmt::format("{}@{}", field.name, location_name(field.location));
-}
-
-/// Returns the field with exactly this name, with its location or without; null if there is none.
-const Field* find_field(const ZooMesh& mesh, std::string_view name) {
-  const Field* found = nullptr;
-  for (const Field& field : mesh.fields) {
-    if (field.name != name && located_name(field) != name) continue;
-    if (found != nullptr)
-      throw UsageError(
-          fmt::format("field '{}': the name is ambiguous (one field expected, {} and "
-                      "{} found)",
-                      name, located_name(*found), located_name(field)));
-    found = &field;
-  }
-  return found;
-}
-
 /// The coordinates of the nodes, which a field of the mesh of this name goes before.
 constexpr std::string_view kPosition = "position";
 
@@ -122,11 +101,6 @@ Field coordinate(const ZooMesh& mesh, const std::string& name, std::uint32_t axi
 }
 
 }  // namespace
-
-std::string distinct_name(const ZooMesh& mesh, const Field& field) {
-  const auto same_name = [&](const Field& other) { return other.name == field.name; };
-  return std::ranges::count_if(mesh.fields, same_name) > 1 ? located_name(field) : field.name;
-}
 
 std::vector<std::string> scalar_field_names(const ZooMesh& mesh) {
   std::vector<std::string> names;

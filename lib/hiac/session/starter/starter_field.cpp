@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/mesh/find_field.hpp"
 #include "hiac/scene/scene.hpp"
 #include "hiac/session/field_values.hpp"
 
@@ -119,10 +120,8 @@ Choice choice_of(Candidate&& chosen, std::string why) {
 
 /// The field of several components that is asked for by its name alone becomes a scalar of it.
 std::string scalar_asked_for(const ZooMesh& mesh, const std::string& asked) {
-  for (const Field& field : mesh.fields)
-    if (field.components > 1 && distinct_name(mesh, field) == asked)
-      return scalar_name(mesh, field);
-  return asked;
+  const Field* field = find_field(mesh, asked);
+  return field != nullptr && field->components > 1 ? scalar_name(mesh, *field) : asked;
 }
 
 }  // namespace
