@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <bit>
 #include <cmath>
 #include <functional>
@@ -10,7 +9,9 @@
 #include <tuple>
 
 #include "hiac/base/collect.hpp"
+#include "hiac/base/parallel.hpp"
 #include "hiac/base/parallel_sort.hpp"
+#include "hiac/mesh/parts/used_nodes.hpp"
 
 namespace hiac {
 namespace {
@@ -44,11 +45,7 @@ bool has_repeated_node(std::span<const NodeId> nodes) {
 }
 
 std::vector<Offender> unused_nodes(const ZooMesh& mesh) {
-  std::vector<std::uint8_t> used(mesh.node_count(), 0);
-  parallel_for(mesh.nodes.size(), kGrain, [&](IndexRange range) {
-    for (std::size_t i = range.begin; i < range.end; ++i)
-      std::atomic_ref(used[mesh.nodes[i]]).store(1, std::memory_order_relaxed);
-  });
+  const auto used = mark_used_nodes(mesh.nodes.view(), mesh.node_count());
   return collect<Offender>(used.size(), kGrain, [&](std::size_t node, auto& found) {
     if (used[node] == 0) found.push_back({node});
   });

@@ -22,6 +22,7 @@
 #include "hiac/geometry/jacobian_sign.hpp"
 #include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/corner_fan.hpp"
+#include "hiac/mesh/parts/used_nodes.hpp"
 
 namespace hiac {
 namespace {
@@ -161,8 +162,7 @@ void check_field(const ZooMesh& mesh, const std::string& name) {
   if (failures.count == 0) return;
   if (field.location == FieldLocation::node) {
     // nodes that belong to no cell may have any value
-    std::vector<std::uint8_t> used(mesh.node_count(), 0);
-    for (const NodeId node : mesh.nodes) used[node] = 1;
+    const auto used = mark_used_nodes(mesh.nodes.view(), mesh.node_count());
     failures = count_failures(values.size(), [&](std::size_t i) { return used[i] != 0 && bad(i); });
     if (failures.count == 0) return;
   }

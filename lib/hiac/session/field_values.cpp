@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+
+#include "hiac/mesh/parts/used_nodes.hpp"
 
 namespace hiac {
 
@@ -15,8 +16,7 @@ std::vector<double> values_in_cells(const ZooMesh& mesh, const Field& field) {
       if (std::isfinite(value)) finite.push_back(value);
     return finite;
   }
-  std::vector<std::uint8_t> used(mesh.node_count(), 0);
-  for (const NodeId node : mesh.nodes) used[node] = 1;
+  const auto used = mark_used_nodes(mesh.nodes.view(), mesh.node_count());
   for (std::size_t i = 0; i < values.size(); ++i)
     if (used[i] != 0 && std::isfinite(values[i])) finite.push_back(values[i]);
   return finite;
