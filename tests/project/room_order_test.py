@@ -13,7 +13,7 @@ FLOORS = {
     "optics": 3, "scene": 3, "image": 3,
     "element": 4, "order": 4, "tetrahedralize": 4,
     "check": 5, "frame": 5,
-    "render": 6, "preview": 6,
+    "render": 6, "preview": 6, "annotate": 6,
     "formats": 7, "session": 7, "tools": 8,
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]((?:hiac|formats|tools|tests)/[^">]+)[">]')

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "hiac/scene/annotation_keys.hpp"
 #include "hiac/scene/camera_keys.hpp"
 #include "hiac/scene/color_source.hpp"
 #include "hiac/scene/colormaps/built_in_colormaps.hpp"
@@ -50,6 +51,12 @@ TEST(SpecificationPage, NamesEveryKey) {
   expect_keys(section(page, "[[light]]"), light_keys(), "[[light]]");
   expect_keys(section(page, "[background]"), background_keys(), "[background]");
   expect_keys(section(page, "[render]"), render_keys(), "[render]");
+  expect_keys(section(page, "[annotation]"), annotation_keys(), "[annotation]");
+  expect_keys(section(page, "[annotation.title]"), title_keys(), "[annotation.title]");
+  expect_keys(section(page, "[annotation.time]"), time_keys(), "[annotation.time]");
+  expect_keys(section(page, "[annotation.axes]"), axes_keys(), "[annotation.axes]");
+  expect_keys(section(page, "[annotation.scale]"), length_keys(), "[annotation.scale]");
+  expect_keys(section(page, "[annotation.colorbar]"), color_bar_keys(), "[annotation.colorbar]");
   const std::string animation = page.substr(page.find("## Animation"));
   expect_keys(animation, turntable_keys(), "[turntable]");
   expect_keys(animation, camera_path_keys(), "[camera_path]");

@@ -26,6 +26,7 @@
 #include "tools/common/mesh_io.hpp"
 #include "tools/common/picture/frames.hpp"
 #include "tools/common/picture/order_facts.hpp"
+#include "tools/common/picture/picture_annotation.hpp"
 #include "tools/common/picture/picture_command.hpp"
 #include "tools/common/picture/picture_output.hpp"
 #include "tools/common/tool.hpp"
@@ -117,11 +118,12 @@ DrawnFacts facts_of(const Image& image, bool is_part) {
 // Draws the frames of one scene.
 class Previewer {
  public:
-  Previewer(Tool& tool, const Options& options, const Scene& scene, const ZooMesh& mesh,
-            SceneOrders& orders)
+  Previewer(Tool& tool, const Options& options, const Scene& scene,
+            const PictureAnnotation& annotation, const ZooMesh& mesh, SceneOrders& orders)
       : tool_(tool),
         options_(options),
         scene_(scene),
+        annotation_(annotation),
         mesh_(mesh),
         orders_(orders),
         context_(as_option("--device: ", [&] { return Context(options.device); })),
@@ -163,7 +165,7 @@ class Previewer {
   }
 
   Json draw_one(const Scene& frame, const MeshOrder& order, const std::string& path) {
-    const preview::PreviewResult result =
+    preview::PreviewResult result =
         preview_.draw(frame.camera, order.record.order, part_, !options_.no_background);
     require_numbers(result.image);
     // what glows without absorbing has no alpha
@@ -182,7 +184,9 @@ class Previewer {
     if (s.regions.reverted > 0)
       tool_.note(fmt::format("M2 fell back to M1 at {} of {} vertices: beyond its tables",
                              s.regions.reverted, s.regions.vertices));
-    write_picture(tool_, options_, "hiac-preview", path, result.image, mesh_hash_, frame);
+    annotation_.draw(result.image, frame, part_);
+    write_picture(tool_, options_, "hiac-preview", path, result.image, mesh_hash_, frame,
+                  annotation_.wanted());
     Json facts{{"order", order_facts(order)}, {"parts", s.parts}};
     if (options_.method != "exact") facts["regions"] = region_facts(s);
     return facts;
@@ -191,6 +195,7 @@ class Previewer {
   Tool& tool_;
   const Options& options_;
   const Scene& scene_;
+  const PictureAnnotation& annotation_;
   const ZooMesh& mesh_;
   SceneOrders& orders_;
   Context context_;
@@ -244,7 +249,8 @@ void draw(Tool& tool, Options options) {
   const bool early = parsed.has_value();  // what can be refused is, before the mesh is read
   if (early) fit_to(tool, options, parsed->scene);
   const ZooFile file = mesh_of(tool, options);
-  const Scene scene = scene_for(tool, options, std::move(parsed), file.mesh);
+  const ParsedScene view = scene_for(tool, options, std::move(parsed), file.mesh);
+  const Scene& scene = view.scene;
   if (!early) fit_to(tool, options, scene);
   note_what_is_not_drawn(tool, options, scene);
   const ZooMesh mesh = drawn_mesh(tool, file.mesh, options.levels);
@@ -261,14 +267,16 @@ void draw(Tool& tool, Options options) {
   prepare_orders(orders, options, scene, std::move(given));
   orders.leave_out(with_names(options, [&] { return invalid_ones(tool, options, mesh, scene); }));
   warn_of_invisible(tool, options, mesh, scene);
+  const std::vector<std::uint32_t> numbers = chosen_frames(scene, options.frame);
+  const PictureAnnotation annotation(tool, options, view, file.mesh, numbers);
   std::vector<Scene> frames;
   std::vector<std::string> paths;
-  for (const std::uint32_t frame : chosen_frames(scene, options.frame)) {
+  for (const std::uint32_t frame : numbers) {
     frames.push_back(scene_of_frame(scene, frame));
     paths.push_back(scene.path ? path_of_frame(options, frame) : options.output);
   }
   if (scene.path) tool.frames().begin("frames", frames.size());
-  Previewer(tool, options, scene, mesh, orders).draw(frames, paths);
+  Previewer(tool, options, scene, annotation, mesh, orders).draw(frames, paths);
 }
 
 void print_devices(Tool& tool) {

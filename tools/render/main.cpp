@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include "hiac/annotate/color_bar.hpp"
+#include "hiac/annotate/ticks.hpp"
 #include "hiac/base/error.hpp"
 #include "hiac/base/finite_range.hpp"
 #include "hiac/base/progress.hpp"
@@ -22,18 +24,18 @@
 #include "hiac/render/explain_pixel.hpp"
 #include "hiac/scene/camera_path.hpp"
 #include "hiac/session/session.hpp"
+#include "tools/common/as_option.hpp"
 #include "tools/common/mesh_io.hpp"
 #include "tools/common/picture/frames.hpp"
 #include "tools/common/picture/order_facts.hpp"
+#include "tools/common/picture/picture_annotation.hpp"
 #include "tools/common/picture/picture_command.hpp"
 #include "tools/common/picture/picture_output.hpp"
 #include "tools/common/text_output.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/render/become_preview.hpp"
-#include "tools/render/color_bar.hpp"
 #include "tools/render/picture_options.hpp"
 #include "tools/render/pixel_report.hpp"
-#include "tools/render/ticks.hpp"
 
 namespace {
 
@@ -133,8 +135,9 @@ class Renderer {
   }
 
   // One picture of a scene of one frame, and the facts of its making.
-  Json render(const Scene& scene, const PictureRequest& request, const std::string& path) {
-    const Picture picture = with_names(options_, [&] { return session_.picture(scene, request); });
+  Json render(const Scene& scene, const PictureRequest& request,
+              const PictureAnnotation& annotation, const std::string& path) {
+    Picture picture = with_names(options_, [&] { return session_.picture(scene, request); });
     require_numbers(picture.image);
     note_order(*picture.order);
     Json facts = note_work(tool_, options_.all_frames, *picture.statistics);
@@ -143,7 +146,9 @@ class Renderer {
                   {met.covered_pixels, met.largest_optical_depth, request.part.has_value()}, path);
     if (options_.strict) require_truth(path, met);
     facts["order"] = order_facts(*picture.order);
-    write_picture(tool_, options_, "hiac-render", path, picture.image, picture.mesh_hash, scene);
+    annotation.draw(picture.image, scene, request.part);
+    write_picture(tool_, options_, "hiac-render", path, picture.image, picture.mesh_hash, scene,
+                  annotation.wanted());
     return facts;
   }
 
@@ -159,14 +164,15 @@ class Renderer {
 
 // Numbered pictures of the frames of a camera path.
 void render_frames(Tool& tool, const Options& options, const Scene& scene,
-                   const PictureRequest& request, Renderer& renderer) {
+                   const PictureRequest& request, const PictureAnnotation& annotation,
+                   Renderer& renderer) {
   const std::vector<std::uint32_t> frames = chosen_frames(scene, options.frame);
   for (const std::uint32_t frame : frames) renderer.require_order(scene_of_frame(scene, frame));
   tool.frames().begin("frames", frames.size());
   for (const std::uint32_t frame : frames) {
     const std::string path = path_of_frame(options, frame);
     Json facts{{"frame", frame}, {"file", path}};
-    facts.update(renderer.render(scene_of_frame(scene, frame), request, path));
+    facts.update(renderer.render(scene_of_frame(scene, frame), request, annotation, path));
     tool.facts()["frames"].push_back(std::move(facts));
     tool.frames().advance();
     const Progress::State state = tool.frames().state();
@@ -193,20 +199,21 @@ std::optional<Image> read_under(const Options& options, const ImageSize& size) {
   return under;
 }
 
-// The fields' names, with their units where the mesh knows them.
-std::string label_of(const ZooMesh& mesh, const std::string& field) {
-  const std::string unit = scalar_field(mesh, field).unit;
-  return unit.empty() ? field : fmt::format("{} ({})", field, unit);
-}
-
 void write_color_bar(Tool& tool, const Options& options, const ZooMesh& mesh,
-                     const Volume& volume) {
+                     const ParsedScene& view) {
+  const Volume& volume = view.scene.volume;
   const double size = box_of_nodes(mesh).diagonal();
   const double round_length = size > 0 ? round_below(size / 10) : 1;
   const double length = options.color_bar_length > 0 ? options.color_bar_length : round_length;
-  const ColorBarLabels labels{volume.color ? label_of(mesh, volume.color->field) : "",
-                              volume.extinction ? label_of(mesh, volume.extinction->field) : ""};
-  write_image(options.color_bar, draw_color_bar(volume, labels, length));
+  const ColorBarLabels labels{volume.color ? field_label(mesh, volume.color->field) : "",
+                              volume.extinction ? field_label(mesh, volume.extinction->field) : ""};
+  const std::optional<ColorBarAnnotation>& bar = view.annotation.color_bar;
+  const bool logarithmic =
+      bar ? bar->logarithmic.value_or(view.color_is_logarithmic) : view.color_is_logarithmic;
+  write_image(options.color_bar, as_option("--colorbar: ", [&] {
+                return with_names(
+                    options, [&] { return draw_color_bar(volume, labels, length, logarithmic); });
+              }));
   tool.facts()["color_bar_length"] = length;
 }
 
@@ -242,13 +249,23 @@ void explain(Tool& tool, Options options) {
   if (parsed) check_frame_options(options, parsed->scene);
   const ZooFile file = mesh_of(tool, options);
   Renderer renderer(tool, options, file);
-  const Scene scene = scene_for(tool, options, std::move(parsed), file.mesh);
+  const Scene scene = scene_for(tool, options, std::move(parsed), file.mesh).scene;
   check_frame_options(options, scene);
   with_names(options, [&] {
     renderer.check(scene);
     note_model(tool, file.mesh, scene);
     renderer.explain(options.frame ? scene_of_frame(scene, *options.frame) : scene);
   });
+}
+
+// A colour bar alone is no picture of a mesh.
+void refuse_picture_options(const CLI::App& app) {
+  for (const char* option : {"--format", "--channels", "--crop", "--samples", "--filter", "--under",
+                             "--frame", "--frames", "--depth", "--linear", "--strict", "--order",
+                             "--overlap", "--no-background", "--skip-invalid", "--size"})
+    if (app.get_option(option)->count() > 0)
+      throw UsageError(
+          fmt::format("{}: of a picture (-o IMAGE expected beside --colorbar)", option));
 }
 
 // What is asked of the pictures of a scene, and the picture behind them, which the request names.
@@ -268,6 +285,20 @@ void fit_to(Tool& tool, const Options& options, const Scene& scene, Request& req
   if (options.all_frames) claim_files(tool, options, &scene);
 }
 
+// The colour bar without a picture.
+void draw_color_bar_alone(Tool& tool, Options options) {
+  RunFiles files{{options.input, options.view}, {}};
+  if (!options.save_view.empty())
+    files.outputs.push_back({"--save-view", options.save_view, FileKind::specification});
+  add_image(files.outputs, "--colorbar", options.color_bar);
+  tool.claim(std::move(files));
+  require_known_image_extension(options.color_bar);
+  std::optional<ParsedScene> parsed = specification_of(tool, options);
+  const ZooFile file = mesh_of(tool, options);
+  const ParsedScene view = scene_for(tool, options, std::move(parsed), file.mesh);
+  write_color_bar(tool, options, file.mesh, view);
+}
+
 void render(Tool& tool, Options options) {
   claim_files(tool, options, nullptr);
   check_picture_output(tool, options);
@@ -279,17 +310,20 @@ void render(Tool& tool, Options options) {
   if (early) fit_to(tool, options, parsed->scene, request);
   const ZooFile file = mesh_of(tool, options);
   Renderer renderer(tool, options, file);
-  const Scene scene = scene_for(tool, options, std::move(parsed), file.mesh);
+  const ParsedScene view = scene_for(tool, options, std::move(parsed), file.mesh);
+  const Scene& scene = view.scene;
   if (!early) fit_to(tool, options, scene, request);
   with_names(options, [&] { renderer.check(scene); });
   note_model(tool, file.mesh, scene);
+  const PictureAnnotation annotation(tool, options, view, file.mesh,
+                                     chosen_frames(scene, options.frame));
   warn_of_invisible(tool, options, file.mesh, scene);
-  if (!options.color_bar.empty()) write_color_bar(tool, options, file.mesh, scene.volume);
+  if (!options.color_bar.empty()) write_color_bar(tool, options, file.mesh, view);
   if (scene.path) {
-    render_frames(tool, options, scene, request.picture, renderer);
+    render_frames(tool, options, scene, request.picture, annotation, renderer);
     return;
   }
-  Json facts = renderer.render(scene, request.picture, options.output);
+  Json facts = renderer.render(scene, request.picture, annotation, options.output);
   facts.erase("seconds");  // the run's own, stage by stage, stay
   tool.facts().update(facts);
 }
@@ -311,6 +345,8 @@ int main(int argc, char** argv) {
       "  hiac-render part.zoo --view view.toml --samples 8 --filter bspline -o truth.exr\n"
       "  hiac-render part.zoo --view view.toml --set render.splat_below=2 -o splatted.exr\n"
       "  hiac-render near.zoo --view view.toml --under far.exr -o both.exr\n"
+      "  hiac-render part.zoo --view view.toml --set annotation.colorbar.show=true -o part.png\n"
+      "  hiac-render part.zoo --view view.toml --colorbar bar.png\n"
       "  hiac-render part.zoo --view turntable.toml --frames -o part-%04d.png\n"
       "  hiac-render part.zoo --view view.toml --engine preview -o quick.png");
   Options options;
@@ -323,7 +359,8 @@ int main(int argc, char** argv) {
       ->type_name("IMAGE");
   app.add_option(
          "--colorbar", options.color_bar,
-         "Draw the colour map, and the opacity of a length of the medium, as a second picture")
+         "Draw the colour map, and the opacity of a length of the medium, as a second picture, or "
+         "without -o alone; [annotation.colorbar] draws one into the picture")
       ->type_name("IMAGE");
   app.add_option("--colorbar-length", options.color_bar_length,
                  "Length for --colorbar in world units; default: a round number near a tenth of "
@@ -349,6 +386,13 @@ int main(int argc, char** argv) {
     pixel->excludes(app.get_option(of_pictures));
   return tool.run(argc, argv, [&] {
     refuse_preview_options(options);
-    pixel->count() == 0 ? render(tool, options) : explain(tool, options);
+    if (pixel->count() > 0)
+      explain(tool, options);
+    else if (options.output.empty() && !options.color_bar.empty()) {
+      refuse_picture_options(app);
+      draw_color_bar_alone(tool, options);
+    } else {
+      render(tool, options);
+    }
   });
 }

@@ -64,6 +64,10 @@ void write_image(const std::string& path, const Image& image, const WriteOptions
 /// computation.
 void require_known_image_extension(const std::string& path, int depth = 0);
 
+/// Whether write_image would store numbers from 0 to 2^depth - 1 under this name and depth, not
+/// floating-point ones. Throws as require_known_image_extension.
+bool has_integer_samples(const std::string& path, int depth = 0);
+
 /// The files that write_image makes of a name: the name itself, or for a `.f32` image the files of
 /// R G B A and of the further channels.
 std::vector<std::string> files_of_image(const std::string& path,

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hiac/scene/annotation.hpp"
 #include "hiac/scene/scene.hpp"
 
 namespace hiac {
@@ -31,6 +32,8 @@ struct ParsedScene {
   std::optional<UnscaledPoints<1>> extinction = {};
   /// One line each: the error bound of a preset's conversion to piecewise-linear RGB.
   std::vector<std::string> notes = {};
+  Annotation annotation = {};         ///< what is drawn on the picture
+  bool color_is_logarithmic = false;  ///< [volume.color] has `scale = "log"`
 };
 
 /// Replaces one value of a specification: KEY=VALUE, such as `camera.fov=20` or

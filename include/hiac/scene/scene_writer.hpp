@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "hiac/scene/annotation.hpp"
 #include "hiac/scene/scene.hpp"
 
 namespace hiac {
@@ -12,5 +13,9 @@ enum class Comments : bool { none, explain };
 /// with numbers exact to the last bit, so that parsing it gives an equal scene. With
 /// `Comments::explain`, a short comment explains every key.
 std::string to_toml(const Scene& scene, Comments comments = Comments::none);
+
+/// The same with an annotation, whose table is left out if it has the defaults alone.
+std::string to_toml(const Scene& scene, const Annotation& annotation,
+                    Comments comments = Comments::none);
 
 }  // namespace hiac

@@ -150,6 +150,7 @@ ColorTransfer read_color_transfer(const SpecValue& table) {
                                            : source.transfer.points;
   if (source.preset) check_points<3>(table, points, source.range);
   source.transfer.points.clear();
+  table.context().color_is_logarithmic = source.range.scale == TransferScale::log;
   table.context().color =
       place_points<3>(std::move(points), source.range,
                       source.preset_tolerance.value_or(kLinearTolerance), source.transfer.points);

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "hiac/scene/annotation_keys.hpp"
 #include "hiac/scene/camera_keys.hpp"
 #include "hiac/scene/color_source.hpp"
 #include "hiac/scene/extinction_source.hpp"
@@ -200,6 +201,9 @@ constexpr SpecKey<Scene> kSceneKeys[] = {
     {"background", "", false, read_background, nullptr},
     {"render", "", false,
      [](const SpecValue& v, Scene& s) { read_keys(v, render_keys(), s.render); }, nullptr},
+    // behind [volume], whose scale a colour bar has
+    {"annotation", "", false,
+     [](const SpecValue& v, Scene&) { v.context().annotation = read_annotation(v); }, nullptr},
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <toml++/toml.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/scene/annotation_keys.hpp"
 #include "hiac/scene/camera_keys.hpp"
 #include "hiac/scene/scene_keys.hpp"
 #include "hiac/scene/spec_override.hpp"
@@ -29,9 +30,12 @@ ParsedScene parse(std::string_view text, const std::string& subject, const std::
   const SpecValue root(document, "", context);
   read_keys(root, scene_keys(), parsed.scene);
   check_camera_path(root, parsed.scene);
+  check_annotation(root, parsed.scene, context.annotation);
   parsed.notes = std::move(context.notes);
   parsed.color = std::move(context.color);
   parsed.extinction = std::move(context.extinction);
+  parsed.annotation = std::move(context.annotation);
+  parsed.color_is_logarithmic = context.color_is_logarithmic;
   return parsed;
 }
 

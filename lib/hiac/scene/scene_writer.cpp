@@ -4,9 +4,11 @@
 #include <cmath>
 #include <optional>
 #include <sstream>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "hiac/scene/annotation_keys.hpp"
 #include "hiac/scene/camera_keys.hpp"
 #include "hiac/scene/color_source.hpp"
 #include "hiac/scene/extinction_source.hpp"
@@ -75,6 +77,21 @@ std::string scene_text(const Scene& scene, const std::optional<ColorSource>& col
   return text;
 }
 
+/// The tables of an annotation, one text each.
+std::vector<std::string> annotation_texts(const Annotation& a, Comments comments) {
+  std::vector<std::string> texts{"[annotation]\n" + keys_text(annotation_keys(), a, comments)};
+  const auto add = [&](const char* name, const auto& keys, const auto& part) {
+    if (part)
+      texts.push_back(fmt::format("[annotation.{}]\n", name) + keys_text(keys, *part, comments));
+  };
+  add("title", title_keys(), a.title);
+  add("time", time_keys(), a.time);
+  add("axes", axes_keys(), a.axes);
+  add("scale", length_keys(), a.scale);
+  add("colorbar", color_bar_keys(), a.color_bar);
+  return texts;
+}
+
 /// A section as a comment: what is not one yet becomes one.
 std::string commented(const std::string& section) {
   std::istringstream lines(section);
@@ -89,6 +106,13 @@ std::string to_toml(const Scene& scene, Comments comments) {
   std::optional<ColorSource> color;
   if (scene.volume.color) color.emplace().transfer = *scene.volume.color;
   return scene_text(scene, color, comments);
+}
+
+std::string to_toml(const Scene& scene, const Annotation& annotation, Comments comments) {
+  std::string text = to_toml(scene, comments);
+  if (annotation != Annotation{})
+    for (const std::string& table : annotation_texts(annotation, comments)) text += "\n" + table;
+  return text;
 }
 
 std::string starter_text(const Scene& scene, const std::string& preset,
@@ -113,6 +137,14 @@ std::string starter_text(const Scene& scene, const std::string& preset,
                     keys_text(turntable_keys(), turntable, Comments::explain));
   text += commented("[camera_path]\n" +
                     keys_text(camera_path_keys(), KeyframePath{}, Comments::explain));
+  Annotation annotation;
+  annotation.title.emplace().text = "A title";
+  annotation.time.emplace();
+  annotation.axes.emplace();
+  annotation.scale.emplace();
+  annotation.color_bar.emplace();
+  for (const std::string& table : annotation_texts(annotation, Comments::explain))
+    text += commented(table);
   return text;
 }
 

@@ -120,6 +120,12 @@ std::uint32_t SpecValue::whole(std::uint32_t low, std::uint32_t high) const {
   return static_cast<std::uint32_t>(inside(low, high));
 }
 
+bool SpecValue::truth() const {
+  const auto* boolean = node_->as_boolean();
+  if (boolean == nullptr) fail_kind("true or false");
+  return boolean->get();
+}
+
 std::string SpecValue::text() const {
   const auto* string = node_->as_string();
   if (string == nullptr) fail_kind("a string");

@@ -31,6 +31,8 @@ struct SpecContext {
   /// Points of [volume.color] and [volume.extinction] that wait for their fields' values.
   std::optional<UnscaledPoints<3>> color = {};
   std::optional<UnscaledPoints<1>> extinction = {};
+  Annotation annotation = {};
+  bool color_is_logarithmic = false;  ///< [volume.color] has `scale = "log"`
 
   /// Returns the override that set the key `path`, a part of it or a table around it, or null.
   [[nodiscard]] const AppliedOverride* override_of(std::string_view path) const;
@@ -49,6 +51,7 @@ class SpecValue {
 
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] SpecContext& context() const { return *context_; }
+  [[nodiscard]] const toml::node& node() const { return *node_; }
   [[noreturn]] void fail(const std::string& what) const;
 
   /// A number, integer or float; `inf` only where allowed, never NaN.
@@ -61,6 +64,8 @@ class SpecValue {
   [[nodiscard]] double inside(double low, double high) const;  ///< low <= value <= high
   /// A whole number from `low` to `high`.
   [[nodiscard]] std::uint32_t whole(std::uint32_t low, std::uint32_t high) const;
+  /// `true` or `false`.
+  [[nodiscard]] bool truth() const;
   /// A string that is not empty.
   [[nodiscard]] std::string text() const;
   [[nodiscard]] std::array<double, 3> triple() const;

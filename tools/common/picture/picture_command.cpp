@@ -159,13 +159,13 @@ ParsedScene starter_scene(Tool& tool, PictureCommand& command, const ZooMesh& me
 
 }  // namespace
 
-Scene scene_for(Tool& tool, PictureCommand& command, std::optional<ParsedScene> parsed,
-                const ZooMesh& mesh) {
+ParsedScene scene_for(Tool& tool, PictureCommand& command, std::optional<ParsedScene> parsed,
+                      const ZooMesh& mesh) {
   if (!parsed) parsed = starter_scene(tool, command, mesh);
   parsed->notes.clear();  // they have been told, or say nothing of a starter view
   parsed = with_names(command, [&] { return with_field_ranges(*std::move(parsed), mesh); });
   for (const std::string& line : parsed->notes) tool.note(line);
-  return std::move(parsed->scene);
+  return *std::move(parsed);
 }
 
 void warn_of_invisible(Tool& tool, const PictureCommand& command, const ZooMesh& mesh,

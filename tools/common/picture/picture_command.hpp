@@ -48,8 +48,8 @@ ZooFile mesh_of(Tool& tool, const PictureCommand& command);
 
 /// The scene for a mesh: of a specification, with transfer functions over the ranges of its fields;
 /// or of the mesh's starter view, which --save-view keeps. Notes what it is. Errors name the files.
-Scene scene_for(Tool& tool, PictureCommand& command, std::optional<ParsedScene> parsed,
-                const ZooMesh& mesh);
+ParsedScene scene_for(Tool& tool, PictureCommand& command, std::optional<ParsedScene> parsed,
+                      const ZooMesh& mesh);
 
 /// Warns of all reasons why a picture of the scene shows nothing (invisible_parts); with --strict
 /// throws JudgementError of the first of them.

@@ -14,14 +14,14 @@ std::string path_of_frame(const PictureCommand& command, std::uint32_t frame) {
 
 void write_picture(Tool& tool, const PictureCommand& command, const std::string& program,
                    const std::string& path, const Image& image, const std::string& mesh_hash,
-                   const Scene& scene) {
+                   const Scene& scene, const Annotation& annotation) {
   tool.timed("write", [&] {
     write_image(picture_path(path), image,
                 {.linear = command.linear,
                  .background_included = !command.no_background,
                  .attributes = {{"Software", program + " " + version_text()},
                                 {"hiac:mesh", mesh_hash},
-                                {"hiac:specification", to_toml(scene)}},
+                                {"hiac:specification", to_toml(scene, annotation)}},
                  .depth = command.depth,
                  .format = command.format});
   });

@@ -17,6 +17,6 @@ std::string path_of_frame(const PictureCommand& command, std::uint32_t frame);
 /// file's attributes; a stage "write". `program`: that made it, by name; `mesh_hash`: content_hash.
 void write_picture(Tool& tool, const PictureCommand& command, const std::string& program,
                    const std::string& path, const Image& image, const std::string& mesh_hash,
-                   const Scene& scene);
+                   const Scene& scene, const Annotation& annotation);
 
 }  // namespace hiac::tools

@@ -24,6 +24,7 @@ struct Format {
   std::array<int, 3> depths;  ///< bits per sample that write_image accepts, then zeros
   Writer write;
   Reader read;
+  int integer_depth;    ///< largest depth of integer samples; 0: all are floating-point
   const char* library;  ///< that reads it, in a process of its own; null: our own code reads it
 };
 
@@ -53,16 +54,16 @@ ImageFile read_raw(const std::string& path, const ReadOptions& options) {
 }
 
 constexpr Format kFormats[] = {
-    {".exr", {32}, write_exr, read_with_texts<read_exr>, "OpenEXR"},
-    {".npy", {64}, write_plain<write_npy>, read_plain<read_npy>, nullptr},
-    {".f32", {32}, write_plain<write_f32>, read_raw, nullptr},
-    {".png", {8, 16}, write_png, read_with_texts<read_png>, "libpng"},
-    {".tiff", {8, 16, 32}, write_tiff, read_tiff_file, "libtiff"},
-    {".tif", {8, 16, 32}, write_tiff, read_tiff_file, "libtiff"},
-    {".sgi", {8, 16}, write_sgi, read_integers<read_sgi>, nullptr},
-    {".rgba", {8, 16}, write_sgi, read_integers<read_sgi>, nullptr},
-    {".pfm", {32}, write_plain<write_pfm>, read_plain<read_pfm>, nullptr},
-    {".hdr", {8}, write_plain<write_hdr>, read_plain<read_hdr>, nullptr},
+    {".exr", {32}, write_exr, read_with_texts<read_exr>, 0, "OpenEXR"},
+    {".npy", {64}, write_plain<write_npy>, read_plain<read_npy>, 0, nullptr},
+    {".f32", {32}, write_plain<write_f32>, read_raw, 0, nullptr},
+    {".png", {8, 16}, write_png, read_with_texts<read_png>, 16, "libpng"},
+    {".tiff", {8, 16, 32}, write_tiff, read_tiff_file, 16, "libtiff"},
+    {".tif", {8, 16, 32}, write_tiff, read_tiff_file, 16, "libtiff"},
+    {".sgi", {8, 16}, write_sgi, read_integers<read_sgi>, 16, nullptr},
+    {".rgba", {8, 16}, write_sgi, read_integers<read_sgi>, 16, nullptr},
+    {".pfm", {32}, write_plain<write_pfm>, read_plain<read_pfm>, 0, nullptr},
+    {".hdr", {8}, write_plain<write_hdr>, read_plain<read_hdr>, 0, nullptr},
 };
 
 /// The format that the name's extension tells, or null; an extension alone is a name too.
@@ -109,6 +110,11 @@ void write_image(const std::string& path, const Image& image, const WriteOptions
 
 void require_known_image_extension(const std::string& path, int depth) {
   depth_of(format_of(path), path, depth);
+}
+
+bool has_integer_samples(const std::string& path, int depth) {
+  const Format& format = format_of(path);
+  return depth_of(format, path, depth) <= format.integer_depth;
 }
 
 std::vector<std::string> files_of_image(const std::string& path,

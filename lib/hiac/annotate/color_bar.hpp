@@ -5,7 +5,7 @@
 #include "hiac/image/image.hpp"
 #include "hiac/scene/scene.hpp"
 
-namespace hiac::tools {
+namespace hiac {
 
 /// What the axes of a colour bar are called: the fields' names, with their units where known.
 struct ColorBarLabels {
@@ -32,7 +32,11 @@ struct ColorBarLayout {
 /// a display does, cut at 1. Channels R G B, linear.
 ///
 /// Column i of a part shows the value low + (i + 1/2) / kPlotWidth (high - low).
-/// Throws UsageError when the volume has neither colour nor extinction.
-Image draw_color_bar(const Volume& volume, const ColorBarLabels& labels, double length);
+/// `logarithmic`: the part of the colour is even in the scalar's logarithm, and that of the opacity
+/// where they share a range; at (i + 1/2) / kPlotWidth between the logarithms then.
+/// Throws UsageError when the volume has neither colour nor extinction, InputError when a
+/// logarithmic part would have scalars that are not positive.
+Image draw_color_bar(const Volume& volume, const ColorBarLabels& labels, double length,
+                     bool logarithmic = false);
 
-}  // namespace hiac::tools
+}  // namespace hiac

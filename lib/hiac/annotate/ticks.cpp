@@ -1,12 +1,13 @@
-#include "tools/render/ticks.hpp"
+#include "hiac/annotate/ticks.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <span>
 
 #include <fmt/format.h>
 
-namespace hiac::tools {
+namespace hiac {
 namespace {
 
 /// mantissa times ten to the exponent, as near as a double gets.
@@ -58,10 +59,60 @@ std::vector<Tick> round_ticks(double low, double high, int count) {
   return ticks;
 }
 
+namespace {
+
+/// Whether a range that is rounded outwards by a little contains a value.
+bool contains(double low, double high, double value) {
+  return value >= low * (1 - kSlack) && value <= high * (1 + kSlack);
+}
+
+Tick logarithmic_tick(int mantissa, int exponent, double low, double high) {
+  const double value = decimal(mantissa, exponent);
+  // plain numbers while they are short
+  const bool plain = exponent >= -4 && exponent <= 5;
+  return {std::clamp(value, low, high), plain
+                                            ? fmt::format("{:.{}f}", value, std::max(0, -exponent))
+                                            : fmt::format("{}e{:+03d}", mantissa, exponent)};
+}
+
+/// Those of the mantissas times powers of ten that lie in the range; every `stride`th power.
+std::vector<Tick> decade_ticks(double low, double high, std::span<const int> mantissas,
+                               int stride) {
+  std::vector<Tick> ticks;
+  const int first = static_cast<int>(std::floor(std::log10(low))) - 1;
+  const int last = static_cast<int>(std::ceil(std::log10(high))) + 1;
+  for (int exponent = first; exponent <= last; ++exponent)
+    for (const int mantissa : mantissas)
+      if (exponent % stride == 0 && contains(low, high, decimal(mantissa, exponent)))
+        ticks.push_back(logarithmic_tick(mantissa, exponent, low, high));
+  return ticks;
+}
+
+}  // namespace
+
+std::vector<Tick> logarithmic_ticks(double low, double high, int count) {
+  constexpr int kPowers[] = {1}, kRound[] = {1, 2, 5};
+  const auto most = static_cast<std::size_t>(count);
+  for (int stride = 1;; ++stride) {
+    std::vector<Tick> ticks = decade_ticks(low, high, kPowers, stride);
+    if (ticks.size() < 2) break;
+    if (ticks.size() <= most) return ticks;
+  }
+  std::vector<Tick> ticks = decade_ticks(low, high, kRound, 1);
+  if (ticks.size() >= 2 && ticks.size() <= most) return ticks;
+  return round_ticks(low, high, count);
+}
+
+std::string typeset(const std::string& number) {
+  std::string text;
+  for (const char c : number) text += c == '-' ? std::string("\u2212") : std::string(1, c);
+  return text;
+}
+
 double round_below(double value) {
   Step step{1, static_cast<int>(std::floor(std::log10(value))) - 1};
   while (step.next().value() <= value) step = step.next();
   return step.value();
 }
 
-}  // namespace hiac::tools
+}  // namespace hiac

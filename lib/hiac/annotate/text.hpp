@@ -1,12 +1,12 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
 
-#include "hiac/image/image.hpp"
-
-namespace hiac::tools {
+namespace hiac {
 
 /// Text in DejaVu Sans, whose outlines are part of the program, so that a picture does not depend
 /// on what fonts a machine has. Glyphs are not hinted: they only depend on FreeType's rasterizer.
@@ -25,14 +25,16 @@ class Text {
   /// The line, or as much of its start as fits with an ellipsis.
   [[nodiscard]] std::string shortened(std::string_view line, double width) const;
 
-  /// Darkens every channel of `canvas` (encoded values, 1 is white) where the line's black ink is.
-  /// The line starts at `x` and stands on `baseline`, the upper edge of that row of pixels; what
-  /// lies outside of the canvas is left out.
-  void draw(Image& canvas, double x, int baseline, std::string_view line) const;
+  /// Receives a pixel (column, row) and which share of it a glyph covers, more than 0.
+  using Paint = std::function<void(std::int64_t x, std::int64_t y, double coverage)>;
+
+  /// Paints the line's glyphs, one after the other. The line starts at `x` and stands on
+  /// `baseline`, the upper edge of that row of pixels.
+  void draw(double x, std::int64_t baseline, std::string_view line, const Paint& paint) const;
 
  private:
   struct Font;
   std::unique_ptr<Font> font_;
 };
 
-}  // namespace hiac::tools
+}  // namespace hiac

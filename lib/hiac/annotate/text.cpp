@@ -1,4 +1,4 @@
-#include "tools/render/text.hpp"
+#include "hiac/annotate/text.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -13,7 +13,7 @@
 extern "C" const unsigned char hiac_font_begin[];
 extern "C" const unsigned char hiac_font_end[];
 
-namespace hiac::tools {
+namespace hiac {
 namespace {
 
 constexpr char32_t kReplacement = 0xfffd;
@@ -97,7 +97,7 @@ std::string Text::shortened(std::string_view line, double width) const {
   return std::string(line.substr(0, kept)) + ellipsis;
 }
 
-void Text::draw(Image& canvas, double x, int baseline, std::string_view line) const {
+void Text::draw(double x, std::int64_t baseline, std::string_view line, const Paint& paint) const {
   while (!line.empty()) {
     const auto [character, bytes] = first_character(line);
     line.remove_prefix(bytes);
@@ -108,20 +108,13 @@ void Text::draw(Image& canvas, double x, int baseline, std::string_view line) co
     require_success(FT_Render_Glyph(glyph, FT_RENDER_MODE_NORMAL));
     const FT_Bitmap& bitmap = glyph->bitmap;
     const auto left = static_cast<std::int64_t>(column) + glyph->bitmap_left;
-    const std::int64_t top = std::int64_t{baseline} - glyph->bitmap_top;
+    const std::int64_t top = baseline - glyph->bitmap_top;
     for (std::int64_t j = 0; j < bitmap.rows; ++j)
-      for (std::int64_t i = 0; i < bitmap.width; ++i) {
-        const std::int64_t cx = left + i, cy = top + j;
-        if (cx < 0 || cy < 0 || cx >= static_cast<std::int64_t>(canvas.width()) ||
-            cy >= static_cast<std::int64_t>(canvas.height()))
-          continue;
-        const double paper = 1 - bitmap.buffer[j * bitmap.pitch + i] / 255.0;
-        for (double& value :
-             canvas.pixel(static_cast<std::size_t>(cx), static_cast<std::size_t>(cy)))
-          value *= paper;
-      }
+      for (std::int64_t i = 0; i < bitmap.width; ++i)
+        if (const auto level = bitmap.buffer[j * bitmap.pitch + i]; level > 0)
+          paint(left + i, top + j, level / 255.0);
     x += advance;
   }
 }
 
-}  // namespace hiac::tools
+}  // namespace hiac

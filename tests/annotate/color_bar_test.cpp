@@ -1,0 +1,140 @@
+#include "hiac/annotate/color_bar.hpp"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "hiac/base/error.hpp"
+
+namespace hiac {
+namespace {
+
+using Layout = ColorBarLayout;
+
+Volume volume_of_one_field() {
+  Volume volume;
+  volume.color = {"t", {{0, {0, 0.25, 2}}, {4, {1, 0.25, 2}}}};
+  volume.extinction = {"t", {{1, {0.5}}, {2, {0.5}}, {2, {3}}, {5, {3}}}};
+  return volume;
+}
+
+/// The value that column i of a part shows.
+double value_at(int i, double low, double high) {
+  const double t = (i + 0.5) / Layout::kPlotWidth;
+  return (1 - t) * low + t * high;
+}
+
+constexpr int kBarTop = Layout::kMargin + Layout::kTitleHeight;
+constexpr int kPartHeight =
+    Layout::kTitleHeight + Layout::kBarHeight + Layout::kTicksHeight + Layout::kMargin;
+constexpr int kGraphTop = kBarTop + kPartHeight;
+
+std::span<const double> pixel(const Image& image, int x, int y) {
+  return image.pixel(static_cast<std::size_t>(x), static_cast<std::size_t>(y));
+}
+
+TEST(ColorBar, ShowsTheColoursOfItsColumns) {
+  const Volume volume = volume_of_one_field();
+  const Image bar = draw_color_bar(volume, {"t", "t"}, 0.5);
+  EXPECT_EQ(bar.width(), static_cast<std::size_t>(Layout::kWidth));
+  const auto function = volume.color->function();
+  for (int i = 0; i < Layout::kPlotWidth; ++i)
+    for (const int y : {kBarTop, kBarTop + Layout::kBarHeight - 1}) {
+      const Color expected = function(value_at(i, 0, 5));
+      const auto found = pixel(bar, Layout::kLeft + i, y);
+      EXPECT_NEAR(found[0], expected[0], 1e-8);  // what encoding and decoding leave
+      EXPECT_NEAR(found[1], 0.25, 1e-8);
+      EXPECT_NEAR(found[2], 1, 1e-8);
+    }
+}
+
+TEST(ColorBar, ShowsTheOpacityOfTheLength) {
+  const Volume volume = volume_of_one_field();
+  const Image bar = draw_color_bar(volume, {"t", "t"}, 0.5);
+  for (int i = 0; i < Layout::kPlotWidth; i += 13) {
+    const double extinction = value_at(i, 0, 5) < 2 ? 0.5 : 3;
+    const double opacity = 1 - std::exp(-extinction * 0.5);
+    int shaded = 0;  // pixels below the curve, the last one in part
+    for (int y = 0; y < Layout::kGraphHeight; ++y)
+      shaded += pixel(bar, Layout::kLeft + i, kGraphTop + y)[0] < 0.999 ? 1 : 0;
+    EXPECT_EQ(shaded, static_cast<int>(std::ceil(opacity * Layout::kGraphHeight))) << i;
+  }
+}
+
+double ink_between(const Image& bar, int top, int bottom) {
+  double sum = 0;
+  for (int y = top; y < bottom; ++y)
+    for (int x = 0; x < Layout::kWidth; ++x) sum += 1 - pixel(bar, x, y)[0];
+  return sum;
+}
+
+TEST(ColorBar, NamesItsFieldsAndNumbersItsTicks) {
+  const Image bar = draw_color_bar(volume_of_one_field(), {"t", "t"}, 0.5);
+  const Image named = draw_color_bar(volume_of_one_field(), {"temperature (K)", "t"}, 0.5);
+  EXPECT_GT(ink_between(named, 0, kBarTop - 2), 5 * ink_between(bar, 0, kBarTop - 2));
+  const int below = kBarTop + Layout::kBarHeight;
+  EXPECT_GT(ink_between(bar, below + 10, below + Layout::kTicksHeight), 100);
+  // ticks of 0 ... 5 stand at sixth columns
+  for (int value = 0; value < 5; ++value)
+    EXPECT_LT(pixel(bar, Layout::kLeft + value * Layout::kPlotWidth / 5, below + 4)[0], 0.1);
+}
+
+TEST(ColorBar, LeavesOutWhatTheVolumeDoesNotHave) {
+  Volume volume = volume_of_one_field();
+  const std::size_t both = draw_color_bar(volume, {"t", "t"}, 1).height();
+  Volume colors = volume;
+  colors.extinction.reset();
+  EXPECT_EQ(draw_color_bar(colors, {"t", ""}, 1).height(),
+            static_cast<std::size_t>(Layout::kMargin + kPartHeight));
+  volume.color.reset();
+  EXPECT_LT(draw_color_bar(volume, {"", "t"}, 1).height(), both);
+  volume.extinction.reset();
+  EXPECT_THROW(draw_color_bar(volume, {}, 1), UsageError);
+}
+
+TEST(ColorBar, DrawsRangesOfAnySize) {
+  const std::pair<double, double> ranges[] = {{1, 1 + 0x1p-52},       {-1e308, 1e308},  {0, 1e-320},
+                                              {1e-300, 1e-289},       {1e15, 1e15 + 1}, {-0.0, 0.0},
+                                              {1e308, 1.0000001e308}, {-1e-12, 1}};
+  for (const auto& [low, high] : ranges) {
+    Volume volume;
+    volume.color = {"t", {{low, {0, 0, 0}}, {high, {1, 1, 1}}}};
+    const Image bar = draw_color_bar(volume, {"t", ""}, 1);
+    const int below = kBarTop + Layout::kBarHeight;
+    EXPECT_GT(ink_between(bar, below + 10, below + Layout::kTicksHeight), 100)
+        << low << " " << high;
+  }
+}
+
+TEST(ColorBar, IsEvenInTheLogarithmIfItIsToBe) {
+  Volume volume;
+  volume.color = {"t", {{1, {0, 0, 0}}, {100, {0.9, 0.45, 0.1}}}};
+  volume.extinction = {"t", {{0, {0}}, {100, {1}}}};  // no logarithm goes down to 0
+  const Image bar = draw_color_bar(volume, {"t", "t"}, 1, true);
+  const auto function = volume.color->function();
+  for (int i = 0; i < Layout::kPlotWidth; i += 9) {
+    const Color expected = function(std::pow(100, (i + 0.5) / Layout::kPlotWidth));
+    const auto found = pixel(bar, Layout::kLeft + i, kBarTop + 3);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 1e-8) << i;
+  }
+  // the decades 1, 10 and 100, in the middle the second of them
+  const int below = kBarTop + Layout::kBarHeight + 4;
+  for (const int column : {0, Layout::kPlotWidth / 2, Layout::kPlotWidth - 1})
+    EXPECT_LT(pixel(bar, Layout::kLeft + column, below)[0], 0.1) << column;
+  volume.color->points[0].scalar = 0;
+  EXPECT_THROW(draw_color_bar(volume, {"t", "t"}, 1, true), InputError);
+}
+
+TEST(ColorBar, DrawsFunctionsThatAreTheSameEverywhere) {
+  for (const double scalar : {0.0, -3.5, 1e10}) {
+    Volume volume;
+    volume.color = {"t", {{scalar, {0.5, 0.5, 0.5}}}};
+    volume.extinction = {"t", {{scalar, {1e300}}}};
+    const Image bar = draw_color_bar(volume, {"t", "t"}, 1);
+    EXPECT_NEAR(pixel(bar, Layout::kLeft + 7, kBarTop)[0], 0.5, 1e-8);
+    EXPECT_LT(pixel(bar, Layout::kLeft + 7, kGraphTop)[0], 0.5);  // opaque
+  }
+}
+
+}  // namespace
+}  // namespace hiac
