@@ -139,5 +139,15 @@ TEST_F(ImageIo, SurvivesDamagedExrFiles) {
   expect_survival(good, 400, 1500, read);
 }
 
+TEST(ImageSamples, KnowsWhichFormatsStoreWholeNumbers) {
+  for (const char* path : {"a.png", "a.tiff", "a.TIF", "a.sgi", "a.rgba", ".png"})
+    EXPECT_TRUE(has_integer_samples(path)) << path;
+  for (const char* path : {"a.exr", "a.npy", "a.f32", "a.pfm", "a.hdr"})
+    EXPECT_FALSE(has_integer_samples(path)) << path;
+  EXPECT_TRUE(has_integer_samples("a.tiff", 16));
+  EXPECT_FALSE(has_integer_samples("a.tiff", 32));
+  EXPECT_THROW((void)has_integer_samples("a.png", 32), UsageError);
+}
+
 }  // namespace
 }  // namespace hiac
