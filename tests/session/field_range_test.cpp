@@ -1,4 +1,6 @@
 
+#include "hiac/session/field_range.hpp"
+
 #include <cmath>
 #include <limits>
 #include <string>
@@ -119,6 +121,39 @@ TEST(FieldRange, AnOpaqueMediumShowsThePresetsDisplayValues) {
     EXPECT_LT(largest, 1.0 / 255) << name;
     EXPECT_GT(largest, 0) << name;
   }
+}
+
+// The truth is the range of one mesh that has the values of all steps.
+TEST(FieldRange, ASeriesHasOneRange) {
+  const std::vector<Scalars> steps{{4, 1, 3, 2, 1000}, {9, 1, -1, 6, 1000}, {5, 5, NAN, 8, -70}};
+  Scalars all;
+  for (const Scalars& values : steps)
+    for (std::size_t node = 0; node < 4; ++node) all.push_back(values[node]);
+  for (const std::string keys :
+       {"range = 'auto'\n", "range = 'percentile:10,75'\n", "range = 'auto'\nscale = 'log'\n"}) {
+    const ParsedScene parsed =
+        view("[volume.extinction]\nfield = 'f'\npoints = [[0, 1], [1, 3]]\n" + keys);
+    FieldRanges ranges(parsed, 2);
+    EXPECT_TRUE(ranges.are_open());
+    for (const Scalars& values : steps) ranges.add(tetrahedron(values));
+    const ParsedScene series = ranges.place(parsed);
+    // cell fields count as they are
+    ZooMesh mesh = test::make_mesh(
+        {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+        std::vector<test::Cell>(all.size(), {CellKind::tetrahedron4, {0, 1, 2, 3}}));
+    mesh.fields.push_back({"f", "", FieldLocation::cell, 1, Scalars(all)});
+    const ParsedScene truth = with_field_ranges(parsed, mesh);
+    EXPECT_EQ(series.scene, truth.scene) << keys;
+    ASSERT_EQ(series.notes.size(), 1U);
+    EXPECT_EQ(series.notes[0], truth.notes[0] + " over 3 steps");
+    EXPECT_FALSE(series.extinction);
+  }
+}
+
+TEST(FieldRange, AFixedRangeNeedsNoMesh) {
+  EXPECT_FALSE(FieldRanges(view("[volume.extinction]\nfield = 'f'\nrange = [1, 2]\n"
+                                "points = [[0, 1], [1, 3]]\n"))
+                   .are_open());
 }
 
 }  // namespace

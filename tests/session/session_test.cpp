@@ -224,5 +224,43 @@ TEST(Session, APixelIsThePictures) {
   EXPECT_EQ(explained.order->record.view_hash, view_hash(scene));
 }
 
+// The truth is a session of that step alone.
+TEST(Session, AStepOfTheSameGeometryKeepsTheOrder) {
+  const ZooMesh first = small_mesh();
+  const Scene scene = small_view(first);
+  ZooMesh second = test::structured(3, test::Cut::prisms);
+  test::add_node_field(second, "f", [](const test::Position& p) { return p[0] * p[2]; });
+  Session session(first), alone(second);
+  const Picture before = session.picture(scene);
+  ZooMesh step = second;
+  ASSERT_TRUE(session.take_step(step));
+  const Picture after = session.picture(scene), truth = alone.picture(scene);
+  EXPECT_EQ(after.order, before.order);
+  EXPECT_EQ(after.mesh_hash, truth.mesh_hash);
+  expect_same(after.image, truth.image);
+  EXPECT_NE(std::memcmp(before.image.values().data(), after.image.values().data(),
+                        after.image.values().size_bytes()),
+            0);
+  // another view has another order
+  Scene other = scene;
+  other.camera.eye[0] += 1;
+  EXPECT_NE(session.picture(other).order, before.order);
+  expect_same(session.picture(other).image, alone.picture(other).image);
+}
+
+TEST(Session, AStepOfAnotherGeometryIsNotTaken) {
+  const ZooMesh first = small_mesh();
+  const Scene scene = small_view(first);
+  Session session(first);
+  const Picture before = session.picture(scene);
+  ZooMesh step = test::moved(first, [](const test::Position& p) {
+    return test::Position{p[0], p[1], p[2] == 1 ? 1.25 : p[2]};
+  });
+  EXPECT_FALSE(session.take_step(step));
+  EXPECT_EQ(step.cell_count(), first.cell_count());
+  EXPECT_EQ(session.mesh().position(0)[2], first.position(0)[2]);
+  expect_same(session.picture(scene).image, before.image);
+}
+
 }  // namespace
 }  // namespace hiac

@@ -65,9 +65,9 @@ struct Explanation {
   std::shared_ptr<const MeshOrder> order;
 };
 
-/// Draws one mesh any number of times. Data that do not depend on the view are computed once. The
-/// same input gives the same bits, whatever the number of threads, and whether or not work was
-/// cancelled before. May be used by one thread at a time.
+/// Draws one mesh any number of times. Data that do not depend on the view are computed once, and
+/// the last view's order is kept. The same input gives the same bits, whatever the number of
+/// threads, and whether or not work was cancelled before. May be used by one thread at a time.
 class Session {
  public:
   explicit Session(ZooMesh mesh, Monitor monitor = {});
@@ -76,6 +76,11 @@ class Session {
   Session& operator=(const Session&) = delete;
 
   [[nodiscard]] const ZooMesh& mesh() const;
+
+  /// Goes on with another time step: takes `mesh` over, keeps what is known of its geometry, orders
+  /// above all, and returns true. If the geometry (cells, nodes, coordinates to the bit) is
+  /// another, changes nothing and returns false.
+  bool take_step(ZooMesh& mesh);
 
   /// Throws InputError if the mesh, or something in the scene, cannot be drawn, and UsageError if a
   /// field does not exist. Must be called once for each mesh and specification, before `picture`,

@@ -35,12 +35,16 @@ Interval extent_of(const std::vector<double>& values) {
   return extent;
 }
 
-double percentile(std::vector<double>& values, double percent) {
-  const double rank = percent / 100 * static_cast<double>(values.size() - 1);
+PercentileRank percentile_rank(double percent, std::size_t count) {
+  const double rank = percent / 100 * static_cast<double>(count - 1);
   const auto below = static_cast<std::size_t>(rank);
+  return {below, rank - static_cast<double>(below)};
+}
+
+double percentile(std::vector<double>& values, double percent) {
+  const auto [below, share] = percentile_rank(percent, values.size());
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(below);
   std::nth_element(values.begin(), at, values.end());
-  const double share = rank - static_cast<double>(below);
   if (share == 0) return *at;
   return (1 - share) * *at + share * *std::min_element(at + 1, values.end());
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "hiac/geometry/interval.hpp"
@@ -15,6 +16,16 @@ bool is_finite_in_cells(const ZooMesh& mesh, const Field& field);
 
 /// The smallest and the largest of values; empty where there are none.
 Interval extent_of(const std::vector<double>& values);
+
+/// Where a percentile lies among sorted values: at the rank `below`, and `share` of the way from it
+/// to the next one.
+struct PercentileRank {
+  std::size_t below;
+  double share;
+};
+
+/// `count` is positive.
+PercentileRank percentile_rank(double percent, std::size_t count);
 
 /// The percentile of values (reordered), linear between the two nearest ranks; `values` is not
 /// empty.

@@ -9,6 +9,7 @@
 #include "hiac/frame/crop.hpp"
 #include "hiac/frame/renderable.hpp"
 #include "hiac/image/composite.hpp"
+#include "hiac/mesh/mesh_hash.hpp"
 #include "hiac/render/engine.hpp"
 #include "hiac/render/explain_pixel.hpp"
 #include "hiac/render/supersampling.hpp"
@@ -41,7 +42,10 @@ struct Session::State {
   ZooMesh mesh;
   Monitor monitor;
   SceneOrders orders;
-  std::string content;  // its hash, once it is known
+  std::string content, geometry;                // its hashes, once they are known
+  std::shared_ptr<const MeshOrder> last_order;  // for last_view, if there is one
+  std::string last_view;                        // its hash
+  std::vector<CellId> left_out;                 // of all orders
 
   State(ZooMesh drawn, Monitor watching)
       : mesh(std::move(drawn)), monitor(std::move(watching)), orders(mesh, monitor) {}
@@ -49,6 +53,11 @@ struct Session::State {
   const std::string& content_hash_of_mesh() {
     if (content.empty()) content = content_hash(mesh);
     return content;
+  }
+
+  const std::string& hash_of_geometry() {
+    if (geometry.empty()) geometry = geometry_hash(mesh);
+    return geometry;
   }
 };
 
@@ -59,6 +68,13 @@ Session::~Session() = default;
 
 const ZooMesh& Session::mesh() const { return state_->mesh; }
 
+bool Session::take_step(ZooMesh& mesh) {
+  if (geometry_hash(mesh) != state_->hash_of_geometry()) return false;
+  state_->mesh = std::move(mesh);
+  state_->content.clear();
+  return true;
+}
+
 void Session::require_drawable(const Scene& scene) {
   const CancellationScope scope(state_->monitor.cancellation);
   check_renderable(state_->mesh, scene);
@@ -68,20 +84,34 @@ std::vector<CellId> Session::skip_invalid_cells(const Scene& scene) {
   const CancellationScope scope(state_->monitor.cancellation);
   check_renderable(state_->mesh, scene, InvalidCells::skipped);
   std::vector<CellId> cells = invalid_cells(state_->mesh, scene.render.planarity);
-  state_->orders.leave_out(cells);
+  if (cells != state_->left_out) {
+    state_->left_out = cells;
+    state_->orders.leave_out(cells);
+    state_->last_order.reset();
+  }
   return cells;
 }
 
-void Session::look_for_overlaps(double planarity) { state_->orders.look_for_overlaps(planarity); }
+void Session::look_for_overlaps(double planarity) {
+  state_->orders.look_for_overlaps(planarity);
+  state_->last_order.reset();
+}
 
 void Session::use_orders(std::string subject, std::vector<ExtraChunk> chunks) {
   state_->orders.use({std::move(subject), std::move(chunks)});
+  state_->last_order.reset();
 }
 
 void Session::require_order(const Scene& scene) { state_->orders.require(scene); }
 
 std::shared_ptr<const MeshOrder> Session::order(const Scene& scene) {
-  return std::make_shared<const MeshOrder>(state_->orders.of(scene));
+  State& s = *state_;
+  std::string view = view_hash(scene);
+  if (s.last_order && view == s.last_view) return s.last_order;
+  s.last_order.reset();  // its memory is free while the next one is made
+  s.last_order = std::make_shared<const MeshOrder>(s.orders.of(scene));
+  s.last_view = std::move(view);
+  return s.last_order;
 }
 
 Picture Session::picture(const Scene& scene, const PictureRequest& request) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -18,6 +19,8 @@ struct StarterOptions {
   std::uint32_t isovalues = 0;         ///< so many isosurfaces, evenly over the field's range
   bool dark = false;                   ///< a dark background instead of a white one
   std::optional<ImageSize> size = {};  ///< none: 1024 x 768, flatter for long meshes
+  /// The range to show, as that of a series of which the mesh is one step; none: the mesh's own.
+  std::optional<std::array<double, 2>> range = {};
 };
 
 /// A first view of a mesh.

@@ -41,11 +41,11 @@ bool are_numbers(std::vector<double> values) {
   return std::ranges::adjacent_find(values, std::not_fn(follows)) == values.end();
 }
 
+constexpr double kLowPercent = 1, kHighPercent = 99;
+
 /// The range of a field's values, without the outermost percents where these make up most of it.
-Interval range_to_show(std::vector<double>& values) {
+Interval range_to_show(const Interval& whole, const Interval& inner) {
   constexpr double kMost = 3;
-  const Interval whole = extent_of(values);
-  const Interval inner{percentile(values, 1), percentile(values, 99)};
   const bool spread =
       inner.high > inner.low && whole.high - whole.low > kMost * (inner.high - inner.low);
   return spread ? inner : whole;
@@ -68,6 +68,13 @@ double entropy(const std::vector<double>& values, const Interval& range) {
   return sum;
 }
 
+/// The values of a field that a view can show.
+std::vector<double> values_to_show(const ZooMesh& mesh, const Field& field) {
+  std::vector<double> values = values_in_cells(mesh, field);
+  std::erase_if(values, [](double value) { return std::fabs(value) > kLargestNumber; });
+  return values;
+}
+
 /// A field, how much it says, and what of it is to be shown.
 struct Candidate {
   Field field;
@@ -79,12 +86,12 @@ struct Candidate {
 std::optional<Candidate> candidate(const ZooMesh& mesh, const std::string& name) {
   Candidate found{scalar_field(mesh, name), {}, {}, 0, false};
   found.field.name = name;
-  std::vector<double> values = values_in_cells(mesh, found.field);
-  std::erase_if(values, [](double value) { return std::fabs(value) > kLargestNumber; });
+  std::vector<double> values = values_to_show(mesh, found.field);
   if (values.empty()) return std::nullopt;
   found.whole = extent_of(values);
   found.is_numbering = are_whole(values) && are_numbers(values);
-  found.range = range_to_show(values);
+  const double low = percentile(values, kLowPercent);
+  found.range = range_to_show(found.whole, {low, percentile(values, kHighPercent)});
   if (found.range.low < found.range.high) {
     // whole numbers are mostly names of parts, materials or processors
     constexpr double kLessThanAny = 100;
@@ -156,6 +163,24 @@ Choice choose_field(const ZooMesh& mesh, const std::string& asked, const std::st
   Choice choice = choice_of(std::move(*height), fmt::format(", the height: {}", reason));
   choice.is_height = true;
   return choice;
+}
+
+void show_range(Choice& choice, const std::array<double, 2>& range) {
+  choice.low = range[0];
+  choice.high = range[1];
+  choice.notes = {fmt::format("shows '{}' from {:g} to {:g}, the range of all steps",
+                              choice.field.name, choice.low, choice.high)};
+}
+
+void SeriesRange::add(const ZooMesh& mesh) {
+  values_.add(values_to_show(mesh, scalar_field(mesh, field_)));
+}
+
+std::array<double, 2> SeriesRange::range() {
+  const double low = values_.percentile(kLowPercent);
+  const auto [shown_low, shown_high] =
+      range_to_show(values_.extent(), {low, values_.percentile(kHighPercent)});
+  return {shown_low, shown_high};
 }
 
 }  // namespace hiac::starter

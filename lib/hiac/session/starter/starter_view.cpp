@@ -127,6 +127,7 @@ StarterView make_starter_view(const ZooMesh& mesh, const std::string& subject,
     throw InputError(subject, "nothing to look at (all nodes lie at one point)");
   const ColormapPreset preset = preset_of(options.preset);
   Choice choice = choose_field(mesh, options.field, subject);
+  if (options.range) show_range(choice, *options.range);
   const Framing framing = framing_of(mesh, choice, options.size);
   StarterView view;
   view.notes = std::move(choice.notes);
