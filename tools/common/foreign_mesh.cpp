@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <csignal>
-#include <cstring>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -12,17 +10,13 @@
 #include <system_error>
 #include <utility>
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sys/mman.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "hiac/base/error.hpp"
 #include "hiac/mesh/file_descriptor.hpp"
 #include "tools/common/as_option.hpp"
+#include "tools/common/child_program.hpp"
 #include "tools/common/file_kind.hpp"
 #include "tools/common/mesh_io.hpp"
 #include "tools/common/sibling_program.hpp"
@@ -32,48 +26,9 @@ namespace {
 
 constexpr const char* kConverter = "hiac-convert";
 constexpr std::string_view kZoo = "\x89ZOO\r\n\x1a\n";
-constexpr int kNoProgram = 127;
 
-/// A running hiac-convert, the end of its pipe that is read, and a file of memory for its messages.
-struct Conversion {
-  pid_t process;
-  FileDescriptor stream, messages;
-};
-
-Conversion start(std::vector<std::string> arguments) {
-  const std::vector<std::string> places = places_of(kConverter);
-  std::vector<char*> pointers = pointers_to(arguments);
-  std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0)
-    throw Error(ExitCode::internal, fmt::format("no pipe ({})", std::strerror(errno)));
-  FileDescriptor messages(memfd_create("messages", MFD_CLOEXEC));
-  const pid_t parent = getpid();
-  const pid_t child = fork();
-  if (child == 0) {
-    // never outlives this process, whose other threads it does not have
-    prctl(PR_SET_PDEATHSIG, SIGTERM);
-    if (getppid() != parent) _exit(1);
-    dup2(ends[1], STDOUT_FILENO);
-    dup2(messages.number(), STDERR_FILENO);
-    become(places, pointers);
-    _exit(kNoProgram);
-  }
-  close(ends[1]);
-  FileDescriptor stream(ends[0]);
-  if (child < 0)
-    throw Error(ExitCode::internal, fmt::format("no child process ({})", std::strerror(errno)));
-  return {child, std::move(stream), std::move(messages)};
-}
-
-std::string messages_of(const Conversion& conversion) {
-  std::string text;
-  std::array<char, 4096> part{};
-  for (;;) {
-    const ssize_t n = pread(conversion.messages.number(), part.data(), part.size(),
-                            static_cast<off_t>(text.size()));
-    if (n <= 0) return text;
-    text.append(part.data(), static_cast<std::size_t>(n));
-  }
+ChildProgram start(const std::vector<std::string>& arguments) {
+  return start_program(places_of(kConverter), arguments, ChildPipe::output);
 }
 
 /// The last line of hiac-convert's messages, which says why it ended, without its name.
@@ -85,23 +40,21 @@ std::string reason_in(std::string messages) {
 }
 
 /// Waits for the end of the conversion and returns its messages; throws its reason where it failed.
-std::string finish(const Conversion& conversion, const std::string& path) {
-  int status = 0;
-  while (waitpid(conversion.process, &status, 0) < 0 && errno == EINTR) continue;
+std::string finish(const ChildProgram& conversion, const std::string& path) {
+  const ChildEnd end = end_of(conversion);
   std::string messages = messages_of(conversion);
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return messages;
-  if (WIFSIGNALED(status))
+  if (end.is_success()) return messages;
+  if (end.signal != 0)
     throw Error(ExitCode::internal,
-                fmt::format("{}: {} was ended by signal {}", path, kConverter, WTERMSIG(status)));
-  const int code = WEXITSTATUS(status);
-  if (code == kNoProgram)
+                fmt::format("{}: {} was ended by signal {}", path, kConverter, end.signal));
+  if (end.not_found)
     throw Error(ExitCode::internal,
                 fmt::format("{}: is not a zoo mesh, and {} is neither beside this program nor on "
                             "PATH",
                             path, kConverter));
   const std::string reason = reason_in(std::move(messages));
   const std::string name = reason.find(path) == std::string::npos ? path + ": " : "";
-  throw Error(static_cast<ExitCode>(code), name + reason);
+  throw Error(static_cast<ExitCode>(end.exit_code), name + reason);
 }
 
 std::vector<std::string> arguments_for(const Tool& tool, const MeshInput& input,
@@ -111,8 +64,8 @@ std::vector<std::string> arguments_for(const Tool& tool, const MeshInput& input,
   for (const auto& words : {given, further})
     arguments.insert(arguments.end(), words.begin(), words.end());
   const CommonOptions& common = tool.common();
-  if (common.quiet) arguments.emplace_back("--quiet");
-  if (common.verbose) arguments.emplace_back("--verbose");
+  if (common.quiet || input.is_silent) arguments.emplace_back("--quiet");
+  if (common.verbose && !input.is_silent) arguments.emplace_back("--verbose");
   if (common.threads > 0) arguments.push_back(fmt::format("--threads={}", common.threads));
   if (common.max_memory > 0) arguments.push_back(fmt::format("--max-memory={}", common.max_memory));
   // a name that begins with a hyphen is no option
@@ -159,7 +112,7 @@ ZooFile read_any_mesh(const Tool& tool, const MeshInput& input, MeshNumbers numb
     return read_mesh(input.path, numbers);
   }
   const std::vector<std::string> arguments = arguments_for(tool, input, further);
-  Conversion conversion = start(arguments);
+  ChildProgram conversion = start(arguments);
   std::optional<ZooFile> file;
   try {
     file = read_zoo_stream(conversion.stream.number(), input.path, numbers);
@@ -170,9 +123,25 @@ ZooFile read_any_mesh(const Tool& tool, const MeshInput& input, MeshNumbers numb
     throw;
   }
   const std::string messages = finish(conversion, input.path);
+  if (input.is_silent) return *std::move(file);
   tool.note(fmt::format("{} is not a zoo mesh: read by {}", input.path, fmt::join(arguments, " ")));
   if (!messages.empty()) tool.print(messages);
   return *std::move(file);
+}
+
+std::size_t step_count(const Tool& tool, const MeshInput& input,
+                       const std::vector<std::string>& further) {
+  std::vector<std::string> listing{"--list", "--json=-"};
+  listing.insert(listing.end(), further.begin(), further.end());
+  ChildProgram conversion = start(arguments_for(tool, input, listing));
+  std::string text;
+  std::array<std::uint8_t, 1 << 16> part{};
+  while (const std::size_t count =
+             read_fully(conversion.stream.number(), part, "hiac-convert --list"))
+    text.append(reinterpret_cast<const char*>(part.data()), count);
+  finish(conversion, input.path);
+  const auto facts = nlohmann::json::parse(text);
+  return std::max<std::size_t>(facts.at("inventory").at("times").size(), 1);
 }
 
 std::vector<std::string> words_of(const std::string& text) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct MeshInput {
   std::string path;  ///< a zoo mesh, or a file that hiac-convert reads; "-" or empty: stdin
   /// Further options of hiac-convert, as words with blanks between; quotes keep a word together.
   std::string conversion;
+  bool is_silent = false;  ///< nothing is said of the conversion, unless it fails
 };
 
 /// Adds the option --convert.
@@ -35,6 +37,11 @@ bool is_foreign_mesh(const std::string& path);
 ZooFile read_any_mesh(const Tool& tool, const MeshInput& input,
                       MeshNumbers numbers = MeshNumbers::checked,
                       const std::vector<std::string>& further = {});
+
+/// How many time steps a foreign file has, as hiac-convert --list says; one if it knows no time.
+/// Throws as read_any_mesh does.
+std::size_t step_count(const Tool& tool, const MeshInput& input,
+                       const std::vector<std::string>& further = {});
 
 /// The words of a text, as a shell would take them apart: blanks separate, quotes of both kinds
 /// keep together. Throws UsageError for a quote that is not closed.

@@ -49,7 +49,8 @@ std::string progress_text(const Shown& shown) {
   const auto& [frames, stage] = shown;
   std::string text;
   if (frames.total > 0)
-    text = fmt::format("frame {} of {}, ", std::min(frames.done + 1, frames.total), frames.total);
+    text = fmt::format("{} {} of {}, ", frames.stage == "steps" ? "step" : "frame",
+                       std::min(frames.done + 1, frames.total), frames.total);
   text += stage.stage;
   if (stage.total > 0)
     text += fmt::format(" {:.0f} %", std::floor(100 * static_cast<double>(stage.done) /

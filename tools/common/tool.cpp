@@ -215,6 +215,15 @@ void Tool::warn(const std::string& line) {
   note("warning: " + line);
 }
 
+void Tool::note_frame(const std::string& path) {
+  frames_.advance();
+  const Progress::State state = frames_.state();
+  const auto left = seconds_left(static_cast<double>(state.done), static_cast<double>(state.total),
+                                 state.seconds);
+  note(fmt::format("{}: {} of {} {}, about {} left", path, state.done, state.total, state.stage,
+                   duration_text(left.value_or(0))));
+}
+
 void Tool::add_seconds(const std::string& stage, double seconds) {
   auto& sum = facts_["seconds"][stage];
   sum = sum.is_null() ? seconds : sum.get<double>() + seconds;

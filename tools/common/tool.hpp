@@ -70,8 +70,12 @@ class Tool {
   [[nodiscard]] Monitor monitor();
   /// How far the present stage is; timed() begins one, which may begin parts of its own.
   Progress& progress() { return progress_; }
-  /// How many of a run's frames are done; a run of one picture leaves it alone.
+  /// How many of a run's frames or steps are done; a run of one picture leaves it alone.
   Progress& frames() { return frames_; }
+
+  /// Advances frames() past the one that was written to `path`, and notes how many are done and how
+  /// long the others will take.
+  void note_frame(const std::string& path);
 
   /// Adds to the seconds of a stage among the facts.
   void add_seconds(const std::string& stage, double seconds);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -12,9 +11,9 @@
 #include "hiac/derive/deform.hpp"
 #include "hiac/derive/derive_field.hpp"
 #include "hiac/mesh/find_field.hpp"
-#include "hiac/mesh/parts/keep_cells.hpp"
 #include "tools/common/as_option.hpp"
-#include "tools/convert/number_text.hpp"
+#include "tools/common/number_text.hpp"
+#include "tools/common/threshold.hpp"
 #include "tools/convert/tell.hpp"
 
 namespace hiac::tools {
@@ -68,33 +67,6 @@ void warp(Tool& tool, ZooMesh& mesh, const std::string& request) {
   tell_inverted(tool, mesh, option);
 }
 
-void threshold(Tool& tool, ZooMesh& mesh, const std::string& request) {
-  const std::string option = fmt::format("--threshold {}", request);
-  const std::size_t equals = request.rfind('=');
-  const std::size_t comma = request.find(',', equals == std::string::npos ? 0 : equals);
-  if (equals == std::string::npos || comma == std::string::npos)
-    throw UsageError(option + ": FIELD=LOW,HIGH expected (either may be left out)");
-  const auto bound = [&](std::string_view text, double none) {
-    if (text.empty()) return none;
-    const auto number = number_in(text);
-    if (!number) throw UsageError(fmt::format("{}: '{}' is no number", option, text));
-    return *number;
-  };
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  const std::string_view text(request);
-  const double low = bound(text.substr(equals + 1, comma - equals - 1), -kInfinity);
-  const double high = bound(text.substr(comma + 1), kInfinity);
-  if (!(low <= high)) throw UsageError(option + ": LOW is above HIGH");
-  const std::vector<bool> keep = as_option(option + ": ", [&] {
-    return cells_within(mesh, scalar_field(mesh, request.substr(0, equals)), low, high);
-  });
-  const auto kept = std::ranges::count(keep, true);
-  if (kept == 0) throw InputError(option, "no cell has all of its values within these bounds");
-  tool.facts()["threshold"] = {{"kept", kept}, {"cells", keep.size()}};
-  tool.detail(fmt::format("{}: {} of {} cells are kept", option, kept, keep.size()));
-  if (static_cast<std::size_t>(kept) < keep.size()) mesh = keep_cells(mesh, keep);
-}
-
 }  // namespace
 
 void Edits::add_options(CLI::App& app) {
@@ -108,16 +80,13 @@ void Edits::add_options(CLI::App& app) {
   app.add_option("--warp", warp,
                  "Move every node by SCALE (default: 1) times this field, a displacement")
       ->type_name("FIELD[:SCALE]");
-  app.add_option("--threshold", threshold,
-                 "Keep only the cells of which every value of this scalar field lies from LOW to "
-                 "HIGH; either may be left out")
-      ->type_name("FIELD=LOW,HIGH");
+  add_threshold(app, threshold);
 }
 
 void edit(Tool& tool, ZooMesh& mesh, const Edits& edits) {
   for (const std::string& formula : edits.derivations) derive(tool, mesh, formula);
   if (!edits.warp.empty()) warp(tool, mesh, edits.warp);
-  if (!edits.threshold.empty()) threshold(tool, mesh, edits.threshold);
+  apply_threshold(tool, mesh, edits.threshold);
 }
 
 }  // namespace hiac::tools

@@ -1,9 +1,11 @@
 // hiac-convert: a foreign finite-element file to a zoo mesh, and a zoo mesh to VTU.
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <iostream>
 #include <map>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -18,20 +20,21 @@
 #include "hiac/base/error.hpp"
 #include "hiac/base/output_file.hpp"
 #include "hiac/mesh/boundary_surface.hpp"
-#include "hiac/mesh/face_adjacency.hpp"
 #include "hiac/mesh/file_descriptor.hpp"
 #include "hiac/mesh/zoo_container.hpp"
 #include "tools/common/as_option.hpp"
 #include "tools/common/mesh_io.hpp"
 #include "tools/common/plain_text.hpp"
+#include "tools/common/steps/number_pattern.hpp"
+#include "tools/common/steps/step_choice.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/common/version.hpp"
 #include "tools/convert/edits.hpp"
 #include "tools/convert/invalid_cells.hpp"
 #include "tools/convert/listing.hpp"
-#include "tools/convert/number_text.hpp"
 #include "tools/convert/option_names.hpp"
 #include "tools/convert/spooled_input.hpp"
+#include "tools/convert/step_adjacency.hpp"
 #include "tools/convert/tell.hpp"
 
 namespace hiac::tools {
@@ -42,6 +45,7 @@ constexpr const char* kExamples =
     "  hiac-convert --list run.vtu\n"
     "  hiac-convert run.vtk --field velocity:magnitude=speed | hiac-sort --view v.toml\n"
     "  hiac-convert run.vtu --derive 'speed=magnitude(velocity)' -o run.zoo\n"
+    "  hiac-convert run.exo --steps all -o run-%04d.zoo\n"
     "  hiac-convert run.zoo -o run.vtu\n"
     "  hiac-convert run.zoo --levels 3 -o boundary.ply";
 
@@ -55,6 +59,7 @@ struct Options {
   Edits edits;
   std::string time;
   std::optional<std::size_t> step;
+  std::string steps;
   std::optional<std::string> block;
   bool corners_only = false;
   bool skip_unsupported = false;
@@ -95,8 +100,16 @@ void add_options(CLI::App& app, Options& options) {
   CLI::Option* time = app.add_option("--time", options.time,
                                      "Convert the step at this time; nearest:T: the nearest to T")
                           ->type_name("T");
-  app.add_option("--step", options.step, "Convert the step with this number, counted from 0")
-      ->excludes(time);
+  CLI::Option* step =
+      app.add_option("--step", options.step, "Convert the step with this number, counted from 0")
+          ->excludes(time);
+  app.add_option("--steps", options.steps,
+                 "Convert several steps, each into a file of its own: -o has a place for the "
+                 "step's number, as -o run-%04d.zoo")
+      ->excludes(time)
+      ->excludes(step)
+      ->excludes("--list")
+      ->type_name(kStepsType);
   app.add_option("--block", options.block, "Convert only this block")->type_name("NAME");
   app.add_flag("--corners-only", options.corners_only,
                "Keep only the corner nodes of quadratic and cubic cells, which become linear");
@@ -213,7 +226,17 @@ auto with_options_named(const Work& work) try {
   throw UsageError(with_option_names(error.what()));
 }
 
-/// The readers' messages on wrong usage begin with what was asked for: an option without dashes.
+/// Reads by a format; `told` as with_input has it. The readers' messages on wrong usage begin with
+/// what was asked for: an option without dashes.
+template <typename Told>
+formats::Reading read_by(const formats::Format& format, const std::string& path,
+                         const formats::ReadOptions& wanted, const Told& told) {
+  formats::Reading reading = as_option("--", [&] { return format.read(path, wanted); });
+  for (std::string& note : reading.notes) note = told(std::move(note));
+  for (auto& [key, text] : reading.mesh.metadata) text = told(std::move(text));
+  return reading;
+}
+
 formats::Reading read_input(const Options& options) {
   const formats::ReadOptions wanted = read_options(options);
   if (is_zoo_stream(options)) {
@@ -221,10 +244,7 @@ formats::Reading read_input(const Options& options) {
     return as_option("--", [&] { return formats::reading_of(std::move(stream), wanted, "stdin"); });
   }
   return with_input(options, [&](const auto& format, const std::string& path, const auto& told) {
-    formats::Reading reading = as_option("--", [&] { return format.read(path, wanted); });
-    for (std::string& note : reading.notes) note = told(std::move(note));
-    for (auto& [key, text] : reading.mesh.metadata) text = told(std::move(text));
-    return reading;
+    return read_by(format, path, wanted, told);
   });
 }
 
@@ -259,8 +279,8 @@ bool keeps_format(const Options& options) {
   return format_of(options, options.input).name == formats::format_to_write(options.output).name;
 }
 
-void claim_files(Tool& tool, const Options& options) {
-  RunFiles files{{options.input}, {}};
+/// Adds the file that -o names.
+void add_output(RunFiles& files, const Options& options) {
   bool boundary = false;
   if (!options.list && !options.to_stdout()) {
     as_option("-o ", [&] {
@@ -270,6 +290,11 @@ void claim_files(Tool& tool, const Options& options) {
   }
   if (options.levels && !boundary)
     throw UsageError("--levels: only for the boundary of a mesh (-o FILE.stl, .ply or .vtp)");
+}
+
+void claim_files(Tool& tool, const Options& options) {
+  RunFiles files{{options.input}, {}};
+  add_output(files, options);
   tool.claim(std::move(files));
 }
 
@@ -283,6 +308,7 @@ void report_mesh(Tool& tool, const ZooMesh& mesh) {
   auto& facts = tool.facts();
   facts["nodes"] = mesh.node_count();
   facts["cells"] = mesh.cell_count();
+  facts.erase("kinds");
   std::string kinds;
   for (std::size_t k = 0; k < kKindCount; ++k) {
     if (counts[k] == 0) continue;
@@ -322,17 +348,8 @@ void select(ZooMesh& mesh, const Options& options) {
   mesh.fields = std::move(fields);
 }
 
-void convert(Tool& tool, const Options& options) {
-  if (options.list_formats) {
-    std::cout << formats_table();
-    return;
-  }
-  claim_files(tool, options);
-  require_input(options);
-  if (options.list) return with_options_named([&] { list_input(tool, options); });
-  check_stdout(tool, options);
-  formats::Reading reading =
-      tool.timed("read", [&] { return with_options_named([&] { return read_input(options); }); });
+/// What is done to the mesh that was read, and writing it.
+void finish(Tool& tool, const Options& options, formats::Reading reading, StepAdjacency& known) {
   ZooMesh& mesh = reading.mesh;
   if (options.corners_only) formats::keep_corners(mesh, reading.notes);
   edit(tool, mesh, options.edits);
@@ -346,9 +363,71 @@ void convert(Tool& tool, const Options& options) {
   if (!options.adjacency)
     mesh.adjacency.reset();
   else if (to_zoo && !mesh.adjacency)
-    mesh.adjacency = tool.timed("adjacency", [&] { return build_face_adjacency(mesh); });
+    mesh.adjacency = tool.timed("adjacency", [&] { return known.of(mesh); });
   report_mesh(tool, mesh);
   tool.timed("write", [&] { write_output(tool, options, mesh); });
+}
+
+/// The options of every step: that step alone, into its file, whose name the pattern gives.
+std::vector<Options> options_of_steps(const Options& options, const NumberPattern& pattern,
+                                      const std::vector<std::size_t>& steps) {
+  std::vector<Options> all;
+  for (const std::size_t step : steps) {
+    Options& one = all.emplace_back(options);
+    one.step = step;
+    one.output = pattern.path_of(step);
+  }
+  return all;
+}
+
+/// Keeps the notes that no earlier step had.
+void forget_told(std::vector<std::string>& notes, std::set<std::string>& told) {
+  std::erase_if(notes, [&](const std::string& note) { return !told.insert(note).second; });
+}
+
+void convert_steps(Tool& tool, const Options& options) {
+  const StepChoice choice(options.steps);
+  const NumberPattern pattern("-o", options.output);
+  require_input(options);
+  if (is_zoo_stream(options))
+    throw UsageError("--steps: a zoo stream holds one step (a file, or --format NAME, expected)");
+  tool.claim({{options.input}, {}});
+  with_input(options, [&](const auto& format, const std::string& path, const auto& told) {
+    const std::size_t count = std::max<std::size_t>(
+        tool.timed("steps", [&] { return format.inspect(path); }).times.size(), 1);
+    const std::vector<Options> steps =
+        options_of_steps(options, pattern, choice.among(count, input_name(options.input)));
+    RunFiles files{{options.input}, {}};
+    for (const Options& step : steps) add_output(files, step);
+    tool.claim(std::move(files));
+    tool.frames().begin("steps", steps.size());
+    StepAdjacency known;
+    std::set<std::string> notes;
+    for (const Options& step : steps) {
+      formats::Reading reading =
+          tool.timed("read", [&] { return read_by(format, path, read_options(step), told); });
+      forget_told(reading.notes, notes);
+      finish(tool, step, std::move(reading), known);
+      tool.facts()["steps"].push_back({{"step", *step.step}, {"file", step.output}});
+      tool.note_frame(step.output);
+    }
+  });
+}
+
+void convert(Tool& tool, const Options& options) {
+  if (options.list_formats) {
+    std::cout << formats_table();
+    return;
+  }
+  if (!options.steps.empty()) return with_options_named([&] { convert_steps(tool, options); });
+  claim_files(tool, options);
+  require_input(options);
+  if (options.list) return with_options_named([&] { list_input(tool, options); });
+  check_stdout(tool, options);
+  formats::Reading reading =
+      tool.timed("read", [&] { return with_options_named([&] { return read_input(options); }); });
+  StepAdjacency adjacency;
+  finish(tool, options, std::move(reading), adjacency);
 }
 
 }  // namespace

@@ -266,9 +266,10 @@ void draw(Tool& tool, Options options) {
   SceneOrders orders(mesh, {});
   prepare_orders(orders, options, scene, std::move(given));
   orders.leave_out(with_names(options, [&] { return invalid_ones(tool, options, mesh, scene); }));
-  warn_of_invisible(tool, options, mesh, scene);
+  warn_of_invisible(tool, options, mesh, scene, options.output);
   const std::vector<std::uint32_t> numbers = chosen_frames(scene, options.frame);
-  const PictureAnnotation annotation(tool, options, view, file.mesh, numbers);
+  const PictureAnnotation annotation(tool, options, view, file.mesh, numbers,
+                                     has_integer_samples(picture_format(options), options.depth));
   std::vector<Scene> frames;
   std::vector<std::string> paths;
   for (const std::uint32_t frame : numbers) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,7 +16,6 @@
 #include "hiac/annotate/ticks.hpp"
 #include "hiac/base/error.hpp"
 #include "hiac/base/finite_range.hpp"
-#include "hiac/base/progress.hpp"
 #include "hiac/frame/renderable.hpp"
 #include "hiac/geometry/box.hpp"
 #include "hiac/image/composite.hpp"
@@ -34,8 +34,11 @@
 #include "tools/common/text_output.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/render/become_preview.hpp"
+#include "tools/render/mesh_series.hpp"
+#include "tools/render/movie.hpp"
 #include "tools/render/picture_options.hpp"
 #include "tools/render/pixel_report.hpp"
+#include "tools/render/shots.hpp"
 
 namespace {
 
@@ -46,38 +49,49 @@ struct Options : PictureCommand {
   std::string under, color_bar, pixel, engine, method;
   double color_bar_length = 0;  // 0: a round number near a tenth of the diagonal
   PictureOptions picture;
+  SeriesOptions series;
+  std::optional<double> rate;  // pictures per second of a film
+  bool has_steps = false;      // pictures are of the steps of a series
+
+  [[nodiscard]] bool makes_several() const { return all_frames || has_steps; }
 };
 
 using Json = nlohmann::ordered_json;
 
-void note_field(Tool& tool, const ZooMesh& mesh, const std::string& role, const std::string& name) {
+// A line that is said of one picture, and with --verbose of every one of several.
+void note(Tool& tool, bool one_of_many, const std::string& line) {
+  one_of_many ? tool.detail(line) : tool.note(line);
+}
+
+void note_field(Tool& tool, bool one_of_many, const ZooMesh& mesh, const std::string& role,
+                const std::string& name) {
   const Field field = scalar_field(mesh, name);
   const FiniteRange range(field.values.view());
   tool.facts()["fields"][role] = {{"name", name}, {"minimum", range.low}, {"maximum", range.high}};
-  tool.note(fmt::format("{} by {} from {:g} to {:g}", role, name, range.low, range.high));
+  note(tool, one_of_many,
+       fmt::format("{} by {} from {:g} to {:g}", role, name, range.low, range.high));
 }
 
 // What a user needs to choose extinctions, but for the optical depth.
-void note_model(Tool& tool, const ZooMesh& mesh, const Scene& scene) {
-  if (scene.volume.color) note_field(tool, mesh, "colour", scene.volume.color->field);
-  if (scene.volume.extinction) note_field(tool, mesh, "extinction", scene.volume.extinction->field);
+void note_model(Tool& tool, bool one_of_many, const ZooMesh& mesh, const Scene& scene) {
+  const auto& [glow, color, extinction] = scene.volume;
+  if (color) note_field(tool, one_of_many, mesh, "colour", color->field);
+  if (extinction) note_field(tool, one_of_many, mesh, "extinction", extinction->field);
   const double size = box_of_nodes(mesh).diagonal();
   tool.facts()["cells"] = mesh.cell_count();
   tool.facts()["diagonal"] = size;
-  tool.note(fmt::format("diagonal {:g}", size));
+  note(tool, one_of_many, fmt::format("diagonal {:g}", size));
 }
 
 Json note_work(Tool& tool, bool one_of_many, const RenderStatistics& s) {
   tool.add_seconds("prepare", s.prepare_seconds);
   tool.add_seconds("tiles", s.tile_seconds);
-  const std::string depths = fmt::format("optical depth {:.3g} in the mean, {:.3g} at most",
-                                         s.mean_optical_depth, s.largest_optical_depth);
-  one_of_many ? tool.detail(depths) : tool.note(depths);
+  note(tool, one_of_many,
+       fmt::format("optical depth {:.3g} in the mean, {:.3g} at most", s.mean_optical_depth,
+                   s.largest_optical_depth));
   tool.detail(fmt::format("{} segments in {:.3f} s", s.segments, s.tile_seconds));
-  if (s.splatted_cells > 0) {
-    const std::string splats = fmt::format("{} cells splatted", s.splatted_cells);
-    one_of_many ? tool.detail(splats) : tool.note(splats);
-  }
+  if (s.splatted_cells > 0)
+    note(tool, one_of_many, fmt::format("{} cells splatted", s.splatted_cells));
   if (s.violations > 0)
     tool.warn(fmt::format(
         "{} ray segments were met out of order: the picture is wrong there (cells "
@@ -101,54 +115,70 @@ void require_truth(const std::string& path, const RenderStatistics& s) {
                     path, s.violations));
 }
 
-// Makes pictures of one mesh.
+// Makes pictures of one mesh, or of one after the other.
 class Renderer {
  public:
-  Renderer(Tool& tool, const Options& options, const ZooFile& file)
-      : tool_(tool), options_(options), session_(file.mesh, tool.monitor()) {
-    const std::optional<GivenOrders> given = given_orders(options, file);
+  Renderer(Tool& tool, const Options& options) : tool_(tool), options_(options) {}
+
+  // Begins with a mesh, or goes on with another one.
+  void show(ZooFile file) {
+    if (session_ && session_->take_step(file.mesh)) {
+      tool_.detail("the geometry is that of the step before: its orders are used again");
+      return;
+    }
+    session_.reset();  // its memory is free while the next one is prepared
+    session_.emplace(std::move(file.mesh), tool_.monitor());
+    is_new_ = true;
+    const std::optional<GivenOrders> given = given_orders(options_, file);
     if (!given) return;
-    refuse_overlap_beside(options, *given);
-    session_.use_orders(given->subject, given->chunks);
+    refuse_overlap_beside(options_, *given);
+    session_->use_orders(given->subject, given->chunks);
   }
+
+  [[nodiscard]] const ZooMesh& mesh() const { return session_->mesh(); }
 
   // Throws unless the mesh can be drawn, where need be without some of its cells.
   void check(const Scene& scene) {
-    if (options_.overlap) session_.look_for_overlaps(scene.render.planarity);
+    if (options_.overlap && std::exchange(is_new_, false))
+      session_->look_for_overlaps(scene.render.planarity);
     if (options_.skip_invalid)
-      note_skipped(tool_, session_.skip_invalid_cells(scene), session_.mesh().cell_count());
+      note_skipped(tool_, session_->skip_invalid_cells(scene), mesh().cell_count());
     else
-      hint_at_skip_invalid(options_, [&] { session_.require_drawable(scene); });
+      hint_at_skip_invalid(options_, [&] { session_->require_drawable(scene); });
   }
 
   // Throws unless there is, or will be, an order for the scene.
-  void require_order(const Scene& scene) { session_.require_order(scene); }
+  void require_order(const Scene& scene) { session_->require_order(scene); }
 
   // One pixel of a scene of one frame, in place of a picture.
   void explain(const Scene& scene) {
     const auto at = parse_pixel(options_.pixel);
-    const Explanation found = session_.explain(scene, at[0], at[1], !options_.no_background);
+    const Explanation found = session_->explain(scene, at[0], at[1], !options_.no_background);
     note_order(*found.order);
     tool_.facts()["order"] = order_facts(*found.order);
     tool_.facts()["pixel"] = pixel_json(*found.pixel, scene);
     if (tool_.common().json != "-") write_text("-", pixel_table(*found.pixel, scene));
   }
 
-  // One picture of a scene of one frame, and the facts of its making.
+  // One picture of a scene of one frame, into its file or into the film, and the facts of its
+  // making.
   Json render(const Scene& scene, const PictureRequest& request,
-              const PictureAnnotation& annotation, const std::string& path) {
-    Picture picture = with_names(options_, [&] { return session_.picture(scene, request); });
+              const PictureAnnotation& annotation, const std::string& path, Movie* movie) {
+    Picture picture = with_names(options_, [&] { return session_->picture(scene, request); });
     require_numbers(picture.image);
     note_order(*picture.order);
-    Json facts = note_work(tool_, options_.all_frames, *picture.statistics);
+    Json facts = note_work(tool_, options_.makes_several(), *picture.statistics);
     const RenderStatistics& met = *picture.statistics;
-    warn_of_empty(tool_, options_, session_.mesh(), scene,
+    warn_of_empty(tool_, options_, mesh(), scene,
                   {met.covered_pixels, met.largest_optical_depth, request.part.has_value()}, path);
     if (options_.strict) require_truth(path, met);
     facts["order"] = order_facts(*picture.order);
     annotation.draw(picture.image, scene, request.part);
-    write_picture(tool_, options_, "hiac-render", path, picture.image, picture.mesh_hash, scene,
-                  annotation.wanted());
+    if (movie != nullptr)
+      tool_.timed("write", [&] { movie->add(picture.image); });
+    else
+      write_picture(tool_, options_, "hiac-render", path, picture.image, picture.mesh_hash, scene,
+                    annotation.wanted());
     return facts;
   }
 
@@ -159,29 +189,9 @@ class Renderer {
 
   Tool& tool_;
   const Options& options_;
-  Session session_;
+  std::optional<Session> session_;
+  bool is_new_ = false;  // has not been searched for overlaps
 };
-
-// Numbered pictures of the frames of a camera path.
-void render_frames(Tool& tool, const Options& options, const Scene& scene,
-                   const PictureRequest& request, const PictureAnnotation& annotation,
-                   Renderer& renderer) {
-  const std::vector<std::uint32_t> frames = chosen_frames(scene, options.frame);
-  for (const std::uint32_t frame : frames) renderer.require_order(scene_of_frame(scene, frame));
-  tool.frames().begin("frames", frames.size());
-  for (const std::uint32_t frame : frames) {
-    const std::string path = path_of_frame(options, frame);
-    Json facts{{"frame", frame}, {"file", path}};
-    facts.update(renderer.render(scene_of_frame(scene, frame), request, annotation, path));
-    tool.facts()["frames"].push_back(std::move(facts));
-    tool.frames().advance();
-    const Progress::State state = tool.frames().state();
-    const auto left = seconds_left(static_cast<double>(state.done),
-                                   static_cast<double>(state.total), state.seconds);
-    tool.note(fmt::format("{}: {} of {} frames, about {} left", path, state.done, state.total,
-                          duration_text(left.value_or(0))));
-  }
-}
 
 // The picture behind the new one; none: the specification's background, or nothing.
 std::optional<Image> read_under(const Options& options, const ImageSize& size) {
@@ -217,10 +227,17 @@ void write_color_bar(Tool& tool, const Options& options, const ZooMesh& mesh,
   tool.facts()["color_bar_length"] = length;
 }
 
-// Which files are read and which are written; for `scene`, once it is known, all its frames'.
-void claim_files(Tool& tool, const Options& options, const Scene* scene) {
+// Which files are read and which are written, of which `pictures` are known; none: of the output
+// alone.
+void claim_files(Tool& tool, const Options& options, const std::vector<Shot>& pictures = {}) {
   RunFiles files;
-  add_picture_files(files, options, scene, further_channels(options.picture));
+  const std::vector<std::string> channels = further_channels(options.picture);
+  add_picture_files(files, options, nullptr, channels);
+  if (!pictures.empty() && !is_movie(options.output)) {
+    std::erase_if(files.outputs, [](const RunOutput& output) { return output.option == "-o"; });
+    for (const Shot& shot : pictures) add_image(files.outputs, "-o", shot.path, channels);
+  }
+  for (const std::string& mesh : options.series.further) files.inputs.push_back(mesh);
   for (std::string& part : image_parts(options.under)) files.inputs.push_back(std::move(part));
   add_image(files.outputs, "--colorbar", options.color_bar);
   tool.claim(std::move(files));
@@ -247,13 +264,13 @@ void explain(Tool& tool, Options options) {
   parse_pixel(options.pixel);
   std::optional<ParsedScene> parsed = specification_of(tool, options);
   if (parsed) check_frame_options(options, parsed->scene);
-  const ZooFile file = mesh_of(tool, options);
-  Renderer renderer(tool, options, file);
-  const Scene scene = scene_for(tool, options, std::move(parsed), file.mesh).scene;
+  Renderer renderer(tool, options);
+  renderer.show(mesh_of(tool, options));
+  const Scene scene = scene_for(tool, options, std::move(parsed), renderer.mesh()).scene;
   check_frame_options(options, scene);
   with_names(options, [&] {
     renderer.check(scene);
-    note_model(tool, file.mesh, scene);
+    note_model(tool, false, renderer.mesh(), scene);
     renderer.explain(options.frame ? scene_of_frame(scene, *options.frame) : scene);
   });
 }
@@ -274,7 +291,7 @@ struct Request {
   std::optional<Image> under;
 };
 
-// Throws where the options do not fit the scene, and claims the files of all its frames.
+// Throws where the options do not fit the scene; of a single mesh claims the files of all frames.
 void fit_to(Tool& tool, const Options& options, const Scene& scene, Request& request) {
   request.picture = picture_request(options.picture, scene.image);
   request.picture.background = !options.no_background;
@@ -282,7 +299,129 @@ void fit_to(Tool& tool, const Options& options, const Scene& scene, Request& req
   request.under = read_under(options, {part.width, part.height});
   if (request.under) request.picture.under = &*request.under;
   check_frame_options(options, scene);
-  if (options.all_frames) claim_files(tool, options, &scene);
+  if (options.all_frames && !options.has_steps)
+    claim_files(tool, options, shots_of_frames(options, scene, is_movie(options.output)));
+}
+
+// Refuses what does not fit a run of several pictures, or a film.
+void check_several(const Options& options) {
+  const bool movie = is_movie(options.output);
+  if (options.has_steps && options.output == "-")
+    throw UsageError("--steps: a picture a step does not fit stdout (-o FILE expected)");
+  if (options.has_steps && !movie) frame_path(options.output, 0);
+  if (options.rate && !movie) throw UsageError("--fps: only for a film (-o FILE.mp4 expected)");
+  if (!movie) return;
+  if (!options.makes_several())
+    throw UsageError(
+        fmt::format("-o {}: a film is of several pictures (--steps or --frames "
+                    "expected)",
+                    options.output));
+  if (!options.format.empty()) throw UsageError("--format: not for a film (-o FILE.mp4)");
+  if (options.depth != 0 && options.depth != 8)
+    throw UsageError(fmt::format("--depth {}: a film has 8 bits per sample", options.depth));
+  require_ffmpeg(options.output);
+}
+
+// Renders the shots, which are in the order of their steps; `read` reads a step.
+template <typename Read>
+void render_shots(Tool& tool, const Options& options, const Scene& scene,
+                  const PictureRequest& request, const std::vector<Shot>& shots,
+                  const std::optional<PictureAnnotation>& annotation, Renderer& renderer,
+                  Movie* movie, const Read& read) {
+  const std::string kind = options.has_steps && !options.all_frames ? "steps" : "frames";
+  tool.frames().begin(kind, shots.size());
+  for (std::size_t k = 0; k < shots.size(); ++k) {
+    const Shot& shot = shots[k];
+    if (k == 0 || shots[k - 1].step != shot.step) {
+      read(shot);
+      for (std::size_t same = k; same < shots.size() && shots[same].step == shot.step; ++same)
+        renderer.require_order(scene_of_shot(scene, shots[same]));
+    }
+    Json facts;
+    if (options.has_steps) facts["step"] = shot.step_number;
+    if (shot.frame) facts["frame"] = *shot.frame;
+    facts["file"] = movie != nullptr ? options.output : shot.path;
+    facts.update(
+        renderer.render(scene_of_shot(scene, shot), request, *annotation, shot.path, movie));
+    tool.facts()[kind].push_back(std::move(facts));
+    tool.note_frame(shot.path);
+  }
+}
+
+// What is said of a mesh before its first picture, and what is drawn beside that.
+void introduce(Tool& tool, const Options& options, const Scene& scene, Renderer& renderer,
+               const std::string& path) {
+  with_names(options, [&] { renderer.check(scene); });
+  note_model(tool, options.has_steps, renderer.mesh(), scene);
+  warn_of_invisible(tool, options, renderer.mesh(), scene, path);
+}
+
+// What is drawn on every picture: units and names of fields are those of the first mesh.
+void annotate(Tool& tool, const Options& options, const ParsedScene& view, const Renderer& renderer,
+              std::optional<PictureAnnotation>& annotation) {
+  const bool has_integers =
+      is_movie(options.output) || has_integer_samples(picture_format(options), options.depth);
+  annotation.emplace(tool, options, view, renderer.mesh(), chosen_frames(view.scene, options.frame),
+                     has_integers);
+}
+
+// The film that the pictures go into; null: into files of their own.
+std::unique_ptr<Movie> movie_of(const Options& options) {
+  constexpr double kUsualRate = 25;
+  if (!is_movie(options.output)) return nullptr;
+  return std::make_unique<Movie>(options.output, options.rate.value_or(kUsualRate), options.linear);
+}
+
+// Pictures of the steps of a series.
+void render_steps(Tool& tool, Options& options, std::optional<ParsedScene> parsed,
+                  Request& request) {
+  MeshSeries series(tool, options, options.series);
+  const bool early = parsed.has_value();
+  const ParsedScene view = series.scene(options, std::move(parsed));
+  const Scene& scene = view.scene;
+  if (!early) fit_to(tool, options, scene, request);
+  const std::unique_ptr<Movie> movie = movie_of(options);
+  const std::vector<Shot> shots = shots_of_steps(options, scene, series, movie != nullptr);
+  claim_files(tool, options, shots);
+  Renderer renderer(tool, options);
+  std::optional<PictureAnnotation> annotation;
+  const auto show = [&](const Shot& shot) {
+    options.input = series[shot.step].path;  // errors name the step's own file
+    renderer.show(series.read(shot.step));
+    introduce(tool, options, scene, renderer, shot.path);
+    if (annotation) return;
+    annotate(tool, options, view, renderer, annotation);
+    if (!options.color_bar.empty()) write_color_bar(tool, options, renderer.mesh(), view);
+  };
+  render_shots(tool, options, scene, request.picture, shots, annotation, renderer, movie.get(),
+               show);
+  if (movie) tool.timed("write", [&] { movie->finish(); });
+}
+
+// Pictures of one mesh.
+void render_mesh(Tool& tool, Options& options, std::optional<ParsedScene> parsed,
+                 Request& request) {
+  const bool early = parsed.has_value();
+  Renderer renderer(tool, options);
+  renderer.show(mesh_of(tool, options));
+  const ParsedScene view = scene_for(tool, options, std::move(parsed), renderer.mesh());
+  const Scene& scene = view.scene;
+  if (!early) fit_to(tool, options, scene, request);
+  introduce(tool, options, scene, renderer, options.output);
+  std::optional<PictureAnnotation> annotation;
+  annotate(tool, options, view, renderer, annotation);
+  if (!options.color_bar.empty()) write_color_bar(tool, options, renderer.mesh(), view);
+  if (scene.path) {
+    const std::unique_ptr<Movie> movie = movie_of(options);
+    render_shots(tool, options, scene, request.picture,
+                 shots_of_frames(options, scene, movie != nullptr), annotation, renderer,
+                 movie.get(), [](const Shot&) {});
+    if (movie) tool.timed("write", [&] { movie->finish(); });
+    return;
+  }
+  Json facts = renderer.render(scene, request.picture, *annotation, options.output, nullptr);
+  facts.erase("seconds");  // the run's own, stage by stage, stay
+  tool.facts().update(facts);
 }
 
 // The colour bar without a picture.
@@ -300,32 +439,20 @@ void draw_color_bar_alone(Tool& tool, Options options) {
 }
 
 void render(Tool& tool, Options options) {
-  claim_files(tool, options, nullptr);
-  check_picture_output(tool, options);
+  options.has_steps = is_series(options.series, options.input);
+  claim_files(tool, options);
+  if (options.output.empty()) throw UsageError("--output is required");
+  check_several(options);
+  if (!is_movie(options.output)) check_picture_output(tool, options);
   if (!options.color_bar.empty()) require_known_image_extension(options.color_bar);
   if (!options.picture.channels.empty()) require_room_for_channels(picture_format(options));
   std::optional<ParsedScene> parsed = specification_of(tool, options);
-  const bool early = parsed.has_value();  // what can be refused is, before the mesh is read
-  Request request;
-  if (early) fit_to(tool, options, parsed->scene, request);
-  const ZooFile file = mesh_of(tool, options);
-  Renderer renderer(tool, options, file);
-  const ParsedScene view = scene_for(tool, options, std::move(parsed), file.mesh);
-  const Scene& scene = view.scene;
-  if (!early) fit_to(tool, options, scene, request);
-  with_names(options, [&] { renderer.check(scene); });
-  note_model(tool, file.mesh, scene);
-  const PictureAnnotation annotation(tool, options, view, file.mesh,
-                                     chosen_frames(scene, options.frame));
-  warn_of_invisible(tool, options, file.mesh, scene);
-  if (!options.color_bar.empty()) write_color_bar(tool, options, file.mesh, view);
-  if (scene.path) {
-    render_frames(tool, options, scene, request.picture, annotation, renderer);
-    return;
-  }
-  Json facts = renderer.render(scene, request.picture, annotation, options.output);
-  facts.erase("seconds");  // the run's own, stage by stage, stay
-  tool.facts().update(facts);
+  Request request;  // what can be refused is, before the mesh is read
+  if (parsed) fit_to(tool, options, parsed->scene, request);
+  if (options.has_steps)
+    render_steps(tool, options, std::move(parsed), request);
+  else
+    render_mesh(tool, options, std::move(parsed), request);
 }
 
 }  // namespace
@@ -348,10 +475,19 @@ int main(int argc, char** argv) {
       "  hiac-render part.zoo --view view.toml --set annotation.colorbar.show=true -o part.png\n"
       "  hiac-render part.zoo --view view.toml --colorbar bar.png\n"
       "  hiac-render part.zoo --view turntable.toml --frames -o part-%04d.png\n"
+      "  hiac-render run.exo --steps all --view view.toml -o run-%04d.png\n"
+      "  hiac-render run-%04d.zoo --view view.toml --fps 12 -o run.mp4   # by ffmpeg\n"
+      "  hiac-render part.zoo --view view.toml --threshold stress=100, -o part.png\n"
       "  hiac-render part.zoo --view view.toml --engine preview -o quick.png");
   Options options;
   auto& app = tool.app();
   add_picture_command(app, options, "hiac-render");
+  add_series_options(app, options.series);
+  app.add_option("--fps", options.rate,
+                 "With -o FILE.mp4, a film of the pictures of --steps or --frames, which the "
+                 "program ffmpeg makes: pictures per second (default: 25)")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->type_name("N");
   add_picture_options(app, options.picture);
   app.add_option("--under", options.under,
                  "Put this picture behind the new one instead of the background: linear values, "
@@ -382,7 +518,8 @@ int main(int argc, char** argv) {
           ->type_name("X,Y");
   for (const char* of_pictures :
        {"--output", "--format", "--channels", "--crop", "--samples", "--filter", "--under",
-        "--frames", "--colorbar", "--colorbar-length", "--depth", "--linear", "--strict"})
+        "--frames", "--colorbar", "--colorbar-length", "--depth", "--linear", "--strict", "--fps",
+        "--steps", "FURTHER"})
     pixel->excludes(app.get_option(of_pictures));
   return tool.run(argc, argv, [&] {
     refuse_preview_options(options);

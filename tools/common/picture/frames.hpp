@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -15,10 +16,10 @@ namespace hiac::tools {
 std::vector<std::uint32_t> chosen_frames(const Scene& scene,
                                          const std::optional<std::uint32_t>& one);
 
-/// The name of a frame's file: its number in place of the name's one %d or %04d (any width), or,
-/// where it has none, before the extension with at least four digits: out.png, out-0012.png.
-/// Throws UsageError when the name has several places for the number.
-std::string frame_path(const std::string& path, std::uint32_t frame);
+/// The name of a frame's file, or a time step's: its number in place of the name's one %d or %04d
+/// (any width), or, where it has none, before the extension with at least four digits: out.png,
+/// out-0012.png. Throws UsageError when the name has several places for the number.
+std::string frame_path(const std::string& path, std::size_t frame);
 
 /// Whether a name has a place for a frame's number: %d, %04d.
 bool has_frame_number(const std::string& path);

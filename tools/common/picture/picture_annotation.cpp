@@ -7,17 +7,15 @@
 
 #include <fmt/format.h>
 
-#include "hiac/image/image_io.hpp"
 #include "hiac/scene/camera_path.hpp"
 
 namespace hiac::tools {
 
 PictureAnnotation::PictureAnnotation(Tool& tool, const PictureCommand& command,
                                      const ParsedScene& view, const ZooMesh& mesh,
-                                     std::span<const std::uint32_t> frames)
+                                     std::span<const std::uint32_t> frames, bool has_integers)
     : opaque_(!command.no_background), annotation_(view.annotation) {
-  draws_ = annotation_.draws() && (annotation_.in_float_formats ||
-                                   has_integer_samples(picture_format(command), command.depth));
+  draws_ = annotation_.draws() && (annotation_.in_float_formats || has_integers);
   if (!draws_) {
     if (annotation_.draws())
       tool.note(

@@ -15,9 +15,10 @@ namespace hiac::tools {
 class PictureAnnotation {
  public:
   /// Tries it on the scene's frames, notes what will be drawn, and warns of what may not be liked.
+  /// `has_integers`: the pictures' format stores whole numbers.
   /// Throws InputError for what cannot be drawn.
   PictureAnnotation(Tool& tool, const PictureCommand& command, const ParsedScene& view,
-                    const ZooMesh& mesh, std::span<const std::uint32_t> frames);
+                    const ZooMesh& mesh, std::span<const std::uint32_t> frames, bool has_integers);
 
   /// Draws on a picture, or on the part of it that `image` is, of a scene of one frame.
   void draw(Image& image, const Scene& scene, const std::optional<PixelRect>& part) const;

@@ -21,6 +21,7 @@
 #include "tools/common/picture/order_facts.hpp"
 #include "tools/common/picture/specification.hpp"
 #include "tools/common/text_output.hpp"
+#include "tools/common/threshold.hpp"
 
 namespace hiac::tools {
 namespace {
@@ -71,6 +72,9 @@ void require_room_on_stdout(const Tool& tool, const PictureCommand& command) {
 void add_picture_command(CLI::App& app, PictureCommand& command, const std::string& name) {
   app.add_option("MESH", command.input, kMeshHelp);
   add_conversion(app, command.conversion);
+  add_threshold(app, command.threshold);
+  app.add_option("--block", command.block, "Draw only this block of a foreign file")
+      ->type_name("NAME");
   app.add_option(
          "--view", command.view,
          "Image specification (TOML), or a picture made by one (.png .exr .tiff); without it "
@@ -138,12 +142,30 @@ std::optional<ParsedScene> specification_of(Tool& tool, PictureCommand& command)
 }
 
 ZooFile mesh_of(Tool& tool, const PictureCommand& command) {
-  return tool.timed("read", [&] {
-    return read_any_mesh(tool, {command.input, command.conversion});
-  });
+  return mesh_of_step(tool, command, command.input, std::nullopt, false);
 }
 
-namespace {
+ZooFile mesh_of_step(Tool& tool, const PictureCommand& command, const std::string& path,
+                     std::optional<std::size_t> step, bool is_silent) {
+  const MeshInput input{path, command.conversion, is_silent};
+  if (is_foreign_mesh(path)) {
+    std::vector<std::string> further;
+    if (step) further.push_back(fmt::format("--step={}", *step));
+    if (!command.block.empty()) further.push_back("--block=" + command.block);
+    if (!command.threshold.empty()) further.push_back("--threshold=" + command.threshold);
+    return tool.timed("read",
+                      [&] { return read_any_mesh(tool, input, MeshNumbers::checked, further); });
+  }
+  if (!command.block.empty())
+    throw UsageError(
+        fmt::format("--block {}: {} is a zoo container, which has no blocks (only for "
+                    "foreign files)",
+                    command.block, input_name(path)));
+  ZooFile file = tool.timed("read", [&] { return read_any_mesh(tool, input); });
+  // an order that is stored with the mesh is of all its cells
+  if (apply_threshold(tool, file.mesh, command.threshold)) file.extras.clear();
+  return file;
+}
 
 ParsedScene starter_scene(Tool& tool, PictureCommand& command, const ZooMesh& mesh) {
   const std::string subject = input_name(command.input);
@@ -157,8 +179,6 @@ ParsedScene starter_scene(Tool& tool, PictureCommand& command, const ZooMesh& me
                    [&] { return parse_scene(view.text, command.view, "", command.overrides); });
 }
 
-}  // namespace
-
 ParsedScene scene_for(Tool& tool, PictureCommand& command, std::optional<ParsedScene> parsed,
                       const ZooMesh& mesh) {
   if (!parsed) parsed = starter_scene(tool, command, mesh);
@@ -168,22 +188,34 @@ ParsedScene scene_for(Tool& tool, PictureCommand& command, std::optional<ParsedS
   return *std::move(parsed);
 }
 
+namespace {
+
+void warn_of_picture(Tool& tool, const PictureCommand& command, const std::string& path,
+                     const std::string& line) {
+  tool.warn(path != command.output ? fmt::format("{}: {}", path, line) : line);
+}
+
+void require_visible(const PictureCommand& command, const std::string& path,
+                     const std::string& line) {
+  if (command.strict)
+    throw JudgementError(fmt::format("{}: not written: {} (--strict)", path, line));
+}
+
+}  // namespace
+
 void warn_of_invisible(Tool& tool, const PictureCommand& command, const ZooMesh& mesh,
-                       const Scene& scene) {
+                       const Scene& scene, const std::string& path) {
   const std::vector<std::string> lines = invisible_parts(mesh, scene);
-  for (const std::string& line : lines) tool.warn(line);
-  if (command.strict && !lines.empty())
-    throw JudgementError(
-        fmt::format("{}: not written: {} (--strict)", command.output, lines.front()));
+  for (const std::string& line : lines) warn_of_picture(tool, command, path, line);
+  if (!lines.empty()) require_visible(command, path, lines.front());
 }
 
 void warn_of_empty(Tool& tool, const PictureCommand& command, const ZooMesh& mesh,
                    const Scene& scene, const DrawnFacts& drawn, const std::string& path) {
   const std::optional<std::string> line = reason_of_empty(mesh, scene, drawn);
   if (!line) return;
-  tool.warn(command.all_frames ? fmt::format("{}: {}", path, *line) : *line);
-  if (command.strict)
-    throw JudgementError(fmt::format("{}: not written: {} (--strict)", path, *line));
+  warn_of_picture(tool, command, path, *line);
+  require_visible(command, path, *line);
 }
 
 // Pictures are numbered when all frames are wanted, and there is one without a camera path.

@@ -27,7 +27,8 @@ namespace hiac::tools {
 /// which files.
 struct PictureCommand {
   std::string input, conversion, view, save_view, order, output, format, size;
-  StarterOptions starter;  ///< without a view
+  std::string threshold, block;  ///< which cells are drawn
+  StarterOptions starter;        ///< without a view
   std::vector<std::string> overrides;
   int depth = 0;
   bool no_background = false, linear = false, all_frames = false, skip_invalid = false;
@@ -43,8 +44,18 @@ void add_picture_command(CLI::App& app, PictureCommand& command, const std::stri
 /// not fit.
 std::optional<ParsedScene> specification_of(Tool& tool, PictureCommand& command);
 
-/// Reads the mesh, by hiac-convert if it is not one of ours.
+/// Reads the mesh, by hiac-convert if it is not one of ours, and keeps the cells that --block and
+/// --threshold choose, of which hiac-convert does the same. Throws UsageError for a block of a zoo
+/// mesh, which has none.
 ZooFile mesh_of(Tool& tool, const PictureCommand& command);
+
+/// The same of one step of a series: `path` takes the place of the command's input, and `step` is
+/// the number of the step in a foreign file that holds several. `is_silent`: nothing is said of it.
+ZooFile mesh_of_step(Tool& tool, const PictureCommand& command, const std::string& path,
+                     std::optional<std::size_t> step, bool is_silent);
+
+/// The scene of a starter view of the mesh, which --save-view keeps; notes what it shows.
+ParsedScene starter_scene(Tool& tool, PictureCommand& command, const ZooMesh& mesh);
 
 /// The scene for a mesh: of a specification, with transfer functions over the ranges of its fields;
 /// or of the mesh's starter view, which --save-view keeps. Notes what it is. Errors name the files.
@@ -52,9 +63,10 @@ ParsedScene scene_for(Tool& tool, PictureCommand& command, std::optional<ParsedS
                       const ZooMesh& mesh);
 
 /// Warns of all reasons why a picture of the scene shows nothing (invisible_parts); with --strict
-/// throws JudgementError of the first of them.
+/// throws JudgementError of the first of them. `path` is named where it is not the command's
+/// output: where there are several pictures.
 void warn_of_invisible(Tool& tool, const PictureCommand& command, const ZooMesh& mesh,
-                       const Scene& scene);
+                       const Scene& scene, const std::string& path);
 
 /// The same for a picture that has been drawn (reason_of_empty).
 void warn_of_empty(Tool& tool, const PictureCommand& command, const ZooMesh& mesh,

@@ -1,0 +1,44 @@
+#include "tools/common/steps/step_choice.hpp"
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "hiac/base/error.hpp"
+
+namespace hiac::tools {
+namespace {
+
+using Steps = std::vector<std::size_t>;
+
+Steps chosen(const std::string& text, std::size_t count) {
+  return StepChoice(text).among(count, "run.exo");
+}
+
+TEST(StepChoice, CountsFromTheFirstToTheLast) {
+  EXPECT_EQ(chosen("all", 3), (Steps{0, 1, 2}));
+  EXPECT_EQ(chosen("1:3", 5), (Steps{1, 2, 3}));
+  EXPECT_EQ(chosen("2:2", 3), Steps{2});
+  EXPECT_EQ(chosen("0:4:2", 5), (Steps{0, 2, 4}));
+  EXPECT_EQ(chosen("0:5:2", 5), (Steps{0, 2, 4}));
+  EXPECT_EQ(chosen("1:4:18446744073709551615", 5), Steps{1});
+}
+
+TEST(StepChoice, OfFilesThatHaveNumbers) {
+  const Steps existing{3, 5, 7, 8};
+  EXPECT_EQ(StepChoice("all").among(existing, "run-%d.zoo"), existing);
+  EXPECT_EQ(StepChoice("3:7:2").among(existing, "run-%d.zoo"), (Steps{3, 5, 7}));
+  EXPECT_THROW((void)StepChoice("3:7").among(existing, "run-%d.zoo"), UsageError);
+}
+
+TEST(StepChoice, RefusesOtherTextsAndMissingSteps) {
+  for (const char* text : {"", "ALL", "1", "1:", ":2", "2:1", "0:3:0", "0:1:1:1", "-1:2", "0:2x",
+                           "a:b", "0:99999999999999999999", " 0:1"})
+    EXPECT_THROW(StepChoice{text}, UsageError) << text;
+  EXPECT_THROW((void)chosen("0:3", 3), UsageError);
+  EXPECT_THROW((void)chosen("0:18446744073709551615", 3), UsageError);
+}
+
+}  // namespace
+}  // namespace hiac::tools
