@@ -1,6 +1,6 @@
 // hiac-convert --steps.
 
-#include <filesystem>
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
@@ -55,6 +55,20 @@ TEST_F(ConvertSteps, OtherOptionsHoldForEveryStep) {
   EXPECT_EQ(bytes_of(file("cut2.zoo")), bytes_of(file("one.zoo")));
   EXPECT_NE(read_zoo_file(file("cut0.zoo")).mesh.cell_count(),
             read_zoo_file(file("cut2.zoo")).mesh.cell_count());
+}
+
+// As many cells of the same kinds, in another order: their adjacency is another.
+TEST_F(ConvertSteps, TheAdjacencyIsThatOfTheStepsCells) {
+  const ZooMesh mesh = mesh_of_step(0);
+  std::vector<Cell> cells = cells_of(mesh);
+  std::ranges::reverse(cells);
+  write_zoo_file(file("part1.zoo"), {make_mesh(positions_of(mesh), cells), {}});
+  ASSERT_EQ(run("$CONVERT -q part1.zoo -o part1.vtu"), 0);
+  ASSERT_EQ(run("$CONVERT -q moving.pvd --steps all -o all%d.zoo"), 0) << complaint();
+  for (const std::string step : {"0", "1", "2"}) {
+    ASSERT_EQ(run("$CONVERT -q moving.pvd --step " + step + " -o one.zoo"), 0);
+    EXPECT_EQ(bytes_of(file("all" + step + ".zoo")), bytes_of(file("one.zoo"))) << step;
+  }
 }
 
 TEST_F(ConvertSteps, OtherFormatsAndPipesHaveSteps) {
