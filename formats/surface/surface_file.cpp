@@ -24,8 +24,8 @@
 
 #include "formats/surface/poly.hpp"
 #include "formats/vtk/xml/xml_surface.hpp"
-#include "hiac/base/child_process.hpp"
 #include "hiac/base/error.hpp"
+#include "hiac/base/process/child_process.hpp"
 
 namespace hiac::formats {
 namespace {

@@ -24,8 +24,8 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
-#include "hiac/base/isolated_process.hpp"
-#include "hiac/base/pack.hpp"
+#include "hiac/base/process/isolated_process.hpp"
+#include "hiac/base/process/pack.hpp"
 
 namespace hiac::formats::vtk {
 namespace {

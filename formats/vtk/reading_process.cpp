@@ -14,8 +14,8 @@
 #include "formats/vtk/packed_dataset.hpp"
 #include "formats/vtk/xml/xml_file.hpp"
 #include "hiac/base/error.hpp"
-#include "hiac/base/isolated_process.hpp"
-#include "hiac/base/pack.hpp"
+#include "hiac/base/process/isolated_process.hpp"
+#include "hiac/base/process/pack.hpp"
 
 namespace hiac::formats::vtk {
 namespace {

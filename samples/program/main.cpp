@@ -4,7 +4,7 @@
 
 #include "hiac/image/image_io.hpp"
 #include "hiac/mesh/zoo_container.hpp"
-#include "hiac/scene/scene_writer.hpp"
+#include "hiac/scene/specification.hpp"
 #include "hiac/session/session.hpp"
 
 int main(int argc, char** argv) {

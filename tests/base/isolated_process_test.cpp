@@ -1,4 +1,4 @@
-#include "hiac/base/isolated_process.hpp"
+#include "hiac/base/process/isolated_process.hpp"
 
 #include <csignal>
 #include <cstring>
@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 #include "hiac/base/error.hpp"
-#include "hiac/base/memory_watch.hpp"
+#include "hiac/base/process/memory_watch.hpp"
 
 namespace hiac {
 namespace {

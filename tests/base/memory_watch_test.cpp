@@ -1,4 +1,4 @@
-#include "hiac/base/memory_watch.hpp"
+#include "hiac/base/process/memory_watch.hpp"
 
 #include <atomic>
 #include <chrono>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hiac/base/child_process.hpp"
+#include "hiac/base/process/child_process.hpp"
 
 namespace hiac {
 namespace {

@@ -1,6 +1,6 @@
 // In place of lib/hiac/base/isolated_process.cpp: libFuzzer sees what happens in its own
 // process alone.
-#include "hiac/base/isolated_process.hpp"
+#include "hiac/base/process/isolated_process.hpp"
 
 namespace hiac {
 

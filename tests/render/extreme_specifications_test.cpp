@@ -11,8 +11,7 @@
 #include "hiac/base/error.hpp"
 #include "hiac/frame/renderable.hpp"
 #include "hiac/render/engine.hpp"
-#include "hiac/scene/scene_parser.hpp"
-#include "hiac/scene/scene_writer.hpp"
+#include "hiac/scene/specification.hpp"
 #include "tests/render/truth/general_meshes.hpp"
 #include "tests/support/reference.hpp"
 

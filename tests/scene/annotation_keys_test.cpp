@@ -5,8 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "hiac/base/error.hpp"
-#include "hiac/scene/scene_parser.hpp"
-#include "hiac/scene/scene_writer.hpp"
+#include "hiac/scene/specification.hpp"
 #include "hiac/scene/starter_text.hpp"
 #include "tests/scene/scene_text.hpp"
 

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "hiac/base/error.hpp"
-#include "hiac/scene/scene_parser.hpp"
+#include "hiac/scene/specification.hpp"
 
 namespace hiac {
 namespace {

@@ -1,5 +1,3 @@
-#include "hiac/scene/scene_parser.hpp"
-
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -8,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "hiac/base/error.hpp"
-#include "hiac/scene/scene_writer.hpp"
+#include "hiac/scene/specification.hpp"
 #include "tests/scene/scene_text.hpp"
 
 namespace hiac {

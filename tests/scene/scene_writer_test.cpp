@@ -1,5 +1,3 @@
-#include "hiac/scene/scene_writer.hpp"
-
 #include <cmath>
 #include <limits>
 #include <random>
@@ -7,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "hiac/scene/scene_parser.hpp"
+#include "hiac/scene/specification.hpp"
 
 namespace hiac {
 namespace {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "hiac/base/error.hpp"
-#include "hiac/scene/scene_parser.hpp"
+#include "hiac/scene/specification.hpp"
 #include "tests/scene/scene_text.hpp"
 
 namespace hiac {

@@ -59,7 +59,7 @@ TEST(PooledValues, FewValuesInTheFile) {
 
 TEST(PooledValues, ExtremesNeedNoValues) {
   PooledValues pool(true, 0);
-  EXPECT_TRUE(pool.extent().is_empty());
+  EXPECT_TRUE(pool.extent().empty());
   pool.add({});
   EXPECT_EQ(pool.count(), 0U);
   pool.add({4, -2});

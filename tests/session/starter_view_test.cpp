@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "hiac/base/error.hpp"
-#include "hiac/scene/scene_parser.hpp"
+#include "hiac/scene/specification.hpp"
 #include "hiac/session/session.hpp"
 #include "hiac/session/visibility.hpp"
 #include "tests/support/meshes.hpp"

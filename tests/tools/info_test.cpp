@@ -17,8 +17,7 @@
 #include "hiac/image/image_io.hpp"
 #include "hiac/mesh/zoo_container.hpp"
 #include "hiac/order/order_file.hpp"
-#include "hiac/scene/scene_parser.hpp"
-#include "hiac/scene/scene_writer.hpp"
+#include "hiac/scene/specification.hpp"
 #include "hiac/session/session.hpp"
 #include "tests/support/scratch_folder.hpp"
 

@@ -12,7 +12,7 @@
 
 #include "hiac/image/image_io.hpp"
 #include "hiac/mesh/zoo_container.hpp"
-#include "hiac/scene/scene_parser.hpp"
+#include "hiac/scene/specification.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/support/reference.hpp"
 #include "tests/tools/tool_folder.hpp"

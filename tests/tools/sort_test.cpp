@@ -13,7 +13,7 @@
 #include "hiac/order/algorithm.hpp"
 #include "hiac/order/order_file.hpp"
 #include "hiac/scene/camera_path.hpp"
-#include "hiac/scene/scene_parser.hpp"
+#include "hiac/scene/specification.hpp"
 #include "tests/order/order_meshes.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/tools/tool_folder.hpp"

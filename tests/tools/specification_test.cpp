@@ -6,7 +6,7 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/image/image_io.hpp"
-#include "hiac/scene/scene_writer.hpp"
+#include "hiac/scene/specification.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace hiac::tools {

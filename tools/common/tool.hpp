@@ -11,7 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "hiac/base/memory_watch.hpp"
+#include "hiac/base/process/memory_watch.hpp"
 #include "hiac/base/progress.hpp"
 #include "hiac/session/session.hpp"
 #include "tools/common/progress_bar.hpp"

@@ -24,6 +24,7 @@
 #include "hiac/mesh/zoo_container.hpp"
 #include "tools/common/as_option.hpp"
 #include "tools/common/mesh_io.hpp"
+#include "tools/common/number_text.hpp"
 #include "tools/common/plain_text.hpp"
 #include "tools/common/steps/number_pattern.hpp"
 #include "tools/common/steps/step_choice.hpp"

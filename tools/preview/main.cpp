@@ -16,6 +16,7 @@
 #include "hiac/base/seconds.hpp"
 #include "hiac/frame/crop.hpp"
 #include "hiac/frame/renderable.hpp"
+#include "hiac/image/image_io.hpp"
 #include "hiac/order/algorithm.hpp"
 #include "hiac/preview/context.hpp"
 #include "hiac/preview/preview.hpp"

@@ -15,7 +15,6 @@
 #include "hiac/annotate/color_bar.hpp"
 #include "hiac/annotate/ticks.hpp"
 #include "hiac/base/error.hpp"
-#include "hiac/base/finite_range.hpp"
 #include "hiac/frame/renderable.hpp"
 #include "hiac/geometry/box.hpp"
 #include "hiac/image/composite.hpp"
@@ -37,6 +36,7 @@
 #include "tools/render/mesh_series.hpp"
 #include "tools/render/movie.hpp"
 #include "tools/render/picture_options.hpp"
+#include "tools/render/picture_report.hpp"
 #include "tools/render/pixel_report.hpp"
 #include "tools/render/shots.hpp"
 
@@ -57,54 +57,6 @@ struct Options : PictureCommand {
 };
 
 using Json = nlohmann::ordered_json;
-
-// A line that is said of one picture, and with --verbose of every one of several.
-void note(Tool& tool, bool one_of_many, const std::string& line) {
-  one_of_many ? tool.detail(line) : tool.note(line);
-}
-
-void note_field(Tool& tool, bool one_of_many, const ZooMesh& mesh, const std::string& role,
-                const std::string& name) {
-  const Field field = scalar_field(mesh, name);
-  const FiniteRange range(field.values.view());
-  tool.facts()["fields"][role] = {{"name", name}, {"minimum", range.low}, {"maximum", range.high}};
-  note(tool, one_of_many,
-       fmt::format("{} by {} from {:g} to {:g}", role, name, range.low, range.high));
-}
-
-// What a user needs to choose extinctions, but for the optical depth.
-void note_model(Tool& tool, bool one_of_many, const ZooMesh& mesh, const Scene& scene) {
-  const auto& [glow, color, extinction] = scene.volume;
-  if (color) note_field(tool, one_of_many, mesh, "colour", color->field);
-  if (extinction) note_field(tool, one_of_many, mesh, "extinction", extinction->field);
-  const double size = box_of_nodes(mesh).diagonal();
-  tool.facts()["cells"] = mesh.cell_count();
-  tool.facts()["diagonal"] = size;
-  note(tool, one_of_many, fmt::format("diagonal {:g}", size));
-}
-
-Json note_work(Tool& tool, bool one_of_many, const RenderStatistics& s) {
-  tool.add_seconds("prepare", s.prepare_seconds);
-  tool.add_seconds("tiles", s.tile_seconds);
-  note(tool, one_of_many,
-       fmt::format("optical depth {:.3g} in the mean, {:.3g} at most", s.mean_optical_depth,
-                   s.largest_optical_depth));
-  tool.detail(fmt::format("{} segments in {:.3f} s", s.segments, s.tile_seconds));
-  if (s.splatted_cells > 0)
-    note(tool, one_of_many, fmt::format("{} cells splatted", s.splatted_cells));
-  if (s.violations > 0)
-    tool.warn(fmt::format(
-        "{} ray segments were met out of order: the picture is wrong there (cells "
-        "overlap, or the order does not fit; --overlap keeps the cells in order that do "
-        "not overlap)",
-        s.violations));
-  return {{"segments", s.segments},
-          {"covered_pixels", s.covered_pixels},
-          {"splatted_cells", s.splatted_cells},
-          {"witness_violations", s.violations},
-          {"optical_depth", {{"mean", s.mean_optical_depth}, {"largest", s.largest_optical_depth}}},
-          {"seconds", s.prepare_seconds + s.tile_seconds}};
-}
 
 // With --strict, what is otherwise told leaves no picture behind.
 void require_truth(const std::string& path, const RenderStatistics& s) {

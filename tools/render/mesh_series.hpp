@@ -8,7 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "hiac/mesh/zoo_container.hpp"
-#include "hiac/scene/scene_parser.hpp"
+#include "hiac/scene/specification.hpp"
 #include "tools/common/picture/picture_command.hpp"
 
 namespace hiac::tools {

@@ -10,7 +10,7 @@
 #include <zlib.h>
 
 #include "hiac/base/error.hpp"
-#include "hiac/base/page_buffer.hpp"
+#include "hiac/base/process/page_buffer.hpp"
 
 namespace hiac::formats {
 namespace {

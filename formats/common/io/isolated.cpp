@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "formats/common/cells/edge_order.hpp"
-#include "hiac/base/isolated_process.hpp"
-#include "hiac/base/pack.hpp"
+#include "hiac/base/process/isolated_process.hpp"
+#include "hiac/base/process/pack.hpp"
 
 namespace hiac::formats {
 namespace {

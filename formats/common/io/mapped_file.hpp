@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "hiac/base/shared_memory.hpp"
+#include "hiac/base/process/shared_memory.hpp"
 
 namespace hiac::formats {
 

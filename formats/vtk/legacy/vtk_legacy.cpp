@@ -6,7 +6,7 @@
 #include "formats/vtk/packed_dataset.hpp"
 #include "formats/vtk/reading_process.hpp"
 #include "formats/vtk/vtk_formats.hpp"
-#include "hiac/base/isolated_process.hpp"
+#include "hiac/base/process/isolated_process.hpp"
 
 namespace hiac::formats {
 namespace {

@@ -16,7 +16,7 @@
 #include "formats/vtk/to_vtk.hpp"
 #include "formats/vtk/vtk_formats.hpp"
 #include "formats/vtk/xml/xml_layout.hpp"
-#include "hiac/base/isolated_process.hpp"
+#include "hiac/base/process/isolated_process.hpp"
 
 namespace hiac::formats {
 namespace vtk {

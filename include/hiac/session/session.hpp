@@ -13,11 +13,11 @@
 #include "hiac/mesh/zoo_container.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/scene/scene.hpp"
-#include "hiac/scene/scene_parser.hpp"
+#include "hiac/scene/specification.hpp"
 
 /// Makes a picture of a mesh and a specification: the interface for all front ends (commands,
 /// windows, scripts). Meshes, specifications and images are read and written by zoo_container.hpp,
-/// scene_parser.hpp and image_io.hpp.
+/// specification.hpp and image_io.hpp.
 namespace hiac {
 
 struct PixelExplanation;

@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 
 #include "hiac/base/error.hpp"
-#include "hiac/base/page_buffer.hpp"
+#include "hiac/base/process/page_buffer.hpp"
 #include "hiac/mesh/file_descriptor.hpp"
 #include "hiac/mesh/zoo_chunks.hpp"
 

@@ -12,7 +12,7 @@
 
 #include <toml++/toml.h>
 
-#include "hiac/scene/scene_parser.hpp"
+#include "hiac/scene/specification.hpp"
 
 namespace hiac {
 

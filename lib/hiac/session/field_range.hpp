@@ -6,7 +6,7 @@
 #include <string>
 
 #include "hiac/mesh/zoo_mesh.hpp"
-#include "hiac/scene/scene_parser.hpp"
+#include "hiac/scene/specification.hpp"
 #include "hiac/session/pooled_values.hpp"
 
 namespace hiac {

@@ -29,7 +29,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include "formats/vtk/reading_process.hpp"
-#include "hiac/base/isolated_process.hpp"
+#include "hiac/base/process/isolated_process.hpp"
 #include "tests/formats/files.hpp"
 
 namespace hiac::formats::vtk {

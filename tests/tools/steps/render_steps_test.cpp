@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "hiac/scene/scene_parser.hpp"
+#include "hiac/scene/specification.hpp"
 #include "tests/tools/steps/step_files.hpp"
 
 namespace hiac::test {

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "hiac/annotate/annotate.hpp"
-#include "hiac/scene/scene_parser.hpp"
+#include "hiac/scene/specification.hpp"
 #include "tools/common/picture/picture_command.hpp"
 
 namespace hiac::tools {

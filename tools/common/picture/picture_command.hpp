@@ -12,7 +12,7 @@
 
 #include "hiac/frame/crop.hpp"
 #include "hiac/mesh/zoo_container.hpp"
-#include "hiac/scene/scene_parser.hpp"
+#include "hiac/scene/specification.hpp"
 #include "hiac/session/ordering.hpp"
 #include "hiac/session/visibility.hpp"
 #include "tools/common/mesh_io.hpp"

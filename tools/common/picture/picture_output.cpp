@@ -1,7 +1,7 @@
 #include "tools/common/picture/picture_output.hpp"
 
 #include "hiac/image/image_io.hpp"
-#include "hiac/scene/scene_writer.hpp"
+#include "hiac/scene/specification.hpp"
 #include "tools/common/picture/frames.hpp"
 #include "tools/common/version.hpp"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "hiac/scene/scene_parser.hpp"
+#include "hiac/scene/specification.hpp"
 
 namespace hiac::tools {
 

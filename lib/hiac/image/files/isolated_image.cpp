@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "hiac/base/isolated_process.hpp"
-#include "hiac/base/pack.hpp"
+#include "hiac/base/process/isolated_process.hpp"
+#include "hiac/base/process/pack.hpp"
 
 namespace hiac::image_files {
 namespace {

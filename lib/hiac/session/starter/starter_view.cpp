@@ -9,7 +9,7 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/scene/colormaps/built_in_colormaps.hpp"
-#include "hiac/scene/scene_parser.hpp"
+#include "hiac/scene/specification.hpp"
 #include "hiac/scene/starter_text.hpp"
 #include "hiac/session/session.hpp"
 #include "hiac/session/starter/measured_depth.hpp"

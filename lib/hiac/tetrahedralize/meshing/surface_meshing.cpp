@@ -13,8 +13,8 @@
 #define TETLIBRARY
 #include <tetgen.h>
 
-#include "hiac/base/child_process.hpp"
 #include "hiac/base/error.hpp"
+#include "hiac/base/process/child_process.hpp"
 #include "hiac/geometry/predicates.hpp"
 #include "hiac/tetrahedralize/enclosed_parts.hpp"
 

@@ -1,4 +1,4 @@
-#include "hiac/base/memory_watch.hpp"
+#include "hiac/base/process/memory_watch.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@
 #include <pthread.h>
 #include <unistd.h>
 
-#include "hiac/base/shared_memory.hpp"
+#include "hiac/base/process/shared_memory.hpp"
 
 namespace hiac {
 namespace {

@@ -1,5 +1,3 @@
-#include "hiac/scene/scene_parser.hpp"
-
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -14,6 +12,7 @@
 #include "hiac/scene/spec_override.hpp"
 #include "hiac/scene/spec_text.hpp"
 #include "hiac/scene/spec_value.hpp"
+#include "hiac/scene/specification.hpp"
 
 namespace hiac {
 

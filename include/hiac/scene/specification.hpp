@@ -53,4 +53,15 @@ ParsedScene read_scene(const std::string& path, std::span<const Override> overri
 ParsedScene parse_scene(std::string_view text, const std::string& subject,
                         const std::string& folder = "", std::span<const Override> overrides = {});
 
+enum class Comments : bool { none, explain };
+
+/// Returns the specification as TOML text: complete and self-contained (colour maps as points),
+/// with numbers exact to the last bit, so that parsing it gives an equal scene. With
+/// `Comments::explain`, a short comment explains every key.
+std::string to_toml(const Scene& scene, Comments comments = Comments::none);
+
+/// The same with an annotation, whose table is left out if it has the defaults alone.
+std::string to_toml(const Scene& scene, const Annotation& annotation,
+                    Comments comments = Comments::none);
+
 }  // namespace hiac

@@ -6,8 +6,8 @@
 
 #include <sys/types.h>
 
-#include "hiac/base/pack.hpp"
-#include "hiac/base/shared_memory.hpp"
+#include "hiac/base/process/pack.hpp"
+#include "hiac/base/process/shared_memory.hpp"
 
 namespace hiac {
 

@@ -1,4 +1,4 @@
-#include "hiac/base/page_buffer.hpp"
+#include "hiac/base/process/page_buffer.hpp"
 
 #include <new>
 

@@ -5,7 +5,7 @@
 
 #include <sys/mman.h>
 
-#include "hiac/base/isolated_process.hpp"
+#include "hiac/base/process/isolated_process.hpp"
 
 namespace hiac {
 namespace {

@@ -1,4 +1,4 @@
-#include "hiac/base/shared_memory.hpp"
+#include "hiac/base/process/shared_memory.hpp"
 
 #include <array>
 #include <atomic>

@@ -1,5 +1,3 @@
-#include "hiac/scene/scene_writer.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -13,6 +11,7 @@
 #include "hiac/scene/color_source.hpp"
 #include "hiac/scene/extinction_source.hpp"
 #include "hiac/scene/scene_keys.hpp"
+#include "hiac/scene/specification.hpp"
 #include "hiac/scene/starter_text.hpp"
 
 namespace hiac {

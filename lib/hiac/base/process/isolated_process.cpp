@@ -1,4 +1,4 @@
-#include "hiac/base/isolated_process.hpp"
+#include "hiac/base/process/isolated_process.hpp"
 
 #include <algorithm>
 #include <array>

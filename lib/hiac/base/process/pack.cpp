@@ -1,4 +1,4 @@
-#include "hiac/base/pack.hpp"
+#include "hiac/base/process/pack.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "hiac/base/child_process.hpp"
+#include "hiac/base/process/child_process.hpp"
 
 #include <array>
 #include <cerrno>
