@@ -28,7 +28,7 @@ SPLATTED = "render.splat_below=2"
 
 BESIDE = "camera.eye=[-2.4, -3.2, 2.0]"
 
-# figure of the paper: mesh, specification, settings that change the specification
+# figure of the paper, or another picture: mesh, specification, settings that change the specification
 FIGURES = {
     "figure-07": ("pool", "pool", [f"render.integration={EXACT}"]),
     "figure-08": ("pool-corners", "pool", [f"render.integration={EXACT}"]),
@@ -37,6 +37,7 @@ FIGURES = {
     "figure-12": ("pool", "pool-surfaces", [f"render.integration={EXACT}"]),
     "figure-13": ("pool", "pool-surfaces", [f"render.integration={EXACT}", BESIDE]),
     "figure-14": ("pool-corners", "pool-surfaces", [f"render.integration={EXACT}"]),
+    "skin": ("pool", "pool-skin", []),
     "figure-15": ("vortices", "vortices", [f"render.integration={EXACT}", SPLATTED]),
     "figure-16": ("vortices", "vortices", [f"render.integration={APPROXIMATE}"]),
 }

@@ -48,6 +48,8 @@ TEST(SceneParser, ReadsTheLeastWithItsDefaults) {
   EXPECT_FALSE(scene.volume.color);
   EXPECT_FALSE(scene.volume.extinction);
   EXPECT_TRUE(scene.isosurfaces.empty());
+  EXPECT_FALSE(scene.skin);
+  EXPECT_FALSE(scene.edges);
   ASSERT_EQ(scene.lights.size(), 1u);
   EXPECT_FALSE(scene.lights[0].direction);
   EXPECT_EQ(scene.background.pattern, BackgroundPattern::solid);
@@ -249,6 +251,15 @@ TEST(SceneParser, NamesTheFaultsOfFurtherTables) {
       {"[volume]\ncolour = 3", "view.toml:11: key `volume.colour`: unknown key; did you mean `col"},
       {"[[isosurface]]\nfield = 'p'\nvalue = 1\n[[isosurface]]\nfield = 'p'",
        "view.toml:13: key `isosurface.1.value`: is missing"},
+      {"[skin]\ncolor = 'red'", "view.toml:11: key `skin.color`: "},
+      {"[edges]\nshow = 'none'", "view.toml:11: key `edges.show`: no such choice"},
+      {"[edges]\nangle = 181", "view.toml:11: key `edges.angle`: out of range"},
+      {"[edges]\nwidth = 0", "view.toml:11: key `edges.width`: expected a positive"},
+      {"[edges]\nwidth = 1001", "view.toml:11: key `edges.width`: too large"},
+      {"[edges]\nshow = 'all'\nangle = 30", "view.toml:12: key `edges.angle`: has no meaning"},
+      {"[skin]\nopacity = 2", "view.toml:11: key `skin.opacity`: out of range"},
+      {"[skin]\nwidth = 2", "view.toml:11: key `skin.width`: unknown key"},
+      {"[skin.color]\nfield = 'p'", "view.toml:10: key `skin.color.points`: is missing"},
       {"[[isosurface]]\nfield = 'p'\nvalue = 1\nopacity = 1.5",
        "view.toml:13: key `isosurface.0.opacity`: out of range"},
       {"[isosurface]\nfield = 'p'", "view.toml:10: key `isosurface`: wrong type (expected a list"},

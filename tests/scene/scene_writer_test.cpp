@@ -33,6 +33,16 @@ Scene random_scene(std::mt19937& random) {
   s.volume.color = ColorTransfer{"a \"b\"\\\t\x01\x7f é", {{-1e-300, color()}, {5e-324, color()}}};
   s.volume.extinction = ExtinctionTransfer{"b", {{-2, {1e300}}, {-2, {0}}, {1.0 / 3, {4}}}};
   s.isosurfaces = {{"p", wide(), color(), unit(random), unit(random), 0.1, 0.2, 1e6}, {"q", 0}};
+  if (random() % 3 > 0)
+    s.skin =
+        Skin{color(), {}, unit(random), unit(random), unit(random), unit(random), std::abs(wide())};
+  if (s.skin && random() % 2 == 0)
+    s.skin = Skin{{0.7, 0.7, 0.7}, ColorTransfer{"s", {{-1, color()}, {2, color()}}}, unit(random)};
+  if (random() % 2 == 0) {
+    s.edges =
+        Edges{static_cast<EdgeChoice>(random() % 3), 30, 1 + unit(random), color(), unit(random)};
+    if (s.edges->show == EdgeChoice::feature) s.edges->angle = 180 * unit(random);
+  }
   s.lights = {Light{}, Light{std::array<double, 3>{wide(), 1, 0}, color()}};
   s.background.pattern = static_cast<BackgroundPattern>(random() % 4);
   s.background.color = color();

@@ -48,6 +48,8 @@ TEST(SpecificationPage, NamesEveryKey) {
   expect_keys(section(page, "[volume.color]"), color_keys(), "[volume.color]");
   expect_keys(section(page, "[volume.extinction]"), extinction_keys(), "[volume.extinction]");
   expect_keys(section(page, "[[isosurface]]"), isosurface_keys(), "[[isosurface]]");
+  expect_keys(section(page, "[skin]"), skin_keys(), "[skin]");
+  expect_keys(section(page, "[edges]"), edge_keys(), "[edges]");
   expect_keys(section(page, "[[light]]"), light_keys(), "[[light]]");
   expect_keys(section(page, "[background]"), background_keys(), "[background]");
   expect_keys(section(page, "[render]"), render_keys(), "[render]");

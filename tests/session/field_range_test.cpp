@@ -48,6 +48,17 @@ std::vector<double> scalars(const std::string& keys, const ZooMesh& mesh) {
 
 using Scalars = std::vector<double>;
 
+TEST(FieldRange, StretchesTheColoursOfTheSkin) {
+  const ParsedScene parsed = with_field_ranges(
+      view("[skin.color]\nfield = 'f'\nrange = 'auto'\npoints = [[0, 1, 0, 0], [1, 0, 1, 0]]\n"),
+      tetrahedron({4, 1, 3, 2, 1000}));
+  EXPECT_FALSE(parsed.skin_color);
+  const auto& points = parsed.scene.skin->color_by->points;
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_EQ(points[0].scalar, 1);
+  EXPECT_EQ(points[1].scalar, 4);
+}
+
 TEST(FieldRange, FollowsTheValuesThatBelongToCells) {
   const ZooMesh mesh = tetrahedron({4, 1, 3, 2, 1000});
   EXPECT_EQ(scalars("range = 'auto'\n", mesh), (Scalars{1, 4}));

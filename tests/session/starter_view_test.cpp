@@ -74,9 +74,24 @@ TEST(StarterView, MeshesWithoutAFieldAreColouredByTheirHeight) {
   const ZooMesh mesh = box(2, {2, 1, 1});
   const StarterView view = make_starter_view(mesh, "m");
   EXPECT_EQ(view.scene.volume.color->field, "position:z");
-  EXPECT_THAT(view.notes, ElementsAre(HasSubstr("the height: the mesh has no field")));
+  EXPECT_THAT(view.notes, ElementsAre(HasSubstr("the height: the mesh has no field"),
+                                      HasSubstr("shows the solid model")));
   EXPECT_EQ(view.scene.volume.extinction->points.size(), 1U);
-  EXPECT_NEAR(seen(mesh, view.scene).depth, 1, 0.05);
+  Scene medium = view.scene;
+  medium.skin.reset();
+  medium.edges.reset();
+  EXPECT_NEAR(seen(mesh, medium).depth, 1, 0.05);
+}
+
+TEST(StarterView, MeshesWithoutAFieldAreSolid) {
+  const ZooMesh mesh = box(2, {2, 1, 1});
+  const StarterView view = make_starter_view(mesh, "m");
+  ASSERT_TRUE(view.scene.skin && view.scene.edges);
+  EXPECT_GT(seen(mesh, view.scene).depth, 100);  // opaque
+  EXPECT_THAT(view.text, HasSubstr("\n[skin]\n"));
+  EXPECT_EQ(parse_scene(view.text, "text").scene, view.scene);
+  // surfaces are not hidden
+  EXPECT_FALSE(make_starter_view(mesh, "m", {.isovalues = 2}).scene.skin);
 }
 
 TEST(StarterView, ShowsTheFieldThatSaysMost) {
@@ -132,13 +147,13 @@ TEST(StarterView, DoesWhatItIsAsked) {
 }
 
 TEST(StarterView, ShowsEverySection) {
-  ZooMesh mesh = box(1, {1, 1, 1});
+  ZooMesh mesh = box(3, {1, 1, 1});
   test::add_node_field(mesh, "f", test::smooth_field);
   const StarterView view = make_starter_view(mesh, "m");
   for (const char* section :
        {"\n[camera]", "\n[volume]", "\n[volume.color]", "\n[volume.extinction]", "\n[[light]]",
-        "\n[background]", "\n[render]", "\n# [[isosurface]]", "\n# [turntable]",
-        "\n# [camera_path]", "\n# opacity = ", "\n# frames = 36"})
+        "\n[background]", "\n[render]", "\n# [[isosurface]]", "\n# [skin]", "\n# [edges]",
+        "\n# [turntable]", "\n# [camera_path]", "\n# opacity = ", "\n# frames = 36"})
     EXPECT_THAT("\n" + view.text, HasSubstr(section));
   EXPECT_EQ(parse_scene(view.text, "text").scene, view.scene);
 }

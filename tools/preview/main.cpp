@@ -226,6 +226,8 @@ void note_what_is_not_drawn(Tool& tool, const Options& options, const Scene& sce
     tool.note("render.integration is the accurate engine's: --method says how previews integrate");
   if (scene.render.splat_below > 0)
     tool.note("render.splat_below is the accurate engine's: previews splat no cells");
+  if (scene.skin || scene.edges)
+    tool.note("[skin] and [edges] are the accurate engine's: previews draw neither");
 }
 
 void claim_files(Tool& tool, const Options& options, const Scene* scene) {

@@ -143,6 +143,36 @@ struct Isosurface {
   bool operator==(const Isosurface&) const = default;
 };
 
+/// The mesh's boundary as a lit surface: the faces that no other cell has. Opacity and shares of
+/// light are those of an isosurface.
+struct Skin {
+  Color color{0.7, 0.7, 0.7};
+  /// Colour by a field, which replaces `color`.
+  std::optional<ColorTransfer> color_by;
+  double opacity = 1;
+  double ambient = 0.2;
+  double diffuse = 0.7;
+  double specular = 0.3;
+  double shininess = 30;
+
+  bool operator==(const Skin&) const = default;
+};
+
+/// Which of a mesh's edges are drawn: those of the boundary at which it bends, all of the boundary,
+/// or all edges of all cells.
+enum class EdgeChoice : std::uint8_t { feature, boundary, all };
+
+/// Edges of the mesh as lines. They are not lit.
+struct Edges {
+  EdgeChoice show = EdgeChoice::feature;
+  double angle = 30;   ///< feature: degrees between the faces beside an edge, above which it shows
+  double width = 1.5;  ///< pixels
+  Color color{0, 0, 0};
+  double opacity = 1;
+
+  bool operator==(const Edges&) const = default;
+};
+
 /// A light infinitely far away.
 struct Light {
   /// Towards the light, any length but 0; none: a headlight at the eye.
@@ -191,6 +221,8 @@ struct Scene {
   std::optional<CameraPath> path;  ///< none: one view, not an animation
   Volume volume;
   std::vector<Isosurface> isosurfaces;
+  std::optional<Skin> skin;            ///< none: the boundary is not drawn
+  std::optional<Edges> edges;          ///< none: no edges are drawn
   std::vector<Light> lights{Light{}};  ///< a white headlight if a file specifies none
   Background background;
   RenderSettings render;

@@ -26,10 +26,11 @@ struct UnscaledPoints {
 /// A specification as read, with notes for the user.
 struct ParsedScene {
   Scene scene;
-  /// The points of scene.volume.color and scene.volume.extinction, which have none as long as they
-  /// are here.
+  /// The points of scene.volume.color, scene.volume.extinction and scene.skin->color_by, which have
+  /// none as long as they are here.
   std::optional<UnscaledPoints<3>> color = {};
   std::optional<UnscaledPoints<1>> extinction = {};
+  std::optional<UnscaledPoints<3>> skin_color = {};
   /// One line each: the error bound of a preset's conversion to piecewise-linear RGB.
   std::vector<std::string> notes = {};
   Annotation annotation = {};         ///< what is drawn on the picture

@@ -75,6 +75,7 @@ Frame::Frame(const ZooMesh& of_mesh, const Scene& scene, const Projector& of_sce
       nodes(project_nodes(mesh, projector)),
       kernel_cells(hiac::kernel_cells(mesh, nodes, scene.render.planarity)),
       isosurfaces(make_isosurfaces(mesh, scene, projector)),
+      skin(make_skin(mesh, scene, projector)),
       with_details(details != Details::none),
       with_error(details == Details::bounded),
       depth(depth_of_mesh(mesh, projector)),
@@ -101,8 +102,10 @@ Frame::Frame(const ZooMesh& of_mesh, const Scene& scene, const Projector& of_sce
   // What lies behind a transparency T adds at most T times the largest light to a pixel and T to
   // its alpha, and hides T times the background. With emission, rays are not terminated early:
   // light grows with a ray's length.
-  largest_light = std::max(optics.largest_color, isosurfaces.largest_light);
-  if (optics.emission) largest_light = optics.largest_color * longest + isosurfaces.largest_light;
+  double of_surfaces = std::max(isosurfaces.largest_light, skin.largest_light);
+  if (scene.edges) of_surfaces = std::max(of_surfaces, std::ranges::max(scene.edges->color));
+  largest_light = std::max(optics.largest_color, of_surfaces);
+  if (optics.emission) largest_light = optics.largest_color * longest + of_surfaces;
   const double behind =
       std::max(std::ranges::max(scene.background.color), std::ranges::max(scene.background.color2));
   least_transparency =

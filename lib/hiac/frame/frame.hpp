@@ -8,6 +8,7 @@
 #include "hiac/frame/isosurfaces.hpp"
 #include "hiac/frame/kernel_cells.hpp"
 #include "hiac/frame/projection.hpp"
+#include "hiac/frame/skin.hpp"
 #include "hiac/frame/transfer_table.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/scene/scene.hpp"
@@ -38,6 +39,7 @@ struct Frame {
   OpticsTables optics;
   FrameField color, extinction;  ///< equal if optics.same_field
   Isosurfaces isosurfaces;
+  FrameSkin skin;
   /// Pixels with less transparency than this are finished.
   double least_transparency = 0;
   /// Segments may overlap the previous one by this much of the ray parameter, because of rounding.

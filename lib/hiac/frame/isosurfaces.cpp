@@ -151,19 +151,6 @@ void find_cuts(const ZooMesh& mesh, Isosurfaces& all) {
   close_faces(touched, all.cuts);
 }
 
-FrameLight frame_light(const Light& light, const Projector& projector) {
-  FrameLight result{!light.direction, {}, light.color};
-  if (light.direction) {
-    auto v = *light.direction;
-    const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
-    for (double& x : v) x /= largest;
-    const double length = std::hypot(v[0], v[1], v[2]);
-    for (double& x : v) x /= length;
-    result.direction = projector.camera_vector(v);
-  }
-  return result;
-}
-
 // Differences from a surface's value below this may underflow in products.
 constexpr double kVanishing = 0x1p-500;
 // The largest exponent of a scaled field: products of two values stay finite.
@@ -217,28 +204,17 @@ class SurfaceFields {
 
 }  // namespace
 
-double largest_light(const Isosurface& surface, std::span<const Light> lights) {
-  double largest = 0;
-  for (std::size_t c = 0; c < 3; ++c) {
-    double light = surface.ambient * surface.color[c];
-    for (const Light& l : lights)
-      light += l.color[c] * (surface.diffuse * surface.color[c] + surface.specular);
-    largest = std::max(largest, light);
-  }
-  return largest;
-}
-
 Isosurfaces make_isosurfaces(const ZooMesh& mesh, const Scene& scene, const Projector& projector) {
   Isosurfaces all;
   if (scene.isosurfaces.empty()) return all;
   SurfaceFields fields(mesh, scene.render.interpolation == Interpolation::polynomial);
   for (const Isosurface& s : scene.isosurfaces) {
     const auto [field, scale] = fields.place_of(s, all.fields);
-    all.surfaces.push_back({field, scale * s.value, s.color, std::log1p(-s.opacity), s.ambient,
-                            s.diffuse, s.specular, s.shininess});
-    all.largest_light = std::max(all.largest_light, largest_light(s, scene.lights));
+    all.surfaces.push_back({look_of(s), field, scale * s.value});
+    all.largest_light =
+        std::max(all.largest_light, largest_light(all.surfaces.back(), scene.lights));
   }
-  for (const Light& light : scene.lights) all.lights.push_back(frame_light(light, projector));
+  all.lights = frame_lights(scene.lights, projector);
   find_cuts(mesh, all);
   return all;
 }

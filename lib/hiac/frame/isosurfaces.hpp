@@ -7,24 +7,16 @@
 
 #include "hiac/frame/frame_field.hpp"
 #include "hiac/frame/projection.hpp"
+#include "hiac/frame/surface_look.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/scene/scene.hpp"
 
 namespace hiac {
 
-/// An isosurface as the engine draws it. See Isosurface (scene.hpp) for its parameters.
-struct FrameIsosurface {
+/// An isosurface as the engine draws it.
+struct FrameIsosurface : SurfaceLook {
   std::size_t field;  ///< index into Isosurfaces::fields
   double value;
-  Color color;
-  double log_transparency;  ///< log(1 - opacity), seen face-on; -infinity if opaque
-  double ambient, diffuse, specular, shininess;
-};
-
-struct FrameLight {
-  bool headlight;
-  std::array<double, 3> direction;  ///< towards the light: unit length, right, up and forward
-  Color color;
 };
 
 /// One isosurface in one cell that it crosses.
@@ -81,9 +73,6 @@ struct Isosurfaces {
     return field.values[field.index(cell, entry, node)] - surface.value;
   }
 };
-
-/// An upper bound of the light of a surface, any channel.
-double largest_light(const Isosurface& surface, std::span<const Light> lights);
 
 /// Throws UsageError, as scalar_field does, when a field does not exist.
 Isosurfaces make_isosurfaces(const ZooMesh& mesh, const Scene& scene, const Projector& projector);

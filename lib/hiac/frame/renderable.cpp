@@ -16,7 +16,8 @@
 #include "hiac/base/parallel.hpp"
 #include "hiac/element/cell_field.hpp"
 #include "hiac/element/world_polynomial.hpp"
-#include "hiac/frame/isosurfaces.hpp"
+#include "hiac/frame/skin.hpp"
+#include "hiac/frame/surface_look.hpp"
 #include "hiac/geometry/box.hpp"
 #include "hiac/geometry/face_form.hpp"
 #include "hiac/geometry/jacobian_sign.hpp"
@@ -201,8 +202,12 @@ void check_brightness(const ZooMesh& mesh, const Scene& scene) {
                                  kLargestColor, most));
   };
   for (std::size_t s = 0; s < scene.isosurfaces.size(); ++s) {
-    const double most = largest_light(scene.isosurfaces[s], scene.lights);
+    const double most = largest_light(look_of(scene.isosurfaces[s]), scene.lights);
     if (!(most <= kLargestColor)) refuse(fmt::format("isosurface.{}", s), most);
+  }
+  if (scene.skin) {
+    const double most = largest_light(*scene.skin, scene.lights);
+    if (!(most <= kLargestColor)) refuse("skin", most);
   }
   if (!scene.volume.color || scene.volume.glow != Glow::emission) return;
   double brightest = 0;
@@ -259,6 +264,7 @@ void check_renderable(const ZooMesh& mesh, const Scene& scene, InvalidCells inva
   if (scene.volume.color) fields.insert(scene.volume.color->field);
   if (scene.volume.extinction) fields.insert(scene.volume.extinction->field);
   for (const Isosurface& surface : scene.isosurfaces) fields.insert(surface.field);
+  if (scene.skin && scene.skin->color_by) fields.insert(scene.skin->color_by->field);
   for (const std::string& field : fields) {
     check_field(mesh, field);
     check_size(field, scalar_field(mesh, field).values.view());

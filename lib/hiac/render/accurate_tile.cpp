@@ -14,14 +14,17 @@ constexpr std::size_t kFetchAhead = 16;
 }  // namespace
 
 AccurateTile::AccurateTile(const Frame& frame, const SplattedCells& splatted,
-                           const VisibilityOrder& order, const TileRect& tile,
-                           std::span<const std::uint32_t> ranks)
+                           const ScreenEdges& edges, const VisibilityOrder& order,
+                           const TileRect& tile, std::span<const std::uint32_t> ranks)
     : frame_(frame),
       splatted_(splatted),
+      edges_(edges),
       order_(order),
       tile_(tile),
       splats_(frame, splatted, order.cells, ranks, tile),
-      refinement_(frame, order, tile, ranks) {
+      refinement_(frame, order, tile, ranks),
+      tile_edges_(frame, edges, tile),
+      skin_(frame, tile_edges_) {
   buffer_.reset(tile, frame.projector, frame.with_details);
   draw_all(ranks);
 }
@@ -34,8 +37,9 @@ void AccurateTile::draw_all(std::span<const std::uint32_t> ranks) {
     if (is_opaque()) return;
     ranks = ranks.subspan(run.ranks.size());
   }
-  if (splats_.empty()) return;
+  if (splats_.empty() && tile_edges_.empty()) return;
   segments_.clear();
+  tile_edges_.append_rest({frame_, tile_, buffer_, &segments_, counts_});
   splats_.append_rest(buffer_, segments_);
   composite_sorted(segments_, frame_.witness_tolerance, buffer_, counts_);
 }
@@ -49,9 +53,20 @@ void AccurateTile::draw_run(const CellRun& run) {
 }
 
 void AccurateTile::draw_cells(std::span<const std::uint32_t> ranks, SegmentList* group) {
-  const auto draw_of = [&](std::uint32_t rank) { return draw_for(frame_, order_.cells[rank]); };
+  const TileTarget to{frame_, tile_, buffer_, group, counts_};
+  // null for cells with skin or edges on them, which are drawn one by one
+  const auto draw_of = [&](std::uint32_t rank) -> DrawCells {
+    const CellId cell = order_.cells[rank];
+    const bool alone = frame_.skin.on(cell) != 0 || edges_.may_touch(cell);
+    return alone ? nullptr : draw_for(frame_, cell);
+  };
   for (std::size_t i = 0; i < ranks.size();) {
     const DrawCells draw = draw_of(ranks[i]);
+    if (draw == nullptr) {
+      const CellId cell = order_.cells[ranks[i++]];
+      skin_.draw(to, cell, !splatted_.holds(cell));
+      continue;
+    }
     cells_.clear();
     for (; i < ranks.size() && draw_of(ranks[i]) == draw; ++i) {
       if (i + kFetchAhead < ranks.size())
@@ -59,7 +74,7 @@ void AccurateTile::draw_cells(std::span<const std::uint32_t> ranks, SegmentList*
       if (const CellId cell = order_.cells[ranks[i]]; !splatted_.holds(cell))
         cells_.push_back(cell);
     }
-    draw({frame_, tile_, buffer_, group, counts_}, cells_);
+    draw(to, cells_);
   }
 }
 

@@ -8,8 +8,11 @@
 #include "hiac/frame/frame.hpp"
 #include "hiac/frame/tiles/drawn_tile.hpp"
 #include "hiac/order/visibility_order.hpp"
+#include "hiac/render/edges/screen_edges.hpp"
+#include "hiac/render/edges/tile_edges.hpp"
 #include "hiac/render/pixels/tile.hpp"
 #include "hiac/render/refine/pixel_refinement.hpp"
+#include "hiac/render/skin_painter.hpp"
 #include "hiac/render/splatting.hpp"
 
 namespace hiac {
@@ -18,8 +21,9 @@ namespace hiac {
 class AccurateTile final : public DrawnTile {
  public:
   /// Draws the cells at these positions of the order. All arguments must outlive this object.
-  AccurateTile(const Frame& frame, const SplattedCells& splatted, const VisibilityOrder& order,
-               const TileRect& tile, std::span<const std::uint32_t> ranks);
+  AccurateTile(const Frame& frame, const SplattedCells& splatted, const ScreenEdges& edges,
+               const VisibilityOrder& order, const TileRect& tile,
+               std::span<const std::uint32_t> ranks);
 
   [[nodiscard]] const TilePixels& pixels() const override { return buffer_; }
   [[nodiscard]] const TileCounts& counts() const override { return counts_; }
@@ -38,12 +42,15 @@ class AccurateTile final : public DrawnTile {
 
   const Frame& frame_;
   const SplattedCells& splatted_;
+  const ScreenEdges& edges_;
   const VisibilityOrder& order_;
   TileRect tile_;
   TileSplats splats_;
   TileBuffer buffer_;
   TileCounts counts_;
   PixelRefinement refinement_;
+  TileEdges tile_edges_;
+  SkinPainter skin_;
   // of the current run
   SegmentList segments_;
   std::vector<CellId> cells_;

@@ -8,6 +8,7 @@
 #include "hiac/frame/frame.hpp"
 #include "hiac/frame/tiles/tile_bins.hpp"
 #include "hiac/render/accurate_tile.hpp"
+#include "hiac/render/edges/screen_edges.hpp"
 #include "hiac/render/splatting.hpp"
 
 namespace hiac {
@@ -20,6 +21,7 @@ struct PartRenderer::Prepared {
   Projector projector;
   Frame frame;
   SplattedCells splatted;
+  ScreenEdges edges;
   double seconds = 0;
 
   Prepared(const ZooMesh& mesh, const VisibilityOrder& visibility, const Scene& what,
@@ -30,7 +32,8 @@ struct PartRenderer::Prepared {
         start(seconds_now()),
         projector(scene.camera, scene.image),
         frame(mesh, scene, projector, details_for(channels)),
-        splatted(frame, scene.image, scene.render.splat_below) {
+        splatted(frame, scene.image, scene.render.splat_below),
+        edges(frame, scene) {
     require_bound();
     seconds = seconds_now() - start;
   }
@@ -47,6 +50,8 @@ struct PartRenderer::Prepared {
           "(`render.interpolation`)");
     if (scene.render.splat_below > 0)
       throw UsageError("channel 'error': no bound is claimed of splats (`render.splat_below`)");
+    if (scene.skin) throw UsageError("channel 'error': no bound is claimed of the skin (`skin`)");
+    if (scene.edges) throw UsageError("channel 'error': no bound is claimed of edges (`edges`)");
   }
 };
 
@@ -71,7 +76,7 @@ RenderResult PartRenderer::render(const PixelRect& part, bool with_background,
   RenderResult result = draw_picture(
       frame, scene, bins, {part, with_background, prepared_->channels},
       [&](const TileRect& tile, std::span<const std::uint32_t> ranks, const TakeTile& take) {
-        AccurateTile drawn(frame, splatted, order, tile, ranks);
+        AccurateTile drawn(frame, splatted, prepared_->edges, order, tile, ranks);
         take(drawn);
       },
       progress);

@@ -36,6 +36,10 @@ void require_explainable(const Scene& scene, std::uint32_t x, std::uint32_t y) {
     throw UsageError(
         "a pixel is explained by ray segments, and splats are none (`render.splat_below` = 0 "
         "expected)");
+  if (scene.skin || scene.edges)
+    throw UsageError(
+        "a pixel is explained by ray segments, and skin and edges are none (neither `skin` nor "
+        "`edges` expected)");
 }
 
 // Psi of a segment. `fields`: that of extinction and, if it differs, that of colour.

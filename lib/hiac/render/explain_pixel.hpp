@@ -67,7 +67,7 @@ struct PixelExplanation {
 /// space, and no segments, unless an isosurface crosses them.
 ///
 /// Requires what check_renderable (renderable.hpp) lets pass. Throws UsageError if the pixel is not
-/// in the picture, or if cells are splatted: splats are not segments.
+/// in the picture, or if cells are splatted or a skin or edges are drawn: these are not segments.
 PixelExplanation explain_pixel(const ZooMesh& mesh, const VisibilityOrder& order,
                                const Scene& scene, std::uint32_t x, std::uint32_t y,
                                bool with_background);

@@ -143,7 +143,7 @@ class SplatChoice {
       : frame_(frame), width_(size.width), height_(size.height), splat_below_(splat_below) {}
 
   bool operator()(CellId cell) {
-    if (!frame_.isosurfaces.in(cell).empty()) return false;
+    if (!frame_.isosurfaces.in(cell).empty() || frame_.skin.on(cell) != 0) return false;
     const ScreenBounds b = screen_bounds(frame_, cell);
     if (!b.in_front || b.nearest < frame_.projector.near() || b.farthest > frame_.projector.far())
       return false;

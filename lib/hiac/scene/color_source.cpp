@@ -129,7 +129,9 @@ TransferPoints<3> decoded_points(const SpecValue& table, const ColorSource& sour
 
 std::span<const SpecKey<ColorSource>> color_keys() { return kColorKeys; }
 
-ColorTransfer read_color_transfer(const SpecValue& table) {
+ColorTransfer read_color_transfer(const SpecValue& table,
+                                  std::optional<UnscaledPoints<3>>& unscaled,
+                                  bool& is_logarithmic) {
   ColorSource source;
   read_keys(table, color_keys(), source);
   const bool has_points = table.has("points");
@@ -150,8 +152,8 @@ ColorTransfer read_color_transfer(const SpecValue& table) {
                                            : source.transfer.points;
   if (source.preset) check_points<3>(table, points, source.range);
   source.transfer.points.clear();
-  table.context().color_is_logarithmic = source.range.scale == TransferScale::log;
-  table.context().color =
+  is_logarithmic = source.range.scale == TransferScale::log;
+  unscaled =
       place_points<3>(std::move(points), source.range,
                       source.preset_tolerance.value_or(kLinearTolerance), source.transfer.points);
   return source.transfer;

@@ -15,7 +15,7 @@ namespace hiac {
 /// display values; of linear values.
 inline constexpr double kDisplayTolerance = 1e-3, kLinearTolerance = 1e-4;
 
-/// The table [volume.color] before its preset and its range are resolved.
+/// The table [volume.color] or [skin.color] before its preset and its range are resolved.
 struct ColorSource {
   ColorTransfer transfer;  ///< the field, and the points if any are given
   std::optional<std::string> preset;
@@ -29,7 +29,9 @@ struct ColorSource {
 std::span<const SpecKey<ColorSource>> color_keys();
 
 /// Reads the table: its points, or its preset converted to points, with a note of the error bound.
-/// Points that have to wait for the field's values go into the context.
-ColorTransfer read_color_transfer(const SpecValue& table);
+/// Points that have to wait for the field's values go into `unscaled`; `is_logarithmic` says
+/// whether the scale is.
+ColorTransfer read_color_transfer(const SpecValue& table,
+                                  std::optional<UnscaledPoints<3>>& unscaled, bool& is_logarithmic);
 
 }  // namespace hiac

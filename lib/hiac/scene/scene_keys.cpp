@@ -24,6 +24,10 @@ constexpr std::pair<std::string_view, BackgroundPattern> kPatterns[] = {
     {"checker", BackgroundPattern::checker},
     {"grid", BackgroundPattern::grid},
     {"gradient", BackgroundPattern::gradient}};
+constexpr std::pair<std::string_view, EdgeChoice> kEdgeChoices[] = {
+    {"feature", EdgeChoice::feature}, {"boundary", EdgeChoice::boundary}, {"all", EdgeChoice::all}};
+/// Wider lines are surfaces: pixels.
+constexpr double kWidestEdge = 1000;
 constexpr std::pair<std::string_view, Integration> kIntegrations[] = {
     {"exact", Integration::exact},
     {"gauss5", Integration::gauss5},
@@ -66,7 +70,10 @@ constexpr SpecKey<Volume> kVolumeKeys[] = {
      [](const SpecValue& v, Volume& volume) { volume.glow = v.name_of<Glow>(kGlows); },
      [](const Volume& volume) -> Text { return name_text<Glow>(kGlows, volume.glow); }},
     {"color", "", false,
-     [](const SpecValue& v, Volume& volume) { volume.color = read_color_transfer(v); }, nullptr},
+     [](const SpecValue& v, Volume& volume) {
+       volume.color = read_color_transfer(v, v.context().color, v.context().color_is_logarithmic);
+     },
+     nullptr},
     {"extinction", "", false,
      [](const SpecValue& v, Volume& volume) { volume.extinction = read_extinction_transfer(v); },
      nullptr},
@@ -98,6 +105,68 @@ constexpr SpecKey<Isosurface> kIsosurfaceKeys[] = {
      [](const SpecValue& v, Isosurface& s) { s.shininess = v.at_least(0); },
      [](const Isosurface& s) -> Text { return toml_text(s.shininess); }},
 };
+
+void read_skin_color(const SpecValue& value, Skin& skin) {
+  if (!value.is_table()) {
+    skin.color = value.color();
+    return;
+  }
+  bool is_logarithmic = false;  // matters to the colour bar, which is the volume's
+  skin.color_by = read_color_transfer(value, value.context().skin_color, is_logarithmic);
+}
+
+constexpr SpecKey<Skin> kSkinKeys[] = {
+    {"color", "red, green, blue; or a table, [skin.color], with the keys of [volume.color]", false,
+     read_skin_color,
+     [](const Skin& s) -> Text {
+       if (s.color_by) return std::nullopt;
+       return toml_text(s.color);
+     }},
+    {"opacity", "seen face-on, 0 to 1", false,
+     [](const SpecValue& v, Skin& s) { s.opacity = v.inside(0, 1); },
+     [](const Skin& s) -> Text { return toml_text(s.opacity); }},
+    {"ambient", "share of ambient light reflected", false,
+     [](const SpecValue& v, Skin& s) { s.ambient = v.at_least(0); },
+     [](const Skin& s) -> Text { return toml_text(s.ambient); }},
+    {"diffuse", "share reflected in every direction", false,
+     [](const SpecValue& v, Skin& s) { s.diffuse = v.at_least(0); },
+     [](const Skin& s) -> Text { return toml_text(s.diffuse); }},
+    {"specular", "share reflected in the highlight", false,
+     [](const SpecValue& v, Skin& s) { s.specular = v.at_least(0); },
+     [](const Skin& s) -> Text { return toml_text(s.specular); }},
+    {"shininess", "the highlight's exponent", false,
+     [](const SpecValue& v, Skin& s) { s.shininess = v.at_least(0); },
+     [](const Skin& s) -> Text { return toml_text(s.shininess); }},
+};
+
+constexpr SpecKey<Edges> kEdgeKeys[] = {
+    {"show", "\"feature\" (where the boundary bends), \"boundary\" or \"all\"", false,
+     [](const SpecValue& v, Edges& e) { e.show = v.name_of<EdgeChoice>(kEdgeChoices); },
+     [](const Edges& e) -> Text { return name_text<EdgeChoice>(kEdgeChoices, e.show); }},
+    {"angle", "feature: degrees between two faces, above which their edge shows", false,
+     [](const SpecValue& v, Edges& e) { e.angle = v.inside(0, 180); },
+     [](const Edges& e) -> Text {
+       if (e.show != EdgeChoice::feature) return std::nullopt;
+       return toml_text(e.angle);
+     }},
+    {"width", "pixels", false,
+     [](const SpecValue& v, Edges& e) {
+       e.width = v.positive();
+       if (e.width > kWidestEdge)
+         v.fail(fmt::format("too large (expected at most {}, found {})", kWidestEdge, e.width));
+     },
+     [](const Edges& e) -> Text { return toml_text(e.width); }},
+    {"color", "red, green, blue", false, [](const SpecValue& v, Edges& e) { e.color = v.color(); },
+     [](const Edges& e) -> Text { return toml_text(e.color); }},
+    {"opacity", "0 to 1", false, [](const SpecValue& v, Edges& e) { e.opacity = v.inside(0, 1); },
+     [](const Edges& e) -> Text { return toml_text(e.opacity); }},
+};
+
+void read_edges(const SpecValue& table, Scene& scene) {
+  read_keys(table, edge_keys(), scene.edges.emplace());
+  if (scene.edges->show != EdgeChoice::feature && table.has("angle"))
+    table.fail_at("angle", "has no meaning for edges other than \"feature\"");
+}
 
 constexpr SpecKey<Light> kLightKeys[] = {
     {"direction", "towards the light; without it a headlight", false, read_light_direction,
@@ -191,6 +260,9 @@ constexpr SpecKey<Scene> kSceneKeys[] = {
          read_keys(table, isosurface_keys(), s.isosurfaces.emplace_back());
      },
      nullptr},
+    {"skin", "", false,
+     [](const SpecValue& v, Scene& s) { read_keys(v, skin_keys(), s.skin.emplace()); }, nullptr},
+    {"edges", "", false, read_edges, nullptr},
     {"light", "", false,
      [](const SpecValue& v, Scene& s) {
        s.lights.clear();
@@ -211,6 +283,8 @@ constexpr SpecKey<Scene> kSceneKeys[] = {
 std::span<const SpecKey<ImageSize>> image_keys() { return kImageKeys; }
 std::span<const SpecKey<Volume>> volume_keys() { return kVolumeKeys; }
 std::span<const SpecKey<Isosurface>> isosurface_keys() { return kIsosurfaceKeys; }
+std::span<const SpecKey<Skin>> skin_keys() { return kSkinKeys; }
+std::span<const SpecKey<Edges>> edge_keys() { return kEdgeKeys; }
 std::span<const SpecKey<Light>> light_keys() { return kLightKeys; }
 std::span<const SpecKey<Background>> background_keys() { return kBackgroundKeys; }
 std::span<const SpecKey<RenderSettings>> render_keys() { return kRenderKeys; }

@@ -13,6 +13,8 @@ namespace hiac {
 std::span<const SpecKey<ImageSize>> image_keys();
 std::span<const SpecKey<Volume>> volume_keys();
 std::span<const SpecKey<Isosurface>> isosurface_keys();
+std::span<const SpecKey<Skin>> skin_keys();
+std::span<const SpecKey<Edges>> edge_keys();
 std::span<const SpecKey<Light>> light_keys();
 std::span<const SpecKey<Background>> background_keys();
 std::span<const SpecKey<RenderSettings>> render_keys();

@@ -28,11 +28,13 @@ struct SpecContext {
   std::string folder;
   std::vector<AppliedOverride> overrides;
   std::vector<std::string> notes;
-  /// Points of [volume.color] and [volume.extinction] that wait for their fields' values.
+  /// Points of [volume.color], [volume.extinction] and [skin.color] that wait for their fields'
+  /// values.
   std::optional<UnscaledPoints<3>> color = {};
   std::optional<UnscaledPoints<1>> extinction = {};
   Annotation annotation = {};
   bool color_is_logarithmic = false;  ///< [volume.color] has `scale = "log"`
+  std::optional<UnscaledPoints<3>> skin_color = {};
 
   /// Returns the override that set the key `path`, a part of it or a table around it, or null.
   [[nodiscard]] const AppliedOverride* override_of(std::string_view path) const;
@@ -77,6 +79,7 @@ class SpecValue {
 
   /// Whether it is a list, of tables or of other values.
   [[nodiscard]] bool is_list() const { return node_->is_array(); }
+  [[nodiscard]] bool is_table() const { return node_->is_table(); }
   /// A table, whose keys have paths below this one's.
   [[nodiscard]] const toml::table& table() const;
   /// The value below a key of this table, if there.

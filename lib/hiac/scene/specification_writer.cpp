@@ -62,6 +62,18 @@ std::string volume_text(const Scene& scene, const std::optional<ColorSource>& co
   return text;
 }
 
+std::string skin_text(const Skin& skin, Comments comments) {
+  std::string text = "\n[skin]\n" + keys_text(skin_keys(), skin, comments);
+  if (!skin.color_by) return text;
+  ColorSource color;
+  color.transfer = *skin.color_by;
+  return text + "\n[skin.color]\n" + keys_text(color_keys(), color, comments);
+}
+
+std::string edges_text(const Edges& edges, Comments comments) {
+  return "\n[edges]\n" + keys_text(edge_keys(), edges, comments);
+}
+
 std::string scene_text(const Scene& scene, const std::optional<ColorSource>& color,
                        Comments comments) {
   std::string text = "[image]\n" + keys_text(image_keys(), scene.image, comments);
@@ -69,6 +81,8 @@ std::string scene_text(const Scene& scene, const std::optional<ColorSource>& col
   text += volume_text(scene, color, comments);
   for (const Isosurface& surface : scene.isosurfaces)
     text += "\n[[isosurface]]\n" + keys_text(isosurface_keys(), surface, comments);
+  if (scene.skin) text += skin_text(*scene.skin, comments);
+  if (scene.edges) text += edges_text(*scene.edges, comments);
   for (const Light& light : scene.lights)
     text += "\n[[light]]\n" + keys_text(light_keys(), light, comments);
   text += "\n[background]\n" + keys_text(background_keys(), scene.background, comments);
@@ -130,6 +144,8 @@ std::string starter_text(const Scene& scene, const std::string& preset,
     text +=
         commented("[[isosurface]]\n" + keys_text(isosurface_keys(), surface, Comments::explain));
   }
+  if (!scene.skin) text += commented(skin_text(Skin{}, Comments::explain).substr(1));
+  if (!scene.edges) text += commented(edges_text(Edges{}, Comments::explain).substr(1));
   Turntable turntable;
   turntable.frames = 36;
   text += commented("[turntable]  # or keyframes, [[camera]] with frame = N, and:\n" +

@@ -78,12 +78,16 @@ void FieldRanges::place(const std::string& key, OpenRange& range,
 FieldRanges::FieldRanges(const ParsedScene& parsed, std::size_t most_in_memory)
     : color_(open_range<3>(parsed.color, parsed.scene.volume.color, most_in_memory)),
       extinction_(
-          open_range<1>(parsed.extinction, parsed.scene.volume.extinction, most_in_memory)) {}
+          open_range<1>(parsed.extinction, parsed.scene.volume.extinction, most_in_memory)) {
+  if (parsed.scene.skin)
+    skin_ = open_range<3>(parsed.skin_color, parsed.scene.skin->color_by, most_in_memory);
+}
 
 void FieldRanges::add(const ZooMesh& mesh) {
   ++meshes_;
   if (color_) color_->add(mesh);
   if (extinction_) extinction_->add(mesh);
+  if (skin_) skin_->add(mesh);
 }
 
 ParsedScene FieldRanges::place(ParsedScene parsed) {
@@ -91,6 +95,9 @@ ParsedScene FieldRanges::place(ParsedScene parsed) {
   if (color_) place<3>("volume.color.range", *color_, parsed.color, volume.color, parsed.notes);
   if (extinction_)
     place<1>("volume.extinction.range", *extinction_, parsed.extinction, volume.extinction,
+             parsed.notes);
+  if (skin_)
+    place<3>("skin.color.range", *skin_, parsed.skin_color, parsed.scene.skin->color_by,
              parsed.notes);
   return parsed;
 }

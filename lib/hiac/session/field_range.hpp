@@ -21,7 +21,7 @@ class FieldRanges {
                        std::size_t most_in_memory = PooledValues::kMostInMemory);
 
   /// Whether a range is left to the fields' values; if not, no mesh has to be added.
-  [[nodiscard]] bool are_open() const { return color_ || extinction_; }
+  [[nodiscard]] bool are_open() const { return color_ || extinction_ || skin_; }
 
   /// Adds the values of one mesh. Throws UsageError if a field does not exist.
   void add(const ZooMesh& mesh);
@@ -50,7 +50,7 @@ class FieldRanges {
              std::optional<TransferFunction<N>>& transfer, std::vector<std::string>& notes) const;
 
   std::size_t meshes_ = 0;
-  std::optional<OpenRange> color_, extinction_;
+  std::optional<OpenRange> color_, extinction_, skin_;
 };
 
 }  // namespace hiac

@@ -39,7 +39,8 @@ struct StarterView {
 /// scalar_field knows it. Whole numbers come last; constant fields, numberings of cells or nodes,
 /// and fields with values that are not finite are none. Without any, the mesh is coloured by its
 /// height, `position:z`. The range leaves out the lowest and the highest percent of values where
-/// these would make up most of it.
+/// these would make up most of it. Without any field, an opaque skin makes the model solid, with
+/// its feature edges, unless isosurfaces are asked for.
 ///
 /// The extinction grows from four tenths at the lower end of the range to the whole at the upper,
 /// and is uniform for the height, such that the mean optical depth, measured along rays of a coarse

@@ -113,6 +113,8 @@ bool glows_alone(const Volume& volume) {
                              [](const auto& point) { return point.value != Color{}; });
 }
 
+bool draws_boundary(const Scene& scene) { return scene.skin || scene.edges; }
+
 void look_at_volume(Extents& extents, const Scene& scene, std::vector<std::string>& found) {
   const Volume& volume = scene.volume;
   if (volume.color) {
@@ -120,10 +122,10 @@ void look_at_volume(Extents& extents, const Scene& scene, std::vector<std::strin
     if (const auto line = missed("volume.color", *volume.color, extent)) found.push_back(*line);
   }
   if (!volume.extinction) {
-    if (scene.isosurfaces.empty() && !glows_alone(volume))
+    if (scene.isosurfaces.empty() && !draws_boundary(scene) && !glows_alone(volume))
       found.emplace_back(
-          "nothing is drawn: there is neither extinction nor a surface (add [volume.extinction] or "
-          "an [[isosurface]])");
+          "nothing is drawn: there is neither extinction nor a surface (add [volume.extinction], "
+          "an [[isosurface]], a [skin] or [edges])");
     return;
   }
   const ExtinctionTransfer& extinction = *volume.extinction;
@@ -132,7 +134,7 @@ void look_at_volume(Extents& extents, const Scene& scene, std::vector<std::strin
   const auto line = missed("volume.extinction", extinction, extent);
   if (line) found.push_back(*line);
   const bool seen = largest_over(extinction, extent) > 0 || glows_alone(volume);
-  if (!seen && !line && scene.isosurfaces.empty())
+  if (!seen && !line && scene.isosurfaces.empty() && !draws_boundary(scene))
     found.push_back(fmt::format(
         "volume.extinction: zero for all values of '{}' ({}): the medium is not seen (points with "
         "an extinction above 0 there make it visible)",
@@ -151,6 +153,13 @@ void look_at_surfaces(Extents& extents, const Scene& scene, std::vector<std::str
                       i, surface.field, text_of(extent), surface.value, i,
                       0.5 * extent.low + 0.5 * extent.high));
   }
+}
+
+void look_at_skin(Extents& extents, const Scene& scene, std::vector<std::string>& found) {
+  if (!scene.skin || !scene.skin->color_by) return;
+  const ColorTransfer& color = *scene.skin->color_by;
+  if (const auto line = missed("skin.color", color, extents.of(color.field)))
+    found.push_back(*line);
 }
 
 // The camera
@@ -216,13 +225,15 @@ std::vector<std::string> invisible_parts(const ZooMesh& mesh, const Scene& scene
   Extents extents(mesh, scene.render.interpolation);
   look_at_volume(extents, scene, found);
   look_at_surfaces(extents, scene, found);
+  look_at_skin(extents, scene, found);
   return found;
 }
 
 std::optional<std::string> reason_of_empty(const ZooMesh& mesh, const Scene& scene,
                                            const DrawnFacts& drawn) {
   if (drawn.covered_pixels == 0) return why_no_pixel(mesh, scene, drawn.is_part);
-  const bool medium_alone = scene.volume.extinction && scene.isosurfaces.empty();
+  const bool medium_alone =
+      scene.volume.extinction && scene.isosurfaces.empty() && !draws_boundary(scene);
   const double opacity = -std::expm1(-drawn.largest_optical_depth);
   if (!medium_alone || glows_alone(scene.volume) || opacity >= kInvisible || opacity <= 0)
     return std::nullopt;

@@ -276,7 +276,7 @@ TEST(CutBound, IsWhatTheSurfaceMovesThrough) {
 
 class ShadeBoundTest : public testing::Test {
  protected:
-  static constexpr FrameIsosurface kOpaque{0, 0, {0.5, 0.25, 0.125}, -kInfinity, 0, 1, 0, 1};
+  static constexpr FrameIsosurface kOpaque{{{0.5, 0.25, 0.125}, -kInfinity, 0, 1, 0, 1}, 0, 0};
   std::vector<FrameLight> lights_{{true, {}, {1, 1, 1}}};
   static constexpr std::array<double, 3> kTowards{0, 0, -1}, kRay{0, 0, 1};
 };
@@ -302,7 +302,7 @@ TEST_F(ShadeBoundTest, CountsTheRoundingOfEvaluation) {
 
 // A cosine of R.V is off by six times the angle at most, and begins at once.
 TEST_F(ShadeBoundTest, CountsWhatHighlightsChangeBy) {
-  FrameIsosurface shining{0, 0, {1, 1, 1}, -kInfinity, 0, 0, 1, 1};
+  FrameIsosurface shining{{{1, 1, 1}, -kInfinity, 0, 0, 1, 1}, 0, 0};
   const auto highlight = [&](double shininess, const std::array<double, 3>& normal, double angle) {
     shining.shininess = shininess;
     return shade_bound(shining, lights_, normal, kRay, angle).radiance;
@@ -348,7 +348,7 @@ TEST_F(ShadeBoundTest, DoubtsTheSideOfSurfacesSeenEdgeOn) {
 
 // T = (1 - opacity)^(1 / cosine), between the cosines that may be.
 TEST_F(ShadeBoundTest, CountsWhatTransparencyChangesBy) {
-  const FrameIsosurface clear{0, 0, {1, 1, 1}, -0.7, 0.5, 0, 0, 1};
+  const FrameIsosurface clear{{{1, 1, 1}, -0.7, 0.5, 0, 0, 1}, 0, 0};
   const double facing = 0.6, angle = 1e-3;
   const auto at = [](double cosine) { return std::exp(-0.7 / cosine); };
   const double most = std::max(at(facing + angle) - at(facing), at(facing) - at(facing - angle));
@@ -379,7 +379,7 @@ TEST_F(ShadeBoundTest, HoldsWhatTurnedNormalsDo) {
   double closest = 0, closest_highlight = 0;
   for (int trial = 0; trial < 20000; ++trial) {
     const double angle = std::pow(10, -1.5 + 2.5 * (any(random) - 1) / 2);
-    FrameIsosurface surface{0, 0, {0.9, 0.5, 0.2}, -kInfinity, 0.2, 0.7, 0.5, 1};
+    FrameIsosurface surface{{{0.9, 0.5, 0.2}, -kInfinity, 0.2, 0.7, 0.5, 1}, 0, 0};
     const bool highlight = trial % 2 == 0;
     if (highlight) surface.diffuse = surface.ambient = 0;
     surface.shininess = trial % 3 == 0 ? 0.5 + 0.4 * any(random) : 1 + 30 * std::abs(any(random));

@@ -41,7 +41,7 @@ HWY_NOINLINE V highlight(D d, double shininess, V cosine) {
 }
 
 template <class D, class V>
-HWY_INLINE SurfaceShade<V> shade(D d, const FrameIsosurface& surface,
+HWY_INLINE SurfaceShade<V> shade(D d, const SurfaceLook& surface,
                                  std::span<const FrameLight> lights, const V (&normal)[3],
                                  const V (&ray)[3]) {
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0), two = hn::Set(d, 2.0);

@@ -12,7 +12,7 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-IsosurfaceShade shade_one(const FrameIsosurface& surface, std::span<const FrameLight> lights,
+IsosurfaceShade shade_one(const SurfaceLook& surface, std::span<const FrameLight> lights,
                           const std::array<double, 3>& normal, const std::array<double, 3>& ray) {
   const hn::CappedTag<double, 1> d;
   using V = hn::Vec<decltype(d)>;
@@ -31,7 +31,7 @@ namespace hiac {
 
 HWY_EXPORT(shade_one);
 
-IsosurfaceShade shade_isosurface(const FrameIsosurface& surface, std::span<const FrameLight> lights,
+IsosurfaceShade shade_isosurface(const SurfaceLook& surface, std::span<const FrameLight> lights,
                                  const std::array<double, 3>& normal,
                                  const std::array<double, 3>& ray) {
   return HWY_DYNAMIC_DISPATCH(shade_one)(surface, lights, normal, ray);

@@ -3,12 +3,12 @@
 #include <array>
 #include <span>
 
-#include "hiac/frame/isosurfaces.hpp"
+#include "hiac/frame/surface_look.hpp"
 
 namespace hiac {
 
-/// The effect of an isosurface on a ray that crosses it: the premultiplied light that it adds, and
-/// its transparency.
+/// The effect of an isosurface, or of another lit surface, on a ray that crosses it: the
+/// premultiplied light that it adds, and its transparency.
 struct IsosurfaceShade {
   std::array<double, 3> rgb;
   double transparency;
@@ -25,7 +25,7 @@ struct IsosurfaceShade {
 ///
 /// `normal` (on either side) and `ray` (away from the eye) are unit vectors in the frame of the
 /// lights: right, up, forward.
-IsosurfaceShade shade_isosurface(const FrameIsosurface& surface, std::span<const FrameLight> lights,
+IsosurfaceShade shade_isosurface(const SurfaceLook& surface, std::span<const FrameLight> lights,
                                  const std::array<double, 3>& normal,
                                  const std::array<double, 3>& ray);
 

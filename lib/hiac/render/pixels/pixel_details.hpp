@@ -13,6 +13,7 @@ struct SegmentDetails {
   double transparency = 1;                            ///< of the segment
   double first = 0;                                   ///< where it begins to emit or absorb
   double mean = 0;                                    ///< depth of its opacity
+  bool is_cell = true;                                ///< else skin or an edge on a cell
   double radiance_error = 0, transparency_error = 0;  ///< ErrorBound
   double front_edge = 0, back_edge = 0;  ///< additional errors where no cell adjoins (edge_bound)
 };

@@ -142,6 +142,13 @@ StarterView make_starter_view(const ZooMesh& mesh, const std::string& subject,
   scene.volume.color.emplace().field = choice.field.name;
   scene.volume.extinction = extinction_over(choice, measured ? rounded(whole, whole) : 1);
   scene.isosurfaces = surfaces_over(choice, options.isovalues, preset);
+  if (choice.is_height && options.isovalues == 0) {
+    scene.skin.emplace();
+    scene.edges.emplace();
+    view.notes.emplace_back(
+        "shows the solid model with its feature edges ([skin] and [edges]; without them the "
+        "medium)");
+  }
   const double backdrop = options.dark ? 0.01 : 1;
   scene.background.color = {backdrop, backdrop, backdrop};
   view.text = starter_text(scene, options.preset, {choice.low, choice.high});

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "hiac/element/cell_field.hpp"
+#include "hiac/frame/frame.hpp"
+#include "hiac/frame/tiles/tile.hpp"
+#include "hiac/geometry/inverse_map.hpp"
+#include "hiac/render/cells/cell_scan.hpp"
+#include "hiac/render/integrate/isosurface_shading.hpp"
+
+namespace hiac {
+
+/// Where the ray of pixel (x, y) meets the skin of a cell.
+struct SkinCrossing {
+  int x, y;
+  double t;  ///< ray parameter: the one at which the cell's segment begins or ends
+  bool enters;
+  std::uint8_t face;                ///< of the cell
+  std::array<double, 3> reference;  ///< of the point if the face is curved, otherwise NaN
+};
+
+/// The skin on one cell's boundary faces: where the rays of a tile meet it, and what they see
+/// there.
+///
+/// The crossings are those of the cell itself (scan_cell): a ray that enters or leaves the cell
+/// through a face of the skin meets the skin there, once. So the skin has no holes along the edges
+/// between its faces, and no ray meets it twice there.
+///
+/// The normal is that of the face's plane or, on curved faces, of the isoparametric surface; the
+/// colour's field is the cell's interpolant at the point.
+class CellSkin {
+ public:
+  explicit CellSkin(const Frame& frame) : frame_(frame) {}
+
+  /// Selects a cell and finds the crossings with rays of the tile that z-clipping leaves.
+  void enter(CellId cell, const TileRect& tile);
+
+  /// The crossings of the selected cell with all rays of the tile, whatever faces they pass.
+  [[nodiscard]] std::span<const CellCrossing> rays() const { return scanned_; }
+  /// The crossings of the selected cell's skin: ray by ray, front to back.
+  [[nodiscard]] std::span<const SkinCrossing> crossings() const { return crossings_; }
+  /// Whether no ray crosses the selected cell several times.
+  [[nodiscard]] bool is_met_once() const { return is_met_once_; }
+
+  /// What a ray sees at one of the crossings.
+  [[nodiscard]] IsosurfaceShade shade(const SkinCrossing& crossing);
+
+ private:
+  [[nodiscard]] std::array<double, 3> normal_of(std::size_t face);
+  [[nodiscard]] std::array<double, 3> normal_at(std::size_t face,
+                                                const std::array<double, 3>& reference);
+  [[nodiscard]] double value_at(const SkinCrossing& crossing);
+  const std::array<CellMap::Point, CellMap::kMostNodes>& nodes();
+
+  const Frame& frame_;
+  // of the selected cell
+  CellId cell_ = 0;
+  CellKind kind_{};
+  bool is_met_once_ = true;
+  std::vector<CellCrossing> scanned_;
+  std::vector<SkinCrossing> crossings_;
+  // of the selected cell, once they are needed
+  std::array<std::optional<std::array<double, 3>>, 6> normals_;  // of planar faces
+  std::optional<std::array<CellMap::Point, CellMap::kMostNodes>> nodes_;
+  std::optional<CellMap> map_;
+  std::optional<CellField> field_;
+};
+
+}  // namespace hiac

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "hiac/frame/frame.hpp"
+#include "hiac/render/cells/cell_skin.hpp"
+#include "hiac/render/edges/tile_edges.hpp"
+#include "hiac/render/pixels/tile.hpp"
+
+namespace hiac {
+
+/// Draws cells with the skin and the edges on them.
+///
+/// A boundary face belongs to one cell. Where a ray enters the cell through it, the skin lies
+/// directly in front of the cell's segment, and where the ray leaves, directly behind it: the
+/// visibility order of the cells is that of their skin, and no depths are compared. Only where a
+/// ray crosses a curved cell several times, and in groups, the skin is sorted with the segments: at
+/// the very end of the cell's segment that it lies at, since two computations of one depth may
+/// differ in the last bit.
+///
+/// An edge lies on faces of cells, and its line covers rays beside it, which meet these faces a
+/// little nearer or farther. So the faces decide, not the depths: a ray that enters a cell through
+/// a face of the edge meets the edge first, then the skin on that face; one that leaves through a
+/// face of the edge meets it directly before the skin on that one. Near an edge's end, as
+/// near as half the line's width and half a pixel, a face that has the end is enough: lines run on
+/// from edge to edge. A ray that passes no face of the
+/// edge meets it in front of the first cell whose middle is farther than the edge.
+class SkinPainter {
+ public:
+  /// `edges`: those of the tile. Both must outlive this object.
+  SkinPainter(const Frame& frame, TileEdges& edges) : frame_(frame), edges_(edges), skin_(frame) {}
+
+  /// Draws one cell. `with_inside`: else only its skin and edges.
+  void draw(const TileTarget& to, CellId cell, bool with_inside);
+
+ private:
+  enum class Which : std::uint8_t { entered, left, all };
+  void draw_sorted(const TileTarget& to, CellId cell, bool with_inside);
+  void note_ends(const SegmentList& list, std::size_t first);
+  [[nodiscard]] double end_at(std::size_t at, double t, bool enters) const;
+  void add_skin(const TileTarget& to, Which which);
+  void add_edges(const TileTarget& to, CellId cell, Which which);
+
+  const Frame& frame_;
+  TileEdges& edges_;
+  CellSkin skin_;
+  SegmentList list_;  // of a cell that is crossed several times
+  // Where the segment of the cell at hand begins and ends in each pixel; used in lists.
+  struct Ends {
+    double front, back;
+    std::size_t count;  // of the pixel's segments
+  };
+  std::vector<Ends> ends_;
+};
+
+}  // namespace hiac
