@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
-#include "hiac/mesh/location_name.hpp"
+#include "hiac/mesh/fields/location_name.hpp"
 #include "hiac/mesh/zoo_layout.hpp"
 
 namespace hiac::formats {

@@ -184,7 +184,7 @@ TEST(Cells, JacobiansAsTheirSamples) {
   std::uniform_real_distribution<double> unit(0, 1);
   std::array<int, 2> met{};
   int undecided = 0;
-  constexpr auto kCells = static_cast<int>(tried(140));
+  constexpr auto kCells = static_cast<int>(tried(kInstrumented ? 60 : 140));
   for (int i = 0; i < kCells; ++i) {
     const auto kind = static_cast<CellKind>(1 + i % (kKindCount - 1));
     const double by = (order_of(kind) == CellOrder::linear ? 0.9 : 0.25) * unit(random);

@@ -8,6 +8,7 @@
 
 #include "tests/fuzz/seeds.hpp"
 #include "tests/fuzz/target.hpp"
+#include "tests/support/instrumented.hpp"
 
 namespace {
 
@@ -73,14 +74,14 @@ std::string changed(const std::string& seed, std::mt19937& random) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const long rounds = argc > 1 ? std::atol(argv[1]) : 100;
+  const long rounds = argc > 1 ? std::atol(argv[1]) : static_cast<long>(hiac::test::tried(100));
   const std::vector<std::string> seeds = hiac::fuzz::seeds(hiac::fuzz::target().name);
   std::size_t runs = 0;
   std::mt19937 random(20261121);
   for (const std::string& seed : seeds) {
     if (!is_sound(seed)) return 1;
     // long seeds are cut and changed at some of their bytes, all of a short one's
-    const std::size_t stride = 1 + seed.size() / 400;
+    const std::size_t stride = 1 + seed.size() / hiac::test::tried(400);
     for (std::size_t at = 0; at < seed.size(); at += stride, runs += 3) {
       run(seed.substr(0, at));
       std::string text = seed;

@@ -1,4 +1,4 @@
-#include "hiac/mesh/find_field.hpp"
+#include "hiac/mesh/fields/find_field.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "hiac/mesh/tensor_invariants.hpp"
+#include "hiac/mesh/fields/tensor_invariants.hpp"
 
 #include <algorithm>
 #include <array>

@@ -5,6 +5,7 @@
 
 #include "hiac/frame/projection.hpp"
 #include "tests/preview/preview_support.hpp"
+#include "tests/support/instrumented.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace hiac {
@@ -19,7 +20,7 @@ constexpr double kLargest = 2e-5, kRms = 1e-6;
 class ExactPreview : public test::WithDriver {};
 
 TEST_F(ExactPreview, BothProjectionsGlowsAndSeparateFields) {
-  const ZooMesh mesh = delaunay_with_fields(150, 1);
+  const ZooMesh mesh = delaunay_with_fields(test::kInstrumented ? 40 : 150, 1);
   for (const Projection projection : {Projection::orthographic, Projection::perspective})
     for (const Glow glow : {Glow::chromaticity, Glow::emission})
       for (const char* color : {"f", "g"}) {

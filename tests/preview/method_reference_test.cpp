@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/preview/drawn.hpp"
+#include "tests/support/instrumented.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace hiac::preview {
@@ -72,7 +73,7 @@ Scene sliced_scene(Projection projection, Glow glow, double densest) {
 }
 
 TEST(MethodReference, IsWhatTheShadersDrawOfSlabs) {
-  for (const std::size_t points : {1U, 25U}) {
+  for (const std::size_t points : {1U, test::kInstrumented ? 5U : 25U}) {
     ZooMesh mesh = test::random_delaunay(points, 12);
     test::add_node_field(mesh, "f", slope);
     for (const Projection projection : {Projection::orthographic, Projection::perspective})

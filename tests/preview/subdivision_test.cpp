@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/preview/convex_polyhedra.hpp"
+#include "tests/support/instrumented.hpp"
 
 namespace hiac::preview {
 namespace {
@@ -190,7 +191,8 @@ TEST(Subdivision, FillsTheSilhouetteOfRandomPolyhedraExactly) {
   std::mt19937_64 random(2);
   Subdivision subdivision;
   std::size_t most_faces = 0, merged = 0, edge_on = 0;
-  for (int i = 0; i < 100000; ++i) {
+  constexpr int kPolyhedra = test::kInstrumented ? 4000 : 100000;
+  for (int i = 0; i < kPolyhedra; ++i) {
     const HullPolyhedron polyhedron = polyhedron_number(i, random);
     const std::string wrong = fault(polyhedron, subdivision);
     ASSERT_EQ(wrong, "") << "polyhedron " << i;
@@ -206,8 +208,8 @@ TEST(Subdivision, FillsTheSilhouetteOfRandomPolyhedraExactly) {
   }
   // degenerate projections are not rare
   EXPECT_GE(most_faces, 28U);
-  EXPECT_GT(merged, 10000U);
-  EXPECT_GT(edge_on, 10000U);
+  EXPECT_GT(merged, kPolyhedra / 10U);
+  EXPECT_GT(edge_on, kPolyhedra / 10U);
 }
 
 TEST(Subdivision, HasTheVerticesEdgesAndRegionsOfCgalsArrangement) {

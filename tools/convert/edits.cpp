@@ -10,7 +10,7 @@
 #include "hiac/check/cells.hpp"
 #include "hiac/derive/deform.hpp"
 #include "hiac/derive/derive_field.hpp"
-#include "hiac/mesh/find_field.hpp"
+#include "hiac/mesh/fields/find_field.hpp"
 #include "tools/common/as_option.hpp"
 #include "tools/common/number_text.hpp"
 #include "tools/common/threshold.hpp"

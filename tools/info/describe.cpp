@@ -9,7 +9,7 @@
 
 #include "hiac/base/finite_range.hpp"
 #include "hiac/geometry/box.hpp"
-#include "hiac/mesh/location_name.hpp"
+#include "hiac/mesh/fields/location_name.hpp"
 #include "hiac/mesh/mesh_hash.hpp"
 
 namespace hiac::tools {

@@ -17,7 +17,7 @@
 #include "formats/common/mesh/node_resolver.hpp"
 #include "formats/common/mesh/steps.hpp"
 #include "hiac/base/error.hpp"
-#include "hiac/mesh/location_name.hpp"
+#include "hiac/mesh/fields/location_name.hpp"
 #include "hiac/mesh/parts/chosen_tuples.hpp"
 
 namespace hiac::formats {

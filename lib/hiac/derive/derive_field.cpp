@@ -14,8 +14,8 @@
 #include "hiac/base/parallel.hpp"
 #include "hiac/derive/averages.hpp"
 #include "hiac/derive/scalar_expression.hpp"
-#include "hiac/mesh/find_field.hpp"
-#include "hiac/mesh/tensor_invariants.hpp"
+#include "hiac/mesh/fields/find_field.hpp"
+#include "hiac/mesh/fields/tensor_invariants.hpp"
 
 namespace hiac {
 namespace {

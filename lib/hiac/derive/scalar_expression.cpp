@@ -14,7 +14,7 @@
 #include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
 #include "hiac/derive/averages.hpp"
-#include "hiac/mesh/tuple_count.hpp"
+#include "hiac/mesh/fields/tuple_count.hpp"
 
 namespace hiac {
 namespace {

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "hiac/frame/frame_field.hpp"
-#include "hiac/frame/isosurfaces.hpp"
 #include "hiac/frame/kernel_cells.hpp"
 #include "hiac/frame/projection.hpp"
-#include "hiac/frame/skin.hpp"
+#include "hiac/frame/surfaces/isosurfaces.hpp"
+#include "hiac/frame/surfaces/skin.hpp"
 #include "hiac/frame/transfer_table.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/scene/scene.hpp"

@@ -6,7 +6,7 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
-#include "hiac/mesh/tuple_count.hpp"
+#include "hiac/mesh/fields/tuple_count.hpp"
 #include "hiac/mesh/zoo_chunks.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "hiac/frame/isosurfaces.hpp"
+#include "hiac/frame/surfaces/isosurfaces.hpp"
 #include "hiac/frame/transfer_table.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/scene/scene.hpp"

@@ -5,7 +5,7 @@
 #include <toml++/toml.h>
 
 #include "hiac/scene/scene.hpp"
-#include "hiac/scene/spec_key.hpp"
+#include "hiac/scene/toml/spec_key.hpp"
 
 namespace hiac {
 

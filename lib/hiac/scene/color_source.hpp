@@ -6,7 +6,7 @@
 
 #include "hiac/scene/colormaps/colormap_preset.hpp"
 #include "hiac/scene/scene.hpp"
-#include "hiac/scene/spec_key.hpp"
+#include "hiac/scene/toml/spec_key.hpp"
 #include "hiac/scene/transfer_range.hpp"
 
 namespace hiac {

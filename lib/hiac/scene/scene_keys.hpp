@@ -3,7 +3,7 @@
 #include <span>
 
 #include "hiac/scene/scene.hpp"
-#include "hiac/scene/spec_key.hpp"
+#include "hiac/scene/toml/spec_key.hpp"
 
 namespace hiac {
 

@@ -9,10 +9,10 @@
 #include "hiac/scene/annotation_keys.hpp"
 #include "hiac/scene/camera_keys.hpp"
 #include "hiac/scene/scene_keys.hpp"
-#include "hiac/scene/spec_override.hpp"
-#include "hiac/scene/spec_text.hpp"
-#include "hiac/scene/spec_value.hpp"
 #include "hiac/scene/specification.hpp"
+#include "hiac/scene/toml/spec_override.hpp"
+#include "hiac/scene/toml/spec_text.hpp"
+#include "hiac/scene/toml/spec_value.hpp"
 
 namespace hiac {
 

@@ -11,8 +11,8 @@
 
 #include "hiac/base/piecewise_linear.hpp"
 #include "hiac/scene/scene.hpp"
-#include "hiac/scene/spec_key.hpp"
-#include "hiac/scene/spec_value.hpp"
+#include "hiac/scene/toml/spec_key.hpp"
+#include "hiac/scene/toml/spec_value.hpp"
 
 namespace hiac {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "hiac/scene/spec_key.hpp"
 #include "hiac/scene/specification.hpp"
+#include "hiac/scene/toml/spec_key.hpp"
 #include "hiac/scene/transfer_scale.hpp"
 
 namespace hiac {

@@ -9,9 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "hiac/base/error.hpp"
-#include "hiac/frame/boundary_faces.hpp"
 #include "hiac/frame/crop.hpp"
 #include "hiac/frame/projection.hpp"
+#include "hiac/frame/surfaces/boundary_faces.hpp"
 #include "hiac/render/edges/chosen_edges.hpp"
 #include "hiac/render/edges/strip_coverage.hpp"
 #include "hiac/render/engine.hpp"

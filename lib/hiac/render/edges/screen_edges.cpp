@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hiac/frame/boundary_faces.hpp"
+#include "hiac/frame/surfaces/boundary_faces.hpp"
 #include "hiac/render/edges/chosen_edges.hpp"
 
 namespace hiac {

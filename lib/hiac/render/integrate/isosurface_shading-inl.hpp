@@ -13,7 +13,7 @@
 #  include <hwy/contrib/math/math-inl.h>
 #  include <hwy/highway.h>
 
-#  include "hiac/frame/isosurfaces.hpp"
+#  include "hiac/frame/surfaces/isosurfaces.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {

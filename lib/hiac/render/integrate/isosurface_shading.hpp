@@ -3,7 +3,7 @@
 #include <array>
 #include <span>
 
-#include "hiac/frame/surface_look.hpp"
+#include "hiac/frame/surfaces/surface_look.hpp"
 
 namespace hiac {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <span>
 
-#include "hiac/frame/isosurfaces.hpp"
+#include "hiac/frame/surfaces/isosurfaces.hpp"
 #include "hiac/frame/transfer_table.hpp"
 
 namespace hiac {

@@ -12,7 +12,7 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/scene/colormaps/colormap_preset.hpp"
-#include "hiac/scene/spec_text.hpp"
+#include "hiac/scene/toml/spec_text.hpp"
 
 namespace hiac {
 namespace {

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
-#include "hiac/mesh/find_field.hpp"
+#include "hiac/mesh/fields/find_field.hpp"
 #include "hiac/scene/scene.hpp"
 #include "hiac/session/field_values.hpp"
 

@@ -1,8 +1,8 @@
-#include "hiac/frame/skin.hpp"
+#include "hiac/frame/surfaces/skin.hpp"
 
 #include <algorithm>
 
-#include "hiac/frame/boundary_faces.hpp"
+#include "hiac/frame/surfaces/boundary_faces.hpp"
 
 namespace hiac {
 FrameSkin make_skin(const ZooMesh& mesh, const Scene& scene, const Projector& projector) {

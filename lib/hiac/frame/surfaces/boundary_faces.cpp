@@ -1,4 +1,4 @@
-#include "hiac/frame/boundary_faces.hpp"
+#include "hiac/frame/surfaces/boundary_faces.hpp"
 
 #include <optional>
 

@@ -1,4 +1,4 @@
-#include "hiac/frame/isosurfaces.hpp"
+#include "hiac/frame/surfaces/isosurfaces.hpp"
 
 #include <algorithm>
 #include <cmath>

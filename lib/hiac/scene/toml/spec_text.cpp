@@ -1,4 +1,4 @@
-#include "hiac/scene/spec_text.hpp"
+#include "hiac/scene/toml/spec_text.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,11 +1,11 @@
-#include "hiac/mesh/find_field.hpp"
+#include "hiac/mesh/fields/find_field.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
-#include "hiac/mesh/location_name.hpp"
+#include "hiac/mesh/fields/location_name.hpp"
 
 namespace hiac {
 namespace {

@@ -1,4 +1,4 @@
-#include "hiac/scene/spec_key.hpp"
+#include "hiac/scene/toml/spec_key.hpp"
 
 #include <algorithm>
 #include <cmath>

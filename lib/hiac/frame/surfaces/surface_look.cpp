@@ -1,4 +1,4 @@
-#include "hiac/frame/surface_look.hpp"
+#include "hiac/frame/surfaces/surface_look.hpp"
 
 #include <algorithm>
 #include <cmath>

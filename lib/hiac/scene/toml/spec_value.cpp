@@ -1,4 +1,4 @@
-#include "hiac/scene/spec_value.hpp"
+#include "hiac/scene/toml/spec_value.hpp"
 
 #include <cmath>
 #include <limits>
@@ -7,7 +7,7 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/scene/scene.hpp"
-#include "hiac/scene/spec_text.hpp"
+#include "hiac/scene/toml/spec_text.hpp"
 
 namespace hiac {
 namespace {

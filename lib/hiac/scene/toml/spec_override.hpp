@@ -4,7 +4,7 @@
 
 #include <toml++/toml.h>
 
-#include "hiac/scene/spec_value.hpp"
+#include "hiac/scene/toml/spec_value.hpp"
 
 namespace hiac {
 

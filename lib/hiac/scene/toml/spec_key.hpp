@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "hiac/scene/spec_value.hpp"
+#include "hiac/scene/toml/spec_value.hpp"
 
 namespace hiac {
 

@@ -6,8 +6,8 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/base/parallel.hpp"
-#include "hiac/mesh/find_field.hpp"
-#include "hiac/mesh/tensor_invariants.hpp"
+#include "hiac/mesh/fields/find_field.hpp"
+#include "hiac/mesh/fields/tensor_invariants.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 
 namespace hiac {

@@ -7,7 +7,7 @@
 
 #include "hiac/base/piecewise_linear.hpp"
 #include "hiac/frame/frame_field.hpp"
-#include "hiac/frame/surface_look.hpp"
+#include "hiac/frame/surfaces/surface_look.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 
 namespace hiac {

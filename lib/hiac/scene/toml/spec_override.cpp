@@ -1,4 +1,4 @@
-#include "hiac/scene/spec_override.hpp"
+#include "hiac/scene/toml/spec_override.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
-#include "hiac/scene/spec_text.hpp"
+#include "hiac/scene/toml/spec_text.hpp"
 
 namespace hiac {
 namespace {
