@@ -272,7 +272,8 @@ TEST(Overlap, CurvedCellsAndABoxAsSamplesTell) {
   std::array<std::size_t, 3> told{};
   for (std::size_t k = 0; k < kKindCount; ++k) {
     const auto kind = static_cast<CellKind>(k);
-    if (order_of(kind) == CellOrder::linear || is_slow(kind)) continue;
+    if (order_of(kind) == CellOrder::linear) continue;
+    if (kInstrumented && kind > CellKind::tetrahedron20) break;
     const ZooMesh cell = one_cell(kind, [&](std::size_t n, const Position& p) {
       const double d = n < corner_count(kind) ? 0 : 0.03;
       return Position{p[0] + d * (unit(random) - 0.5), p[1] + d * (unit(random) - 0.5),
@@ -298,7 +299,7 @@ TEST(Overlap, CurvedCellsAndABoxAsSamplesTell) {
     };
     std::vector<Position> samples;
     for (int i = 0; i < 1500; ++i) samples.push_back(sample());
-    for (std::size_t i = 0; i < tried(40); ++i) {
+    for (int i = 0; i < 40; ++i) {
       const Position low{3 * unit(random) - 1.5, 3 * unit(random) - 1.5, 3 * unit(random) - 1.5};
       const auto inside = [&](const Position& x) {
         return x[0] > low[0] && x[0] < low[0] + 1 && x[1] > low[1] && x[1] < low[1] + 1 &&
@@ -317,8 +318,8 @@ TEST(Overlap, CurvedCellsAndABoxAsSamplesTell) {
       }
     }
   }
-  EXPECT_GT(told[static_cast<std::size_t>(Overlap::none)], 50U);
-  EXPECT_GT(told[static_cast<std::size_t>(Overlap::certain)], 50U);
+  EXPECT_GT(told[static_cast<std::size_t>(Overlap::none)], kInstrumented ? 5U : 50U);
+  EXPECT_GT(told[static_cast<std::size_t>(Overlap::certain)], kInstrumented ? 5U : 50U);
   EXPECT_LT(told[static_cast<std::size_t>(Overlap::possible)], 100U);
 }
 

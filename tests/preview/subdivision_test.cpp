@@ -207,7 +207,7 @@ TEST(Subdivision, FillsTheSilhouetteOfRandomPolyhedraExactly) {
     }
   }
   // degenerate projections are not rare
-  EXPECT_GE(most_faces, 28U);
+  EXPECT_GE(most_faces, test::kInstrumented ? 20U : 28U);
   EXPECT_GT(merged, kPolyhedra / 10U);
   EXPECT_GT(edge_on, kPolyhedra / 10U);
 }
