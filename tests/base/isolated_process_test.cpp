@@ -1,10 +1,14 @@
 #include "hiac/base/process/isolated_process.hpp"
 
+#include <atomic>
+#include <chrono>
 #include <csignal>
 #include <cstring>
+#include <latch>
 #include <new>
 #include <numeric>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -12,6 +16,7 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/base/process/memory_watch.hpp"
+#include "hiac/base/process/side_thread.hpp"
 
 namespace hiac {
 namespace {
@@ -148,6 +153,37 @@ TEST(IsolatedProcess, AnswersWhenTheWatchOverMemoryHasJustBegun) {
     IsolatedProcess process("a library", serve);
     EXPECT_EQ(text_of(process, "much"), "file much");
   }
+}
+
+TEST(IsolatedProcess, AnswersWhileAThreadBesideAllocates) {
+  for (int trial = 0; trial < 100; ++trial) {
+    std::atomic<bool> stopped = false;
+    std::thread beside = start_side_thread([&] {
+      while (!stopped) {
+        const auto held = keep_from_forking();
+        std::vector<std::string> texts(100, std::string(1000, 'x'));
+      }
+    });
+    IsolatedProcess process("a library", serve);
+    EXPECT_EQ(text_of(process, "much"), "file much");
+    stopped = true;
+    beside.join();
+  }
+}
+
+TEST(IsolatedProcess, BeginsOnceNothingKeepsFromForking) {
+  std::atomic<bool> held_still = true;
+  std::latch holding(1);
+  std::thread beside = start_side_thread([&] {
+    const auto held = keep_from_forking();
+    holding.count_down();
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    held_still = false;
+  });
+  holding.wait();
+  const IsolatedProcess process("a library", serve);
+  EXPECT_FALSE(held_still);
+  beside.join();
 }
 
 TEST(Pack, GivesEverythingBack) {

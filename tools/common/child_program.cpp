@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/base/process/side_thread.hpp"
 #include "tools/common/sibling_program.hpp"
 
 namespace hiac::tools {
@@ -33,7 +34,7 @@ ChildProgram start_program(const std::vector<std::string>& places,
   const int childs = writes ? ends[1] : ends[0], ours = writes ? ends[0] : ends[1];
   FileDescriptor messages(memfd_create("messages", MFD_CLOEXEC));
   const pid_t parent = getpid();
-  const pid_t child = fork();
+  const pid_t child = fork_undisturbed();
   if (child == 0) {
     // never outlives this process, whose other threads it does not have
     prctl(PR_SET_PDEATHSIG, SIGTERM);

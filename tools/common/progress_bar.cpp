@@ -12,6 +12,8 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "hiac/base/process/side_thread.hpp"
+
 namespace hiac::tools {
 namespace {
 
@@ -76,7 +78,7 @@ ProgressBar::ProgressBar(std::string tool, const Progress& frames, const Progres
       frames_(frames),
       stage_(stage),
       terminal_(draws_in_place()),
-      thread_([this] { show_until_stopped(); }) {}
+      thread_(start_side_thread([this] { show_until_stopped(); })) {}
 
 ProgressBar::~ProgressBar() {
   {
@@ -104,6 +106,7 @@ void ProgressBar::show_until_stopped() {
 }
 
 void ProgressBar::draw() {
+  const auto held = keep_from_forking();  // a text is made, and a stream written to
   const Shown shown{frames_.state(), stage_.state()};
   if (shown.stage.stage.empty()) return;
   if (!terminal_) {

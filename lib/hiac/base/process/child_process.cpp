@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/base/process/side_thread.hpp"
 
 namespace hiac {
 namespace {
@@ -101,7 +102,7 @@ std::optional<std::string> in_child_process(const std::function<std::string()>& 
     throw Error(ExitCode::internal, fmt::format("no pipe ({})", std::strerror(errno)));
   std::fflush(nullptr);  // what is buffered is the parent's to write
   const pid_t parent = getpid();
-  const pid_t child = fork();
+  const pid_t child = fork_undisturbed();
   if (child == 0) {
     follow(parent);
     set_limits(limits);

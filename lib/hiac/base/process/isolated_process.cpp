@@ -18,6 +18,7 @@
 #include <unistd.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/base/process/side_thread.hpp"
 
 namespace hiac {
 namespace {
@@ -172,7 +173,7 @@ struct IsolatedProcess::Link {
     socket = std::make_unique<Descriptor>(ends[0]);
     const Descriptor other(ends[1]);
     const pid_t parent = getpid();
-    child = fork();
+    child = fork_undisturbed();
     if (child < 0) throw std::bad_alloc();
     if (child > 0) return;
     prctl(PR_SET_PDEATHSIG, SIGKILL);

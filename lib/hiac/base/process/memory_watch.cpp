@@ -4,7 +4,6 @@
 #include <array>
 #include <charconv>
 #include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <limits>
@@ -12,10 +11,10 @@
 #include <utility>
 
 #include <fcntl.h>
-#include <pthread.h>
 #include <unistd.h>
 
 #include "hiac/base/process/shared_memory.hpp"
+#include "hiac/base/process/side_thread.hpp"
 
 namespace hiac {
 namespace {
@@ -92,16 +91,10 @@ std::uint64_t machine_memory() {
 }
 
 MemoryWatch::MemoryWatch(std::uint64_t limit, std::function<void()> exceeded)
-    : limit_(limit), exceeded_(std::move(exceeded)) {
-  // signals are for the other threads
-  sigset_t all, before;
-  sigfillset(&all);
-  pthread_sigmask(SIG_BLOCK, &all, &before);
-  thread_ = std::thread([this] { watch(); });
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  // a thread that starts allocates memory: a fork meanwhile may leave the child a locked allocator
-  watching_.wait();
-}
+    : limit_(limit),
+      exceeded_(std::move(exceeded)),
+      peak_(used_memory()),
+      thread_(start_side_thread([this] { watch(); })) {}
 
 MemoryWatch::~MemoryWatch() {
   {
@@ -113,8 +106,6 @@ MemoryWatch::~MemoryWatch() {
 }
 
 void MemoryWatch::watch() {
-  peak_ = used_memory();
-  watching_.count_down();
   std::unique_lock lock(mutex_);
   while (!stop_.wait_for(lock, kPause, [this] { return stopped_; })) {
     const std::uint64_t used = used_memory();

@@ -4,7 +4,6 @@
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
-#include <latch>
 #include <mutex>
 #include <thread>
 
@@ -39,7 +38,6 @@ class MemoryWatch {
   std::mutex mutex_;
   std::condition_variable stop_;
   bool stopped_ = false;
-  std::latch watching_{1};
   std::atomic<std::uint64_t> peak_{0};
   std::thread thread_;
 };
