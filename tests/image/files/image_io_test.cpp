@@ -83,6 +83,13 @@ TEST_F(ImageIo, NamesTheExtensionsThatItKnows) {
   EXPECT_NO_THROW(require_known_image_extension("a.EXR"));
 }
 
+TEST_F(ImageIo, KnowsNamesThatBeginWithADot) {
+  for (const char* name : {".png", "./a.png", "../a.png", "../.png", ".a.png", "./../a.b/c.png"})
+    EXPECT_TRUE(has_image_extension(name)) << name;
+  for (const char* name : {".", "..", "./a", "../png", ".a", ".png/a", ""})
+    EXPECT_FALSE(has_image_extension(name)) << name;
+}
+
 TEST_F(ImageIo, SaysWhenAFileCannotBeWrittenOrRead) {
   for (const char* name : {"none/a.exr", "none/a.npy", "none/a.f32", "none/a.png", "none/a.tiff",
                            "none/a.sgi", "none/a.pfm", "none/a.hdr"}) {

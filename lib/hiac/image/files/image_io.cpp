@@ -66,10 +66,10 @@ constexpr Format kFormats[] = {
     {".hdr", {8}, write_plain<write_hdr>, read_plain<read_hdr>, 0, nullptr},
 };
 
-/// The format that the name's extension tells, or null; an extension alone is a name too.
+/// The format that the name's extension tells, or null; an extension alone (".png") is a name too.
 const Format* find_format(const std::string& path) {
-  std::string extension =
-      path.find('.') == 0 ? path : std::filesystem::path(path).extension().string();
+  const bool alone = path.starts_with('.') && path.find_first_of("./", 1) == std::string::npos;
+  std::string extension = alone ? path : std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const auto* const format =
