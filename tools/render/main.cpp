@@ -119,7 +119,7 @@ class Renderer {
     Picture picture = with_names(options_, [&] { return session_->picture(scene, request); });
     require_numbers(picture.image);
     note_order(*picture.order);
-    Json facts = note_work(tool_, options_.makes_several(), *picture.statistics);
+    Json facts = note_work(tool_, options_.makes_several(), scene, *picture.statistics);
     const RenderStatistics& met = *picture.statistics;
     warn_of_empty(tool_, options_, mesh(), scene,
                   {met.covered_pixels, met.largest_optical_depth, request.part.has_value()}, path);

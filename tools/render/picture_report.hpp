@@ -9,12 +9,15 @@
 
 namespace hiac::tools {
 
-/// Says what a user needs to choose extinctions: the fields' ranges and the mesh's size.
-/// `one_of_many`: the picture is one of several, of each of which this is said with --verbose
-/// alone.
+// What a user needs to choose extinctions, and how long a picture took. `one_of_many`: the picture
+// is one of several, of each of which this is said with --verbose alone; so is what concerns a
+// medium that an opaque skin hides.
+
+/// Says the fields' ranges and the mesh's size.
 void note_model(Tool& tool, bool one_of_many, const ZooMesh& mesh, const Scene& scene);
 
-/// Says what making a picture took and met, and returns it as facts.
-nlohmann::ordered_json note_work(Tool& tool, bool one_of_many, const RenderStatistics& statistics);
+/// Says what making a picture of the scene took and met, and returns it as facts.
+nlohmann::ordered_json note_work(Tool& tool, bool one_of_many, const Scene& scene,
+                                 const RenderStatistics& statistics);
 
 }  // namespace hiac::tools
