@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "formats/common/io/bytes_behind.hpp"
 #include "formats/common/io/mapped_file.hpp"
 #include "formats/common/mesh/assemble.hpp"
 #include "formats/common/mesh/steps.hpp"
@@ -32,6 +33,7 @@ struct Family {
   std::vector<State> states;
   std::vector<double> times;
   Layout layout;
+  std::vector<std::string> notes;
 };
 
 void add_file(Family& family, const std::string& path, std::size_t bytes, std::endian order) {
@@ -40,17 +42,22 @@ void add_file(Family& family, const std::string& path, std::size_t bytes, std::e
 }
 
 /// Finds the states of the last added file from that word on, up to the end mark or to the last
-/// complete state.
+/// complete state: a run that was ended may leave a part of the next one, which a note tells. Zeros
+/// fill files up.
 void find_states(Family& family, std::size_t at) {
   Words& words = family.words.back();
-  while (family.layout.state_words <= words.size() &&
-         at <= words.size() - family.layout.state_words) {
+  for (; at < words.size(); at += family.layout.state_words) {
     const double time = words.real(at);
     if (time == lsdyna::kEndMark) return;
+    if (family.layout.state_words > words.size() - at) break;
     family.states.push_back({family.words.size() - 1, at});
     family.times.push_back(time);
-    at += family.layout.state_words;
   }
+  bool filled_up = true;
+  for (std::size_t w = at; w < words.size() && filled_up; ++w) filled_up = words.real(w) == 0;
+  if (!filled_up)
+    note_bytes_behind((words.size() - at) * words.word_bytes(), "the last complete state",
+                      family.notes);
 }
 
 std::shared_ptr<Family> family_of(const std::string& path) {
@@ -99,6 +106,7 @@ class Reader {
     if (deleted_ > 0)
       mesh_.notes.push_back(fmt::format("left out {} solids that are deleted by then", deleted_));
     for (std::size_t step = 0; step < family_->states.size(); ++step) add_fields(step);
+    mesh_.notes.insert(mesh_.notes.end(), family_->notes.begin(), family_->notes.end());
     return std::move(mesh_);
   }
 

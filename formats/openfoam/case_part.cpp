@@ -37,17 +37,23 @@ std::string CasePart::mesh_file(const std::string& name) const {
 }
 
 void CasePart::read_mesh() {
-  xyz = FoamFile(mesh_file("points")).points();
-  FoamFile(mesh_file("faces")).faces(starts, nodes);
+  const auto read = [&](const std::string& path, const auto& take) {
+    FoamFile file(path);
+    take(file);
+    file.note_rest(notes);
+  };
+  read(mesh_file("points"), [&](FoamFile& file) { xyz = file.points(); });
+  read(mesh_file("faces"), [&](FoamFile& file) { file.faces(starts, nodes); });
   const std::string owner_file = mesh_file("owner");
   const std::size_t faces = starts.size() - 1;
-  owner = FoamFile(owner_file).labels(faces);
+  read(owner_file, [&](FoamFile& file) { owner = file.labels(faces); });
   if (owner.size() != faces)
     throw InputError(
         owner_file,
         fmt::format("does not fit the faces ({} entries expected, {} found)", faces, owner.size()));
   const std::string neighbour_file = mesh_file("neighbour");
-  const std::vector<std::int64_t> neighbour = FoamFile(neighbour_file).labels(faces);
+  std::vector<std::int64_t> neighbour;
+  read(neighbour_file, [&](FoamFile& file) { neighbour = file.labels(faces); });
   if (neighbour.size() > faces)
     throw InputError(neighbour_file,
                      fmt::format("does not fit the faces (at most {} entries expected, {} found)",

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "formats/common/io/bytes_behind.hpp"
+
 namespace hiac::formats::openfoam {
 namespace {
 
@@ -143,6 +145,12 @@ void FoamFile::faces(std::vector<std::size_t>& starts, std::vector<std::int64_t>
     starts.push_back(nodes.size());
   }
   text_.expect(')');
+}
+
+void FoamFile::note_rest(std::vector<std::string>& notes) {
+  if (text_.peek() == 0 && text_.left() == 0) return;
+  const std::string name = std::filesystem::path(input_.path()).filename().string();
+  note_bytes_behind(text_.left(), fmt::format("the list in '{}'", name), notes);
 }
 
 std::vector<Patch> FoamFile::patches() {

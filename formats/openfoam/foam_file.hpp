@@ -50,6 +50,9 @@ class FoamFile {
   /// The exponents of `dimensions` as a unit: "m s^-1"; empty when there are none.
   std::string unit();
 
+  /// Adds the note on what follows the list that has been read, comments aside.
+  void note_rest(std::vector<std::string>& notes);
+
   /// Whether that file exists, packed or not.
   static bool exists(const std::string& path);
   /// Whether the file begins like OpenFOAM's files, with comments and "FoamFile".

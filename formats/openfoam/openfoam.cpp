@@ -74,7 +74,10 @@ class Reader {
   ForeignMesh read() {
     find_parts();
     choose_step();
-    for (CasePart& part : parts_) part.read_mesh();
+    for (CasePart& part : parts_) {
+      part.read_mesh();
+      mesh_.notes.insert(mesh_.notes.end(), part.notes.begin(), part.notes.end());
+    }
     if (parts_.size() > 1) join();
     if (parts_.size() == 1) mesh_.xyz = std::move(parts_.front().xyz);
     add_cells();

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "formats/common/io/byte_stream.hpp"
+#include "formats/common/io/bytes_behind.hpp"
 #include "formats/common/io/text_cursor.hpp"
 #include "formats/tecplot/binary_header.hpp"
 #include "formats/tecplot/binary_items.hpp"
@@ -35,6 +36,7 @@ class BinaryReader {
     file_ = std::move(header.file);
     layouts_ = std::move(header.layouts);
     for (std::size_t z = 0; z < file_.zones.size(); ++z) read_data(z);
+    note_bytes_behind(stream_.left(), "the last zone", file_.notes);
     return std::move(file_);
   }
 

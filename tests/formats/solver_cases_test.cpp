@@ -194,6 +194,21 @@ void write_field(const ScratchFolder& folder, const std::string& time, const std
       foam(type, "dimensions [" + dimensions + "];\ninternalField " + values + ";\n")));
 }
 
+TEST(OpenFoamCases, WhatFollowsAListOfTheMeshIsTold) {
+  const ScratchFolder folder;
+  write_two_bricks(folder);
+  const std::string path = folder.write("case.foam", "");
+  const auto behind = HasSubstr("behind the end of");
+  const std::string owner = foam("labelList", "11(0 0 1 0 1 0 1 0 1 0 1)\n// ****** //\n");
+  static_cast<void>(folder.write("constant/polyMesh/owner", owner));
+  EXPECT_THAT(read_any(path).notes, testing::Not(Contains(behind)));
+  static_cast<void>(folder.write("constant/polyMesh/owner", owner + "11(0"));
+  const Reading reading = read_any(path);
+  EXPECT_EQ(reading.mesh.cell_count(), 2U);
+  EXPECT_THAT(reading.notes,
+              Contains("4 bytes behind the end of the list in 'owner' are not read"));
+}
+
 TEST(OpenFoamCases, FieldsOfEveryKindHaveTheirUnitsAndTimes) {
   const ScratchFolder folder;
   write_two_bricks(folder);

@@ -23,6 +23,7 @@
 namespace hiac::formats {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -116,6 +117,16 @@ TEST(TecplotBinary, DamagedFilesAreRefused) {
     changed[at + 3] = '\x7f';
     static_cast<void>(refusal(folder.write("d.plt", changed)));  // refused or read, not more
   }
+}
+
+TEST(TecplotBinary, BytesBehindTheLastZoneAreTold) {
+  const ScratchFolder folder;
+  const std::string whole = tecplot_bricks({});
+  const auto behind = HasSubstr("behind the end of");
+  EXPECT_THAT(read_any(folder.write("b.plt", whole)).notes, testing::Not(Contains(behind)));
+  const Reading reading = read_any(folder.write("b.plt", whole + std::string("\0x\0", 3)));
+  EXPECT_EQ(reading.mesh.cell_count(), 2U);
+  EXPECT_THAT(reading.notes, Contains("3 bytes behind the end of the last zone are not read"));
 }
 
 TEST(TecplotBinary, NamesDoNotBreakMessagesIntoLines) {
@@ -230,6 +241,26 @@ TEST(D3plot, ThickShellsAreBricksAndShellsNoVolumes) {
   EXPECT_THAT(reading.notes, testing::Contains(HasSubstr("without volume: 1 shell")));
   // at the second step a solid and the thick shell are deleted
   EXPECT_EQ(read_any(path).mesh.cell_count(), 3U);
+}
+
+TEST(D3plot, AStateThatIsCutOffIsTold) {
+  const Model model = linear_model();
+  const std::string whole = d3plot_geometry(model, false, false) +
+                            d3plot_state(model, 1, false, false) +
+                            d3plot_state(model, 2, false, false);
+  const std::string mark = end_of_states(false, false);
+  const ScratchFolder folder;
+  const auto behind = HasSubstr("behind the end of");
+  for (const std::string& rest : {std::string(), std::string(400, '\0'), mark, mark + "anything"}) {
+    const Reading reading = read_any(folder.write("d3plot", whole + rest));
+    EXPECT_THAT(reading.notes, testing::Not(Contains(behind))) << rest.size();
+  }
+  const std::string third = d3plot_state(model, 3, false, false);
+  const Reading reading = read_any(folder.write("d3plot", whole + third.substr(0, 40)));
+  EXPECT_THAT(reading.notes,
+              Contains("40 bytes behind the end of the last complete state are not read"));
+  EXPECT_THAT(format_to_read(folder.file("d3plot")).inspect(folder.file("d3plot")).times,
+              ElementsAre(1, 2));
 }
 
 /// VTK's reader of the same files is another's understanding of the format.
