@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "hiac/mesh/zoo_container.hpp"
@@ -129,6 +130,40 @@ TEST_F(Messages, AForeignFileIsReadByTheConverter) {
   EXPECT_EQ(run("$CHECK m.vtu -o m.vtu"), 2);
   EXPECT_EQ(run("$RENDER m.vtu --view v.toml -q -o x.png"), 0);
   EXPECT_EQ(complaint(), "");
+}
+
+// A picture shows what the zoo has no kind for as well as it can, says so, and says nothing of it
+// where nothing was approximated.
+TEST_F(Messages, APictureOfAForeignFileApproximatesCellsWithoutAKind) {
+  std::string points;
+  for (const int z : {0, 1})
+    for (const char* at : {"2 0", "1 2", "-1 2", "-2 0", "-1 -2", "1 -2"})
+      points += fmt::format("{} {} ", at, z);
+  static_cast<void>(folder_.write(
+      "hexagon.vtu",
+      "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">"
+      "<UnstructuredGrid><Piece NumberOfPoints=\"12\" NumberOfCells=\"1\"><Points>"
+      "<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">" +
+          points +
+          "</DataArray></Points><Cells>"
+          "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">"
+          "0 1 2 3 4 5 6 7 8 9 10 11</DataArray>"
+          "<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">12</DataArray>"
+          "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">16</DataArray>"
+          "</Cells></Piece></UnstructuredGrid></VTKFile>\n"));
+  EXPECT_EQ(run("$RENDER hexagon.vtu -o x.png"), 0) << complaint();
+  EXPECT_THAT(complaint(), AllOf(HasSubstr("read by hiac-convert --approximate hexagon.vtu"),
+                                 HasSubstr("hiac-convert: divided 1 polyhedra into")));
+  for (const char* exact : {"--strict", "--convert --skip-unsupported"}) {
+    EXPECT_EQ(run(std::string("$RENDER hexagon.vtu -o y.png ") + exact), 3) << exact;
+    EXPECT_THAT(complaint(), HasSubstr("HexagonalPrism")) << exact;
+  }
+  EXPECT_EQ(run("$CONVERT hexagon.vtu --approximate -o h.zoo"), 0) << complaint();
+  EXPECT_EQ(run("$RENDER h.zoo -o y.png"), 0) << complaint();
+  EXPECT_THAT(complaint(), HasSubstr("h.zoo: divided 1 polyhedra into"));
+  ASSERT_EQ(run("$CONVERT m.zoo -o m.vtu"), 0);
+  EXPECT_EQ(run("$RENDER m.vtu --view v.toml -o x.png"), 0) << complaint();
+  EXPECT_THAT(complaint(), HasSubstr("read by hiac-convert m.vtu"));
 }
 
 TEST_F(Messages, AForeignStreamIsSentToTheConverter) {

@@ -15,6 +15,7 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/mesh/file_descriptor.hpp"
+#include "hiac/mesh/metadata_keys.hpp"
 #include "tools/common/as_option.hpp"
 #include "tools/common/child_program.hpp"
 #include "tools/common/file_kind.hpp"
@@ -25,6 +26,7 @@ namespace hiac::tools {
 namespace {
 
 constexpr const char* kConverter = "hiac-convert";
+constexpr const char* kApproximate = "--approximate";
 constexpr std::string_view kZoo = "\x89ZOO\r\n\x1a\n";
 
 ChildProgram start(const std::vector<std::string>& arguments) {
@@ -73,6 +75,17 @@ std::vector<std::string> arguments_for(const Tool& tool, const MeshInput& input,
   return arguments;
 }
 
+/// Whether options say what becomes of cells that the zoo has no kind for.
+bool names_unsupported(const std::vector<std::string>& arguments) {
+  constexpr std::array kNamed{kApproximate, "--skip-unsupported", "--corners-only"};
+  return std::ranges::find_first_of(arguments, kNamed) != arguments.end();
+}
+
+bool is_approximated(const ZooMesh& mesh) {
+  return std::ranges::any_of(mesh.metadata,
+                             [](const auto& entry) { return entry.first == kApproximated; });
+}
+
 }  // namespace
 
 void add_conversion(CLI::App& app, std::string& conversion) {
@@ -111,7 +124,9 @@ ZooFile read_any_mesh(const Tool& tool, const MeshInput& input, MeshNumbers numb
                       input_name(input.path)));
     return read_mesh(input.path, numbers);
   }
-  const std::vector<std::string> arguments = arguments_for(tool, input, further);
+  std::vector<std::string> arguments = arguments_for(tool, input, further);
+  const bool may_approximate = input.may_approximate && !names_unsupported(arguments);
+  if (may_approximate) arguments.insert(arguments.begin() + 1, kApproximate);
   ChildProgram conversion = start(arguments);
   std::optional<ZooFile> file;
   try {
@@ -124,6 +139,8 @@ ZooFile read_any_mesh(const Tool& tool, const MeshInput& input, MeshNumbers numb
   }
   const std::string messages = finish(conversion, input.path);
   if (input.is_silent) return *std::move(file);
+  // where nothing was to be approximated, the option had no part in it
+  if (may_approximate && !is_approximated(file->mesh)) arguments.erase(arguments.begin() + 1);
   tool.note(fmt::format("{} is not a zoo mesh: read by {}", input.path, fmt::join(arguments, " ")));
   if (!messages.empty()) tool.print(messages);
   return *std::move(file);

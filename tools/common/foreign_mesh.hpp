@@ -17,6 +17,9 @@ struct MeshInput {
   /// Further options of hiac-convert, as words with blanks between; quotes keep a word together.
   std::string conversion;
   bool is_silent = false;  ///< nothing is said of the conversion, unless it fails
+  /// Cells of a foreign file that the zoo has no kind for are approximated, and hiac-convert says
+  /// by what and how well, unless `conversion` says what becomes of them.
+  bool may_approximate = false;
 };
 
 /// Adds the option --convert.

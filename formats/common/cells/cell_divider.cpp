@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "formats/common/cells/face_cells.hpp"
+#include "hiac/mesh/metadata_keys.hpp"
 
 namespace hiac::formats {
 
@@ -127,6 +128,7 @@ void CellDivider::note_divided(std::size_t count, std::string_view what) {
           "; field '{}' differs by up to {:.3g} over the nodes of one, which "
           "bounds the error inside",
           name, range);
+  mesh_.metadata.emplace_back(kApproximated, text);
   mesh_.notes.push_back(std::move(text));
 }
 

@@ -13,6 +13,7 @@
 #include "formats/common/cells/point_values.hpp"
 #include "formats/common/cells/recognized_cells.hpp"
 #include "formats/common/mesh/mesh_rewrite.hpp"
+#include "hiac/mesh/metadata_keys.hpp"
 
 namespace hiac::formats {
 namespace {
@@ -194,6 +195,7 @@ class Reducer {
         continue;
       }
       mesh_.notes.push_back(note_of(what, rich, exact, rounded));
+      if (!rounded) mesh_.metadata.emplace_back(kApproximated, mesh_.notes.back());
     }
   }
 

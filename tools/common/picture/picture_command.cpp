@@ -11,6 +11,7 @@
 #include "hiac/base/error.hpp"
 #include "hiac/frame/renderable.hpp"
 #include "hiac/image/image_io.hpp"
+#include "hiac/mesh/metadata_keys.hpp"
 #include "hiac/order/order_file.hpp"
 #include "hiac/scene/camera_path.hpp"
 #include "hiac/session/session.hpp"
@@ -147,7 +148,7 @@ ZooFile mesh_of(Tool& tool, const PictureCommand& command) {
 
 ZooFile mesh_of_step(Tool& tool, const PictureCommand& command, const std::string& path,
                      std::optional<std::size_t> step, bool is_silent) {
-  const MeshInput input{path, command.conversion, is_silent};
+  const MeshInput input{path, command.conversion, is_silent, !command.strict};
   if (is_foreign_mesh(path)) {
     std::vector<std::string> further;
     if (step) further.push_back(fmt::format("--step={}", *step));
@@ -162,6 +163,8 @@ ZooFile mesh_of_step(Tool& tool, const PictureCommand& command, const std::strin
                     "foreign files)",
                     command.block, input_name(path)));
   ZooFile file = tool.timed("read", [&] { return read_any_mesh(tool, input); });
+  for (const auto& [key, how] : file.mesh.metadata)
+    if (key == kApproximated) tool.note(fmt::format("{}: {}", input_name(path), how));
   // an order that is stored with the mesh is of all its cells
   if (apply_threshold(tool, file.mesh, command.threshold)) file.extras.clear();
   return file;
