@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "hiac/base/error.hpp"
@@ -164,6 +165,66 @@ TEST_P(ExplainKinds, EndWithWhatThePictureHolds) {
       }
 }
 
+// The skin and edges of cells of every kind, beside a medium and without, and in groups: the rows
+// end with the picture's pixel, each follows from the one before it, and cells are counted alone.
+TEST_P(ExplainKinds, TellOfSkinAndEdgesWhatThePictureHolds) {
+  std::size_t met_skin = 0, met_edges = 0;
+  for (const std::uint32_t number : {0U, 1U, 2U, 3U, 4U, 5U}) {
+    const bool curved = number % 2 == 1;
+    ZooMesh mesh = curved ? test::curved_mesh(GetParam()) : test::straight_mesh(GetParam());
+    test::add_random_field(mesh, "f", FieldLocation::node, 15);
+    Scene scene =
+        cube_scene(number < 3 ? Projection::perspective : Projection::orthographic, 31, 23);
+    if (number != 4) scene.skin.emplace().opacity = 0.3;
+    if (number == 2) scene.volume = {};
+    if (number != 1)
+      scene.edges =
+          Edges{number == 3 ? EdgeChoice::feature : EdgeChoice::all, 30, 3, {0.1, 0.2, 0.3}, 0.7};
+    VisibilityOrder order = test::sorted(mesh, scene);
+    if (number >= 4)
+      order.groups = std::vector<CellGroup>{{0, static_cast<std::uint32_t>(order.cells.size())}};
+    const auto channels = parse_channels("transparency,cells");
+    const Image image = render(mesh, order, scene, true, nullptr, channels).image;
+    std::mt19937 random(number);
+    for (int i = 0; i < 12; ++i) {
+      const auto x = static_cast<std::uint32_t>(10 + random() % 12);
+      const auto y = static_cast<std::uint32_t>(6 + random() % 12);
+      SCOPED_TRACE(fmt::format("{}: {} {}", number, x, y));
+      const PixelExplanation pixel = explain_pixel(mesh, order, scene, x, y, true);
+      for (std::size_t c = 0; c < 4; ++c) ASSERT_EQ(pixel.rgba[c], image.at(x, y, c));
+      ASSERT_EQ(pixel.transparency, image.at(x, y, 4));
+      EXPECT_FALSE(pixel.error);
+      double transparency = 1, reached = -1e300, cells = 0;
+      Color color{};
+      for (const PixelSegment& s : pixel.segments) {
+        // an edge's place lies beside the ray, and where a curved face bends back even far from it
+        if (s.part != RayPart::edge) {
+          ASSERT_GE(s.front.depth, reached - 1e-9);
+          reached = s.front.depth;
+        } else if (!curved) {
+          ASSERT_GE(s.front.depth, reached - 0.05);
+        }
+        if (s.part == RayPart::inside) {
+          ++cells;
+        } else {
+          ++(s.part == RayPart::skin ? met_skin : met_edges);
+          ASSERT_GT(s.opacity, 0);
+          ASSERT_EQ(s.front.depth, s.back.depth);
+          ASSERT_NEAR(s.transparency, transparency * (1 - s.opacity), 1e-15);
+          for (std::size_t c = 0; c < 3; ++c)
+            ASSERT_NEAR(s.color[c], color[c] + transparency * s.light[c], 1e-15);
+        }
+        transparency = s.transparency;
+        color = s.color;
+      }
+      ASSERT_EQ(transparency, pixel.transparency);
+      ASSERT_EQ(cells, image.at(x, y, 5));
+    }
+  }
+  EXPECT_GT(met_skin, 40U);
+  EXPECT_GT(met_edges, 10U);
+}
+
 // Psi by Simpson's rule, of an extinction that is linear along the segment.
 double psi_of(double front, double back, double length) {
   const auto at = [&](double u) {
@@ -260,6 +321,46 @@ TEST(ExplainPixel, NamesTheIsosurfacesThatTheRayMeets) {
       }
       EXPECT_NEAR(pixel.transparency, transparency, 1e-14);
     }
+}
+
+// From above, the cube's skin is met at its top and its bottom, face-on, and an edge of its
+// outline on the top where it covers half a pixel.
+TEST(ExplainPixel, NamesTheSkinAndTheEdgesThatTheRayMeets) {
+  for (const Cut cut : {Cut::bricks, Cut::tetrahedra, Cut::prisms, Cut::pyramids}) {
+    const ZooMesh mesh = mesh_from_above(cut);
+    Scene scene = scene_from_above(Projection::orthographic);
+    scene.image = {8, 8};
+    scene.camera.height = 8.0 / 5;
+    // the cube's left side lies a tenth of a pixel left of the middle of column 1
+    scene.camera.eye = {0.52, 0.5, 4};
+    scene.camera.look_at = {0.52, 0.5, 0};
+    scene.volume = {};
+    scene.skin.emplace().opacity = 0.25;
+    PixelExplanation pixel = explain_pixel(mesh, order_of(mesh, scene), scene, 3, 2, false);
+    ASSERT_EQ(pixel.segments.size(), 2U);
+    EXPECT_NEAR(pixel.segments[0].front.depth, 3, 1e-12);
+    EXPECT_NEAR(pixel.segments[1].front.depth, 4, 1e-12);
+    for (const PixelSegment& s : pixel.segments) {
+      EXPECT_EQ(s.part, RayPart::skin);
+      EXPECT_NEAR(s.opacity, 0.25, 1e-12);
+      EXPECT_LT(s.cell, mesh.cell_count());
+    }
+    scene.skin.reset();
+    scene.edges = Edges{EdgeChoice::feature, 30, 0.5, {1, 0, 0}, 0.8};
+    pixel = explain_pixel(mesh, order_of(mesh, scene), scene, 1, 2, false);
+    ASSERT_EQ(pixel.segments.size(), 2U);  // of the top and of the bottom
+    double transparency = 1;
+    for (const PixelSegment& s : pixel.segments) {
+      EXPECT_EQ(s.part, RayPart::edge);
+      EXPECT_NEAR(s.opacity, 0.5 * 0.8, 1e-9);
+      EXPECT_NEAR(s.light[0], 0.5 * 0.8, 1e-9);
+      transparency *= 0.6;
+    }
+    EXPECT_NEAR(pixel.segments[0].front.depth, 3, 1e-12);
+    // it is drawn where the segment beside it ends, which may be a face inside
+    EXPECT_NEAR(pixel.segments[1].front.depth, 4, cut == Cut::bricks ? 1e-12 : 0.11);
+    EXPECT_NEAR(pixel.transparency, transparency, 1e-9);
+  }
 }
 
 // Of quadratic wedges, whose polynomials in the world have quadratic fields exactly.

@@ -1,7 +1,9 @@
 #include "tools/render/pixel_report.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -58,11 +60,18 @@ void append(Table::Line& line, const Color& color) {
   for (const double channel : color) line.push_back(number(channel));
 }
 
+std::string_view part_name(RayPart part) {
+  constexpr std::array<std::string_view, 3> kNames{"inside", "skin", "edge"};
+  return kNames[static_cast<std::size_t>(part)];
+}
+
 // Which columns a scene has use for.
 class PixelTable {
  public:
   PixelTable(const PixelExplanation& pixel, const Scene& scene) : pixel_(pixel), scene_(scene) {
-    table_.add(header());
+    Table::Line first = header();
+    columns_ = first.size();
+    table_.add(std::move(first));
   }
 
   std::string text() {
@@ -95,8 +104,22 @@ class PixelTable {
     if (has_color()) append(line, end.kappa);
   }
 
+  // Where the ray meets the skin or an edge, in a line.
+  void add_met(std::size_t i) {
+    const PixelSegment& s = pixel_.segments[i];
+    Table::Line line{std::to_string(i + 1), s.cell == kNoCell ? "" : std::to_string(s.cell),
+                     std::string(part_name(s.part)), number(s.front.depth)};
+    line.resize(columns_ - kBehindEnds);
+    line.insert(line.end(), {"", number(s.transparency)});
+    append(line, s.color);
+    const auto& [r, g, b] = s.light;
+    table_.add(std::move(line),
+               fmt::format("opacity {:.6g}, color {:.6g} {:.6g} {:.6g}", s.opacity, r, g, b));
+  }
+
   void add_segment(std::size_t i) {
     const PixelSegment& s = pixel_.segments[i];
+    if (s.part != RayPart::inside) return add_met(i);
     Table::Line front{std::to_string(i + 1), std::to_string(s.cell),
                       std::string(kind_name(s.kind))};
     append_end(front, s.front);
@@ -118,9 +141,12 @@ class PixelTable {
                                                : "");
   }
 
+  static constexpr std::size_t kBehindEnds = 6;  // Psi, transparency, R, G, B, error
+
   const PixelExplanation& pixel_;
   const Scene& scene_;
   Table table_;
+  std::size_t columns_ = 0;
 };
 
 Json end_json(const SegmentEnd& end) {
@@ -133,7 +159,19 @@ Json end_json(const SegmentEnd& end) {
 
 Json error_json(const std::optional<double>& error) { return error ? Json(*error) : Json(); }
 
+Json met_json(const PixelSegment& segment) {
+  return {{"part", part_name(segment.part)},
+          {"cell", segment.cell == kNoCell ? Json() : Json(segment.cell)},
+          {"depth", segment.front.depth},
+          {"light", segment.light},
+          {"opacity", segment.opacity},
+          {"transparency", segment.transparency},
+          {"color", segment.color},
+          {"in_group", segment.in_group}};
+}
+
 Json segment_json(const PixelSegment& segment, const Scene& scene) {
+  if (segment.part != RayPart::inside) return met_json(segment);
   Json surfaces = Json::array();
   for (const MetIsosurface& met : segment.surfaces) {
     const Isosurface& surface = scene.isosurfaces[met.surface];
@@ -143,7 +181,8 @@ Json segment_json(const PixelSegment& segment, const Scene& scene) {
                         {"color", met.color},
                         {"opacity", met.opacity}});
   }
-  return {{"cell", segment.cell},
+  return {{"part", part_name(segment.part)},
+          {"cell", segment.cell},
           {"kind", std::string(kind_name(segment.kind))},
           {"front", end_json(segment.front)},
           {"back", end_json(segment.back)},

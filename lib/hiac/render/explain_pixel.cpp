@@ -19,7 +19,10 @@
 #include "hiac/render/cells/cuts_along_ray.hpp"
 #include "hiac/render/cells/planar_crossing.hpp"
 #include "hiac/render/draw_cells.hpp"
+#include "hiac/render/edges/screen_edges.hpp"
+#include "hiac/render/edges/tile_edges.hpp"
 #include "hiac/render/refine/pixel_refinement.hpp"
+#include "hiac/render/skin_painter.hpp"
 
 namespace hiac {
 namespace {
@@ -36,10 +39,6 @@ void require_explainable(const Scene& scene, std::uint32_t x, std::uint32_t y) {
     throw UsageError(
         "a pixel is explained by ray segments, and splats are none (`render.splat_below` = 0 "
         "expected)");
-  if (scene.skin || scene.edges)
-    throw UsageError(
-        "a pixel is explained by ray segments, and skin and edges are none (neither `skin` nor "
-        "`edges` expected)");
 }
 
 // Psi of a segment. `fields`: that of extinction and, if it differs, that of colour.
@@ -65,12 +64,23 @@ void append(const SegmentList& all, std::size_t i, SegmentList& list) {
   list.details.push_back(all.details[i]);
 }
 
+std::vector<std::uint32_t> sorted_along_ray(const SegmentList& found) {
+  std::vector<std::uint32_t> sorted(found.segments.size());
+  std::iota(sorted.begin(), sorted.end(), 0U);
+  std::ranges::sort(sorted, [&](std::uint32_t a, std::uint32_t b) { return found.nearer(a, b); });
+  return sorted;
+}
+
 class RayFollower {
  public:
   // `background`: the largest channel of the background.
-  RayFollower(const Frame& frame, const TileRect& tile, int x, int y, double background)
+  RayFollower(const Frame& frame, const ScreenEdges& edges, const TileRect& tile, int x, int y,
+              double background)
       : frame_(frame),
+        edges_(edges),
         tile_(tile),
+        tile_edges_(frame, edges, tile),
+        painter_(frame, tile_edges_),
         x_(x),
         y_(y),
         at_(tile.index(x, y)),
@@ -82,16 +92,16 @@ class RayFollower {
   // A cell whose place in the order is known. The engine composites its segments itself.
   void follow(CellId cell) {
     SegmentList found, others;
-    collect(cell, found, others);
-    if (found.segments.size() == 0) return draw(cell, nullptr);
-    if (found.segments.size() > 1) {
-      TileBuffer so_far = buffer_;
-      for (std::size_t i = 0; i + 1 < found.segments.size(); ++i) composite(cell, found, i, so_far);
-    }
+    TileEdges left = tile_edges_;  // looking takes no edge away
+    SkinPainter looking(frame_, left);
+    collect(cell, looking, found, others);
+    if (found.segments.empty()) return draw(cell, painter_, nullptr);
+    const std::vector<std::uint32_t> sorted = sorted_along_ray(found);
+    TileBuffer so_far = buffer_;
+    for (std::size_t i = 0; i + 1 < sorted.size(); ++i) composite(cell, found, sorted[i], so_far);
     const std::uint32_t violations = buffer_.details[at_].violations;
-    draw(cell, nullptr);
-    add_row(cell, found, found.segments.size() - 1, buffer_,
-            buffer_.details[at_].violations > violations);
+    draw(cell, painter_, nullptr);
+    add_row(cell, found, sorted.back(), buffer_, buffer_.details[at_].violations > violations);
   }
 
   // Follows cells that the engine sorts along the ray.
@@ -99,17 +109,21 @@ class RayFollower {
     SegmentList found, others;
     std::vector<CellId> owners;
     for (const CellId cell : cells) {
-      collect(cell, found, others);
+      collect(cell, painter_, found, others);
       owners.resize(found.segments.size(), cell);
     }
-    std::vector<std::uint32_t> sorted(found.segments.size());
-    std::iota(sorted.begin(), sorted.end(), 0U);
-    std::ranges::sort(sorted, [&](std::uint32_t a, std::uint32_t b) { return found.nearer(a, b); });
-    for (const std::uint32_t i : sorted) {
+    for (const std::uint32_t i : sorted_along_ray(found)) {
       composite(owners[i], found, i, buffer_);
       rows_.back().in_group = true;
     }
     composite_sorted(others, frame_.witness_tolerance, buffer_, counts_);
+  }
+
+  // Edges beside all cells that the rays pass.
+  void follow_rest() {
+    SegmentList found, others;
+    deal_out([&](const TileTarget& to) { tile_edges_.append_rest(to); }, found, others);
+    for (const std::uint32_t i : sorted_along_ray(found)) composite(kNoCell, found, i, buffer_);
   }
 
   [[nodiscard]] std::vector<PixelSegment> take_rows() { return std::move(rows_); }
@@ -123,14 +137,24 @@ class RayFollower {
 
  private:
   // In the whole tile, as the engine does: what the tile's pixels share is the same, too.
-  void draw(CellId cell, SegmentList* group) {
-    draw_for(frame_, cell)({frame_, tile_, buffer_, group, counts_}, {&cell, 1});
+  void draw(CellId cell, SkinPainter& painter, SegmentList* group) {
+    const TileTarget to{frame_, tile_, buffer_, group, counts_};
+    if (frame_.skin.on(cell) != 0 || edges_.may_touch(cell))
+      painter.draw(to, cell, true);
+    else
+      draw_for(frame_, cell)(to, {&cell, 1});
   }
 
   // Appends a cell's segments in the pixel, and those in the tile's other pixels.
-  void collect(CellId cell, SegmentList& found, SegmentList& others) {
+  void collect(CellId cell, SkinPainter& painter, SegmentList& found, SegmentList& others) {
+    deal_out([&](const TileTarget& to) { draw(cell, painter, to.group); }, found, others);
+  }
+
+  // Appends what is drawn in the pixel, and what is in the tile's other pixels.
+  template <typename Draw>
+  void deal_out(const Draw& draw, SegmentList& found, SegmentList& others) {
     SegmentList all;
-    draw(cell, &all);
+    draw(TileTarget{frame_, tile_, buffer_, &all, counts_});
     for (std::size_t i = 0; i < all.segments.size(); ++i)
       append(all, i, all.segments[i].pixel == at_ ? found : others);
   }
@@ -158,14 +182,22 @@ class RayFollower {
   void add_row(CellId cell, const SegmentList& found, std::size_t i, const TileBuffer& after,
                bool out_of_order) {
     PixelSegment row;
+    row.part = found.details[i].part;
     row.cell = cell;
-    row.kind = frame_.mesh.kinds[cell];
     row.out_of_order = out_of_order;
     const double front = found.segments[i].front, back = found.segments[i].back;
-    row.length = (back - front) * after.ray_scale[at_];
     row.transparency = after.transparency[at_];
     row.color = color_of(after);
     row.error = error_of(after);
+    if (cell != kNoCell) row.kind = frame_.mesh.kinds[cell];
+    if (row.part != RayPart::inside) {
+      row.front.depth = row.back.depth = frame_.projector.distance(front);
+      row.light = found.segments[i].light.rgb;
+      row.opacity = 1 - found.segments[i].light.transparency;
+      rows_.push_back(std::move(row));
+      return;
+    }
+    row.length = (back - front) * after.ray_scale[at_];
     const CellMap map(row.kind, relative_positions(frame_.mesh, cell, frame_.projector),
                       frame_.straightness);
     const CellCrossing* crossing = crossing_of(cell, front);
@@ -218,7 +250,10 @@ class RayFollower {
   }
 
   const Frame& frame_;
+  const ScreenEdges& edges_;
   TileRect tile_;
+  TileEdges tile_edges_;
+  SkinPainter painter_;
   int x_, y_;
   std::size_t at_;  // of the pixel in the tile's planes
   double background_;
@@ -239,7 +274,8 @@ PixelExplanation explain_pixel(const ZooMesh& mesh, const VisibilityOrder& order
                                bool with_background) {
   require_explainable(scene, x, y);
   const Projector projector(scene.camera, scene.image);
-  const bool is_bounded = scene.render.integration == Integration::exact &&
+  const bool is_bounded = !scene.skin && !scene.edges &&
+                          scene.render.integration == Integration::exact &&
                           scene.render.interpolation == Interpolation::isoparametric;
   const Frame frame(mesh, scene, projector, is_bounded ? Details::bounded : Details::described);
 
@@ -249,7 +285,8 @@ PixelExplanation explain_pixel(const ZooMesh& mesh, const VisibilityOrder& order
   if (with_background) result.background = background_at(scene.background, scene.image, x, y);
   const TileBins bins = bin_cells(frame, order, scene.image, {x, y, 1, 1});
   const auto ranks = bins.cells_of(0);
-  RayFollower ray(frame, bins.tiles.front(), static_cast<int>(x), static_cast<int>(y),
+  const ScreenEdges edges(frame, scene);
+  RayFollower ray(frame, edges, bins.tiles.front(), static_cast<int>(x), static_cast<int>(y),
                   std::ranges::max(result.background));
   for (auto left = ranks; !left.empty();) {
     const CellRun run = first_run(order, left, 1);
@@ -261,6 +298,7 @@ PixelExplanation explain_pixel(const ZooMesh& mesh, const VisibilityOrder& order
       ray.follow(cells.front());
     left = left.subspan(cells.size());
   }
+  ray.follow_rest();
 
   result.transparency = ray.transparency();
   result.ended = result.transparency <= frame.least_transparency;

@@ -7,6 +7,7 @@
 
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/order/visibility_order.hpp"
+#include "hiac/render/pixels/pixel_details.hpp"
 #include "hiac/scene/scene.hpp"
 
 namespace hiac {
@@ -27,9 +28,12 @@ struct MetIsosurface {
   double opacity = 0;       ///< at the angle at which it is seen
 };
 
-/// The part of a ray inside one cell.
+/// The part of a ray inside one cell, or where it meets the skin or an edge on a cell: then
+/// front.depth is its depth, of an edge the depth at which it is drawn among the segments, and
+/// `light` and `opacity` are what is seen there.
 struct PixelSegment {
-  CellId cell = 0;
+  RayPart part = RayPart::inside;
+  CellId cell = 0;  ///< kNoCell for edges beside all cells that the ray passes
   CellKind kind{};
   bool in_group = false;      ///< the cell's place was found pixel by pixel (CellGroup)
   bool out_of_order = false;  ///< the segment begins before the end of the one in front
@@ -40,6 +44,8 @@ struct PixelSegment {
   /// themselves, whatever the scene's integration, and without isosurfaces.
   double psi = 1;
   std::vector<MetIsosurface> surfaces;  ///< front to back
+  Color light{};                        ///< of skin and edges, premultiplied by the opacity
+  double opacity = 0;                   ///< of skin and edges; of edges times the pixel's share
   // of all that is in front of the segment's back end
   double transparency = 1;
   Color color{};                ///< premultiplied, without background
@@ -55,7 +61,9 @@ struct PixelExplanation {
   Color background{};  ///< behind; black without one
   /// "R" "G" "B" "A" of the picture.
   std::array<double, 4> rgba{};
-  std::optional<double> error;  ///< bound, of every channel of rgba; none where none is claimed
+  /// Bound, of every channel of rgba; none where none is claimed: of other integrations and
+  /// interpolations than the exact and isoparametric ones, of skin and edges.
+  std::optional<double> error;
 };
 
 /// Follows the ray of one pixel as the engine does: the same code renders the same cells in the
@@ -67,7 +75,7 @@ struct PixelExplanation {
 /// space, and no segments, unless an isosurface crosses them.
 ///
 /// Requires what check_renderable (renderable.hpp) lets pass. Throws UsageError if the pixel is not
-/// in the picture, or if cells are splatted or a skin or edges are drawn: these are not segments.
+/// in the picture, or if cells are splatted: splats are no segments.
 PixelExplanation explain_pixel(const ZooMesh& mesh, const VisibilityOrder& order,
                                const Scene& scene, std::uint32_t x, std::uint32_t y,
                                bool with_background);

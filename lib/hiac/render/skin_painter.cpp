@@ -98,7 +98,7 @@ void SkinPainter::add_skin(const TileTarget& to, Which which) {
       details.front = details.back = details.first = details.mean = t;
       details.light = std::ranges::max(rgb);
       details.transparency = transparency;
-      details.is_cell = false;
+      details.part = RayPart::skin;
       describe(to, at, details);
     }
     composite(to, at, t, t, {rgb, transparency});

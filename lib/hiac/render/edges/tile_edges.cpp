@@ -65,7 +65,8 @@ void TileEdges::add(const EdgePiece& piece, const TileRect& tile) {
 
 void TileEdges::append_rest(const TileTarget& to) {
   for (const Fragment& fragment : fragments_)
-    take(to, fragment.at, fragment.place.t, false, [](const Place&) { return true; });
+    if (fragment.share > 0)
+      take(to, fragment.at, fragment.place.t, false, [](const Place&) { return true; });
 }
 
 void TileEdges::composite_share(const TileTarget& to, std::size_t at, double at_parameter,
@@ -79,7 +80,7 @@ void TileEdges::composite_share(const TileTarget& to, std::size_t at, double at_
     details.front = details.back = details.first = details.mean = at_parameter;
     details.light = std::ranges::max(light.rgb);
     details.transparency = light.transparency;
-    details.is_cell = false;
+    details.part = RayPart::edge;
     describe(to, at, details);
   }
   composite(to, at, at_parameter, at_parameter, light);

@@ -7,7 +7,7 @@
 namespace hiac {
 
 void PixelDetails::add(const SegmentDetails& segment, double visible, double light) {
-  if (segment.is_cell) ++cells;
+  if (segment.part == RayPart::inside) ++cells;
   if (segment.transparency < 1 || segment.light > 0) first = std::min(first, segment.first);
   const double opacity = visible * (1 - segment.transparency);
   weight += opacity;

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 
 #include "hiac/frame/tiles/drawn_tile.hpp"
 
 namespace hiac {
+
+/// What a ray passes or meets.
+enum class RayPart : std::uint8_t { inside, skin, edge };
 
 /// The details of a ray segment for further channels. Depths are ray parameters.
 struct SegmentDetails {
@@ -13,7 +17,7 @@ struct SegmentDetails {
   double transparency = 1;                            ///< of the segment
   double first = 0;                                   ///< where it begins to emit or absorb
   double mean = 0;                                    ///< depth of its opacity
-  bool is_cell = true;                                ///< else skin or an edge on a cell
+  RayPart part = RayPart::inside;
   double radiance_error = 0, transparency_error = 0;  ///< ErrorBound
   double front_edge = 0, back_edge = 0;  ///< additional errors where no cell adjoins (edge_bound)
 };
