@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <random>
 
@@ -23,24 +22,29 @@ struct Covered {
   bool doubtful = false;
 };
 
+// A corner of a record's triangle, as the shaders have it.
+std::array<double, 2> place(const float* record, std::size_t corner) {
+  const float* coarse = record + (corner < 2 ? 2 * corner : 8);
+  const float* fine = coarse + (corner < 2 ? 4 : 2);
+  return {double{coarse[0]} + double{fine[0]}, double{coarse[1]} + double{fine[1]}};
+}
+
 Covered cover(const TriangleBuffer& buffer, double x, double y) {
   Covered result;
-  const auto floats = buffer.floats();
-  const std::size_t stride = buffer.floats_per_vertex();
-  for (std::size_t t = 0; t < floats.size(); t += 3 * stride) {
+  for (std::size_t t = 0; t < buffer.triangles(); ++t) {
+    const float* record = buffer.records().data() + t * record_floats(buffer.values());
     std::array<double, 3> px, py, area;
     for (std::size_t k = 0; k < 3; ++k) {
-      const float* v = &floats[t + k * stride];
-      const auto fine = std::bit_cast<std::array<std::int16_t, 2>>(v[4]);
-      px[k] = v[2] + fine[0] * kFine - x;
-      py[k] = v[3] + fine[1] * kFine - y;
+      const auto at = place(record, k);
+      px[k] = at[0] - x;
+      py[k] = at[1] - y;
     }
     double sum = 0;
     bool inside = true;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
       area[k] = px[i] * py[j] - py[i] * px[j];
-      inside &= area[k] >= 0;
+      inside &= area[k] >= double{record[kLeast + k]};
       sum += area[k];
     }
     for (std::size_t k = 0; k < 3; ++k) {
@@ -52,8 +56,13 @@ Covered cover(const TriangleBuffer& buffer, double x, double y) {
     }
     if (!inside) continue;
     ++result.triangles;
-    for (std::size_t k = 0; k < 3; ++k)
-      result.length += area[k] / sum * floats[t + k * stride + kFirstValue];
+    double height = record[kOpen] + record[kSteep + 2] * area[2] / sum;
+    for (std::size_t k = 0; k < 2; ++k)
+      height = std::min(height, record[kSteep + k] * area[k] / sum);
+    const float* length = record + kFirstValue;
+    const std::size_t next = buffer.values();
+    result.length += area[0] / sum * length[0] + area[1] / sum * length[next] + length[2 * next] +
+                     height * length[3 * next];
   }
   return result;
 }
@@ -168,11 +177,8 @@ TEST(TriangleBuffer, KeepsCornersToTheFineGrid) {
   buffer.add({212.25 + half, 100, {}}, {300 - half, 20.1, {}}, {0.3, -half, {}});
   ASSERT_EQ(buffer.triangles(), 1U);
   std::vector<double> places;
-  for (std::size_t v = 0; v < 3; ++v) {
-    const float* at = &buffer.floats()[v * buffer.floats_per_vertex()];
-    const auto fine = std::bit_cast<std::array<std::int16_t, 2>>(at[4]);
-    for (std::size_t c = 0; c < 2; ++c) places.push_back(at[2 + c] + fine[c] * kFine);
-  }
+  for (std::size_t v = 0; v < 3; ++v)
+    for (const double x : place(buffer.records().data(), v)) places.push_back(x);
   for (const double place : {212.25 + half, 100.0, 300 - half, 20.1, 0.3, -half})
     EXPECT_TRUE(std::ranges::any_of(places, [&](double found) {
       return std::abs(found - place) <= kFine / 2;

@@ -391,14 +391,10 @@ void CellTriangles::add_tetrahedron(std::span<const ScreenPoint, 4> points,
   const TriangleBuffer::Corner thick =
       corner(shape.at, front, back, shape.back_depth - shape.front_depth);
   std::array<TriangleBuffer::Corner, 4> rim;
-  std::array<bool, 4> made{};
-  for (unsigned n = 0; n < shape.count; ++n) {
-    for (const std::uint8_t k : shape.rims[n]) {
-      if (made[k]) continue;
-      rim[k] = corner(points[k], corners[k], corners[k], 0);
-      made[k] = true;
-    }
-    triangles_.add(thick, rim[shape.rims[n][0]], rim[shape.rims[n][1]]);
+  for (std::size_t k = 0; k < 4; ++k) rim[k] = corner(points[k], corners[k], corners[k], 0);
+  for (unsigned n = 0; n < shape.outlines; ++n) {
+    const auto [a, b, c] = shape.outline[n];
+    triangles_.add(rim[a], rim[b], rim[c], thick);
   }
 }
 

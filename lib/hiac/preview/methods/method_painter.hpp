@@ -33,7 +33,7 @@ class MethodPainter {
   const Frame& frame_;
   Method method_;
   ProgramName program_;
-  Buffer buffer_;
+  Buffer places_, records_;
   VertexArrayName layout_;
   std::vector<TriangleBuffer> buffers_;
   double region_seconds_ = 0, upload_seconds_ = 0;

@@ -1,9 +1,7 @@
 #include "hiac/preview/methods/triangle_buffer.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 
 #include "hiac/preview/regions/screen_predicates.hpp"
@@ -66,6 +64,15 @@ bool has_pixel(const std::array<ScreenPoint, 3>& at) {
   return false;
 }
 
+// A pixel's centre on a side belongs to the triangle that a step right and a much smaller one down
+// leads into. The least normal float, which shaders compare edge functions with.
+constexpr float kLeastPositive = 1.2e-38F;
+// One over it is finite.
+constexpr double kLeastShare = 1e-30;
+bool has_side(const Place& from, const Place& to) {
+  return to[1] < from[1] || (to[1] == from[1] && to[0] > from[0]);
+}
+
 }  // namespace
 
 std::array<Place, 3> grown(const std::array<Place, 3>& p) {
@@ -89,32 +96,99 @@ std::array<Place, 3> grown(const std::array<Place, 3>& p) {
   return result;
 }
 
-void TriangleBuffer::add(const Corner& a, const Corner& b, const Corner& c) {
+void TriangleBuffer::clear() {
+  places_.clear();
+  records_.clear();
+}
+
+void TriangleBuffer::add(const Corner& a, const Corner& b, const Corner& c, const Corner* peak) {
   std::array<ScreenPoint, 3> at;
   std::array<const Corner*, 3> corners{&a, &b, &c};
   for (std::size_t k = 0; k < 3; ++k) at[k] = {on_grid(corners[k]->x), on_grid(corners[k]->y)};
   const double area = twice_area(at[0], at[1], at[2]);
   if (area == 0) return;
   if (area < 0) {
-    std::swap(corners[1], corners[2]);
-    std::swap(at[1], at[2]);
+    std::swap(corners[0], corners[1]);
+    std::swap(at[0], at[1]);
   }
   if (!has_pixel(at)) return;
-  const auto places = grown({{{at[0].x, at[0].y}, {at[1].x, at[1].y}, {at[2].x, at[2].y}}});
-  const std::size_t start = floats_.size(), stride = floats_per_vertex();
-  floats_.resize(start + 3 * stride);
-  float* to = floats_.data() + start;
-  for (std::size_t k = 0; k < 3; ++k, to += stride) {
-    const double x = coarse(at[k].x), y = coarse(at[k].y);
-    to[0] = static_cast<float>(places[k][0]);
-    to[1] = static_cast<float>(places[k][1]);
-    to[2] = static_cast<float>(x);
-    to[3] = static_cast<float>(y);
-    to[4] = std::bit_cast<float>(
-        std::array<std::int16_t, 2>{static_cast<std::int16_t>((at[k].x - x) / kFine),
-                                    static_cast<std::int16_t>((at[k].y - y) / kFine)});
-    std::copy_n(corners[k]->values.begin(), values_, to + kFirstValue);
+  Triangle triangle;
+  for (std::size_t k = 0; k < 3; ++k) {
+    triangle.at[k] = {at[k].x, at[k].y};
+    triangle.values[k] = &corners[k]->values;
   }
+  std::array<double, 3> shares{};
+  if (peak != nullptr) shares = place_peak(triangle, *peak);
+  for (const Place& place : grown(triangle.at))
+    for (const double x : place) places_.push_back(static_cast<float>(x));
+  const std::size_t start = records_.size();
+  records_.resize(start + record_floats(values_));
+  float* const record = records_.data() + start;
+  set_triangle(record, triangle);
+  if (shares[0] > 0) set_peak(record, shares, peak->values);
+}
+
+// The shares of the corners in a peak. Turns the triangle so that the side nearest to it is that
+// between the first two corners. A peak that is at a corner takes its place; the shares are 0 then.
+std::array<double, 3> TriangleBuffer::place_peak(Triangle& triangle, const Corner& peak) {
+  std::array<double, 3> shares;
+  std::size_t nearest = 0;
+  double least = HUGE_VAL;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Place &p = triangle.at[(k + 1) % 3], &q = triangle.at[(k + 2) % 3];
+    if (std::max(std::abs(peak.x - p[0]), std::abs(peak.y - p[1])) <= kFine) {
+      triangle.values[(k + 1) % 3] = &peak.values;
+      return {};
+    }
+    const double dx = q[0] - p[0], dy = q[1] - p[1];
+    shares[k] = dx * (peak.y - p[1]) - dy * (peak.x - p[0]);
+    const double distance = shares[k] / std::sqrt(dx * dx + dy * dy);
+    if (distance >= least) continue;
+    least = distance;
+    nearest = k;
+  }
+  if (least <= kFine) shares[nearest] = 0;
+  const auto turn = static_cast<std::ptrdiff_t>((nearest + 1) % 3);
+  std::ranges::rotate(triangle.at, triangle.at.begin() + turn);
+  std::ranges::rotate(triangle.values, triangle.values.begin() + turn);
+  std::ranges::rotate(shares, shares.begin() + turn);
+  for (double& share : shares) share = std::max(share, 0.0);
+  const double sum = shares[0] + shares[1] + shares[2];
+  for (std::size_t k = 0; k < 3; ++k)
+    shares[k] = k < 2 ? std::max(shares[k] / sum, kLeastShare) : shares[k] / sum;
+  return shares;
+}
+
+void TriangleBuffer::set_triangle(float* record, const Triangle& triangle) const {
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t c = 0; c < 2; ++c) {
+      const double x = coarse(triangle.at[k][c]);
+      float* const to = record + (k < 2 ? 2 * k + c : 8 + c);
+      to[0] = static_cast<float>(x);
+      to[k < 2 ? 4 : 2] = static_cast<float>(triangle.at[k][c] - x);
+    }
+  for (std::size_t k = 0; k < 3; ++k)
+    record[kLeast + k] =
+        has_side(triangle.at[(k + 1) % 3], triangle.at[(k + 2) % 3]) ? 0 : kLeastPositive;
+  float* const to = record + kFirstValue;
+  for (std::size_t n = 0; n < values_; ++n) {
+    const float of_c = (*triangle.values[2])[n];
+    to[n] = (*triangle.values[0])[n] - of_c;
+    to[n + values_] = (*triangle.values[1])[n] - of_c;
+    to[n + 2 * values_] = of_c;
+  }
+}
+
+void TriangleBuffer::set_peak(float* record, const std::array<double, 3>& shares,
+                              const Values& values) const {
+  record[kOpen] = shares[2] > 0 ? 0 : 1;
+  for (std::size_t k = 0; k < 3; ++k)
+    record[kSteep + k] =
+        shares[k] > 0 ? static_cast<float>(1 / std::max(shares[k], kLeastShare)) : 0;
+  float* const to = record + kFirstValue;
+  const auto of_a = static_cast<float>(shares[0]), of_b = static_cast<float>(shares[1]);
+  for (std::size_t n = 0; n < values_; ++n)
+    to[n + 3 * values_] = values[n] - (to[n + 2 * values_] + of_a * to[n] + of_b * to[n + values_]);
 }
 
 }  // namespace hiac::preview
