@@ -29,10 +29,28 @@ std::array<double, 2> place(const float* record, std::size_t corner) {
   return {double{coarse[0]} + double{fine[0]}, double{coarse[1]} + double{fine[1]}};
 }
 
+// The length that a record has in the mean of its corners with these shares.
+double length(const float* record, RecordShape shape, const std::array<double, 3>& shares) {
+  double height = 1;
+  for (std::size_t k = 0; k < 3; ++k)
+    height = std::min(height, record[kOpen + k] + record[kSteep + k] * shares[k]);
+  const float* of = record + kFirstValue;
+  const std::size_t n = shape.values;
+  const double at_corners = shares[0] * of[0] + shares[1] * of[n] + of[2 * n];
+  if (shape != kChord) return at_corners + height * of[3 * n];
+  // the part of the tetrahedron's length where the field is in the slab's range
+  const double other = at_corners + height * of[3];
+  const auto [least, most] = std::minmax({at_corners, other});
+  const float* rest = of + 4;
+  if (least == most) return least >= rest[1] && least < rest[2] ? height * rest[0] : 0;
+  const double part = std::min(most, double{rest[2]}) - std::max(least, double{rest[1]});
+  return height * rest[0] * std::max(part, 0.0) / (most - least);
+}
+
 Covered cover(const TriangleBuffer& buffer, double x, double y) {
   Covered result;
   for (std::size_t t = 0; t < buffer.triangles(); ++t) {
-    const float* record = buffer.records().data() + t * record_floats(buffer.values());
+    const float* record = buffer.records().data() + t * buffer.shape().floats();
     std::array<double, 3> px, py, area;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto at = place(record, k);
@@ -56,13 +74,7 @@ Covered cover(const TriangleBuffer& buffer, double x, double y) {
     }
     if (!inside) continue;
     ++result.triangles;
-    double height = record[kOpen] + record[kSteep + 2] * area[2] / sum;
-    for (std::size_t k = 0; k < 2; ++k)
-      height = std::min(height, record[kSteep + k] * area[k] / sum);
-    const float* length = record + kFirstValue;
-    const std::size_t next = buffer.values();
-    result.length += area[0] / sum * length[0] + area[1] / sum * length[next] + length[2 * next] +
-                     height * length[3 * next];
+    result.length += length(record, buffer.shape(), {area[0] / sum, area[1] / sum, area[2] / sum});
   }
   return result;
 }
@@ -100,6 +112,8 @@ struct Setting {
   const char* name;
   bool lattice;
   std::vector<double> levels;
+  Method method;
+  RecordShape shape;
 };
 
 // One tetrahedron, sliced: its slabs' lengths add up to the chord, at every point, and no slab
@@ -131,8 +145,10 @@ void expect_chords(const Setting& setting) {
       scene.volume.extinction->points.push_back({level, {2 + level}});
     const Projector projector(scene.camera, scene.image);
     const Frame frame(mesh, scene, projector);
-    RegionFiller filler(frame, Method::mean_color, whole_picture(scene.image));
-    TriangleBuffer buffer(filler.values());
+    const RecordShape shape = record_shape(frame, setting.method);
+    EXPECT_EQ(shape, setting.shape) << setting.name;
+    RegionFiller filler(frame, setting.method, shape, whole_picture(scene.image));
+    TriangleBuffer buffer(shape);
     RegionCounts counts;
     filler.fill(std::vector<CellId>{0}, buffer, counts);
     slabs += counts.slabs;
@@ -165,14 +181,19 @@ void expect_chords(const Setting& setting) {
 }
 
 TEST(CellTriangles, SlabsAddUpToTheTetrahedron) {
-  expect_chords({"whole", false, {-1}});
-  expect_chords({"sliced", false, {0.2, 0.4, 0.5, 0.50001, 0.9}});
-  expect_chords({"one thin slab", false, {0.3, 0.3 + 1e-9}});
+  const std::vector<double> levels{0.2, 0.4, 0.5, 0.50001, 0.9};
+  expect_chords({"whole", false, {-1}, Method::exact_at_vertices, kFlat});
+  expect_chords({"sliced", false, levels, Method::exact_at_vertices, kFlat});
+  expect_chords({"whole, by rays", false, {-1}, Method::mean_color, kChord});
+  expect_chords({"sliced, by rays", false, levels, Method::mean_color, kChord});
+  const std::vector<double> near{0.3, 0.3 + 1e-9};
+  expect_chords({"one thin slab", false, near, Method::exact_at_vertices, kFlat});
+  expect_chords({"one thin slab, by rays", false, near, Method::mean_color, kChord});
 }
 
 // A corner whose rest is half of the coarse grid's step: the largest of 16-bit numbers.
 TEST(TriangleBuffer, KeepsCornersToTheFineGrid) {
-  TriangleBuffer buffer(kFlatValues);
+  TriangleBuffer buffer(kFlat);
   const double half = kCoarse / 2;
   buffer.add({212.25 + half, 100, {}}, {300 - half, 20.1, {}}, {0.3, -half, {}});
   ASSERT_EQ(buffer.triangles(), 1U);
@@ -198,7 +219,7 @@ TEST(TriangleBuffer, LeavesOutTrianglesBetweenPixels) {
                          {{0, 0, 30, 0.9, 30, 1}, true}};  // many in the box: not looked at
   for (const auto& [at, is_drawn] : triangles)
     for (const bool other_way : {false, true}) {
-      TriangleBuffer buffer(kFlatValues);
+      TriangleBuffer buffer(kFlat);
       const TriangleBuffer::Corner a{at[0], at[1], {}}, b{at[2], at[3], {}}, c{at[4], at[5], {}};
       other_way ? buffer.add(a, c, b) : buffer.add(a, b, c);
       EXPECT_EQ(buffer.triangles(), is_drawn ? 1U : 0U) << at[0] << ' ' << at[1];
@@ -206,8 +227,11 @@ TEST(TriangleBuffer, LeavesOutTrianglesBetweenPixels) {
 }
 
 TEST(CellTriangles, SlabsOfLatticesAddUpToo) {
-  expect_chords({"lattice, whole", true, {-1}});
-  expect_chords({"lattice, sliced", true, {0, 0.25, 0.375, 0.5, 0.75}});
+  const std::vector<double> levels{0, 0.25, 0.375, 0.5, 0.75};
+  expect_chords({"lattice, whole", true, {-1}, Method::exact_at_vertices, kFlat});
+  expect_chords({"lattice, sliced", true, levels, Method::exact_at_vertices, kFlat});
+  expect_chords({"lattice, whole, by rays", true, {-1}, Method::mean_color, kChord});
+  expect_chords({"lattice, sliced, by rays", true, levels, Method::mean_color, kChord});
 }
 
 }  // namespace

@@ -13,6 +13,8 @@ namespace {
 constexpr double kMargin = 16;
 // |n.v| of isosurfaces seen edge-on, whose polygons have no area.
 constexpr double kLeastFacing = 1e-6;
+// Of a field: no end of the range.
+constexpr float kAnyField = 1e37F;
 // The number of a tetrahedron's face opposite a corner (topology_of).
 constexpr std::array<unsigned, 4> kOppositeFace{1, 2, 0, 3};
 
@@ -70,6 +72,10 @@ void CellTriangles::add(CellId id) {
   Cell cell;
   if (!gather(id, cell)) return;
   ++counts_.cells;
+  if (filler_.shape_ == kChord) {
+    add_chords(cell);
+    return;
+  }
   if (cell.unclipped && frame_.isosurfaces.in(id).empty() && add_whole(cell)) return;
   add_sliced(cell);
 }
@@ -147,6 +153,75 @@ bool CellTriangles::add_whole(const Cell& cell) {
   ++counts_.whole;
   add_tetrahedron(cell.points, cell.depths, corners);
   return true;
+}
+
+// ---- slabs as parts of the rays through a tetrahedron ----
+
+// The outline of the tetrahedron for each slab, the farthest one first.
+void CellTriangles::add_chords(const Cell& cell) {
+  const Range common =
+      common_intervals(frame_.extinction, cell.id, frame_.mesh.elems[cell.id], cell.nodes);
+  if (common.least <= common.most && is_invisible(common.most)) return;
+  const ProjectedTetrahedron shape = project_tetrahedron(cell.points, cell.depths);
+  if (shape.count == 0) return;
+  Chords chords = chords_of(cell, shape);
+  if (common.least <= common.most) {
+    ++counts_.whole;
+    add_chord(chords, common.most, {-kAnyField, kAnyField});
+    return;
+  }
+  const std::vector<double>& upper = frame_.optics.extinction.upper;
+  const auto [least, most] = std::ranges::minmax(cell.extinction);
+  const std::size_t first = classify_value(least, frame_.optics.extinction).high;
+  std::size_t last = first;
+  while (last + 1 < upper.size() && upper[last] < most) ++last;
+  for (std::size_t n = first; n <= last; ++n) {
+    const std::size_t k = chords.falls_away ? n : first + last - n;
+    if (is_invisible(k)) continue;
+    ++counts_.slabs;
+    add_chord(chords, k,
+              {k == first ? -kAnyField : static_cast<float>(upper[k - 1] - chords.zero),
+               k == last ? kAnyField : static_cast<float>(upper[k] - chords.zero)});
+  }
+}
+
+bool CellTriangles::is_invisible(std::size_t interval) const {
+  const OpticsTables& optics = frame_.optics;
+  return optics.no_extinction[interval] != 0 &&
+         (!optics.emission || optics.no_color[interval] != 0);
+}
+
+CellTriangles::Chords CellTriangles::chords_of(const Cell& cell,
+                                               const ProjectedTetrahedron& shape) const {
+  Chords chords{cell.extinction[0], shape.back_depth - shape.front_depth, false, shape, {}, {}};
+  double front = 0, back = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double field = cell.extinction[k] - chords.zero;
+    chords.rim[k] = {cell.points[k].x, cell.points[k].y, {static_cast<float>(field)}};
+    front += shape.front[k] * field;
+    back += shape.back[k] * field;
+  }
+  chords.falls_away = back < front;
+  chords.thickest = {
+      shape.at.x, shape.at.y, {static_cast<float>(shape.outline_is_front ? back : front)}};
+  return chords;
+}
+
+// `range`: of the field in the slab, less its zero.
+void CellTriangles::add_chord(const Chords& chords, std::size_t interval,
+                              const std::array<float, 2>& range) {
+  const OpticsTables& optics = frame_.optics;
+  std::array<float, kChord.rest> rest{static_cast<float>(chords.length), range[0], range[1]};
+  rest[3] = static_cast<float>(channel(optics.extinction, 0, interval, chords.zero));
+  rest[4] = static_cast<float>(optics.extinction.slope[0][interval]);
+  for (std::size_t c = 0; c < 3; ++c) {
+    rest[5 + c] = static_cast<float>(channel(optics.color, c, interval, chords.zero));
+    rest[8 + c] = static_cast<float>(optics.color.slope[c][interval]);
+  }
+  for (unsigned n = 0; n < chords.shape.outlines; ++n) {
+    const auto [a, b, c] = chords.shape.outline[n];
+    triangles_.add(chords.rim[a], chords.rim[b], chords.rim[c], chords.thickest, rest);
+  }
 }
 
 // ---- slabs ----
@@ -353,7 +428,7 @@ TriangleBuffer::Corner CellTriangles::surface_corner(const ScreenPoint& at, cons
     const double alpha = -std::expm1(-lit.optical_depth);
     corner.values[0] = static_cast<float>(alpha);
     if (emission) weight = alpha;
-  } else if (filler_.values_ == kFlatValues) {
+  } else if (filler_.shape_ == kFlat) {
     corner.values = {1, static_cast<float>(lit.optical_depth)};
     if (emission) weight = lit.optical_depth;
   } else {
@@ -364,7 +439,7 @@ TriangleBuffer::Corner CellTriangles::surface_corner(const ScreenPoint& at, cons
     weight = (w + 1) / 2 * (emission ? lit.face_on_depth : 1);
   }
   for (std::size_t c = 0; c < 3; ++c)
-    corner.values[filler_.values_ - 3 + c] = static_cast<float>(weight * lit.color[c]);
+    corner.values[filler_.shape_.values - 3 + c] = static_cast<float>(weight * lit.color[c]);
   return corner;
 }
 
@@ -462,7 +537,7 @@ TriangleBuffer::Corner CellTriangles::corner(const ScreenPoint& at, const Attrib
     weight = (front.w + back.w) / 2;
   }
   for (std::size_t c = 0; c < 3; ++c)
-    corner.values[filler_.values_ - 3 + c] = static_cast<float>(weight * color[c]);
+    corner.values[filler_.shape_.values - 3 + c] = static_cast<float>(weight * color[c]);
   return corner;
 }
 

@@ -14,22 +14,15 @@ namespace {
 // drawn.
 constexpr std::size_t kChunk = std::size_t{1} << 16;
 
-ProgramName program_of(const Frame& frame, Method method) {
+ProgramName program_of(const Frame& frame, Method method, RecordShape shape) {
   const Shaders shaders =
-      shaders_of(method, frame.optics.emission ? Glow::emission : Glow::chromaticity,
-                 frame.projector.perspective());
+      shaders_of(method, frame.optics.emission ? Glow::emission : Glow::chromaticity, shape);
   return draw_program(shaders.vertex, shaders.fragment);
-}
-
-std::size_t values_of(const Frame& frame, Method method) {
-  return frame.projector.perspective() && method != Method::interpolated_opacity
-             ? kPerspectiveValues
-             : kFlatValues;
 }
 
 // A vertex has a place of its own, and a third of its triangle's record: the first one sees all of
 // it, the others what is there from their third on, which is not used.
-VertexArrayName vertex_layout(std::size_t values) {
+VertexArrayName vertex_layout(RecordShape shape) {
   GLuint name = 0;
   glCreateVertexArrays(1, &name);
   VertexArrayName layout(name);
@@ -41,7 +34,7 @@ VertexArrayName vertex_layout(std::size_t values) {
     glVertexArrayAttribBinding(name, at, binding);
   };
   attribute(0, 0, 2, 0);
-  for (std::size_t k = 0; k < record_attributes(values); ++k) attribute(1 + k, 4 * k, 4, 1);
+  for (std::size_t k = 0; k < record_attributes(shape); ++k) attribute(1 + k, 4 * k, 4, 1);
   return layout;
 }
 
@@ -68,11 +61,12 @@ MethodPainter::MethodPainter(const Context& context, const Frame& frame, Method 
     : context_(context),
       frame_(frame),
       method_(method),
-      program_(program_of(frame, method)),
-      layout_(vertex_layout(values_of(frame, method))) {}
+      shape_(record_shape(frame, method)),
+      program_(program_of(frame, method, shape_)),
+      layout_(vertex_layout(shape_)) {}
 
 RegionCounts MethodPainter::draw(const PixelRect& part, std::span<const CellId> back_to_front) {
-  RegionFiller filler(frame_, method_, part);
+  RegionFiller filler(frame_, method_, shape_, part);
   RegionCounts counts;
   const auto axes = frame_.projector.axes();
   const GLuint program = program_.get();
@@ -85,7 +79,7 @@ RegionCounts MethodPainter::draw(const PixelRect& part, std::span<const CellId> 
   glProgramUniform4f(program, glGetUniformLocation(program, "eye"),
                      static_cast<float>(axes.center_x), static_cast<float>(axes.center_y),
                      static_cast<float>(1 / frame_.projector.pixels_per_unit()), 0);
-  const std::size_t record = record_floats(filler.values());
+  const std::size_t record = shape_.floats();
   for (std::size_t first = 0; first < back_to_front.size(); first += kChunk) {
     const double start = seconds_now();
     filler.fill(back_to_front.subspan(first, std::min(kChunk, back_to_front.size() - first)),

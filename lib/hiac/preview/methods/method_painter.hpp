@@ -32,6 +32,7 @@ class MethodPainter {
   const Context& context_;
   const Frame& frame_;
   Method method_;
+  RecordShape shape_;
   ProgramName program_;
   Buffer places_, records_;
   VertexArrayName layout_;

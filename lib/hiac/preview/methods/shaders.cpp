@@ -1,7 +1,5 @@
 #include "hiac/preview/methods/shaders.hpp"
 
-#include "hiac/preview/methods/triangle_buffer.hpp"
-
 namespace hiac::preview {
 namespace {
 
@@ -42,8 +40,11 @@ void main() {
                       vec3(b.y, c.y, a.y) * vec3(c.x, a.x, b.x);
   if (any(lessThan(area, LEAST))) discard;
   vec3 share = area * (1.0 / (area.x + area.y + area.z));
-  vec3 heights = share * STEEP;
-  float height = min(min(heights.x, heights.y), heights.z + OPEN);
+  vec3 heights = OPEN + share * STEEP;
+  float height = min(min(heights.x, heights.y), heights.z);
+)";
+
+constexpr const char* kValues = R"(
   HEAD head = C_HEAD + share.x * A_HEAD + share.y * B_HEAD + height * PEAK_HEAD;
   TAIL tail = C_TAIL + share.x * A_TAIL + share.y * B_TAIL + height * PEAK_TAIL;
 )";
@@ -53,18 +54,33 @@ constexpr const char* kInterpolated = R"(
   vec3 color = tail;
 )";
 
-constexpr const char* kFlat = R"(
+constexpr const char* kFlatValues = R"(
   float along = head.x, depth = along * head.y;
   vec3 color = tail;
 )";
 
 // Extinctions at the ends are (tau / t) / (1 / t).
-constexpr const char* kPerspective = R"(
+constexpr const char* kPerspectiveValues = R"(
   vec2 slope = (pixel - eye.xy) * eye.z;
   float product = head.y * head.z;
   float along = head.x * sqrt(1.0 + dot(slope, slope)) / product;
   float depth = along * (0.5 * (head.w * head.z + tail.x * head.y) / product);
   vec3 color = tail.yzw * (2.0 / (head.y + head.z));
+)";
+
+// The slab's part of the ray's way through the tetrahedron. The field is linear there, and so are
+// extinction and colour in the slab: their means at its ends are what they are at the mean field.
+constexpr const char* kOfChord = R"(
+  float one_end = C_HEAD + share.x * A_HEAD + share.y * B_HEAD;
+  float other_end = one_end + height * PEAK_HEAD;
+  float least = min(one_end, other_end), most = max(one_end, other_end);
+  float low = max(least, RANGE.x), high = min(most, RANGE.y);
+  float part = most > least ? max(high - low, 0.0) / (most - least)
+                            : (least >= RANGE.x && least < RANGE.y ? 1.0 : 0.0);
+  float mean = 0.5 * (low + high);
+  float along = height * LENGTH * part;
+  float depth = along * max(EXTINCTION.x + EXTINCTION.y * mean, 0.0);
+  vec3 color = COLOR + COLOR_SLOPE * mean;
 )";
 
 constexpr const char* kExponential = R"(
@@ -82,36 +98,50 @@ std::string slice(std::size_t first, std::size_t count) {
   return text + ")";
 }
 
-std::string defines_of(std::size_t values) {
-  const std::size_t head = values == kFlatValues ? 2 : 4, tail = values - head;
-  std::string text = "#define RECORD " + std::to_string(record_attributes(values)) +
-                     "\n#define HEAD vec" + std::to_string(head) + "\n#define TAIL vec" +
-                     std::to_string(tail) + "\n#define LEAST " + slice(kLeast, 3) +
-                     "\n#define OPEN " + slice(kOpen, 1) + "\n#define STEEP " + slice(kSteep, 3) +
-                     "\n";
-  std::size_t at = kFirstValue;
-  for (const char* name : {"A", "B", "C", "PEAK"}) {
-    text += std::string("#define ") + name + "_HEAD " + slice(at, head) + "\n#define " + name +
-            "_TAIL " + slice(at + head, tail) + "\n";
-    at += values;
+std::string defines_of(RecordShape shape) {
+  std::string text =
+      "#version 450 core\n#define RECORD " + std::to_string(record_attributes(shape)) + "\n";
+  std::size_t at = kLeast;
+  const auto define = [&](const std::string& name, std::size_t count) {
+    text += "#define " + name + " " + slice(at, count) + "\n";
+    at += count;
+  };
+  define("LEAST", 3);
+  define("OPEN", 3);
+  define("STEEP", 3);
+  // values as two vectors, or one number
+  const std::size_t head = shape == kPerspective ? 4 : shape == kFlat ? 2 : 1;
+  const std::size_t tail = shape.values - head;
+  for (const std::string name : {"A", "B", "C", "PEAK"}) {
+    define(name + "_HEAD", head);
+    if (tail > 0) define(name + "_TAIL", tail);
   }
+  if (tail > 0)
+    return text + "#define HEAD vec" + std::to_string(head) + "\n#define TAIL vec" +
+           std::to_string(tail) + "\n";
+  define("LENGTH", 1);
+  define("RANGE", 2);
+  define("EXTINCTION", 2);
+  define("COLOR", 3);
+  define("COLOR_SLOPE", 3);
   return text;
 }
 
 }  // namespace
 
-std::size_t record_attributes(std::size_t values) { return (record_floats(values) + 3) / 4; }
+std::size_t record_attributes(RecordShape shape) { return (shape.floats() + 3) / 4; }
 
-Shaders shaders_of(Method method, Glow glow, bool perspective) {
+Shaders shaders_of(Method method, Glow glow, RecordShape shape) {
   const bool interpolated = method == Method::interpolated_opacity;
-  const bool flat = interpolated || !perspective;
-  const std::string head =
-      "#version 450 core\n" + defines_of(flat ? kFlatValues : kPerspectiveValues);
+  const std::string head = defines_of(shape);
   std::string fragment = head + kFragmentHead;
-  if (interpolated)
-    fragment += kInterpolated;
+  if (shape == kChord)
+    fragment += kOfChord;
   else
-    fragment += std::string(flat ? kFlat : kPerspective) + kExponential;
+    fragment += std::string(kValues) + (interpolated            ? kInterpolated
+                                        : shape == kPerspective ? kPerspectiveValues
+                                                                : kFlatValues);
+  if (!interpolated) fragment += kExponential;
   if (glow == Glow::chromaticity)
     fragment += "  light = vec4(alpha * color, alpha);\n}\n";
   else if (interpolated)

@@ -5,6 +5,7 @@
 
 #include "hiac/base/glow.hpp"
 #include "hiac/preview/methods/method.hpp"
+#include "hiac/preview/methods/triangle_buffer.hpp"
 
 namespace hiac::preview {
 
@@ -14,9 +15,9 @@ namespace hiac::preview {
 struct Shaders {
   std::string vertex, fragment;
 };
-Shaders shaders_of(Method method, Glow glow, bool perspective);
+Shaders shaders_of(Method method, Glow glow, RecordShape shape);
 
 /// Attributes that a record takes.
-std::size_t record_attributes(std::size_t values);
+std::size_t record_attributes(RecordShape shape);
 
 }  // namespace hiac::preview

@@ -73,6 +73,33 @@ bool has_side(const Place& from, const Place& to) {
   return to[1] < from[1] || (to[1] == from[1] && to[0] > from[0]);
 }
 
+// The shares of a triangle's corners in a peak, 0 of the corner opposite a side that it lies on.
+std::array<double, 3> shares_of_peak(const std::array<Place, 3>& at, const Place& peak) {
+  std::array<double, 3> shares;
+  std::size_t nearest = 0;
+  double least = HUGE_VAL;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Place &p = at[(k + 1) % 3], &q = at[(k + 2) % 3];
+    if (std::max(std::abs(peak[0] - at[k][0]), std::abs(peak[1] - at[k][1])) <= kFine) {
+      shares = {};
+      shares[k] = 1;
+      return shares;
+    }
+    const double dx = q[0] - p[0], dy = q[1] - p[1];
+    shares[k] = dx * (peak[1] - p[1]) - dy * (peak[0] - p[0]);
+    const double distance = shares[k] / std::sqrt(dx * dx + dy * dy);
+    if (distance >= least) continue;
+    least = distance;
+    nearest = k;
+  }
+  for (double& share : shares) share = std::max(share, 0.0);
+  if (least <= kFine) shares[nearest] = 0;
+  const double sum = shares[0] + shares[1] + shares[2];
+  if (!(sum > 0)) return {1, 0, 0};  // narrower than kFine
+  for (double& share : shares) share /= sum;
+  return shares;
+}
+
 }  // namespace
 
 std::array<Place, 3> grown(const std::array<Place, 3>& p) {
@@ -101,7 +128,8 @@ void TriangleBuffer::clear() {
   records_.clear();
 }
 
-void TriangleBuffer::add(const Corner& a, const Corner& b, const Corner& c, const Corner* peak) {
+void TriangleBuffer::add(const Corner& a, const Corner& b, const Corner& c, const Corner* peak,
+                         std::span<const float> rest) {
   std::array<ScreenPoint, 3> at;
   std::array<const Corner*, 3> corners{&a, &b, &c};
   for (std::size_t k = 0; k < 3; ++k) at[k] = {on_grid(corners[k]->x), on_grid(corners[k]->y)};
@@ -117,46 +145,14 @@ void TriangleBuffer::add(const Corner& a, const Corner& b, const Corner& c, cons
     triangle.at[k] = {at[k].x, at[k].y};
     triangle.values[k] = &corners[k]->values;
   }
-  std::array<double, 3> shares{};
-  if (peak != nullptr) shares = place_peak(triangle, *peak);
   for (const Place& place : grown(triangle.at))
     for (const double x : place) places_.push_back(static_cast<float>(x));
   const std::size_t start = records_.size();
-  records_.resize(start + record_floats(values_));
+  records_.resize(start + shape_.floats());
   float* const record = records_.data() + start;
   set_triangle(record, triangle);
-  if (shares[0] > 0) set_peak(record, shares, peak->values);
-}
-
-// The shares of the corners in a peak. Turns the triangle so that the side nearest to it is that
-// between the first two corners. A peak that is at a corner takes its place; the shares are 0 then.
-std::array<double, 3> TriangleBuffer::place_peak(Triangle& triangle, const Corner& peak) {
-  std::array<double, 3> shares;
-  std::size_t nearest = 0;
-  double least = HUGE_VAL;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Place &p = triangle.at[(k + 1) % 3], &q = triangle.at[(k + 2) % 3];
-    if (std::max(std::abs(peak.x - p[0]), std::abs(peak.y - p[1])) <= kFine) {
-      triangle.values[(k + 1) % 3] = &peak.values;
-      return {};
-    }
-    const double dx = q[0] - p[0], dy = q[1] - p[1];
-    shares[k] = dx * (peak.y - p[1]) - dy * (peak.x - p[0]);
-    const double distance = shares[k] / std::sqrt(dx * dx + dy * dy);
-    if (distance >= least) continue;
-    least = distance;
-    nearest = k;
-  }
-  if (least <= kFine) shares[nearest] = 0;
-  const auto turn = static_cast<std::ptrdiff_t>((nearest + 1) % 3);
-  std::ranges::rotate(triangle.at, triangle.at.begin() + turn);
-  std::ranges::rotate(triangle.values, triangle.values.begin() + turn);
-  std::ranges::rotate(shares, shares.begin() + turn);
-  for (double& share : shares) share = std::max(share, 0.0);
-  const double sum = shares[0] + shares[1] + shares[2];
-  for (std::size_t k = 0; k < 3; ++k)
-    shares[k] = k < 2 ? std::max(shares[k] / sum, kLeastShare) : shares[k] / sum;
-  return shares;
+  if (peak != nullptr) set_peak(record, triangle, *peak);
+  std::ranges::copy(rest, record + kFirstValue + 4 * shape_.values);
 }
 
 void TriangleBuffer::set_triangle(float* record, const Triangle& triangle) const {
@@ -171,24 +167,26 @@ void TriangleBuffer::set_triangle(float* record, const Triangle& triangle) const
     record[kLeast + k] =
         has_side(triangle.at[(k + 1) % 3], triangle.at[(k + 2) % 3]) ? 0 : kLeastPositive;
   float* const to = record + kFirstValue;
-  for (std::size_t n = 0; n < values_; ++n) {
+  for (std::size_t n = 0; n < shape_.values; ++n) {
     const float of_c = (*triangle.values[2])[n];
     to[n] = (*triangle.values[0])[n] - of_c;
-    to[n + values_] = (*triangle.values[1])[n] - of_c;
-    to[n + 2 * values_] = of_c;
+    to[n + shape_.values] = (*triangle.values[1])[n] - of_c;
+    to[n + 2 * shape_.values] = of_c;
   }
 }
 
-void TriangleBuffer::set_peak(float* record, const std::array<double, 3>& shares,
-                              const Values& values) const {
-  record[kOpen] = shares[2] > 0 ? 0 : 1;
-  for (std::size_t k = 0; k < 3; ++k)
+void TriangleBuffer::set_peak(float* record, const Triangle& triangle, const Corner& peak) const {
+  const std::array<double, 3> shares = shares_of_peak(triangle.at, {peak.x, peak.y});
+  for (std::size_t k = 0; k < 3; ++k) {
+    record[kOpen + k] = shares[k] > 0 ? 0 : 1;
     record[kSteep + k] =
         shares[k] > 0 ? static_cast<float>(1 / std::max(shares[k], kLeastShare)) : 0;
+  }
   float* const to = record + kFirstValue;
   const auto of_a = static_cast<float>(shares[0]), of_b = static_cast<float>(shares[1]);
-  for (std::size_t n = 0; n < values_; ++n)
-    to[n + 3 * values_] = values[n] - (to[n + 2 * values_] + of_a * to[n] + of_b * to[n + values_]);
+  for (std::size_t n = 0; n < shape_.values; ++n)
+    to[n + 3 * shape_.values] =
+        peak.values[n] - (to[n + 2 * shape_.values] + of_a * to[n] + of_b * to[n + shape_.values]);
 }
 
 }  // namespace hiac::preview

@@ -15,10 +15,10 @@ namespace hiac::preview {
 ///     c.x c.y           and what is missing of them
 ///     least x 3         0 or the least float: a pixel's centre on the side opposite the corner
 ///                       belongs to the triangle from that value of the edge function on
-///     open, steep x 3   with the shares of the corners in a place, w: the height of the peak there
-///                       is the least of steep[k] w[k], and of steep[2] w[2] + open
-///     values x 4        of a less c, b less c, c, and of the peak less what a, b and c have there:
-///                       kFlatValues or kPerspectiveValues each
+///     open, steep x 3   with the shares w of the corners in a place, the height of the peak there
+///                       is the least of open[k] + steep[k] w[k]
+///     values x 4        of a less c, b less c, c, and of the peak less what a, b and c have there
+///     rest              what is the same at every pixel
 ///
 /// Rasterisers move corners to a grid of 1/256 pixel. So a triangle larger by kGrowth is drawn, and
 /// the shader decides, by edge functions that the neighbour evaluates in just the same way, whether
@@ -27,26 +27,41 @@ namespace hiac::preview {
 /// corner is known to half of kFine, and depends on these two alone.
 ///
 /// Values are linear on the screen, or where there is a peak in each of the triangles between it
-/// and two of the corners. Flat (M0; parallel projection): two numbers (length and mean extinction;
-/// with M0 alpha and 0) and a colour. Perspective: the difference of 1 / t at the ends, 1 / t at
-/// the front and the back, extinction / t there, and the colour / t, t in the mean.
-inline constexpr std::size_t kFlatValues = 5;
-inline constexpr std::size_t kPerspectiveValues = 8;
+/// and two of the corners.
 inline constexpr double kGrowth = 0x1p-7;
 inline constexpr double kCoarse = 0x1p-4, kFine = 0x1p-20;
 /// Where in a record things begin.
-inline constexpr std::size_t kLeast = 12, kOpen = 15, kSteep = 16, kFirstValue = 19;
-/// Floats of a record: a multiple of three, so that it spans the triangle's three vertices.
-constexpr std::size_t record_floats(std::size_t values) {
-  return (kFirstValue + 4 * values + 2) / 3 * 3;
-}
+inline constexpr std::size_t kLeast = 12, kOpen = 15, kSteep = 18, kFirstValue = 21;
+
+/// How many values and how much of the rest a record has.
+struct RecordShape {
+  std::size_t values, rest;
+
+  /// A multiple of three, so that a record spans its triangle's three vertices.
+  [[nodiscard]] constexpr std::size_t floats() const {
+    return (kFirstValue + 4 * values + rest + 2) / 3 * 3;
+  }
+  bool operator==(const RecordShape&) const = default;
+};
+/// M0; parallel projection: two numbers (length and mean extinction; with M0 alpha and 0) and a
+/// colour.
+inline constexpr RecordShape kFlat{5, 0};
+/// Perspective: the difference of 1 / t at the ends, 1 / t at the front and the back, extinction /
+/// t there, and the colour / t, t in the mean.
+inline constexpr RecordShape kPerspective{8, 0};
+/// A slab of a tetrahedron in parallel projection, drawn as the tetrahedron's outline. The value is
+/// the transfer functions' field: at the corners on one side of the tetrahedron, at the peak on the
+/// other. The rest: the length there; the slab's range of the field; extinction at 0 and its slope;
+/// colour at 0 and its slope. The field is 0 at a corner.
+inline constexpr RecordShape kChord{1, 11};
+inline constexpr std::size_t kMostValues = 8;
 
 /// Triangles in the order in which they are to be drawn.
 class TriangleBuffer {
  public:
-  using Values = std::array<float, kPerspectiveValues>;
+  using Values = std::array<float, kMostValues>;
 
-  explicit TriangleBuffer(std::size_t values) : values_(values) {}
+  explicit TriangleBuffer(RecordShape shape) : shape_(shape) {}
 
   struct Corner {
     double x, y;
@@ -54,21 +69,22 @@ class TriangleBuffer {
   };
   /// Adds a triangle, counter-clockwise with y up, whichever way it is given; none where its
   /// corners, rounded to kFine, lie on a line, or where it contains no pixel's centre.
-  void add(const Corner& a, const Corner& b, const Corner& c) { add(a, b, c, nullptr); }
+  void add(const Corner& a, const Corner& b, const Corner& c) { add(a, b, c, nullptr, {}); }
   /// The same with a peak, a point of the triangle: values are linear in the triangles that it
   /// makes with two corners. It is taken to lie on a side, or at a corner, that is nearer than
   /// kFine.
-  void add(const Corner& a, const Corner& b, const Corner& c, const Corner& peak) {
-    add(a, b, c, &peak);
+  void add(const Corner& a, const Corner& b, const Corner& c, const Corner& peak,
+           std::span<const float> rest = {}) {
+    add(a, b, c, &peak, rest);
   }
 
   void clear();
   /// Two a vertex, six a triangle.
   [[nodiscard]] std::span<const float> places() const { return places_; }
-  /// record_floats() a triangle.
+  /// RecordShape::floats() a triangle.
   [[nodiscard]] std::span<const float> records() const { return records_; }
   [[nodiscard]] std::size_t triangles() const { return places_.size() / 6; }
-  [[nodiscard]] std::size_t values() const { return values_; }
+  [[nodiscard]] RecordShape shape() const { return shape_; }
 
  private:
   using Place = std::array<double, 2>;
@@ -77,12 +93,12 @@ class TriangleBuffer {
     std::array<Place, 3> at;
     std::array<const Values*, 3> values;
   };
-  void add(const Corner& a, const Corner& b, const Corner& c, const Corner* peak);
-  static std::array<double, 3> place_peak(Triangle& triangle, const Corner& peak);
+  void add(const Corner& a, const Corner& b, const Corner& c, const Corner* peak,
+           std::span<const float> rest);
   void set_triangle(float* record, const Triangle& triangle) const;
-  void set_peak(float* record, const std::array<double, 3>& shares, const Values& values) const;
+  void set_peak(float* record, const Triangle& triangle, const Corner& peak) const;
 
-  std::size_t values_;
+  RecordShape shape_;
   std::vector<float> places_, records_;
 };
 

@@ -55,7 +55,9 @@ ProjectedTetrahedron project_tetrahedron(std::span<const ScreenPoint, 4> points,
     result.outlines = 1;
     result.outline[0] = {corners[0], corners[1], corners[2]};
   }
+  result.outline_is_front = of_plus;
   if (result.front_depth > result.back_depth) {
+    result.outline_is_front = !of_plus;
     std::swap(result.front, result.back);
     std::swap(result.front_depth, result.back_depth);
   }

@@ -25,6 +25,7 @@ struct ProjectedTetrahedron {
   std::array<std::array<std::uint8_t, 3>, 2> outline;  ///< of their corners
   ScreenPoint at;                                      ///< the thickest point
   std::array<double, 4> front, back;                   ///< it as a mean of the corners
+  bool outline_is_front;  ///< whether the outlines' own faces are on the side of `front`
   double front_depth, back_depth;
 };
 
