@@ -33,18 +33,17 @@ std::array<double, 2> place(const float* record, std::size_t corner) {
 double length(const float* record, RecordShape shape, const std::array<double, 3>& shares) {
   double height = 1;
   for (std::size_t k = 0; k < 3; ++k)
-    height = std::min(height, record[kOpen + k] + record[kSteep + k] * shares[k]);
+    height = std::min(height, record[kSteep + k] * (shares[k] + 1e-20));
   const float* of = record + kFirstValue;
   const std::size_t n = shape.values;
   const double at_corners = shares[0] * of[0] + shares[1] * of[n] + of[2 * n];
   if (shape != kChord) return at_corners + height * of[3 * n];
-  // the part of the tetrahedron's length where the field is in the slab's range
-  const double other = at_corners + height * of[3];
-  const auto [least, most] = std::minmax({at_corners, other});
+  // from that side to the other, between the places where the field has the slab's ends
   const float* rest = of + 4;
-  if (least == most) return least >= rest[1] && least < rest[2] ? height * rest[0] : 0;
-  const double part = std::min(most, double{rest[2]}) - std::max(least, double{rest[1]});
-  return height * rest[0] * std::max(part, 0.0) / (most - least);
+  const auto place = [&](double field) {
+    return std::clamp((field - at_corners) * rest[1], 0.0, height * rest[0]);
+  };
+  return std::abs(place(rest[3]) - place(rest[2]));
 }
 
 Covered cover(const TriangleBuffer& buffer, double x, double y) {

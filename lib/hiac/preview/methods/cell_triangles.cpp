@@ -15,6 +15,8 @@ constexpr double kMargin = 16;
 constexpr double kLeastFacing = 1e-6;
 // Of a field: no end of the range.
 constexpr float kAnyField = 1e37F;
+// Of lengths by fields: more is a field that does not change.
+constexpr double kMostRate = 1e30;
 // The number of a tetrahedron's face opposite a corner (topology_of).
 constexpr std::array<unsigned, 4> kOppositeFace{1, 2, 0, 3};
 
@@ -193,7 +195,9 @@ bool CellTriangles::is_invisible(std::size_t interval) const {
 
 CellTriangles::Chords CellTriangles::chords_of(const Cell& cell,
                                                const ProjectedTetrahedron& shape) const {
-  Chords chords{cell.extinction[0], shape.back_depth - shape.front_depth, false, shape, {}, {}};
+  Chords chords{.zero = cell.extinction[0],
+                .length = static_cast<float>(shape.back_depth - shape.front_depth),
+                .shape = shape};
   double front = 0, back = 0;
   for (std::size_t k = 0; k < 4; ++k) {
     const double field = cell.extinction[k] - chords.zero;
@@ -202,8 +206,11 @@ CellTriangles::Chords CellTriangles::chords_of(const Cell& cell,
     back += shape.back[k] * field;
   }
   chords.falls_away = back < front;
-  chords.thickest = {
-      shape.at.x, shape.at.y, {static_cast<float>(shape.outline_is_front ? back : front)}};
+  const double there = shape.outline_is_front ? front : back,
+               beyond = shape.outline_is_front ? back : front;
+  const double rate = (shape.back_depth - shape.front_depth) / (beyond - there);
+  chords.rate = static_cast<float>(std::isnan(rate) ? 0 : std::clamp(rate, -kMostRate, kMostRate));
+  chords.thickest = {shape.at.x, shape.at.y, {static_cast<float>(beyond)}};
   return chords;
 }
 
@@ -211,12 +218,12 @@ CellTriangles::Chords CellTriangles::chords_of(const Cell& cell,
 void CellTriangles::add_chord(const Chords& chords, std::size_t interval,
                               const std::array<float, 2>& range) {
   const OpticsTables& optics = frame_.optics;
-  std::array<float, kChord.rest> rest{static_cast<float>(chords.length), range[0], range[1]};
-  rest[3] = static_cast<float>(channel(optics.extinction, 0, interval, chords.zero));
-  rest[4] = static_cast<float>(optics.extinction.slope[0][interval]);
+  std::array<float, kChord.rest> rest{chords.length, chords.rate, range[0], range[1]};
+  rest[4] = static_cast<float>(channel(optics.extinction, 0, interval, chords.zero));
+  rest[5] = static_cast<float>(optics.extinction.slope[0][interval] / 2);
   for (std::size_t c = 0; c < 3; ++c) {
-    rest[5 + c] = static_cast<float>(channel(optics.color, c, interval, chords.zero));
-    rest[8 + c] = static_cast<float>(optics.color.slope[c][interval]);
+    rest[6 + c] = static_cast<float>(channel(optics.color, c, interval, chords.zero));
+    rest[9 + c] = static_cast<float>(optics.color.slope[c][interval] / 2);
   }
   for (unsigned n = 0; n < chords.shape.outlines; ++n) {
     const auto [a, b, c] = chords.shape.outline[n];

@@ -39,11 +39,12 @@ class CellTriangles {
 
   // What the slabs of a tetrahedron have in common, with fields less `zero`.
   struct Chords {
-    double zero, length;
-    bool falls_away;  // the field is less the farther from the eye
-    ProjectedTetrahedron shape;
-    std::array<TriangleBuffer::Corner, 4> rim;
-    TriangleBuffer::Corner thickest;
+    double zero = 0;
+    float length = 0, rate = 0;  // as in kChord
+    bool falls_away = false;     // the field is less the farther from the eye
+    ProjectedTetrahedron shape{};
+    std::array<TriangleBuffer::Corner, 4> rim{};
+    TriangleBuffer::Corner thickest{};
   };
 
   [[nodiscard]] bool gather(CellId id, Cell& cell) const;

@@ -39,14 +39,14 @@ void main() {
   precise vec3 area = vec3(b.x, c.x, a.x) * vec3(c.y, a.y, b.y) -
                       vec3(b.y, c.y, a.y) * vec3(c.x, a.x, b.x);
   if (any(lessThan(area, LEAST))) discard;
-  vec3 share = area * (1.0 / (area.x + area.y + area.z));
-  vec3 heights = OPEN + share * STEEP;
-  float height = min(min(heights.x, heights.y), heights.z);
+  float one = 1.0 / (area.x + area.y + area.z);
+  vec3 heights = (area + 1e-20) * STEEP;
+  float height = min(min(heights.x, heights.y), heights.z) * one;
 )";
 
 constexpr const char* kValues = R"(
-  HEAD head = C_HEAD + share.x * A_HEAD + share.y * B_HEAD + height * PEAK_HEAD;
-  TAIL tail = C_TAIL + share.x * A_TAIL + share.y * B_TAIL + height * PEAK_TAIL;
+  HEAD head = C_HEAD + one * (area.x * A_HEAD + area.y * B_HEAD) + height * PEAK_HEAD;
+  TAIL tail = C_TAIL + one * (area.x * A_TAIL + area.y * B_TAIL) + height * PEAK_TAIL;
 )";
 
 constexpr const char* kInterpolated = R"(
@@ -70,17 +70,15 @@ constexpr const char* kPerspectiveValues = R"(
 
 // The slab's part of the ray's way through the tetrahedron. The field is linear there, and so are
 // extinction and colour in the slab: their means at its ends are what they are at the mean field.
+// Slabs that follow one another have the same end, so that nothing is lost or counted twice.
 constexpr const char* kOfChord = R"(
-  float one_end = C_HEAD + share.x * A_HEAD + share.y * B_HEAD;
+  float one_end = C_HEAD + one * (area.x * A_HEAD + area.y * B_HEAD);
   float other_end = one_end + height * PEAK_HEAD;
-  float least = min(one_end, other_end), most = max(one_end, other_end);
-  float low = max(least, RANGE.x), high = min(most, RANGE.y);
-  float part = most > least ? max(high - low, 0.0) / (most - least)
-                            : (least >= RANGE.x && least < RANGE.y ? 1.0 : 0.0);
-  float mean = 0.5 * (low + high);
-  float along = height * LENGTH * part;
-  float depth = along * max(EXTINCTION.x + EXTINCTION.y * mean, 0.0);
-  vec3 color = COLOR + COLOR_SLOPE * mean;
+  vec2 ends = clamp((RANGE - one_end) * RATE, 0.0, height * LENGTH);
+  float along = abs(ends.y - ends.x);
+  float twice = clamp(one_end, RANGE.x, RANGE.y) + clamp(other_end, RANGE.x, RANGE.y);
+  float depth = along * max(EXTINCTION.x + EXTINCTION.y * twice, 0.0);
+  vec3 color = COLOR + COLOR_SLOPE * twice;
 )";
 
 constexpr const char* kExponential = R"(
@@ -107,7 +105,6 @@ std::string defines_of(RecordShape shape) {
     at += count;
   };
   define("LEAST", 3);
-  define("OPEN", 3);
   define("STEEP", 3);
   // values as two vectors, or one number
   const std::size_t head = shape == kPerspective ? 4 : shape == kFlat ? 2 : 1;
@@ -120,6 +117,7 @@ std::string defines_of(RecordShape shape) {
     return text + "#define HEAD vec" + std::to_string(head) + "\n#define TAIL vec" +
            std::to_string(tail) + "\n";
   define("LENGTH", 1);
+  define("RATE", 1);
   define("RANGE", 2);
   define("EXTINCTION", 2);
   define("COLOR", 3);

@@ -67,8 +67,8 @@ bool has_pixel(const std::array<ScreenPoint, 3>& at) {
 // A pixel's centre on a side belongs to the triangle that a step right and a much smaller one down
 // leads into. The least normal float, which shaders compare edge functions with.
 constexpr float kLeastPositive = 1.2e-38F;
-// One over it is finite.
-constexpr double kLeastShare = 1e-30;
+// Of a peak that is as good as on a side.
+constexpr double kLeastShare = 1e-15;
 bool has_side(const Place& from, const Place& to) {
   return to[1] < from[1] || (to[1] == from[1] && to[0] > from[0]);
 }
@@ -177,11 +177,9 @@ void TriangleBuffer::set_triangle(float* record, const Triangle& triangle) const
 
 void TriangleBuffer::set_peak(float* record, const Triangle& triangle, const Corner& peak) const {
   const std::array<double, 3> shares = shares_of_peak(triangle.at, {peak.x, peak.y});
-  for (std::size_t k = 0; k < 3; ++k) {
-    record[kOpen + k] = shares[k] > 0 ? 0 : 1;
+  for (std::size_t k = 0; k < 3; ++k)
     record[kSteep + k] =
-        shares[k] > 0 ? static_cast<float>(1 / std::max(shares[k], kLeastShare)) : 0;
-  }
+        shares[k] > 0 ? static_cast<float>(1 / std::max(shares[k], kLeastShare)) : kOpen;
   float* const to = record + kFirstValue;
   const auto of_a = static_cast<float>(shares[0]), of_b = static_cast<float>(shares[1]);
   for (std::size_t n = 0; n < shape_.values; ++n)

@@ -15,8 +15,9 @@ namespace hiac::preview {
 ///     c.x c.y           and what is missing of them
 ///     least x 3         0 or the least float: a pixel's centre on the side opposite the corner
 ///                       belongs to the triangle from that value of the edge function on
-///     open, steep x 3   with the shares w of the corners in a place, the height of the peak there
-///                       is the least of open[k] + steep[k] w[k]
+///     steep x 3         the height of the peak is the least of steep[k] w[k], where w are the
+///     shares
+///                       of the corners; kOpen where it does not fall towards the side
 ///     values x 4        of a less c, b less c, c, and of the peak less what a, b and c have there
 ///     rest              what is the same at every pixel
 ///
@@ -31,7 +32,9 @@ namespace hiac::preview {
 inline constexpr double kGrowth = 0x1p-7;
 inline constexpr double kCoarse = 0x1p-4, kFine = 0x1p-20;
 /// Where in a record things begin.
-inline constexpr std::size_t kLeast = 12, kOpen = 15, kSteep = 18, kFirstValue = 21;
+inline constexpr std::size_t kLeast = 12, kSteep = 15, kFirstValue = 18;
+/// Shaders add 1e-20 to a share before they multiply it by this.
+inline constexpr float kOpen = 1e30F;
 
 /// How many values and how much of the rest a record has.
 struct RecordShape {
@@ -50,10 +53,11 @@ inline constexpr RecordShape kFlat{5, 0};
 /// t there, and the colour / t, t in the mean.
 inline constexpr RecordShape kPerspective{8, 0};
 /// A slab of a tetrahedron in parallel projection, drawn as the tetrahedron's outline. The value is
-/// the transfer functions' field: at the corners on one side of the tetrahedron, at the peak on the
-/// other. The rest: the length there; the slab's range of the field; extinction at 0 and its slope;
-/// colour at 0 and its slope. The field is 0 at a corner.
-inline constexpr RecordShape kChord{1, 11};
+/// the transfer functions' field, less what it is at some corner: at the corners on one side of the
+/// tetrahedron, at the peak on the other. The rest: the length at the peak; how far one goes from
+/// that side for the field to grow by 1; the slab's range of the field; extinction and half its
+/// slope; colour and half its slope.
+inline constexpr RecordShape kChord{1, 12};
 inline constexpr std::size_t kMostValues = 8;
 
 /// Triangles in the order in which they are to be drawn.
