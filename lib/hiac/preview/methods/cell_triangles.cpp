@@ -214,6 +214,36 @@ CellTriangles::Chords CellTriangles::chords_of(const Cell& cell,
   return chords;
 }
 
+// Of the part of the tetrahedron that is seen in a triangle of its outline, a tetrahedron with the
+// thickest point as a corner: whether the slab has any of it, and the least shares of the
+// triangle's corners there.
+bool CellTriangles::is_in(const Chords& chords, const std::array<std::uint8_t, 3>& outline,
+                          const std::array<float, 2>& range, std::array<double, 3>& least) {
+  using Shares = std::array<double, 3>;
+  const auto& there = chords.shape.outline_is_front ? chords.shape.front : chords.shape.back;
+  std::array<Shares, 4> corners{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {}}};
+  std::array<double, 4> field;
+  for (std::size_t k = 0; k < 3; ++k) {
+    corners[3][k] = there[outline[k]];
+    field[k] = chords.rim[outline[k]].values[0];
+  }
+  field[3] = chords.thickest.values[0];
+  bool any = false;
+  least = {1, 1, 1};
+  const auto visit = [&](const Shares& a, const Shares& b, double share) {
+    any = true;
+    for (std::size_t k = 0; k < 3; ++k) least[k] = std::min(least[k], a[k] + share * (b[k] - a[k]));
+  };
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (field[i] >= range[0] && field[i] <= range[1]) visit(corners[i], corners[i], 0);
+    for (std::size_t j = i + 1; j < 4; ++j)
+      for (const double level : range)
+        if ((field[i] < level) != (field[j] < level))
+          visit(corners[i], corners[j], (level - field[i]) / (field[j] - field[i]));
+  }
+  return any;
+}
+
 // `range`: of the field in the slab, less its zero.
 void CellTriangles::add_chord(const Chords& chords, std::size_t interval,
                               const std::array<float, 2>& range) {
@@ -227,7 +257,9 @@ void CellTriangles::add_chord(const Chords& chords, std::size_t interval,
   }
   for (unsigned n = 0; n < chords.shape.outlines; ++n) {
     const auto [a, b, c] = chords.shape.outline[n];
-    triangles_.add(chords.rim[a], chords.rim[b], chords.rim[c], chords.thickest, rest);
+    SlabLimits limits{{}, rest};
+    if (!is_in(chords, chords.shape.outline[n], range, limits.least_shares)) continue;
+    triangles_.add(chords.rim[a], chords.rim[b], chords.rim[c], chords.thickest, limits);
   }
 }
 

@@ -52,6 +52,8 @@ class CellTriangles {
   void add_chords(const Cell& cell);
   [[nodiscard]] bool is_invisible(std::size_t interval) const;
   [[nodiscard]] Chords chords_of(const Cell& cell, const ProjectedTetrahedron& shape) const;
+  [[nodiscard]] static bool is_in(const Chords& chords, const std::array<std::uint8_t, 3>& outline,
+                                  const std::array<float, 2>& range, std::array<double, 3>& least);
   void add_chord(const Chords& chords, std::size_t interval, const std::array<float, 2>& range);
   void add_sliced(const Cell& cell);
   bool make_polyhedron(const Cell& cell);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdlib>
 
 #include "hiac/base/seconds.hpp"
 #include "hiac/preview/methods/shaders.hpp"
@@ -13,7 +12,7 @@ namespace {
 
 // Cells a draw call: the device's memory is bounded, and cells are made triangles while others are
 // drawn.
-static const std::size_t kChunk = std::size_t{1} << (getenv("CH") ? atoi(getenv("CH")) : 16);
+constexpr std::size_t kChunk = std::size_t{1} << 16;
 
 ProgramName program_of(const Frame& frame, Method method, RecordShape shape) {
   const Shaders shaders =
@@ -97,7 +96,6 @@ RegionCounts MethodPainter::draw(const PixelRect& part, std::span<const CellId> 
     glVertexArrayVertexBuffer(layout_.get(), 1, records_.get(), 0,
                               static_cast<GLsizei>(record / 3 * sizeof(float)));
     glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * triangles));
-    if (getenv("FL")) glFlush();
     triangles_ += triangles;
     upload_seconds_ += seconds_now() - made_at;
   }

@@ -64,6 +64,20 @@ bool has_pixel(const std::array<ScreenPoint, 3>& at) {
   return false;
 }
 
+// Of a triangle, one of the same form at one of its corners: the smallest that contains all points
+// with these shares of the corners at least.
+std::array<ScreenPoint, 3> part_with(const std::array<ScreenPoint, 3>& at,
+                                     const std::array<double, 3>& least_shares) {
+  const auto k =
+      static_cast<std::size_t>(std::ranges::max_element(least_shares) - least_shares.begin());
+  const double scale = 1 - least_shares[k];
+  std::array<ScreenPoint, 3> part = at;
+  if (scale < 1)
+    for (ScreenPoint& p : part)
+      p = {at[k].x + scale * (p.x - at[k].x), at[k].y + scale * (p.y - at[k].y)};
+  return part;
+}
+
 // A pixel's centre on a side belongs to the triangle that a step right and a much smaller one down
 // leads into. The least normal float, which shaders compare edge functions with.
 constexpr float kLeastPositive = 1.2e-38F;
@@ -129,30 +143,34 @@ void TriangleBuffer::clear() {
 }
 
 void TriangleBuffer::add(const Corner& a, const Corner& b, const Corner& c, const Corner* peak,
-                         std::span<const float> rest) {
+                         const SlabLimits& limits) {
   std::array<ScreenPoint, 3> at;
   std::array<const Corner*, 3> corners{&a, &b, &c};
   for (std::size_t k = 0; k < 3; ++k) at[k] = {on_grid(corners[k]->x), on_grid(corners[k]->y)};
+  std::array<double, 3> least = limits.least_shares;
   const double area = twice_area(at[0], at[1], at[2]);
   if (area == 0) return;
   if (area < 0) {
     std::swap(corners[0], corners[1]);
     std::swap(at[0], at[1]);
+    std::swap(least[0], least[1]);
   }
-  if (!has_pixel(at)) return;
+  const std::array<ScreenPoint, 3> drawn = part_with(at, least);
+  if (!has_pixel(drawn)) return;
   Triangle triangle;
   for (std::size_t k = 0; k < 3; ++k) {
     triangle.at[k] = {at[k].x, at[k].y};
     triangle.values[k] = &corners[k]->values;
   }
-  for (const Place& place : grown(triangle.at))
+  for (const Place& place :
+       grown({{{drawn[0].x, drawn[0].y}, {drawn[1].x, drawn[1].y}, {drawn[2].x, drawn[2].y}}}))
     for (const double x : place) places_.push_back(static_cast<float>(x));
   const std::size_t start = records_.size();
   records_.resize(start + shape_.floats());
   float* const record = records_.data() + start;
   set_triangle(record, triangle);
   if (peak != nullptr) set_peak(record, triangle, *peak);
-  std::ranges::copy(rest, record + kFirstValue + 4 * shape_.values);
+  std::ranges::copy(limits.rest, record + kFirstValue + 4 * shape_.values);
 }
 
 void TriangleBuffer::set_triangle(float* record, const Triangle& triangle) const {

@@ -60,6 +60,12 @@ inline constexpr RecordShape kPerspective{8, 0};
 inline constexpr RecordShape kChord{1, 12};
 inline constexpr std::size_t kMostValues = 8;
 
+/// Of a triangle with kChord, where its slab lies.
+struct SlabLimits {
+  std::array<double, 3> least_shares{};  ///< that the corners have there
+  std::span<const float> rest;           ///< of the record
+};
+
 /// Triangles in the order in which they are to be drawn.
 class TriangleBuffer {
  public:
@@ -78,8 +84,8 @@ class TriangleBuffer {
   /// makes with two corners. It is taken to lie on a side, or at a corner, that is nearer than
   /// kFine.
   void add(const Corner& a, const Corner& b, const Corner& c, const Corner& peak,
-           std::span<const float> rest = {}) {
-    add(a, b, c, &peak, rest);
+           const SlabLimits& limits = {}) {
+    add(a, b, c, &peak, limits);
   }
 
   void clear();
@@ -98,7 +104,7 @@ class TriangleBuffer {
     std::array<const Values*, 3> values;
   };
   void add(const Corner& a, const Corner& b, const Corner& c, const Corner* peak,
-           std::span<const float> rest);
+           const SlabLimits& limits);
   void set_triangle(float* record, const Triangle& triangle) const;
   void set_peak(float* record, const Triangle& triangle, const Corner& peak) const;
 
