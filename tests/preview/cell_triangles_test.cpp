@@ -190,6 +190,40 @@ TEST(CellTriangles, SlabsAddUpToTheTetrahedron) {
   expect_chords({"one thin slab, by rays", false, near, Method::mean_color, kChord});
 }
 
+// What needs regions, one thing at a time.
+TEST(RecordShape, IsAChordWhereAPixelsRayTellsAll) {
+  ZooMesh mesh = test::random_delaunay(50, 3);
+  test::add_node_field(mesh, "f", test::smooth_field);
+  test::add_node_field(mesh, "g", [](const test::Position& p) { return p[0]; });
+  const Scene plain = test::smooth_scene(Projection::orthographic, Glow::chromaticity);
+  const auto shape = [&](const Scene& scene, Method method = Method::mean_color) {
+    return record_shape(Frame(mesh, scene, Projector(scene.camera, scene.image)), method);
+  };
+  EXPECT_EQ(shape(plain), kChord);
+  EXPECT_EQ(shape(plain, Method::interpolated_opacity), kFlat);
+  EXPECT_EQ(shape(plain, Method::exact_at_vertices), kFlat);
+  EXPECT_EQ(shape(test::smooth_scene(Projection::perspective, Glow::chromaticity)), kPerspective);
+  Scene scene = plain;
+  scene.volume.extinction->field = "g";
+  EXPECT_EQ(shape(scene), kFlat) << "two fields";
+  scene = plain;
+  scene.render.integration = Integration::approximate_unsliced;
+  EXPECT_EQ(shape(scene), kFlat) << "not sliced";
+  scene = plain;
+  scene.camera.clip = {2.6, 3.1};
+  EXPECT_EQ(shape(scene), kFlat) << "clipped";
+  scene.camera.clip = {0.1, 30};
+  EXPECT_EQ(shape(scene), kChord) << "a slab that clips nothing";
+  scene = plain;
+  scene.isosurfaces.emplace_back();
+  scene.isosurfaces[0].field = "f";
+  scene.isosurfaces[0].value = 0.4;
+  EXPECT_EQ(shape(scene), kFlat) << "an isosurface";
+  scene = plain;
+  scene.volume.extinction->points = {{0.4, {1}}, {0.4 + 1e-6, {1000}}};
+  EXPECT_EQ(shape(scene), kFlat) << "a steep function";
+}
+
 // A corner whose rest is half of the coarse grid's step: the largest of 16-bit numbers.
 TEST(TriangleBuffer, KeepsCornersToTheFineGrid) {
   TriangleBuffer buffer(kFlat);
