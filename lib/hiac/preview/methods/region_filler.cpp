@@ -56,7 +56,7 @@ bool lies_within(const Frame& frame) {
 
 // Whether single precision knows the field of a ray well enough for extinction and colour.
 bool knows_field(const Frame& frame) {
-  // of optical depths and colours: as much as a step of 8-bit pictures, over the cells of a ray
+  // of optical depths over a whole ray, and of colours
   constexpr double kMostError = 1e-5;
   const auto [least, most] = std::ranges::minmax(frame.extinction.values);
   const auto steepest = [](const std::vector<double>& slopes) {
