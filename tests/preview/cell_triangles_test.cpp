@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <random>
 
@@ -23,24 +22,46 @@ struct Covered {
   bool doubtful = false;
 };
 
+// A corner of a record's triangle, as the shaders have it.
+std::array<double, 2> place(const float* record, std::size_t corner) {
+  const float* coarse = record + (corner < 2 ? 2 * corner : 8);
+  const float* fine = coarse + (corner < 2 ? 4 : 2);
+  return {double{coarse[0]} + double{fine[0]}, double{coarse[1]} + double{fine[1]}};
+}
+
+// The length that a record has in the mean of its corners with these shares.
+double length(const float* record, RecordShape shape, const std::array<double, 3>& shares) {
+  double height = 1;
+  for (std::size_t k = 0; k < 3; ++k)
+    height = std::min(height, record[kSteep + k] * (shares[k] + 1e-20));
+  const float* of = record + kFirstValue;
+  const std::size_t n = shape.values;
+  const double at_corners = shares[0] * of[0] + shares[1] * of[n] + of[2 * n];
+  if (shape != kChord) return at_corners + height * of[3 * n];
+  // from that side to the other, between the places where the field has the slab's ends
+  const float* rest = of + 4;
+  const auto place = [&](double field) {
+    return std::clamp((field - at_corners) * rest[1], 0.0, height * rest[0]);
+  };
+  return std::abs(place(rest[3]) - place(rest[2]));
+}
+
 Covered cover(const TriangleBuffer& buffer, double x, double y) {
   Covered result;
-  const auto floats = buffer.floats();
-  const std::size_t stride = buffer.floats_per_vertex();
-  for (std::size_t t = 0; t < floats.size(); t += 3 * stride) {
+  for (std::size_t t = 0; t < buffer.triangles(); ++t) {
+    const float* record = buffer.records().data() + t * buffer.shape().floats();
     std::array<double, 3> px, py, area;
     for (std::size_t k = 0; k < 3; ++k) {
-      const float* v = &floats[t + k * stride];
-      const auto fine = std::bit_cast<std::array<std::int16_t, 2>>(v[4]);
-      px[k] = v[2] + fine[0] * kFine - x;
-      py[k] = v[3] + fine[1] * kFine - y;
+      const auto at = place(record, k);
+      px[k] = at[0] - x;
+      py[k] = at[1] - y;
     }
     double sum = 0;
     bool inside = true;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
       area[k] = px[i] * py[j] - py[i] * px[j];
-      inside &= area[k] >= 0;
+      inside &= area[k] >= double{record[kLeast + k]};
       sum += area[k];
     }
     for (std::size_t k = 0; k < 3; ++k) {
@@ -52,8 +73,7 @@ Covered cover(const TriangleBuffer& buffer, double x, double y) {
     }
     if (!inside) continue;
     ++result.triangles;
-    for (std::size_t k = 0; k < 3; ++k)
-      result.length += area[k] / sum * floats[t + k * stride + kFirstValue];
+    result.length += length(record, buffer.shape(), {area[0] / sum, area[1] / sum, area[2] / sum});
   }
   return result;
 }
@@ -91,6 +111,8 @@ struct Setting {
   const char* name;
   bool lattice;
   std::vector<double> levels;
+  Method method;
+  RecordShape shape;
 };
 
 // One tetrahedron, sliced: its slabs' lengths add up to the chord, at every point, and no slab
@@ -122,8 +144,10 @@ void expect_chords(const Setting& setting) {
       scene.volume.extinction->points.push_back({level, {2 + level}});
     const Projector projector(scene.camera, scene.image);
     const Frame frame(mesh, scene, projector);
-    RegionFiller filler(frame, Method::mean_color, whole_picture(scene.image));
-    TriangleBuffer buffer(filler.values());
+    const RecordShape shape = record_shape(frame, setting.method);
+    EXPECT_EQ(shape, setting.shape) << setting.name;
+    RegionFiller filler(frame, setting.method, shape, whole_picture(scene.image));
+    TriangleBuffer buffer(shape);
     RegionCounts counts;
     filler.fill(std::vector<CellId>{0}, buffer, counts);
     slabs += counts.slabs;
@@ -156,23 +180,59 @@ void expect_chords(const Setting& setting) {
 }
 
 TEST(CellTriangles, SlabsAddUpToTheTetrahedron) {
-  expect_chords({"whole", false, {-1}});
-  expect_chords({"sliced", false, {0.2, 0.4, 0.5, 0.50001, 0.9}});
-  expect_chords({"one thin slab", false, {0.3, 0.3 + 1e-9}});
+  const std::vector<double> levels{0.2, 0.4, 0.5, 0.50001, 0.9};
+  expect_chords({"whole", false, {-1}, Method::exact_at_vertices, kFlat});
+  expect_chords({"sliced", false, levels, Method::exact_at_vertices, kFlat});
+  expect_chords({"whole, by rays", false, {-1}, Method::mean_color, kChord});
+  expect_chords({"sliced, by rays", false, levels, Method::mean_color, kChord});
+  const std::vector<double> near{0.3, 0.3 + 1e-9};
+  expect_chords({"one thin slab", false, near, Method::exact_at_vertices, kFlat});
+  expect_chords({"one thin slab, by rays", false, near, Method::mean_color, kChord});
+}
+
+// What needs regions, one thing at a time.
+TEST(RecordShape, IsAChordWhereAPixelsRayTellsAll) {
+  ZooMesh mesh = test::random_delaunay(50, 3);
+  test::add_node_field(mesh, "f", test::smooth_field);
+  test::add_node_field(mesh, "g", [](const test::Position& p) { return p[0]; });
+  const Scene plain = test::smooth_scene(Projection::orthographic, Glow::chromaticity);
+  const auto shape = [&](const Scene& scene, Method method = Method::mean_color) {
+    return record_shape(Frame(mesh, scene, Projector(scene.camera, scene.image)), method);
+  };
+  EXPECT_EQ(shape(plain), kChord);
+  EXPECT_EQ(shape(plain, Method::interpolated_opacity), kFlat);
+  EXPECT_EQ(shape(plain, Method::exact_at_vertices), kFlat);
+  EXPECT_EQ(shape(test::smooth_scene(Projection::perspective, Glow::chromaticity)), kPerspective);
+  Scene scene = plain;
+  scene.volume.extinction->field = "g";
+  EXPECT_EQ(shape(scene), kFlat) << "two fields";
+  scene = plain;
+  scene.render.integration = Integration::approximate_unsliced;
+  EXPECT_EQ(shape(scene), kFlat) << "not sliced";
+  scene = plain;
+  scene.camera.clip = {2.6, 3.1};
+  EXPECT_EQ(shape(scene), kFlat) << "clipped";
+  scene.camera.clip = {0.1, 30};
+  EXPECT_EQ(shape(scene), kChord) << "a slab that clips nothing";
+  scene = plain;
+  scene.isosurfaces.emplace_back();
+  scene.isosurfaces[0].field = "f";
+  scene.isosurfaces[0].value = 0.4;
+  EXPECT_EQ(shape(scene), kFlat) << "an isosurface";
+  scene = plain;
+  scene.volume.extinction->points = {{0.4, {1}}, {0.4 + 1e-6, {1000}}};
+  EXPECT_EQ(shape(scene), kFlat) << "a steep function";
 }
 
 // A corner whose rest is half of the coarse grid's step: the largest of 16-bit numbers.
 TEST(TriangleBuffer, KeepsCornersToTheFineGrid) {
-  TriangleBuffer buffer(kFlatValues);
+  TriangleBuffer buffer(kFlat);
   const double half = kCoarse / 2;
   buffer.add({212.25 + half, 100, {}}, {300 - half, 20.1, {}}, {0.3, -half, {}});
   ASSERT_EQ(buffer.triangles(), 1U);
   std::vector<double> places;
-  for (std::size_t v = 0; v < 3; ++v) {
-    const float* at = &buffer.floats()[v * buffer.floats_per_vertex()];
-    const auto fine = std::bit_cast<std::array<std::int16_t, 2>>(at[4]);
-    for (std::size_t c = 0; c < 2; ++c) places.push_back(at[2 + c] + fine[c] * kFine);
-  }
+  for (std::size_t v = 0; v < 3; ++v)
+    for (const double x : place(buffer.records().data(), v)) places.push_back(x);
   for (const double place : {212.25 + half, 100.0, 300 - half, 20.1, 0.3, -half})
     EXPECT_TRUE(std::ranges::any_of(places, [&](double found) {
       return std::abs(found - place) <= kFine / 2;
@@ -192,7 +252,7 @@ TEST(TriangleBuffer, LeavesOutTrianglesBetweenPixels) {
                          {{0, 0, 30, 0.9, 30, 1}, true}};  // many in the box: not looked at
   for (const auto& [at, is_drawn] : triangles)
     for (const bool other_way : {false, true}) {
-      TriangleBuffer buffer(kFlatValues);
+      TriangleBuffer buffer(kFlat);
       const TriangleBuffer::Corner a{at[0], at[1], {}}, b{at[2], at[3], {}}, c{at[4], at[5], {}};
       other_way ? buffer.add(a, c, b) : buffer.add(a, b, c);
       EXPECT_EQ(buffer.triangles(), is_drawn ? 1U : 0U) << at[0] << ' ' << at[1];
@@ -200,8 +260,11 @@ TEST(TriangleBuffer, LeavesOutTrianglesBetweenPixels) {
 }
 
 TEST(CellTriangles, SlabsOfLatticesAddUpToo) {
-  expect_chords({"lattice, whole", true, {-1}});
-  expect_chords({"lattice, sliced", true, {0, 0.25, 0.375, 0.5, 0.75}});
+  const std::vector<double> levels{0, 0.25, 0.375, 0.5, 0.75};
+  expect_chords({"lattice, whole", true, {-1}, Method::exact_at_vertices, kFlat});
+  expect_chords({"lattice, sliced", true, levels, Method::exact_at_vertices, kFlat});
+  expect_chords({"lattice, whole, by rays", true, {-1}, Method::mean_color, kChord});
+  expect_chords({"lattice, sliced, by rays", true, levels, Method::mean_color, kChord});
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "hiac/geometry/vector.hpp"
 #include "hiac/preview/methods/lit_surface.hpp"
+#include "hiac/preview/methods/transfer_pieces.hpp"
 
 namespace hiac::preview {
 namespace {
@@ -15,27 +16,6 @@ constexpr double kMargin = 16;
 constexpr double kLeastFacing = 1e-6;
 // The number of a tetrahedron's face opposite a corner (topology_of).
 constexpr std::array<unsigned, 4> kOppositeFace{1, 2, 0, 3};
-
-template <std::size_t N>
-double channel(const TransferTable<N>& table, std::size_t c, std::size_t interval, double value) {
-  return table.value[c][interval] + table.slope[c][interval] * (value - table.anchor[interval]);
-}
-
-struct Range {
-  std::uint16_t least, most;  // intervals that all values are in, where least <= most
-};
-
-// The intervals that hold all of a cell's values, at its nodes.
-Range common_intervals(const FrameField& field, CellId cell, std::uint64_t entry,
-                       const std::array<NodeId, 4>& nodes) {
-  Range range{0, 0xFFFF};
-  for (std::size_t k = 0; k < 4; ++k) {
-    const ScalarIntervals in = field.intervals[field.index(cell, entry + k, nodes[k])];
-    range.least = std::max(range.least, in.low);
-    range.most = std::min(range.most, in.high);
-  }
-  return range;
-}
 
 // The corner around which a region is cut into triangles: where the slab is thickest, as in Shirley
 // and Tuchman's tetrahedra. It is as thick along a whole side where that is an edge of the slab in
@@ -70,6 +50,10 @@ void CellTriangles::add(CellId id) {
   Cell cell;
   if (!gather(id, cell)) return;
   ++counts_.cells;
+  if (filler_.shape_ == kChord) {
+    add_chords(cell);
+    return;
+  }
   if (cell.unclipped && frame_.isosurfaces.in(id).empty() && add_whole(cell)) return;
   add_sliced(cell);
 }
@@ -128,9 +112,9 @@ bool CellTriangles::add_whole(const Cell& cell) {
       corners[k] = attributes(cell.depths[k], optics.extinction_function(cell.extinction[k])[0],
                               optics.color_function(cell.color[k]));
   } else {
-    const Range tau = common_intervals(frame_.extinction, cell.id, entry, cell.nodes);
+    const IntervalRange tau = common_intervals(frame_.extinction, cell.id, entry, cell.nodes);
     if (tau.least > tau.most) return false;
-    const Range color =
+    const IntervalRange color =
         optics.same_field ? tau : common_intervals(frame_.color, cell.id, entry, cell.nodes);
     if (color.least > color.most) return false;
     if (optics.no_extinction[tau.most] != 0 &&
@@ -353,7 +337,7 @@ TriangleBuffer::Corner CellTriangles::surface_corner(const ScreenPoint& at, cons
     const double alpha = -std::expm1(-lit.optical_depth);
     corner.values[0] = static_cast<float>(alpha);
     if (emission) weight = alpha;
-  } else if (filler_.values_ == kFlatValues) {
+  } else if (filler_.shape_ == kFlat) {
     corner.values = {1, static_cast<float>(lit.optical_depth)};
     if (emission) weight = lit.optical_depth;
   } else {
@@ -364,7 +348,7 @@ TriangleBuffer::Corner CellTriangles::surface_corner(const ScreenPoint& at, cons
     weight = (w + 1) / 2 * (emission ? lit.face_on_depth : 1);
   }
   for (std::size_t c = 0; c < 3; ++c)
-    corner.values[filler_.values_ - 3 + c] = static_cast<float>(weight * lit.color[c]);
+    corner.values[filler_.shape_.values - 3 + c] = static_cast<float>(weight * lit.color[c]);
   return corner;
 }
 
@@ -391,14 +375,10 @@ void CellTriangles::add_tetrahedron(std::span<const ScreenPoint, 4> points,
   const TriangleBuffer::Corner thick =
       corner(shape.at, front, back, shape.back_depth - shape.front_depth);
   std::array<TriangleBuffer::Corner, 4> rim;
-  std::array<bool, 4> made{};
-  for (unsigned n = 0; n < shape.count; ++n) {
-    for (const std::uint8_t k : shape.rims[n]) {
-      if (made[k]) continue;
-      rim[k] = corner(points[k], corners[k], corners[k], 0);
-      made[k] = true;
-    }
-    triangles_.add(thick, rim[shape.rims[n][0]], rim[shape.rims[n][1]]);
+  for (std::size_t k = 0; k < 4; ++k) rim[k] = corner(points[k], corners[k], corners[k], 0);
+  for (unsigned n = 0; n < shape.outlines; ++n) {
+    const auto [a, b, c] = shape.outline[n];
+    triangles_.add(rim[a], rim[b], rim[c], thick);
   }
 }
 
@@ -466,7 +446,7 @@ TriangleBuffer::Corner CellTriangles::corner(const ScreenPoint& at, const Attrib
     weight = (front.w + back.w) / 2;
   }
   for (std::size_t c = 0; c < 3; ++c)
-    corner.values[filler_.values_ - 3 + c] = static_cast<float>(weight * color[c]);
+    corner.values[filler_.shape_.values - 3 + c] = static_cast<float>(weight * color[c]);
   return corner;
 }
 

@@ -37,9 +37,24 @@ class CellTriangles {
     bool unclipped;
   };
 
+  // What the slabs of a tetrahedron have in common, with fields less `zero`.
+  struct Chords {
+    double zero = 0;
+    float length = 0, rate = 0;  // as in kChord
+    bool falls_away = false;     // the field is less the farther from the eye
+    ProjectedTetrahedron shape{};
+    std::array<TriangleBuffer::Corner, 4> rim{};
+    TriangleBuffer::Corner thickest{};
+  };
+
   [[nodiscard]] bool gather(CellId id, Cell& cell) const;
-  [[nodiscard]] bool is_invisible(const Cell& cell) const;
   [[nodiscard]] bool add_whole(const Cell& cell);
+  void add_chords(const Cell& cell);
+  [[nodiscard]] bool is_invisible(std::size_t interval) const;
+  [[nodiscard]] Chords chords_of(const Cell& cell, const ProjectedTetrahedron& shape) const;
+  [[nodiscard]] static bool is_in(const Chords& chords, const std::array<std::uint8_t, 3>& outline,
+                                  const std::array<float, 2>& range, std::array<double, 3>& least);
+  void add_chord(const Chords& chords, std::size_t interval, const std::array<float, 2>& range);
   void add_sliced(const Cell& cell);
   bool make_polyhedron(const Cell& cell);
   void clip(const std::array<double, 4>& plane);

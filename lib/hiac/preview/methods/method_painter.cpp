@@ -14,41 +14,45 @@ namespace {
 // drawn.
 constexpr std::size_t kChunk = std::size_t{1} << 16;
 
-ProgramName program_of(const Frame& frame, Method method) {
+ProgramName program_of(const Frame& frame, Method method, RecordShape shape) {
   const Shaders shaders =
-      shaders_of(method, frame.optics.emission ? Glow::emission : Glow::chromaticity,
-                 frame.projector.perspective());
+      shaders_of(method, frame.optics.emission ? Glow::emission : Glow::chromaticity, shape);
   return draw_program(shaders.vertex, shaders.fragment);
 }
 
-std::size_t values_of(const Frame& frame, Method method) {
-  return frame.projector.perspective() && method != Method::interpolated_opacity
-             ? kPerspectiveValues
-             : kFlatValues;
-}
-
-// The first vertex of a triangle sees the other two behind it.
-VertexArrayName vertex_layout(std::size_t values) {
+// A vertex has a place of its own, and a third of its triangle's record: the first one sees all of
+// it, the others what is there from their third on, which is not used.
+VertexArrayName vertex_layout(RecordShape shape) {
   GLuint name = 0;
   glCreateVertexArrays(1, &name);
   VertexArrayName layout(name);
-  const std::size_t stride = kFirstValue + values, head = values == kFlatValues ? 2 : 4;
-  const auto attribute = [&](std::size_t number, std::size_t first, std::size_t count,
-                             GLenum type = GL_FLOAT) {
+  const auto attribute = [&](std::size_t number, std::size_t first, GLint count, GLuint binding) {
     const auto at = static_cast<GLuint>(number);
     glEnableVertexArrayAttrib(name, at);
-    glVertexArrayAttribFormat(name, at, static_cast<GLint>(count), type, GL_FALSE,
+    glVertexArrayAttribFormat(name, at, count, GL_FLOAT, GL_FALSE,
                               static_cast<GLuint>(first * sizeof(float)));
-    glVertexArrayAttribBinding(name, at, 0);
+    glVertexArrayAttribBinding(name, at, binding);
   };
-  attribute(0, 0, 2);
-  for (std::size_t k = 0; k < 3; ++k) {
-    attribute(1 + k, k * stride + 2, 2);
-    attribute(4 + k, k * stride + kFirstValue, head);
-    attribute(7 + k, k * stride + kFirstValue + head, values - head);
-    attribute(10 + k, k * stride + 4, 2, GL_SHORT);
-  }
+  attribute(0, 0, 2, 0);
+  for (std::size_t k = 0; k < record_attributes(shape); ++k) attribute(1 + k, 4 * k, 4, 1);
   return layout;
+}
+
+// Copies what several threads have made behind one another.
+void join(Buffer& buffer, std::span<const TriangleBuffer> made,
+          std::span<const float> (TriangleBuffer::*part)() const, std::size_t floats_behind) {
+  std::size_t bytes = floats_behind * sizeof(float);
+  for (const TriangleBuffer& triangles : made) bytes += (triangles.*part)().size_bytes();
+  buffer.reserve(bytes);
+  glInvalidateBufferData(buffer.get());
+  std::size_t at = 0;
+  for (const TriangleBuffer& triangles : made) {
+    const auto floats = (triangles.*part)();
+    if (floats.empty()) continue;
+    glNamedBufferSubData(buffer.get(), static_cast<GLintptr>(at),
+                         static_cast<GLsizeiptr>(floats.size_bytes()), floats.data());
+    at += floats.size_bytes();
+  }
 }
 
 }  // namespace
@@ -57,11 +61,12 @@ MethodPainter::MethodPainter(const Context& context, const Frame& frame, Method 
     : context_(context),
       frame_(frame),
       method_(method),
-      program_(program_of(frame, method)),
-      layout_(vertex_layout(values_of(frame, method))) {}
+      shape_(record_shape(frame, method)),
+      program_(program_of(frame, method, shape_)),
+      layout_(vertex_layout(shape_)) {}
 
 RegionCounts MethodPainter::draw(const PixelRect& part, std::span<const CellId> back_to_front) {
-  RegionFiller filler(frame_, method_, part);
+  RegionFiller filler(frame_, method_, shape_, part);
   RegionCounts counts;
   const auto axes = frame_.projector.axes();
   const GLuint program = program_.get();
@@ -74,30 +79,24 @@ RegionCounts MethodPainter::draw(const PixelRect& part, std::span<const CellId> 
   glProgramUniform4f(program, glGetUniformLocation(program, "eye"),
                      static_cast<float>(axes.center_x), static_cast<float>(axes.center_y),
                      static_cast<float>(1 / frame_.projector.pixels_per_unit()), 0);
-  const std::size_t stride = (kFirstValue + filler.values()) * sizeof(float);
+  const std::size_t record = shape_.floats();
   for (std::size_t first = 0; first < back_to_front.size(); first += kChunk) {
     const double start = seconds_now();
     filler.fill(back_to_front.subspan(first, std::min(kChunk, back_to_front.size() - first)),
                 buffers_, counts);
     const double made_at = seconds_now();
     region_seconds_ += made_at - start;
-    std::size_t bytes = 0;
-    for (const TriangleBuffer& made : buffers_) bytes += made.floats().size_bytes();
-    if (bytes == 0) continue;
-    // the last triangle's vertices look at two more
-    buffer_.reserve(bytes + 2 * stride);
-    glInvalidateBufferData(buffer_.get());
-    glVertexArrayVertexBuffer(layout_.get(), 0, buffer_.get(), 0, static_cast<GLsizei>(stride));
-    std::size_t at = 0;
-    for (const TriangleBuffer& made : buffers_) {
-      const auto floats = made.floats();
-      if (floats.empty()) continue;
-      glNamedBufferSubData(buffer_.get(), static_cast<GLintptr>(at),
-                           static_cast<GLsizeiptr>(floats.size_bytes()), floats.data());
-      at += floats.size_bytes();
-    }
-    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(bytes / stride));
-    triangles_ += bytes / stride / 3;
+    std::size_t triangles = 0;
+    for (const TriangleBuffer& made : buffers_) triangles += made.triangles();
+    if (triangles == 0) continue;
+    join(places_, buffers_, &TriangleBuffer::places, 0);
+    // the last triangle's vertices look that far
+    join(records_, buffers_, &TriangleBuffer::records, record);
+    glVertexArrayVertexBuffer(layout_.get(), 0, places_.get(), 0, 2 * sizeof(float));
+    glVertexArrayVertexBuffer(layout_.get(), 1, records_.get(), 0,
+                              static_cast<GLsizei>(record / 3 * sizeof(float)));
+    glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * triangles));
+    triangles_ += triangles;
     upload_seconds_ += seconds_now() - made_at;
   }
   context_.check("drawing homogeneous regions");

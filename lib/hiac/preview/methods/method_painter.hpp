@@ -32,8 +32,9 @@ class MethodPainter {
   const Context& context_;
   const Frame& frame_;
   Method method_;
+  RecordShape shape_;
   ProgramName program_;
-  Buffer buffer_;
+  Buffer places_, records_;
   VertexArrayName layout_;
   std::vector<TriangleBuffer> buffers_;
   double region_seconds_ = 0, upload_seconds_ = 0;

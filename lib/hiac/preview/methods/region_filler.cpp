@@ -41,7 +41,46 @@ double depth_of(const Projector& projector, double t) {
   return projector.perspective() ? -1 / t : t;
 }
 
+double reach_of(const Projector& projector) {
+  return std::max({kReach, 2 * projector.axes().center_x, 2 * projector.axes().center_y});
+}
+
+// Parallel projection.
+bool lies_within(const Frame& frame) {
+  const double reach = reach_of(frame.projector);
+  return std::ranges::all_of(frame.nodes, [&](const ProjectedNode& node) {
+    return std::max(std::abs(node.x), std::abs(node.y)) <= reach &&
+           node.depth >= frame.projector.near() && node.depth <= frame.projector.far();
+  });
+}
+
+// Whether single precision knows the field of a ray well enough for extinction and colour.
+bool knows_field(const Frame& frame) {
+  // of optical depths over a whole ray, and of colours
+  constexpr double kMostError = 1e-5;
+  const auto [least, most] = std::ranges::minmax(frame.extinction.values);
+  const auto steepest = [](const std::vector<double>& slopes) {
+    double most_of = 0;
+    for (const double slope : slopes) most_of = std::max(most_of, std::abs(slope));
+    return most_of;
+  };
+  const OpticsTables& optics = frame.optics;
+  double slope = steepest(optics.extinction.slope[0]) * frame.depth;
+  for (const auto& channel : optics.color.slope) slope = std::max(slope, steepest(channel));
+  return slope * (most - least) * 0x1p-24 <= kMostError;
+}
+
 }  // namespace
+
+RecordShape record_shape(const Frame& frame, Method method) {
+  const OpticsTables& optics = frame.optics;
+  if (frame.projector.perspective())
+    return method == Method::interpolated_opacity ? kFlat : kPerspective;
+  const bool by_rays = method == Method::mean_color && optics.same_field && !optics.unsliced &&
+                       frame.isosurfaces.surfaces.empty() && lies_within(frame) &&
+                       knows_field(frame);
+  return by_rays ? kChord : kFlat;
+}
 
 void RegionCounts::add(const RegionCounts& other) {
   cells += other.cells;
@@ -54,19 +93,18 @@ void RegionCounts::add(const RegionCounts& other) {
   uncut += other.uncut;
 }
 
-RegionFiller::RegionFiller(const Frame& frame, Method method, const PixelRect& part)
+RegionFiller::RegionFiller(const Frame& frame, Method method, RecordShape shape,
+                           const PixelRect& part)
     : frame_(frame),
       method_(method),
       part_(part),
-      values_(frame.projector.perspective() && method != Method::interpolated_opacity
-                  ? kPerspectiveValues
-                  : kFlatValues),
+      shape_(shape),
       color_(method, frame.optics.emission ? Glow::emission : Glow::chromaticity),
       near_(frame.projector.near()),
       far_(frame.projector.far()),
       width_(2 * frame.projector.axes().center_x),
       height_(2 * frame.projector.axes().center_y),
-      reach_(std::max({kReach, width_, height_})) {
+      reach_(reach_of(frame.projector)) {
   for (const CellKind kind : frame.mesh.kinds.view())
     if (kind != CellKind::tetrahedron4)
       throw std::invalid_argument("homogeneous regions are made of linear tetrahedra alone");
@@ -93,7 +131,7 @@ void RegionFiller::fill(std::span<const CellId> back_to_front, TriangleBuffer& t
 void RegionFiller::fill(std::span<const CellId> back_to_front, std::vector<TriangleBuffer>& buffers,
                         RegionCounts& counts) {
   const std::size_t parts = (back_to_front.size() + kGrain - 1) / kGrain;
-  while (buffers.size() < parts) buffers.emplace_back(values_);
+  while (buffers.size() < parts) buffers.emplace_back(shape_);
   for (TriangleBuffer& buffer : buffers) buffer.clear();
   std::mutex joining;
   parallel_for(back_to_front.size(), kGrain, [&](IndexRange range) {

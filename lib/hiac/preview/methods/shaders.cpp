@@ -4,67 +4,21 @@ namespace hiac::preview {
 namespace {
 
 constexpr const char* kVertex = R"(
-layout(location = 0) in vec2 grown;
-layout(location = 1) in vec2 place_a;
-layout(location = 2) in vec2 place_b;
-layout(location = 3) in vec2 place_c;
-layout(location = 4) in HEAD head_a;
-layout(location = 5) in HEAD head_b;
-layout(location = 6) in HEAD head_c;
-layout(location = 7) in TAIL tail_a;
-layout(location = 8) in TAIL tail_b;
-layout(location = 9) in TAIL tail_c;
-layout(location = 10) in vec2 fine_a;
-layout(location = 11) in vec2 fine_b;
-layout(location = 12) in vec2 fine_c;
+layout(location = 0) in vec2 corner;
+layout(location = 1) in vec4 record[RECORD];
 uniform vec4 part;  // corner and size, pixels
-flat out vec4 places_ab;
-flat out vec4 fine_ab;
-flat out vec4 places_c;
-flat out vec3 least;
-flat out HEAD from_a_head;
-flat out HEAD from_b_head;
-flat out HEAD from_c_head;
-flat out TAIL from_a_tail;
-flat out TAIL from_b_tail;
-flat out TAIL from_c_tail;
-
-// A pixel's centre on an edge belongs to the triangle that a step right and a much smaller one down
-// leads into: there 0 is enough, else the edge function has to be positive.
-float least_of(vec2 along) {
-  return along.y < 0.0 || (along.y == 0.0 && along.x > 0.0) ? 0.0 : 1.2e-38;
-}
+flat out vec4 data[RECORD];
 
 void main() {
-  gl_Position = vec4((grown - part.xy) / part.zw * 2.0 - 1.0, 0.0, 1.0);
-  places_ab = vec4(place_a, place_b);
-  fine_ab = vec4(fine_a, fine_b) * FINE;
-  places_c = vec4(place_c, fine_c * FINE);
-  least = vec3(least_of((place_c - place_b) + (fine_c - fine_b) * FINE),
-               least_of((place_a - place_c) + (fine_a - fine_c) * FINE),
-               least_of((place_b - place_a) + (fine_b - fine_a) * FINE));
-  from_a_head = head_a - head_c;
-  from_b_head = head_b - head_c;
-  from_c_head = head_c;
-  from_a_tail = tail_a - tail_c;
-  from_b_tail = tail_b - tail_c;
-  from_c_tail = tail_c;
+  gl_Position = vec4((corner - part.xy) / part.zw * 2.0 - 1.0, 0.0, 1.0);
+  data = record;
 }
 )";
 
 // Edge functions without contraction: the neighbour, which runs along an edge the other way, finds
 // the same number with the other sign.
 constexpr const char* kFragmentHead = R"(
-flat in vec4 places_ab;
-flat in vec4 fine_ab;
-flat in vec4 places_c;
-flat in vec3 least;
-flat in HEAD from_a_head;
-flat in HEAD from_b_head;
-flat in HEAD from_c_head;
-flat in TAIL from_a_tail;
-flat in TAIL from_b_tail;
-flat in TAIL from_c_tail;
+flat in vec4 data[RECORD];
 uniform vec4 part;
 uniform vec4 eye;  // the picture's centre, pixels; one over the pixels per unit at distance 1
 out vec4 light;
@@ -79,16 +33,20 @@ float opacity(float x) {
 void main() {
   vec2 pixel = gl_FragCoord.xy + part.xy;
   // the first difference is exact
-  precise vec2 a = (places_ab.xy - pixel) + fine_ab.xy;
-  precise vec2 b = (places_ab.zw - pixel) + fine_ab.zw;
-  precise vec2 c = (places_c.xy - pixel) + places_c.zw;
+  precise vec2 a = (data[0].xy - pixel) + data[1].xy;
+  precise vec2 b = (data[0].zw - pixel) + data[1].zw;
+  precise vec2 c = (data[2].xy - pixel) + data[2].zw;
   precise vec3 area = vec3(b.x, c.x, a.x) * vec3(c.y, a.y, b.y) -
                       vec3(b.y, c.y, a.y) * vec3(c.x, a.x, b.x);
-  if (area.x < least.x || area.y < least.y || area.z < least.z) discard;
+  if (any(lessThan(area, LEAST))) discard;
   float one = 1.0 / (area.x + area.y + area.z);
-  float in_a = area.x * one, in_b = area.y * one;
-  HEAD head = from_c_head + in_a * from_a_head + in_b * from_b_head;
-  TAIL tail = from_c_tail + in_a * from_a_tail + in_b * from_b_tail;
+  vec3 heights = (area + 1e-20) * STEEP;
+  float height = min(min(heights.x, heights.y), heights.z) * one;
+)";
+
+constexpr const char* kValues = R"(
+  HEAD head = C_HEAD + one * (area.x * A_HEAD + area.y * B_HEAD) + height * PEAK_HEAD;
+  TAIL tail = C_TAIL + one * (area.x * A_TAIL + area.y * B_TAIL) + height * PEAK_TAIL;
 )";
 
 constexpr const char* kInterpolated = R"(
@@ -96,13 +54,13 @@ constexpr const char* kInterpolated = R"(
   vec3 color = tail;
 )";
 
-constexpr const char* kFlat = R"(
+constexpr const char* kFlatValues = R"(
   float along = head.x, depth = along * head.y;
   vec3 color = tail;
 )";
 
 // Extinctions at the ends are (tau / t) / (1 / t).
-constexpr const char* kPerspective = R"(
+constexpr const char* kPerspectiveValues = R"(
   vec2 slope = (pixel - eye.xy) * eye.z;
   float product = head.y * head.z;
   float along = head.x * sqrt(1.0 + dot(slope, slope)) / product;
@@ -110,23 +68,78 @@ constexpr const char* kPerspective = R"(
   vec3 color = tail.yzw * (2.0 / (head.y + head.z));
 )";
 
+// The slab's part of the ray's way through the tetrahedron. The field is linear there, and so are
+// extinction and colour in the slab: their means at its ends are what they are at the mean field.
+// Slabs that follow one another have the same end, so that nothing is lost or counted twice.
+constexpr const char* kOfChord = R"(
+  float one_end = C_HEAD + one * (area.x * A_HEAD + area.y * B_HEAD);
+  float other_end = one_end + height * PEAK_HEAD;
+  vec2 ends = clamp((RANGE - one_end) * RATE, 0.0, height * LENGTH);
+  float along = abs(ends.y - ends.x);
+  float twice = clamp(one_end, RANGE.x, RANGE.y) + clamp(other_end, RANGE.x, RANGE.y);
+  float depth = along * max(EXTINCTION.x + EXTINCTION.y * twice, 0.0);
+  vec3 color = COLOR + COLOR_SLOPE * twice;
+)";
+
 constexpr const char* kExponential = R"(
   float alpha = opacity(min(depth, 1e30));
 )";
 
+// Numbers of the record that follow one another, as a float or vector in GLSL.
+std::string slice(std::size_t first, std::size_t count) {
+  const auto number = [](std::size_t k) {
+    return "data[" + std::to_string(k / 4) + "]." + "xyzw"[k % 4];
+  };
+  if (count == 1) return number(first);
+  std::string text = "vec" + std::to_string(count) + "(" + number(first);
+  for (std::size_t k = 1; k < count; ++k) text += ", " + number(first + k);
+  return text + ")";
+}
+
+std::string defines_of(RecordShape shape) {
+  std::string text =
+      "#version 450 core\n#define RECORD " + std::to_string(record_attributes(shape)) + "\n";
+  std::size_t at = kLeast;
+  const auto define = [&](const std::string& name, std::size_t count) {
+    text += "#define " + name + " " + slice(at, count) + "\n";
+    at += count;
+  };
+  define("LEAST", 3);
+  define("STEEP", 3);
+  // values as two vectors, or one number
+  const std::size_t head = shape == kPerspective ? 4 : shape == kFlat ? 2 : 1;
+  const std::size_t tail = shape.values - head;
+  for (const std::string name : {"A", "B", "C", "PEAK"}) {
+    define(name + "_HEAD", head);
+    if (tail > 0) define(name + "_TAIL", tail);
+  }
+  if (tail > 0)
+    return text + "#define HEAD vec" + std::to_string(head) + "\n#define TAIL vec" +
+           std::to_string(tail) + "\n";
+  define("LENGTH", 1);
+  define("RATE", 1);
+  define("RANGE", 2);
+  define("EXTINCTION", 2);
+  define("COLOR", 3);
+  define("COLOR_SLOPE", 3);
+  return text;
+}
+
 }  // namespace
 
-Shaders shaders_of(Method method, Glow glow, bool perspective) {
+std::size_t record_attributes(RecordShape shape) { return (shape.floats() + 3) / 4; }
+
+Shaders shaders_of(Method method, Glow glow, RecordShape shape) {
   const bool interpolated = method == Method::interpolated_opacity;
-  const bool flat = interpolated || !perspective;
-  const std::string head =
-      std::string("#version 450 core\n#define FINE 9.5367431640625e-07  // kFine\n") +
-      (flat ? "#define HEAD vec2\n#define TAIL vec3\n" : "#define HEAD vec4\n#define TAIL vec4\n");
+  const std::string head = defines_of(shape);
   std::string fragment = head + kFragmentHead;
-  if (interpolated)
-    fragment += kInterpolated;
+  if (shape == kChord)
+    fragment += kOfChord;
   else
-    fragment += std::string(flat ? kFlat : kPerspective) + kExponential;
+    fragment += std::string(kValues) + (interpolated            ? kInterpolated
+                                        : shape == kPerspective ? kPerspectiveValues
+                                                                : kFlatValues);
+  if (!interpolated) fragment += kExponential;
   if (glow == Glow::chromaticity)
     fragment += "  light = vec4(alpha * color, alpha);\n}\n";
   else if (interpolated)

@@ -1,19 +1,23 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "hiac/base/glow.hpp"
 #include "hiac/preview/methods/method.hpp"
+#include "hiac/preview/methods/triangle_buffer.hpp"
 
 namespace hiac::preview {
 
-/// The shaders of a method for vertices as triangle_buffer.hpp has them. Attributes: 0 the grown
-/// corner; 1 to 3 the places of a triangle's corners; 4 to 6 their first values, 7 to 9 the others
-/// (two and three flat, four and four in perspective); 10 to 12 the
-/// rest of their places. What a triangle's first vertex has is used.
+/// The shaders of a method for triangles as triangle_buffer.hpp has them. Attributes: 0 the corner
+/// for the rasteriser; from 1 on the triangle's record, four floats each, of which those of a
+/// triangle's first vertex are used.
 struct Shaders {
   std::string vertex, fragment;
 };
-Shaders shaders_of(Method method, Glow glow, bool perspective);
+Shaders shaders_of(Method method, Glow glow, RecordShape shape);
+
+/// Attributes that a record takes.
+std::size_t record_attributes(RecordShape shape);
 
 }  // namespace hiac::preview

@@ -1,9 +1,7 @@
 #include "hiac/preview/methods/triangle_buffer.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <utility>
 
 #include "hiac/preview/regions/screen_predicates.hpp"
@@ -66,6 +64,56 @@ bool has_pixel(const std::array<ScreenPoint, 3>& at) {
   return false;
 }
 
+// Of a triangle, one of the same form at one of its corners: the smallest that contains all points
+// with these shares of the corners at least.
+std::array<ScreenPoint, 3> part_with(const std::array<ScreenPoint, 3>& at,
+                                     const std::array<double, 3>& least_shares) {
+  const auto k =
+      static_cast<std::size_t>(std::ranges::max_element(least_shares) - least_shares.begin());
+  const double scale = 1 - least_shares[k];
+  std::array<ScreenPoint, 3> part = at;
+  if (scale < 1)
+    for (ScreenPoint& p : part)
+      p = {at[k].x + scale * (p.x - at[k].x), at[k].y + scale * (p.y - at[k].y)};
+  return part;
+}
+
+// A pixel's centre on a side belongs to the triangle that a step right and a much smaller one down
+// leads into. The least normal float, which shaders compare edge functions with.
+constexpr float kLeastPositive = 1.2e-38F;
+// Of a peak that is as good as on a side.
+constexpr double kLeastShare = 1e-15;
+bool has_side(const Place& from, const Place& to) {
+  return to[1] < from[1] || (to[1] == from[1] && to[0] > from[0]);
+}
+
+// The shares of a triangle's corners in a peak, 0 of the corner opposite a side that it lies on.
+std::array<double, 3> shares_of_peak(const std::array<Place, 3>& at, const Place& peak) {
+  std::array<double, 3> shares;
+  std::size_t nearest = 0;
+  double least = HUGE_VAL;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Place &p = at[(k + 1) % 3], &q = at[(k + 2) % 3];
+    if (std::max(std::abs(peak[0] - at[k][0]), std::abs(peak[1] - at[k][1])) <= kFine) {
+      shares = {};
+      shares[k] = 1;
+      return shares;
+    }
+    const double dx = q[0] - p[0], dy = q[1] - p[1];
+    shares[k] = dx * (peak[1] - p[1]) - dy * (peak[0] - p[0]);
+    const double distance = shares[k] / std::sqrt(dx * dx + dy * dy);
+    if (distance >= least) continue;
+    least = distance;
+    nearest = k;
+  }
+  for (double& share : shares) share = std::max(share, 0.0);
+  if (least <= kFine) shares[nearest] = 0;
+  const double sum = shares[0] + shares[1] + shares[2];
+  if (!(sum > 0)) return {1, 0, 0};  // narrower than kFine
+  for (double& share : shares) share /= sum;
+  return shares;
+}
+
 }  // namespace
 
 std::array<Place, 3> grown(const std::array<Place, 3>& p) {
@@ -89,32 +137,72 @@ std::array<Place, 3> grown(const std::array<Place, 3>& p) {
   return result;
 }
 
-void TriangleBuffer::add(const Corner& a, const Corner& b, const Corner& c) {
+void TriangleBuffer::clear() {
+  places_.clear();
+  records_.clear();
+}
+
+void TriangleBuffer::add(const Corner& a, const Corner& b, const Corner& c, const Corner* peak,
+                         const SlabLimits& limits) {
   std::array<ScreenPoint, 3> at;
   std::array<const Corner*, 3> corners{&a, &b, &c};
   for (std::size_t k = 0; k < 3; ++k) at[k] = {on_grid(corners[k]->x), on_grid(corners[k]->y)};
+  std::array<double, 3> least = limits.least_shares;
   const double area = twice_area(at[0], at[1], at[2]);
   if (area == 0) return;
   if (area < 0) {
-    std::swap(corners[1], corners[2]);
-    std::swap(at[1], at[2]);
+    std::swap(corners[0], corners[1]);
+    std::swap(at[0], at[1]);
+    std::swap(least[0], least[1]);
   }
-  if (!has_pixel(at)) return;
-  const auto places = grown({{{at[0].x, at[0].y}, {at[1].x, at[1].y}, {at[2].x, at[2].y}}});
-  const std::size_t start = floats_.size(), stride = floats_per_vertex();
-  floats_.resize(start + 3 * stride);
-  float* to = floats_.data() + start;
-  for (std::size_t k = 0; k < 3; ++k, to += stride) {
-    const double x = coarse(at[k].x), y = coarse(at[k].y);
-    to[0] = static_cast<float>(places[k][0]);
-    to[1] = static_cast<float>(places[k][1]);
-    to[2] = static_cast<float>(x);
-    to[3] = static_cast<float>(y);
-    to[4] = std::bit_cast<float>(
-        std::array<std::int16_t, 2>{static_cast<std::int16_t>((at[k].x - x) / kFine),
-                                    static_cast<std::int16_t>((at[k].y - y) / kFine)});
-    std::copy_n(corners[k]->values.begin(), values_, to + kFirstValue);
+  const std::array<ScreenPoint, 3> drawn = part_with(at, least);
+  if (!has_pixel(drawn)) return;
+  Triangle triangle;
+  for (std::size_t k = 0; k < 3; ++k) {
+    triangle.at[k] = {at[k].x, at[k].y};
+    triangle.values[k] = &corners[k]->values;
   }
+  for (const Place& place :
+       grown({{{drawn[0].x, drawn[0].y}, {drawn[1].x, drawn[1].y}, {drawn[2].x, drawn[2].y}}}))
+    for (const double x : place) places_.push_back(static_cast<float>(x));
+  const std::size_t start = records_.size();
+  records_.resize(start + shape_.floats());
+  float* const record = records_.data() + start;
+  set_triangle(record, triangle);
+  if (peak != nullptr) set_peak(record, triangle, *peak);
+  std::ranges::copy(limits.rest, record + kFirstValue + 4 * shape_.values);
+}
+
+void TriangleBuffer::set_triangle(float* record, const Triangle& triangle) const {
+  for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t c = 0; c < 2; ++c) {
+      const double x = coarse(triangle.at[k][c]);
+      float* const to = record + (k < 2 ? 2 * k + c : 8 + c);
+      to[0] = static_cast<float>(x);
+      to[k < 2 ? 4 : 2] = static_cast<float>(triangle.at[k][c] - x);
+    }
+  for (std::size_t k = 0; k < 3; ++k)
+    record[kLeast + k] =
+        has_side(triangle.at[(k + 1) % 3], triangle.at[(k + 2) % 3]) ? 0 : kLeastPositive;
+  float* const to = record + kFirstValue;
+  for (std::size_t n = 0; n < shape_.values; ++n) {
+    const float of_c = (*triangle.values[2])[n];
+    to[n] = (*triangle.values[0])[n] - of_c;
+    to[n + shape_.values] = (*triangle.values[1])[n] - of_c;
+    to[n + 2 * shape_.values] = of_c;
+  }
+}
+
+void TriangleBuffer::set_peak(float* record, const Triangle& triangle, const Corner& peak) const {
+  const std::array<double, 3> shares = shares_of_peak(triangle.at, {peak.x, peak.y});
+  for (std::size_t k = 0; k < 3; ++k)
+    record[kSteep + k] =
+        shares[k] > 0 ? static_cast<float>(1 / std::max(shares[k], kLeastShare)) : kOpen;
+  float* const to = record + kFirstValue;
+  const auto of_a = static_cast<float>(shares[0]), of_b = static_cast<float>(shares[1]);
+  for (std::size_t n = 0; n < shape_.values; ++n)
+    to[n + 3 * shape_.values] =
+        peak.values[n] - (to[n + 2 * shape_.values] + of_a * to[n] + of_b * to[n + shape_.values]);
 }
 
 }  // namespace hiac::preview

@@ -23,13 +23,7 @@ ProjectedTetrahedron project_tetrahedron(std::span<const ScreenPoint, 4> points,
     }
   }
   if (plus_count == 0 || minus_count == 0) return result;
-  for (unsigned i = 0; i < plus_count; ++i)
-    for (unsigned j = 0; j < minus_count; ++j) {
-      auto& rim = result.rims[result.count++];
-      std::size_t n = 0;
-      for (std::uint8_t k = 0; k < 4; ++k)
-        if (k != plus[i] && k != minus[j]) rim[n++] = k;
-    }
+  result.count = plus_count * minus_count;
   // exactly at the corner where there is one
   const bool by_plus = plus_count <= minus_count;
   for (unsigned i = 0; i < plus_count; ++i) {
@@ -48,7 +42,22 @@ ProjectedTetrahedron project_tetrahedron(std::span<const ScreenPoint, 4> points,
     result.at.x += result.back[k] * points[k].x;
     result.at.y += result.back[k] * points[k].y;
   }
+  // the corners of the outline are those of the larger side, and those of neither
+  const bool of_plus = plus_count > minus_count;
+  std::array<std::uint8_t, 4> corners = of_plus ? plus : minus;
+  unsigned count = of_plus ? plus_count : minus_count;
+  for (std::uint8_t k = 0; k < 4; ++k)
+    if (relation[k] == 0) corners[count++] = k;
+  if (plus_count == 2 && minus_count == 2) {
+    result.outlines = 2;
+    for (unsigned i = 0; i < 2; ++i) result.outline[i] = {corners[0], corners[1], plus[i]};
+  } else {
+    result.outlines = 1;
+    result.outline[0] = {corners[0], corners[1], corners[2]};
+  }
+  result.outline_is_front = of_plus;
   if (result.front_depth > result.back_depth) {
+    result.outline_is_front = !of_plus;
     std::swap(result.front, result.back);
     std::swap(result.front_depth, result.back_depth);
   }

@@ -16,11 +16,16 @@ namespace hiac::preview {
 /// triangles), or a corner in front of a face (class 1, three), in front of an edge (class 3, two)
 /// or in front of a corner (class 4, one): one triangle for each pair of corners of opposite sign,
 /// with the two other corners as its rim.
+///
+/// Two of these triangles have one outline with the thickest point on a side of it, three with the
+/// point inside: the outline of the whole is one triangle or, in class 2, two.
 struct ProjectedTetrahedron {
-  unsigned count;  ///< of triangles: 0 (no area) to 4
-  std::array<std::array<std::uint8_t, 2>, 4> rims;
-  ScreenPoint at;                     ///< the thickest point
-  std::array<double, 4> front, back;  ///< it as a mean of the corners
+  unsigned count;                                      ///< of triangles: 0 (no area) to 4
+  unsigned outlines;                                   ///< 0 to 2
+  std::array<std::array<std::uint8_t, 3>, 2> outline;  ///< of their corners
+  ScreenPoint at;                                      ///< the thickest point
+  std::array<double, 4> front, back;                   ///< it as a mean of the corners
+  bool outline_is_front;  ///< whether the outlines' own faces are on the side of `front`
   double front_depth, back_depth;
 };
 
