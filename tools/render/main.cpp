@@ -37,7 +37,7 @@
 #include "tools/render/movie.hpp"
 #include "tools/render/picture_options.hpp"
 #include "tools/render/picture_report.hpp"
-#include "tools/render/pixel_report.hpp"
+#include "tools/common/picture/pixel_report.hpp"
 #include "tools/render/shots.hpp"
 
 namespace {
