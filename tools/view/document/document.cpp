@@ -66,8 +66,20 @@ bool Document::open_text(std::string text, const std::string& file, const std::s
   return open(mesh_, mesh_file_, std::move(text), file, folder);
 }
 
-bool Document::open_mesh(std::shared_ptr<const ZooMesh> mesh, const std::string& mesh_file) {
-  return open(std::move(mesh), mesh_file, text_, file_, folder_);
+bool Document::change_mesh(std::shared_ptr<const ZooMesh> mesh, const std::string& mesh_file) {
+  const std::shared_ptr<const ZooMesh> before = std::exchange(mesh_, std::move(mesh));
+  ranges_.forget();
+  std::optional<ParsedScene> parsed;
+  if (parsed_ && !(parsed = parsed_from(text_))) {
+    mesh_ = before;
+    ranges_.forget();
+    return false;
+  }
+  mesh_file_ = mesh_file;
+  parsed_ = std::move(parsed);
+  Q_EMIT mesh_changed();
+  Q_EMIT changed();
+  return true;
 }
 
 void Document::saved_as(const std::string& file) {

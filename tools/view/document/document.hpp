@@ -1,12 +1,11 @@
 #pragma once
 
-#include <memory>
-#include <optional>
-#include <string>
-
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
+#include <memory>
+#include <optional>
+#include <string>
 
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/scene/specification.hpp"
@@ -53,8 +52,9 @@ class Document : public QObject {
             const std::string& file, const std::string& folder);
   /// Keeps the mesh.
   bool open_text(std::string text, const std::string& file, const std::string& folder);
-  /// Keeps the text, which is refused if the mesh lacks a field whose range it needs.
-  bool open_mesh(std::shared_ptr<const ZooMesh> mesh, const std::string& mesh_file);
+  /// Goes on with another mesh and the same text, which may be undone as before. Returns false, and
+  /// leaves everything as it is, if the mesh lacks a field whose range the text needs.
+  bool change_mesh(std::shared_ptr<const ZooMesh> mesh, const std::string& mesh_file);
 
   /// The text is now that of a file.
   void saved_as(const std::string& file);
@@ -63,10 +63,10 @@ class Document : public QObject {
   [[nodiscard]] QUndoStack& undo_stack() { return undo_; }
 
  Q_SIGNALS:
-  void changed();               ///< the text is another one, or there is none any more
-  void mesh_changed();          ///< comes before `changed`, if both do
-  void file_changed();          ///< the text is in another file, or was saved
-  void message(QString line);   ///< a refused edit, a finding: one line for the status line
+  void changed();              ///< the text is another one, or there is none any more
+  void mesh_changed();         ///< comes before `changed`, if both do
+  void file_changed();         ///< the text is in another file, or was saved
+  void message(QString line);  ///< a refused edit, a finding: one line for the status line
 
  private:
   friend class TextEdit;

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <string>
-
 #include <QString>
 #include <QUndoCommand>
+#include <string>
 
 namespace hiac::view {
 
