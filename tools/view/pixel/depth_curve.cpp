@@ -43,7 +43,7 @@ QColor shown(const Color& color) {
   return QColor::fromRgbF(part(color[0]), part(color[1]), part(color[2]));
 }
 
-QString number(double value) { return QString::number(value, 'g', 6); }
+QString number(double value) { return QString::number(value, 'g', 4); }
 
 }  // namespace
 

@@ -31,11 +31,14 @@ void Drawing::stop_refinement() {
   cancellation_.request();
 }
 
-void Drawing::show(Wanted wanted) {
+std::uint64_t Drawing::show(Wanted wanted) {
+  std::uint64_t number = 0;
   {
     const std::lock_guard lock(mutex_);
+    stop_seconds_ = -1;
     const bool is_other_mesh = !wanted_ || wanted_->mesh != wanted.mesh;
     wanted_ = std::make_shared<const Wanted>(std::move(wanted));
+    number = ++number_;
     stage_ = Stage::first;
     pixel_.reset();
     if (is_other_mesh)
@@ -44,6 +47,7 @@ void Drawing::show(Wanted wanted) {
       stop_refinement();
   }
   wake_.notify_one();
+  return number;
 }
 
 void Drawing::clear() {
@@ -83,6 +87,7 @@ void Drawing::work(std::unique_lock<std::mutex>& lock) {
   const auto pixel = std::exchange(pixel_, std::nullopt);
   const std::shared_ptr<const Wanted> wanted = wanted_;
   const Stage stage = stage_;
+  const std::uint64_t number = number_;
   is_refining_ = pixel.has_value() || stage != Stage::first;
   // what was asked for while nothing could be stopped is not asked for any more
   cancellation_.reset();
@@ -94,7 +99,7 @@ void Drawing::work(std::unique_lock<std::mutex>& lock) {
     if (pixel)
       explain_pixel_of(*wanted, *pixel);
     else
-      paint(*wanted, stage);
+      paint(wanted, stage, number);
   } catch (const Cancelled&) {
     cancelled = true;
   } catch (const std::bad_alloc&) {
@@ -105,14 +110,14 @@ void Drawing::work(std::unique_lock<std::mutex>& lock) {
   lock.lock();
   is_refining_ = false;
   if (cancelled && stopped_at_ > 0) stop_seconds_ = seconds_now() - std::exchange(stopped_at_, 0);
-  const bool is_current = wanted == wanted_ && stage == stage_;
+  const bool is_current = number == number_ && wanted_ != nullptr;
   if (!fault.isEmpty() && (pixel || is_current)) {
     Q_EMIT failed(fault, !pixel);
     if (!pixel) stage_ = Stage::done;
   } else if (!pixel && !cancelled && is_current) {
     stage_ = after(stage, *wanted);
   }
-  if (!pixel_ && wanted_ && stage_ == Stage::done && !ends_) Q_EMIT rested();
+  if (!pixel_ && wanted_ && stage_ == Stage::done && !ends_) Q_EMIT rested(number_);
 }
 
 Drawing::Stage Drawing::after(Stage stage, const Wanted& wanted) const {
@@ -132,9 +137,11 @@ Drawing::Stage Drawing::after(Stage stage, const Wanted& wanted) const {
   return Stage::done;
 }
 
-void Drawing::paint(const Wanted& wanted, Stage stage) {
+void Drawing::paint(const std::shared_ptr<const Wanted>& what, Stage stage, std::uint64_t number) {
+  const Wanted& wanted = *what;
   const auto publish = [&](Painted painted) {
     shown_step_ = painted.step;
+    painted.wanted = what;
     Q_EMIT this->painted(std::make_shared<const Painted>(std::move(painted)));
   };
   switch (stage) {
@@ -158,7 +165,7 @@ void Drawing::paint(const Wanted& wanted, Stage stage) {
       publish(painter_.paint_samples(wanted));
       break;
     case Stage::bound:
-      Q_EMIT bounded(painter_.error_bound(wanted));
+      Q_EMIT bounded(number, painter_.error_bound(wanted));
       break;
     case Stage::done:
       break;

@@ -36,31 +36,32 @@ class Drawing : public QObject {
   explicit Drawing(QObject* parent = nullptr);
   ~Drawing() override;
 
-  /// Shows this from now on.
-  void show(Wanted wanted);
+  /// Shows this from now on. Returns its number, which signals about it have.
+  std::uint64_t show(Wanted wanted);
   /// Shows nothing from now on.
   void clear();
   /// Explains a pixel of what is shown, before the picture is refined further.
   void explain(std::uint32_t x, std::uint32_t y);
 
-  /// The seconds from the last call of `show` that stopped a refinement until that ended; none yet:
-  /// negative.
+  /// The seconds from the last call of `show` until the refinement that it stopped had ended;
+  /// negative if it stopped none, or as long as that runs.
   [[nodiscard]] double last_stop_seconds() const;
 
  Q_SIGNALS:
   // from the thread that draws
   void painted(std::shared_ptr<const hiac::view::Painted> picture);
-  void bounded(std::optional<double> error);  ///< of the last picture; none: no bound is claimed
+  /// The largest error of the picture; none: no bound is claimed.
+  void bounded(quint64 number, std::optional<double> error);
   void explained(std::shared_ptr<const hiac::view::ExplainedPixel> pixel);
   void failed(QString line, bool of_picture);  ///< `of_picture`: there is none of what is wanted
-  void rested();                               ///< nothing is left to do
+  void rested(quint64 number);                 ///< nothing is left to do
 
  private:
   enum class Stage : std::uint8_t { first, middle, all, samples, bound, done };
 
   void run();
   void work(std::unique_lock<std::mutex>& lock);
-  void paint(const Wanted& wanted, Stage stage);
+  void paint(const std::shared_ptr<const Wanted>& wanted, Stage stage, std::uint64_t number);
   void explain_pixel_of(const Wanted& wanted, const std::array<std::uint32_t, 2>& pixel);
   [[nodiscard]] Stage after(Stage stage, const Wanted& wanted) const;
   void stop_refinement();
@@ -68,6 +69,7 @@ class Drawing : public QObject {
   mutable std::mutex mutex_;  // guards all down to `stop_seconds_`
   std::condition_variable wake_;
   std::shared_ptr<const Wanted> wanted_;
+  std::uint64_t number_ = 0;  // of wanted_
   std::optional<std::array<std::uint32_t, 2>> pixel_;
   Stage stage_ = Stage::done;
   bool is_refining_ = false;  // may be stopped

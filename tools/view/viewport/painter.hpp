@@ -40,6 +40,7 @@ struct Painted {
   std::shared_ptr<const Image> image =
       {};  ///< R G B A, without annotation, if all pixels were computed
   std::string mesh_hash = {};
+  std::shared_ptr<const Wanted> wanted = {};  ///< what the picture is of
 };
 
 /// Draws what is wanted with the accurate engine, and keeps what the next picture can use: what

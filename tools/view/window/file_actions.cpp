@@ -26,7 +26,8 @@ QString text_of(const std::exception& error) {
 }
 
 // What a picture's file gets: the annotation where its format has room for it, as hiac-render does.
-Image finished(const Painted& picture, const Wanted& wanted, const std::string& path) {
+Image finished(const Painted& picture, const std::string& path) {
+  const Wanted& wanted = *picture.wanted;
   Image image = *picture.image;
   const bool has_room = wanted.annotation.in_float_formats || has_integer_samples(path);
   if (wanted.annotation.draws() && has_room)
@@ -35,11 +36,12 @@ Image finished(const Painted& picture, const Wanted& wanted, const std::string& 
   return image;
 }
 
-void write(const Painted& picture, const Wanted& wanted, const std::string& path) {
-  write_image(path, finished(picture, wanted, path),
-              {.background_included = true,
-               .attributes = tools::picture_attributes("hiac-view", picture.mesh_hash, wanted.scene,
-                                                       wanted.annotation)});
+void write(const Painted& picture, const std::string& path) {
+  write_image(
+      path, finished(picture, path),
+      {.background_included = true,
+       .attributes = tools::picture_attributes("hiac-view", picture.mesh_hash,
+                                               picture.wanted->scene, picture.wanted->annotation)});
 }
 
 }  // namespace
@@ -148,8 +150,7 @@ bool FileActions::save_to(const QString& path) {
   }
 }
 
-void FileActions::export_picture(const QString& path, std::shared_ptr<const Painted> picture,
-                                 const Wanted& wanted) {
+void FileActions::export_picture(const QString& path, std::shared_ptr<const Painted> picture) {
   if (!picture || !picture->image) {
     Q_EMIT message(tr("The picture is not finished yet: export it when all pixels are shown"));
     return;
@@ -165,10 +166,10 @@ void FileActions::export_picture(const QString& path, std::shared_ptr<const Pain
     return;
   }
   ++exports_;
-  QThreadPool::globalInstance()->start([this, picture = std::move(picture), wanted, file] {
+  QThreadPool::globalInstance()->start([this, picture = std::move(picture), file] {
     QString fault;
     try {
-      write(*picture, wanted, file);
+      write(*picture, file);
     } catch (const std::exception& error) {
       fault = text_of(error);
     }
@@ -207,7 +208,7 @@ bool FileActions::choose_save() {
   return save_to(path);
 }
 
-void FileActions::choose_export(std::shared_ptr<const Painted> picture, const Wanted& wanted) {
+void FileActions::choose_export(std::shared_ptr<const Painted> picture) {
   QStringList patterns;
   for (const QString& extension :
        QString::fromStdString(image_extensions()).split(QLatin1Char(' '), Qt::SkipEmptyParts))
@@ -215,7 +216,7 @@ void FileActions::choose_export(std::shared_ptr<const Painted> picture, const Wa
   const QString path =
       QFileDialog::getSaveFileName(window_, tr("Export the picture"), folder(),
                                    tr("Pictures (%1)").arg(patterns.join(QLatin1Char(' '))));
-  if (!path.isEmpty()) export_picture(path, std::move(picture), wanted);
+  if (!path.isEmpty()) export_picture(path, std::move(picture));
 }
 
 void FileActions::remember(const QString& path) {

@@ -36,14 +36,13 @@ class FileActions : public QObject {
 
   bool save();
   bool save_to(const QString& path);
-  void export_picture(const QString& path, std::shared_ptr<const Painted> picture,
-                      const Wanted& wanted);
+  void export_picture(const QString& path, std::shared_ptr<const Painted> picture);
 
   // by dialogs
   void choose_mesh();
   void choose_view();
   bool choose_save();
-  void choose_export(std::shared_ptr<const Painted> picture, const Wanted& wanted);
+  void choose_export(std::shared_ptr<const Painted> picture);
 
   /// How the mesh was read; its `view` is empty.
   [[nodiscard]] const tools::PictureCommand& command() const { return command_; }

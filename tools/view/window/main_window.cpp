@@ -115,18 +115,22 @@ void MainWindow::make_docks() {
 void MainWindow::connect_drawing() {
   connect(drawing_.get(), &Drawing::painted, this,
           [this](const std::shared_ptr<const Painted>& picture) {
-            if (!document_.has_scene() || picture->size != document_.scene().image) return;
+            if (!view_.wanted()) return;
             picture_ = picture;
             error_.reset();
             viewport_->show_picture(picture);
             show_facts();
             path_panel_->picture_drawn();
           });
-  connect(drawing_.get(), &Drawing::bounded, this, [this](const std::optional<double>& error) {
-    error_ = error;
-    show_facts();
+  connect(drawing_.get(), &Drawing::bounded, this,
+          [this](quint64 number, const std::optional<double>& error) {
+            if (number != shown_number_) return;
+            error_ = error;
+            show_facts();
+          });
+  connect(drawing_.get(), &Drawing::rested, this, [this](quint64 number) {
+    if (number == shown_number_) is_at_rest_ = true;
   });
-  connect(drawing_.get(), &Drawing::rested, this, [this] { is_at_rest_ = true; });
   connect(drawing_.get(), &Drawing::explained, this, &MainWindow::take_explanation);
   connect(drawing_.get(), &Drawing::failed, this, [this](const QString& line, bool of_picture) {
     messages_->tell(line);
@@ -164,7 +168,7 @@ void MainWindow::show_document() {
   }
   show_file_name();
   if (wanted) {
-    drawing_->show(*wanted);
+    shown_number_ = drawing_->show(*wanted);
     return;
   }
   drawing_->clear();

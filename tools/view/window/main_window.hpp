@@ -89,6 +89,7 @@ class MainWindow : public QMainWindow {
   std::unique_ptr<Drawing> drawing_;
   std::shared_ptr<const Painted> picture_;
   std::optional<std::optional<double>> error_;  // of the picture, once it was looked for
+  std::uint64_t shown_number_ = 0;              // of what is drawn (Drawing::show)
   bool is_at_rest_ = false;
   std::optional<QPoint> pixel_;  // that is explained
   bool centres_next_ = false;    // the next explanation is for centre_on

@@ -62,9 +62,8 @@ void MainWindow::make_file_menu() {
   add_action(menu, tr("Save specification &as..."), QStringLiteral("save_as"),
              tr("Into another file"), [this] { files_.choose_save(); });
   add_action(menu, tr("&Export picture..."), QStringLiteral("export_picture"),
-             tr("In any format of hiac-render, with the specification in it"), [this] {
-               if (const auto wanted = view_.wanted()) files_.choose_export(picture_, *wanted);
-             });
+             tr("In any format of hiac-render, with the specification in it"),
+             [this] { files_.choose_export(picture_); });
   add_action(menu, tr("&Copy command"), QStringLiteral("copy_command"),
              tr("The line for a shell that makes this very picture"), [this] { copy_command(); });
   menu->addSeparator();
