@@ -13,12 +13,24 @@
 #include "tools/common/picture/picture_command.hpp"
 #include "tools/common/threshold.hpp"
 #include "tools/common/tool.hpp"
+#include "tools/view/channels/channel_window.hpp"
+#include "tools/view/viewport/bindings.hpp"
 #include "tools/view/window/main_window.hpp"
 
 namespace {
 
 using namespace hiac;
 using namespace hiac::view;
+
+// Shows the channels of a picture until the window is closed.
+void show_channels(const std::string& path, QSettings& settings) {
+  QStringList faults;
+  const Bindings bindings(settings, faults);
+  ChannelWindow window(read_image(path).image, QString::fromStdString(path), bindings);
+  window.resize(900, 700);
+  window.show();
+  QApplication::exec();
+}
 
 // Shows the window until it is closed.
 void show(tools::Tool& tool, const tools::PictureCommand& command) {
@@ -35,6 +47,10 @@ void show(tools::Tool& tool, const tools::PictureCommand& command) {
   QApplication::setWindowIcon(QIcon::fromTheme(QStringLiteral("hiac-view")));
   QSettings settings(QSettings::IniFormat, QSettings::UserScope, QStringLiteral("hiac"),
                      QStringLiteral("hiac-view"));
+  if (has_image_extension(command.input)) {
+    show_channels(command.input, settings);
+    return;
+  }
   MainWindow window(tool, settings);
   window.show();
   if (!command.input.empty())
@@ -53,11 +69,13 @@ int main(int argc, char** argv) {
       "picture is that of hiac-render, bit for bit.",
       "  hiac-view run.inp                     # any file that hiac-convert reads\n"
       "  hiac-view part.zoo --view view.toml\n"
-      "  hiac-view run.exo --convert '--step 3' --field stress");
+      "  hiac-view run.exo --convert '--step 3' --field stress\n"
+      "  hiac-view part.exr                    # a picture's channels");
   tools::PictureCommand command;
   auto& app = tool.app();
   app.add_option("MESH", command.input,
-                 "Zoo mesh, or any file that hiac-convert reads; none: open one in the window");
+                 "Zoo mesh, or any file that hiac-convert reads; none: open one in the window; a "
+                 "picture: show its channels");
   tools::add_conversion(app, command.conversion);
   tools::add_threshold(app, command.threshold);
   app.add_option("--block", command.block, "Show only this block of a foreign file")
