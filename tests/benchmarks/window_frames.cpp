@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include <sys/resource.h>
+
 #include "hiac/base/parallel.hpp"
 #include "hiac/base/seconds.hpp"
 #include "hiac/mesh/zoo_container.hpp"
@@ -50,19 +52,32 @@ struct Reports {
   std::uint64_t pictures = 0, rested = 0;
 };
 
-// Pictures a second at one step, drawn one after the other as the camera turns.
-double rate_at(const Wanted& start, std::uint32_t step) {
+// Processor seconds of all threads so far.
+double processor_seconds() {
+  struct rusage usage {};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+// Pictures at one step, drawn one after the other as the camera turns.
+void draw_at(const Wanted& start, std::uint32_t step) {
   const Cancellation never;
   Painter painter(never);
   Wanted wanted = start;
   painter.paint(wanted, step);
   constexpr int kPictures = 30;
-  const double begin = seconds_now();
+  const double begin = seconds_now(), processor = processor_seconds();
   for (int k = 0; k < kPictures; ++k) {
     wanted.scene.camera = orbited(wanted.scene.camera, 2, 0.5);
     painter.paint(wanted, step);
   }
-  return kPictures / (seconds_now() - begin);
+  std::printf(
+      "every %u. pixel of every %u. row: %.1f pictures a second, %.1f ms of processors each\n",
+      step, step, kPictures / (seconds_now() - begin),
+      1000 * (processor_seconds() - processor) / kPictures);
 }
 
 // Turns for some seconds, with a hundred movements of the mouse a second, as a hand makes them.
@@ -128,9 +143,7 @@ int main(int argc, char** argv) {
   std::printf("%zu cells, %u x %u pixels, %u threads\n", mesh->cell_count(), scene.image.width,
               scene.image.height, thread_count());
   Wanted wanted{mesh, scene, {}, 1};
-  for (const std::uint32_t step : {1U, 3U})
-    std::printf("every %u. pixel of every %u. row: %.1f pictures a second\n", step, step,
-                rate_at(wanted, step));
+  for (const std::uint32_t step : {1U, 3U}) draw_at(wanted, step);
   Drawing drawing;
   Reports reports(drawing);
   const std::uint64_t number = drawing.show(wanted);

@@ -26,6 +26,8 @@ namespace hiac::view {
 namespace {
 
 constexpr int kLayoutVersion = 1;
+constexpr QSize kUsualSize(1240, 800);
+constexpr int kUsualDockWidth = 420;
 
 // The depth of the segment that adds most to the pixel; none if nothing is seen.
 std::optional<double> seen_depth(const PixelExplanation& pixel) {
@@ -55,6 +57,7 @@ MainWindow::MainWindow(tools::Tool& tool, QSettings& settings, QStringList fault
   make_docks();
   make_menus();
   facts_ = new QLabel;
+  facts_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // the window may be narrow
   hovered_ = new QLabel;
   statusBar()->addWidget(facts_, 1);
   statusBar()->addPermanentWidget(hovered_);
@@ -68,6 +71,7 @@ MainWindow::MainWindow(tools::Tool& tool, QSettings& settings, QStringList fault
   connect(&view_, &ViewActions::message, messages_, &MessageLine::tell);
   connect(&files_, &FileActions::message, messages_, &MessageLine::tell);
   connect(&files_, &FileActions::opened, messages_, &MessageLine::dismiss);
+  resize(kUsualSize);
   restoreGeometry(settings_.value(QStringLiteral("window/geometry")).toByteArray());
   restoreState(settings_.value(QStringLiteral("window/state")).toByteArray(), kLayoutVersion);
   for (const QString& fault : faults) messages_->tell(fault);
@@ -106,6 +110,7 @@ void MainWindow::make_docks() {
   QDockWidget* clip = add_dock(QStringLiteral("clip"), tr("Clip"), clip_panel_);
   QDockWidget* path = add_dock(QStringLiteral("path"), tr("Camera path"), path_panel_);
   tabifyDockWidget(clip, path);
+  resizeDocks({clip}, {kUsualDockWidth}, Qt::Horizontal);
   clip->raise();
   connect(clip_panel_, &ClipPanel::clip_changed, &view_, &ViewActions::set_clip);
   connect(path_panel_, &PathPanel::frame_chosen, &view_, &ViewActions::set_frame);
@@ -199,6 +204,7 @@ void MainWindow::show_file_name() {
 
 void MainWindow::show_facts() {
   facts_->setText(picture_ ? picture_facts(*picture_, error_, viewport_->scale()) : QString());
+  facts_->setToolTip(facts_->text());
 }
 
 void MainWindow::tell_hovered(std::optional<QPoint> pixel) {
