@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "hiac/base/seconds.hpp"
 #include "hiac/image/image_io.hpp"
 #include "hiac/scene/camera_motion.hpp"
 #include "hiac/scene/toml/edited_text.hpp"
@@ -178,6 +179,51 @@ TEST(Window, TellsOfAPixelWhatHiacRenderTells) {
                                 sample(), view, x, y, told)));
     EXPECT_EQ(window->pixel_panel().text().toStdString(), hiac::test::bytes_of(told));
   }
+}
+
+TEST(Window, BringsWhatIsSeenToTheCentre) {
+  OpenWindow window;
+  ASSERT_TRUE(window.open(sample(), small_view(window)));
+  for (const bool has_skin : {false, true}) {
+    if (has_skin)
+      window->document().edit(QStringLiteral("skin"),
+                              window->document().text() + "\n[skin]\nopacity = 0.2\n");
+    ASSERT_TRUE(window.rest());
+    const Camera before = *window->view().camera();
+    const QPoint pixel(60, 70);
+    const auto point_there = [&](double depth) {
+      return point_at(before, window->document().scene().image, pixel.x() + 0.5, pixel.y() + 0.5,
+                      depth);
+    };
+    Q_EMIT window->viewport().centre_chosen(pixel);
+    ASSERT_TRUE(wait_until([&] { return *window->view().camera() != before; }));
+    const Camera after = *window->view().camera();
+    EXPECT_EQ(after.up, before.up);
+    // the new centre is on the ray of the pixel, in the depths of the mesh
+    double depth = 0;
+    const auto ahead = axes_of(before).ahead;
+    for (std::size_t c = 0; c < 3; ++c) depth += (after.look_at[c] - before.eye[c]) * ahead[c];
+    const auto expected = point_there(depth);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(after.look_at[c], expected[c], 1e-9);
+    EXPECT_GT(depth, window->view().depths()[0]);
+    EXPECT_LT(depth, window->view().depths()[1]);
+  }
+}
+
+// Edits are made in the thread of the window, many a second while the mouse moves.
+TEST(Window, MovesTheCameraWithinAFewMilliseconds) {
+  OpenWindow window;
+  ASSERT_TRUE(window.open(sample(), small_view(window)));
+  std::vector<double> took;
+  for (int k = 0; k < 100; ++k) {
+    const double start = seconds_now();
+    window->view().move_camera(orbited(*window->view().camera(), 1, 0.5), QStringLiteral("turn"),
+                               k > 0);
+    took.push_back(seconds_now() - start);
+  }
+  std::ranges::sort(took);
+  std::printf("a movement takes %.2f ms of the window's thread\n", 1000 * took[50]);
+  EXPECT_LT(took[50], hiac::test::kInstrumented ? 0.5 : 0.02);
 }
 
 TEST(Window, SavesWithCommentsAndOpensAgain) {

@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 
+#include "hiac/geometry/vector.hpp"
 #include "hiac/render/explain_pixel.hpp"
 #include "hiac/scene/camera_motion.hpp"
 #include "hiac/scene/camera_path.hpp"
@@ -28,6 +29,8 @@ namespace {
 constexpr int kLayoutVersion = 1;
 constexpr QSize kUsualSize(1240, 800);
 constexpr int kUsualDockWidth = 420;
+
+double distance_of_centre(const Camera& camera) { return length(view_direction(camera)); }
 
 // The depth of the segment that adds most to the pixel; none if nothing is seen.
 std::optional<double> seen_depth(const PixelExplanation& pixel) {
@@ -219,24 +222,35 @@ void MainWindow::explain(QPoint pixel) {
   drawing_->explain(static_cast<std::uint32_t>(pixel.x()), static_cast<std::uint32_t>(pixel.y()));
 }
 
+// Where surfaces or splats are drawn no pixel is explained, and the centre's own depth serves.
 void MainWindow::centre_on(QPoint pixel) {
+  const std::optional<Wanted> wanted = view_.wanted();
+  if (!wanted) return;
+  const Scene& scene = wanted->scene;
+  if (scene.skin || scene.edges || scene.render.splat_below > 0) {
+    centre_at(scene, pixel, distance_of_centre(scene.camera));
+    return;
+  }
   explain(pixel);
   centres_next_ = true;
 }
 
+void MainWindow::centre_at(const Scene& scene, QPoint pixel, double depth) {
+  const auto point = point_at(scene.camera, scene.image, pixel.x() + 0.5, pixel.y() + 0.5, depth);
+  view_.move_camera(centred(scene.camera, point), tr("centre"), false);
+}
+
 void MainWindow::take_explanation(const std::shared_ptr<const ExplainedPixel>& pixel) {
   const PixelExplanation& found = *pixel->explanation.pixel;
-  if (!pixel_ || pixel_ != QPoint(static_cast<int>(found.x), static_cast<int>(found.y))) return;
+  const QPoint place(static_cast<int>(found.x), static_cast<int>(found.y));
+  if (!pixel_ || *pixel_ != place) return;
   if (!std::exchange(centres_next_, false)) {
     pixel_panel_->show_pixel(pixel, document_.mesh());
     return;
   }
-  const Camera& camera = pixel->scene.camera;
   // where nothing is seen, the plane through look_at
-  const double depth = seen_depth(found).value_or(
-      std::hypot(view_direction(camera)[0], view_direction(camera)[1], view_direction(camera)[2]));
-  const auto point = point_at(camera, pixel->scene.image, found.x + 0.5, found.y + 0.5, depth);
-  view_.move_camera(centred(camera, point), tr("centre"), false);
+  centre_at(pixel->scene, place,
+            seen_depth(found).value_or(distance_of_centre(pixel->scene.camera)));
 }
 
 void MainWindow::copy_command() {

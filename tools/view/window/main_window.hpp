@@ -75,6 +75,7 @@ class MainWindow : public QMainWindow {
   void tell_hovered(std::optional<QPoint> pixel);
   void explain(QPoint pixel);
   void centre_on(QPoint pixel);
+  void centre_at(const Scene& scene, QPoint pixel, double depth);
   void take_explanation(const std::shared_ptr<const ExplainedPixel>& pixel);
   void copy_command();
   void show_help();
