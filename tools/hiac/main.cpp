@@ -34,6 +34,7 @@ constexpr std::array kCommands{
     Command{"sort", "the visibility order of a mesh's cells"},
     Command{"render", "a picture of a mesh, with all options"},
     Command{"preview", "a picture by graphics hardware"},
+    Command{"view", "a window in which views and transfer functions are set"},
     Command{"compare", "how much two images differ"},
     Command{"help", "this text, or that of a command: hiac help convert"}};
 

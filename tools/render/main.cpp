@@ -30,6 +30,7 @@
 #include "tools/common/picture/picture_annotation.hpp"
 #include "tools/common/picture/picture_command.hpp"
 #include "tools/common/picture/picture_output.hpp"
+#include "tools/common/picture/pixel_report.hpp"
 #include "tools/common/text_output.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/render/become_preview.hpp"
@@ -37,7 +38,6 @@
 #include "tools/render/movie.hpp"
 #include "tools/render/picture_options.hpp"
 #include "tools/render/picture_report.hpp"
-#include "tools/render/pixel_report.hpp"
 #include "tools/render/shots.hpp"
 
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "hiac/geometry/rotation.hpp"
 #include "hiac/geometry/vector.hpp"
 
 namespace hiac {
@@ -69,37 +69,6 @@ Camera camera_on_path(const KeyframePath& path, std::uint32_t frame) {
   camera.height = std::lerp(p.height, q.height, s);
   if (p.clip) camera.clip = slab_between(*p.clip, *q.clip, s);
   return camera;
-}
-
-// Cosine and sine of an angle in degrees: exact for multiples of 90.
-struct Turn {
-  double cosine, sine;
-};
-
-Turn turn_by(double degrees) {
-  int quarters = 0;
-  const double rest = std::remquo(degrees, 90.0, &quarters) * std::numbers::pi / 180;
-  const double c = std::cos(rest), s = std::sin(rest);
-  switch (static_cast<unsigned>(quarters) % 4) {
-    case 0:
-      return {c, s};
-    case 1:
-      return {-s, c};
-    case 2:
-      return {-c, -s};
-    default:
-      return {s, -c};
-  }
-}
-
-// Rotates v about a unit axis by O. Rodrigues' formula.
-Vector turned(const Vector& v, const Vector& axis, const Turn& turn) {
-  const Vector across = cross(axis, v);
-  const double along = dot(axis, v) * (1 - turn.cosine);
-  Vector result;
-  for (std::size_t i = 0; i < 3; ++i)
-    result[i] = turn.cosine * v[i] + turn.sine * across[i] + along * axis[i];
-  return result;
 }
 
 Camera camera_on_turntable(const Camera& start, const Turntable& table, std::uint32_t frame) {

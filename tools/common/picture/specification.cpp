@@ -5,6 +5,7 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/image/image_io.hpp"
+#include "hiac/scene/toml/spec_text.hpp"
 #include "tools/common/as_option.hpp"
 
 namespace hiac::tools {
@@ -26,6 +27,10 @@ std::string specification_in(const std::string& picture) {
 }
 
 }  // namespace
+
+std::string specification_text(const std::string& path) {
+  return has_image_extension(path) ? specification_in(path) : read_text_file(path);
+}
 
 ParsedScene read_specification(const std::string& path, const std::vector<std::string>& overrides) {
   return as_option("--set ", [&] {

@@ -7,6 +7,10 @@
 
 namespace hiac::tools {
 
+/// The text of the specification in a file, or in a picture that was made by one
+/// (read_specification).
+std::string specification_text(const std::string& path);
+
 /// The specification in a file with the overrides of the option --set, which errors name. A picture
 /// (.png, .exr, .tiff) gives the specification by which it was made; one that does not hold it is
 /// an InputError.

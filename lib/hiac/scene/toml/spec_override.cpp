@@ -1,14 +1,11 @@
 #include "hiac/scene/toml/spec_override.hpp"
 
-#include <algorithm>
-#include <charconv>
 #include <optional>
-#include <string_view>
-#include <vector>
 
 #include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/scene/toml/spec_path.hpp"
 #include "hiac/scene/toml/spec_text.hpp"
 
 namespace hiac {
@@ -16,23 +13,6 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& option, const std::string& what) {
   throw UsageError(in_one_line(option) + ": " + what);
-}
-
-std::vector<std::string> path_parts(const std::string& path, const std::string& option) {
-  constexpr std::size_t kMaxParts = 16;
-  std::vector<std::string> parts(1);
-  for (const char c : path) {
-    if (c == '.')
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  }
-  const bool malformed = std::any_of(parts.begin(), parts.end(), [](const std::string& part) {
-    return part.empty() || part.find_first_of(" \t\n\"'[]") != std::string::npos;
-  });
-  if (malformed || parts.size() > kMaxParts)
-    refuse(option, "malformed key (expected KEY=VALUE with a key such as camera.fov)");
-  return parts;
 }
 
 /// Parses VALUE as TOML, into a table with the single key "v"; text that is not TOML becomes a
@@ -47,13 +27,6 @@ toml::table parse_value(const std::string& value) {
   toml::table text;
   text.insert("v", value);
   return text;
-}
-
-std::optional<std::size_t> as_index(const std::string& part) {
-  std::size_t index = 0;
-  const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);
-  if (error != std::errc{} || end != part.data() + part.size()) return std::nullopt;
-  return index;
 }
 
 /// Steps into `part` of a table, and adds it if it does not exist: a list if an index follows,
@@ -125,7 +98,9 @@ AppliedOverride apply_override(toml::table& document, const std::string& option)
   if (equals == std::string::npos) refuse(shown, "expected KEY=VALUE");
   const std::string path = option.substr(0, equals);
   const std::string value = option.substr(equals + 1);
-  const std::vector<std::string> parts = path_parts(path, shown);
+  const std::optional<SpecPath> found = spec_path(path);
+  if (!found) refuse(shown, "malformed key (expected KEY=VALUE with a key such as camera.fov)");
+  const SpecPath& parts = *found;
 
   toml::node* node = &document;
   for (std::size_t i = 0; i + 1 < parts.size(); ++i)

@@ -10,29 +10,10 @@
 #include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/scene/toml/text_layout.hpp"
 
 namespace hiac {
 namespace {
-
-/// Returns the position after the string that starts at `at`, or the end of the text.
-std::size_t skip_string(std::string_view text, std::size_t at) {
-  const char quote = text[at];
-  const std::string three(3, quote);
-  const bool multiline = text.substr(at, 3) == three;
-  std::size_t i = at + (multiline ? 3 : 1);
-  while (i < text.size()) {
-    if (text[i] == '\\' && quote == '"') {
-      i += 2;
-    } else if (multiline ? text.substr(i, 3) == three : text[i] == quote) {
-      return i + (multiline ? 3 : 1);
-    } else if (text[i] == '\n' && !multiline) {
-      return i;
-    } else {
-      ++i;
-    }
-  }
-  return text.size();
-}
 
 /// Rejects deeply dotted keys: the parser recurses over their parts without a limit, and could
 /// exhaust the stack.

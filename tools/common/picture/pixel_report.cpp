@@ -1,4 +1,4 @@
-#include "tools/render/pixel_report.hpp"
+#include "tools/common/picture/pixel_report.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,68 @@
+#include "tools/view/viewport/step_choice.hpp"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace hiac::view {
+namespace {
+
+// Seconds of a picture: a part for the mesh, and a part for every pixel.
+struct Cost {
+  double mesh, pixel;
+  [[nodiscard]] double of(ImageSize size, std::uint32_t step) const {
+    return mesh + pixel * size.width * size.height / (static_cast<double>(step) * step);
+  }
+};
+
+// The steps of pictures that are drawn one after the other, with times that vary by a tenth.
+std::vector<std::uint32_t> steps(StepChoice& choice, const Cost& cost, ImageSize size, int count) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> noise(0.95, 1.05);
+  std::vector<std::uint32_t> chosen;
+  for (int k = 0; k < count; ++k) {
+    chosen.push_back(choice.step(size));
+    choice.took(cost.of(size, chosen.back()) * noise(random));
+  }
+  return chosen;
+}
+
+TEST(StepChoice, ShowsAllPixelsWhereTheyAreFastEnough) {
+  StepChoice choice;
+  EXPECT_EQ(steps(choice, {0.001, 5e-8}, {800, 600}, 10).back(), 1U);
+}
+
+TEST(StepChoice, HoldsTheTimeWhereAllPixelsAreTooSlow) {
+  const ImageSize size{2000, 1500};
+  const Cost cost{0.002, 2e-7};  // 0.6 s for all pixels, 0.026 s for every fifth of every fifth row
+  StepChoice choice;
+  const std::uint32_t step = steps(choice, cost, size, 30).back();
+  EXPECT_EQ(step, 5U);
+  EXPECT_LE(cost.of(size, step), 1.1 * StepChoice::kSecondsPerFrame);
+}
+
+TEST(StepChoice, DoesNotFlicker) {
+  for (const double pixel : {1e-8, 5e-8, 1.1e-7, 2e-7, 3e-7, 9e-7, 3e-6}) {
+    StepChoice choice;
+    const auto chosen = steps(choice, {0.01, pixel}, {1200, 900}, 60);
+    int changes = 0;
+    for (std::size_t k = 10; k < chosen.size(); ++k) changes += chosen[k] != chosen[k - 1] ? 1 : 0;
+    EXPECT_LE(changes, 1) << pixel;
+  }
+}
+
+TEST(StepChoice, IsNoCoarserThanTwoHundredByOneHundredAndFifty) {
+  StepChoice choice;
+  const std::uint32_t step = steps(choice, {1, 1e-5}, {800, 600}, 20).back();
+  EXPECT_EQ(step, 3U);
+}
+
+TEST(StepChoice, FollowsAViewThatBecomesFaster) {
+  StepChoice choice;
+  const ImageSize size{1600, 1200};
+  EXPECT_GT(steps(choice, {0.001, 5e-7}, size, 30).back(), 1U);
+  EXPECT_EQ(steps(choice, {0.001, 1e-8}, size, 30).back(), 1U);
+}
+
+}  // namespace
+}  // namespace hiac::view
