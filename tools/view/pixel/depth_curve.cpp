@@ -63,6 +63,7 @@ void DepthCurve::show_pixel(std::shared_ptr<const ExplainedPixel> pixel) {
       for (const SegmentEnd& end : {segments[k].front, segments[k].back}) {
         near_ = std::min(near_, end.depth);
         far_ = std::max(far_, end.depth);
+        if (segments[k].part != RayPart::inside) continue;
         low_ = std::min(low_, field_of(end, pixel_->scene));
         high_ = std::max(high_, field_of(end, pixel_->scene));
       }
@@ -117,8 +118,10 @@ void DepthCurve::paint_frame(QPainter& painter) const {
   painter.drawText(below, Qt::AlignRight, number(far_));
   const QRectF above(plot.left(), 2, plot.width(), fontMetrics().height());
   painter.setPen(kField);
-  painter.drawText(above, Qt::AlignLeft,
-                   tr("%1: %2 to %3").arg(field_name(pixel_->scene), number(low_), number(high_)));
+  if (low_ <= high_)  // the ray passes a cell
+    painter.drawText(
+        above, Qt::AlignLeft,
+        tr("%1: %2 to %3").arg(field_name(pixel_->scene), number(low_), number(high_)));
   painter.setPen(kTransparency);
   painter.drawText(above, Qt::AlignRight, tr("transparency: 0 to 1"));
 }
@@ -159,13 +162,18 @@ void DepthCurve::paint_field(QPainter& painter) const {
     const double share = (field_of(end, pixel_->scene) - low_) / range;
     return QPointF(x_at(end.depth), plot.bottom() - share * plot.height());
   };
+  const auto paint_surface = [&](double depth) {
+    painter.setPen(QPen(kSurface, 1.5));
+    painter.drawLine(QPointF(x_at(depth), plot.top()), QPointF(x_at(depth), plot.bottom()));
+  };
   for (const PixelSegment& segment : pixel_->explanation.pixel->segments) {
+    if (segment.part != RayPart::inside) {
+      paint_surface(segment.front.depth);
+      continue;
+    }
     painter.setPen(QPen(kField, 1.8));
     painter.drawLine(at(segment.front), at(segment.back));
-    painter.setPen(QPen(kSurface, 1.5));
-    for (const MetIsosurface& met : segment.surfaces)
-      painter.drawLine(QPointF(x_at(met.depth), plot.top()),
-                       QPointF(x_at(met.depth), plot.bottom()));
+    for (const MetIsosurface& met : segment.surfaces) paint_surface(met.depth);
   }
 }
 
@@ -173,7 +181,7 @@ QString DepthCurve::tip_at(double x) const {
   if (!pixel_ || pixel_->explanation.pixel->segments.empty()) return {};
   const double depth = depth_at(x);
   for (const PixelSegment& s : pixel_->explanation.pixel->segments) {
-    if (depth < s.front.depth || depth > s.back.depth) continue;
+    if (s.part != RayPart::inside || depth < s.front.depth || depth > s.back.depth) continue;
     const auto kind = kind_name(s.kind);
     return tr("cell %1 (%2)\ndepth %3 to %4 (world units)\n%5: %6 to %7\ntransparency behind: %8")
         .arg(s.cell)
