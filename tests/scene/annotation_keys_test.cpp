@@ -62,8 +62,19 @@ TEST(AnnotationKeys, ABarHasTheScaleOfTheColour) {
   EXPECT_EQ(
       annotation_of("scale = \"log\"\n" + bar + "scale = \"linear\"\n").color_bar->logarithmic,
       false);
-  EXPECT_TRUE(parse_scene(kColored + "scale = \"log\"\n", "view").color_is_logarithmic);
-  EXPECT_FALSE(parse_scene(kColored, "view").color_is_logarithmic);
+  EXPECT_TRUE(parse_scene(kColored + "scale = \"log\"\n", "view").annotation.bar_is_logarithmic);
+  EXPECT_FALSE(parse_scene(kColored, "view").annotation.bar_is_logarithmic);
+}
+
+TEST(AnnotationKeys, ABarAloneHasTheScaleOfTheBarThatMayBeHidden) {
+  const std::string bar = "[annotation.colorbar]\nscale = ", hidden = "show = false\n";
+  const Annotation log = annotation_of(bar + "\"log\"\n" + hidden);
+  EXPECT_TRUE(log.bar_is_logarithmic);
+  EXPECT_FALSE(log.draws());
+  EXPECT_TRUE(annotation_of(bar + "\"log\"\n").bar_is_logarithmic);
+  const std::string linear = "scale = \"log\"\n" + bar + "\"linear\"\n";
+  EXPECT_FALSE(annotation_of(linear).bar_is_logarithmic);
+  EXPECT_FALSE(annotation_of(linear + hidden).bar_is_logarithmic);
 }
 
 TEST(AnnotationKeys, BadValuesAreRefusedInOneLine) {
@@ -129,6 +140,7 @@ TEST(AnnotationKeys, TheTextOfASceneGivesThemBack) {
     if (a.scale && coin()) a.scale->length = unit(random);
     if (coin()) a.color_bar = {AnnotationPlace::left, size(), std::nullopt, coin()};
     if (a.color_bar && coin()) a.color_bar->label = "T (K)";
+    a.bar_is_logarithmic = a.color_bar ? *a.color_bar->logarithmic : coin();
     for (const Comments comments : {Comments::none, Comments::explain}) {
       const std::string text = to_toml(scene, a, comments);
       const ParsedScene read = parse_scene(text, "text");

@@ -98,6 +98,17 @@ TEST_F(AnnotationOption, IsRepeatedFromThePicture) {
   }
 }
 
+TEST_F(AnnotationOption, ABarAloneIsRepeatedFromThePicture) {
+  for (const std::string scale : {"linear", "log"}) {
+    const std::string scaled = "--view plain.toml --set volume.color.scale=" + scale;
+    draw(scaled + " -o " + scale + ".png --colorbar first-" + scale + ".png");
+    draw("--view " + scale + ".png -o again.png --colorbar second.png");
+    EXPECT_EQ(bytes_of(file("first-" + scale + ".png")), bytes_of(file("second.png"))) << scale;
+    EXPECT_EQ(bytes_of(file(scale + ".png")), bytes_of(file("again.png"))) << scale;
+  }
+  EXPECT_NE(bytes_of(file("first-linear.png")), bytes_of(file("first-log.png")));
+}
+
 TEST_F(AnnotationOption, ChangesNoOrderAndNoExplanation) {
   ASSERT_EQ(run("$SORT m.zoo --view plain.toml -o m.order"), 0) << complaint();
   draw("--view view.toml --order m.order -o ordered.png");

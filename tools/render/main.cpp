@@ -169,9 +169,7 @@ void write_color_bar(Tool& tool, const Options& options, const ZooMesh& mesh,
   const double length = options.color_bar_length > 0 ? options.color_bar_length : round_length;
   const ColorBarLabels labels{volume.color ? field_label(mesh, volume.color->field) : "",
                               volume.extinction ? field_label(mesh, volume.extinction->field) : ""};
-  const std::optional<ColorBarAnnotation>& bar = view.annotation.color_bar;
-  const bool logarithmic =
-      bar ? bar->logarithmic.value_or(view.color_is_logarithmic) : view.color_is_logarithmic;
+  const bool logarithmic = view.annotation.bar_is_logarithmic;
   write_image(options.color_bar, as_option("--colorbar: ", [&] {
                 return with_names(
                     options, [&] { return draw_color_bar(volume, labels, length, logarithmic); });

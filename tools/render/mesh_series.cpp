@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/geometry/box.hpp"
 #include "hiac/session/field_range.hpp"
 #include "hiac/session/starter/starter_field.hpp"
 #include "tools/common/as_option.hpp"
@@ -103,8 +104,13 @@ ParsedScene MeshSeries::starter(PictureCommand& command) {
     return starter::choose_field(file.mesh, command.starter.field, name_of(last)).field.name;
   });
   starter::SeriesRange range(field);
-  with_each([&](const ZooMesh& mesh) { range.add(mesh); });
+  Box box = box_of_cells(file.mesh);
+  with_each([&](const ZooMesh& mesh) {
+    range.add(mesh);
+    if (mesh.cell_count() > 0) box.include(box_of_cells(mesh));
+  });
   command.starter.range = range.range();
+  if (file.mesh.cell_count() > 0) command.starter.box = box;
   return starter_scene(tool_, command, file.mesh);
 }
 

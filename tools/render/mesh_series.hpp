@@ -48,8 +48,9 @@ class MeshSeries {
   ZooFile read(std::size_t k);
 
   /// The one scene of the whole series: of the specification, with transfer functions over the
-  /// ranges of all steps; or of a starter view, whose field, camera and extinction are those of the
-  /// last step, and whose range is that of all steps. Reads the steps for that where it has to.
+  /// ranges of all steps; or of a starter view, whose field and extinction are those of the last
+  /// step, whose range is that of all steps, and whose camera sees all of them. Reads the steps for
+  /// that where it has to.
   ParsedScene scene(PictureCommand& command, std::optional<ParsedScene> parsed);
 
  private:

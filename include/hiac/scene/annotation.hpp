@@ -91,6 +91,8 @@ struct Annotation {
   PictureLength margin{0.02};     ///< between the parts and the picture's edges
   std::optional<Color> color;     ///< of text and lines, linear; none: black or white
   bool in_float_formats = false;  ///< drawn into pictures of floating-point numbers, too
+  /// The bar of the colours is even in the scalar's logarithm, where it is alone (draw_color_bar).
+  bool bar_is_logarithmic = false;
   std::optional<TitleAnnotation> title;
   std::optional<TimeAnnotation> time;
   std::optional<AxesAnnotation> axes;

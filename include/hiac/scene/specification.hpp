@@ -33,8 +33,7 @@ struct ParsedScene {
   std::optional<UnscaledPoints<3>> skin_color = {};
   /// One line each: the error bound of a preset's conversion to piecewise-linear RGB.
   std::vector<std::string> notes = {};
-  Annotation annotation = {};         ///< what is drawn on the picture
-  bool color_is_logarithmic = false;  ///< [volume.color] has `scale = "log"`
+  Annotation annotation = {};  ///< what is drawn on the picture
 };
 
 /// Replaces one value of a specification: KEY=VALUE, such as `camera.fov=20` or

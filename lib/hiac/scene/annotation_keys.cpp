@@ -139,11 +139,23 @@ constexpr SpecKey<ColorBarAnnotation> kColorBarKeys[] = {
      }},
 };
 
+bool is_shown(const SpecValue& table) { return !table.has("show") || table.child("show").truth(); }
+
 template <typename Part>
 void read_part(const SpecValue& table, std::span<const SpecKey<Part>> keys,
                std::optional<Part>& into) {
   read_keys(table, keys, into.emplace());
-  if (table.has("show") && !table.child("show").truth()) into.reset();
+  if (!is_shown(table)) into.reset();
+}
+
+/// The scale holds for a bar that stands alone, too, which is drawn whether this one is or not.
+void read_color_bar(const SpecValue& table, std::optional<ColorBarAnnotation>& into) {
+  ColorBarAnnotation bar;
+  read_keys(table, color_bar_keys(), bar);
+  bool& is_logarithmic = table.context().bar_is_logarithmic;
+  is_logarithmic = bar.logarithmic.value_or(is_logarithmic);
+  bar.logarithmic = is_logarithmic;
+  if (is_shown(table)) into = std::move(bar);
 }
 
 constexpr SpecKey<Annotation> kAnnotationKeys[] = {
@@ -175,8 +187,7 @@ constexpr SpecKey<Annotation> kAnnotationKeys[] = {
     {"scale", "", false,
      [](const SpecValue& v, Annotation& a) { read_part(v, length_keys(), a.scale); }, nullptr},
     {"colorbar", "", false,
-     [](const SpecValue& v, Annotation& a) { read_part(v, color_bar_keys(), a.color_bar); },
-     nullptr},
+     [](const SpecValue& v, Annotation& a) { read_color_bar(v, a.color_bar); }, nullptr},
 };
 
 }  // namespace
@@ -191,8 +202,6 @@ std::span<const SpecKey<ColorBarAnnotation>> color_bar_keys() { return kColorBar
 Annotation read_annotation(const SpecValue& table) {
   Annotation annotation;
   read_keys(table, annotation_keys(), annotation);
-  if (annotation.color_bar && !annotation.color_bar->logarithmic)
-    annotation.color_bar->logarithmic = table.context().color_is_logarithmic;
   return annotation;
 }
 

@@ -71,7 +71,7 @@ constexpr SpecKey<Volume> kVolumeKeys[] = {
      [](const Volume& volume) -> Text { return name_text<Glow>(kGlows, volume.glow); }},
     {"color", "", false,
      [](const SpecValue& v, Volume& volume) {
-       volume.color = read_color_transfer(v, v.context().color, v.context().color_is_logarithmic);
+       volume.color = read_color_transfer(v, v.context().color, v.context().bar_is_logarithmic);
      },
      nullptr},
     {"extinction", "", false,

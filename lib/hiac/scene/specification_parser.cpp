@@ -34,7 +34,7 @@ ParsedScene parse(std::string_view text, const std::string& subject, const std::
   parsed.color = std::move(context.color);
   parsed.extinction = std::move(context.extinction);
   parsed.annotation = std::move(context.annotation);
-  parsed.color_is_logarithmic = context.color_is_logarithmic;
+  parsed.annotation.bar_is_logarithmic = context.bar_is_logarithmic;
   parsed.skin_color = std::move(context.skin_color);
   return parsed;
 }

@@ -102,6 +102,9 @@ std::vector<std::string> annotation_texts(const Annotation& a, Comments comments
   add("axes", axes_keys(), a.axes);
   add("scale", length_keys(), a.scale);
   add("colorbar", color_bar_keys(), a.color_bar);
+  // points as they are written do not tell the scale of [volume.color]
+  if (!a.color_bar && a.bar_is_logarithmic)
+    texts.emplace_back("[annotation.colorbar]\nshow = false\nscale = \"log\"\n");
   return texts;
 }
 

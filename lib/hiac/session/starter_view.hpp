@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hiac/geometry/box.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/scene/scene.hpp"
 
@@ -21,6 +22,8 @@ struct StarterOptions {
   std::optional<ImageSize> size = {};  ///< none: 1024 x 768, flatter for long meshes
   /// The range to show, as that of a series of which the mesh is one step; none: the mesh's own.
   std::optional<std::array<double, 2>> range = {};
+  /// What the camera sees beside the mesh: the box around the cells of all steps of such a series.
+  std::optional<Box> box = {};
 };
 
 /// A first view of a mesh.
@@ -32,7 +35,8 @@ struct StarterView {
   std::vector<std::string> notes;  ///< one line each: what is shown and why
 };
 
-/// Makes a first view of a mesh: all nodes of its cells are seen from a raised corner.
+/// Makes a first view of a mesh: all nodes of its cells, and all of `box`, are seen from a raised
+/// corner.
 ///
 /// The field is the one whose values differ most: the largest entropy of a histogram of the values
 /// in cells, of magnitudes for vectors and of von Mises' equivalent stress for tensors where

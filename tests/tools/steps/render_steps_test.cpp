@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "hiac/frame/projection.hpp"
 #include "hiac/scene/specification.hpp"
 #include "tests/tools/steps/step_files.hpp"
 
@@ -136,6 +137,23 @@ TEST_F(RenderSteps, AStarterViewIsThatOfTheSeries) {
     ASSERT_EQ(run(fmt::format("$RENDER -q still-0{}.zoo --view saved.toml -o one.png", step)), 0)
         << complaint();
     EXPECT_EQ(bytes_of(file(fmt::format("a{}.png", step))), bytes_of(file("one.png"))) << step;
+  }
+}
+
+TEST_F(RenderSteps, AStarterCameraSeesAllSteps) {
+  for (const std::string steps : {"moving-00.zoo moving-02.zoo", "moving-02.zoo moving-00.zoo"}) {
+    ASSERT_EQ(run("$RENDER -q " + steps + " --size 80x60 --save-view saved.toml -o a%d.png"), 0)
+        << complaint();
+    const Scene saved = read_scene(file("saved.toml")).scene;
+    const Projector projector(saved.camera, saved.image);
+    for (const std::string step : {"moving-00.zoo", "moving-02.zoo"}) {
+      const ZooMesh mesh = read_zoo_file(file(step)).mesh;
+      for (NodeId node = 0; node < mesh.node_count(); ++node) {
+        const auto at = projector.project_extended(mesh.position(node));
+        EXPECT_TRUE(at[2] > 0 && 0 <= at[0] && at[0] <= 80 && 0 <= at[1] && at[1] <= 60)
+            << steps << ": node " << node << " of " << step << " at " << at[0] << ", " << at[1];
+      }
+    }
   }
 }
 

@@ -33,7 +33,8 @@ struct SpecContext {
   std::optional<UnscaledPoints<3>> color = {};
   std::optional<UnscaledPoints<1>> extinction = {};
   Annotation annotation = {};
-  bool color_is_logarithmic = false;  ///< [volume.color] has `scale = "log"`
+  /// The scale of [annotation.colorbar], without it that of [volume.color], is "log".
+  bool bar_is_logarithmic = false;
   std::optional<UnscaledPoints<3>> skin_color = {};
 
   /// Returns the override that set the key `path`, a part of it or a table around it, or null.

@@ -7,8 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "hiac/geometry/box.hpp"
-
 namespace hiac::starter {
 namespace {
 
@@ -30,17 +28,24 @@ Frame frame_along(const Vec& direction) {
   return {right, cross(right, ahead), ahead};
 }
 
-/// The point at the middle of what is seen of the nodes along a frame, at the middle depth.
-Vec middle_seen(const ZooMesh& mesh, const Frame& frame, const Vec& center) {
+/// Does `work` on every point that the camera has to see.
+template <typename Work>
+void for_each_point(const Sight& sight, const Work& work) {
+  for (const NodeId node : sight.mesh.nodes) work(position(sight.mesh, node));
+  for (const Vec& corner : sight.corners) work(corner);
+}
+
+/// The point at the middle of what is seen along a frame, at the middle depth.
+Vec middle_seen(const Sight& sight, const Frame& frame, const Vec& center) {
   Vec low{kInfinity, kInfinity, kInfinity}, high{-kInfinity, -kInfinity, -kInfinity};
-  for (const NodeId node : mesh.nodes) {
-    const Vec p = position(mesh, node) - center;
+  for_each_point(sight, [&](const Vec& point) {
+    const Vec p = point - center;
     const Vec at{dot(p, frame.right), dot(p, frame.up), dot(p, frame.ahead)};
     for (std::size_t a = 0; a < 3; ++a) {
       low[a] = std::min(low[a], at[a]);
       high[a] = std::max(high[a], at[a]);
     }
-  }
+  });
   const Vec middle = 0.5 * (low + high);
   return center + (middle[0] * frame.right + middle[1] * frame.up + middle[2] * frame.ahead);
 }
@@ -61,21 +66,30 @@ bool has_extent(const ZooMesh& mesh) {
   return low != high;
 }
 
-Camera camera_around(const ZooMesh& mesh, const ImageSize& image, const Vec& towards_eye) {
-  const auto [low, high] = box_of_cells(mesh);
+Sight::Sight(const ZooMesh& cells, const Box& series) : Sight(cells) {
+  const Box own = box;
+  box.include(series);
+  if (box.low == own.low && box.high == own.high) return;
+  for (const double x : {box.low[0], box.high[0]})
+    for (const double y : {box.low[1], box.high[1]})
+      for (const double z : {box.low[2], box.high[2]}) corners.push_back({x, y, z});
+}
+
+Camera camera_around(const Sight& sight, const ImageSize& image, const Vec& towards_eye) {
+  const auto& [low, high] = sight.box;
   const Vec extent = high - low;
   const double size = std::max({extent[0], extent[1], extent[2], 1e-300});
   const Frame frame = frame_along(-1 * towards_eye);
-  const Vec look_at = rounded(middle_seen(mesh, frame, 0.5 * low + 0.5 * high), size);
+  const Vec look_at = rounded(middle_seen(sight, frame, 0.5 * low + 0.5 * high), size);
   const double half_height = kFilled * std::tan(0.5 * kFov * std::numbers::pi / 180);
   const double half_width = half_height * image.width / image.height;
   double distance = 0.01 * size;
-  for (const NodeId node : mesh.nodes) {
-    const Vec p = position(mesh, node) - look_at;
+  for_each_point(sight, [&](const Vec& point) {
+    const Vec p = point - look_at;
     const double needed = std::max(std::fabs(dot(p, frame.up)) / half_height,
                                    std::fabs(dot(p, frame.right)) / half_width);
     distance = std::max(distance, needed - dot(p, frame.ahead));
-  }
+  });
   Camera camera;
   camera.look_at = look_at;
   camera.eye = rounded(look_at - distance * frame.ahead, size);
@@ -84,17 +98,17 @@ Camera camera_around(const ZooMesh& mesh, const ImageSize& image, const Vec& tow
   return camera;
 }
 
-ImageSize fitting_size(const ZooMesh& mesh, const ImageSize& image, const Vec& towards_eye) {
+ImageSize fitting_size(const Sight& sight, const ImageSize& image, const Vec& towards_eye) {
   constexpr std::uint32_t kLeastSide = 64;
-  const Camera camera = camera_around(mesh, image, towards_eye);
+  const Camera camera = camera_around(sight, image, towards_eye);
   const Frame frame = frame_of(camera);
   double across = 0, upright = 0;
-  for (const NodeId node : mesh.nodes) {
-    const Vec p = position(mesh, node) - camera.eye;
+  for_each_point(sight, [&](const Vec& point) {
+    const Vec p = point - camera.eye;
     const double depth = dot(p, frame.ahead);
     across = std::max(across, std::fabs(dot(p, frame.right)) / depth);
     upright = std::max(upright, std::fabs(dot(p, frame.up)) / depth);
-  }
+  });
   const double aspect = across / upright;
   const auto side = [&](double wanted, std::uint32_t most) {
     // even: many video and image tools want it

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <vector>
+
+#include "hiac/geometry/box.hpp"
 #include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/scene/scene.hpp"
@@ -30,11 +33,21 @@ Frame frame_of(const Camera& camera);
 /// Whether two nodes of cells lie at different places.
 bool has_extent(const ZooMesh& mesh);
 
-/// A perspective camera that sees all nodes of the mesh's cells, from `towards_eye` of their
-/// middle.
-Camera camera_around(const ZooMesh& mesh, const ImageSize& image, const Vec& towards_eye);
+/// What a camera has to see: all nodes of a mesh's cells and, where the mesh is one step of a
+/// series that reaches beyond it, the box around the cells of all steps.
+struct Sight {
+  explicit Sight(const ZooMesh& cells) : mesh(cells), box(box_of_cells(cells)) {}
+  Sight(const ZooMesh& cells, const Box& series);
 
-/// The size, no larger than `image`, whose aspect is that of the mesh as the camera sees it.
-ImageSize fitting_size(const ZooMesh& mesh, const ImageSize& image, const Vec& towards_eye);
+  const ZooMesh& mesh;
+  Box box;                   ///< around all of it
+  std::vector<Vec> corners;  ///< of the box, where it is larger than the mesh
+};
+
+/// A perspective camera that sees all of it, from `towards_eye` of its middle.
+Camera camera_around(const Sight& sight, const ImageSize& image, const Vec& towards_eye);
+
+/// The size, no larger than `image`, whose aspect is that of what the camera sees.
+ImageSize fitting_size(const Sight& sight, const ImageSize& image, const Vec& towards_eye);
 
 }  // namespace hiac::starter

@@ -71,14 +71,14 @@ struct Framing {
 };
 
 /// The first view that the model covers enough of, or the one that it covers most of.
-Framing framing_of(const ZooMesh& mesh, const Choice& choice,
+Framing framing_of(const Sight& sight, const Choice& choice,
                    const std::optional<ImageSize>& asked) {
   constexpr ImageSize kSize{1024, 768};
-  const Share share(mesh, choice);
+  const Share share(sight.mesh, choice);
   std::optional<Framing> best;
   const auto consider = [&](const ImageSize& size, const Vec& towards_eye) {
-    Framing framing{size, camera_around(mesh, size, towards_eye), {}};
-    framing.depth = measure_depth(mesh, framing.camera, size, share);
+    Framing framing{size, camera_around(sight, size, towards_eye), {}};
+    framing.depth = measure_depth(sight.mesh, framing.camera, size, share);
     if (!best || framing.depth.coverage > best->depth.coverage) best = std::move(framing);
     return best->depth.coverage >= kLeastCoverage;
   };
@@ -86,7 +86,7 @@ Framing framing_of(const ZooMesh& mesh, const Choice& choice,
     if (consider(asked.value_or(kSize), towards_eye)) return *best;
   if (!asked)
     for (const Vec& towards_eye : kTowardsEye)
-      if (consider(fitting_size(mesh, kSize, towards_eye), towards_eye)) return *best;
+      if (consider(fitting_size(sight, kSize, towards_eye), towards_eye)) return *best;
   return *best;
 }
 
@@ -128,7 +128,8 @@ StarterView make_starter_view(const ZooMesh& mesh, const std::string& subject,
   const ColormapPreset preset = preset_of(options.preset);
   Choice choice = choose_field(mesh, options.field, subject);
   if (options.range) show_range(choice, *options.range);
-  const Framing framing = framing_of(mesh, choice, options.size);
+  const Framing framing =
+      framing_of(options.box ? Sight(mesh, *options.box) : Sight(mesh), choice, options.size);
   StarterView view;
   view.notes = std::move(choice.notes);
   Scene& scene = view.scene;
