@@ -43,7 +43,7 @@ struct UsualKey {
   const char* action;
   const char* key;
 };
-constexpr std::array<UsualKey, 19> kKeys{{
+constexpr std::array<UsualKey, 20> kKeys{{
     {"open_mesh", "Ctrl+O"},
     {"open_view", "Ctrl+Shift+O"},
     {"save", "Ctrl+S"},
@@ -58,6 +58,7 @@ constexpr std::array<UsualKey, 19> kKeys{{
     {"projection", "J"},
     {"color_bar", "C"},
     {"explain_pixel", "P"},
+    {"add_bump", "B"},
     {"record_keyframe", "K"},
     {"play", "Space"},
     {"help", "H"},

@@ -107,8 +107,11 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
-  if (!has_moved_ && event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier)
-    if (const auto pixel = pixel_at(event->position())) Q_EMIT pixel_chosen(*pixel);
+  if (!has_moved_ && event->button() == Qt::LeftButton)
+    if (const auto pixel = pixel_at(event->position())) {
+      if (event->modifiers() == Qt::NoModifier) Q_EMIT pixel_chosen(*pixel);
+      if (event->modifiers() == Qt::AltModifier) Q_EMIT bump_chosen(*pixel);
+    }
   gesture_.reset();
   has_moved_ = false;
 }

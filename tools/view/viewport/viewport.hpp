@@ -45,6 +45,7 @@ class Viewport : public QWidget {
   void camera_moved(const hiac::Camera& camera, const QString& label, bool goes_on);
   void pixel_chosen(QPoint pixel);   ///< a click
   void centre_chosen(QPoint pixel);  ///< a double click
+  void bump_chosen(QPoint pixel);    ///< a click with Alt
   void hovered(std::optional<QPoint> pixel);
 
  protected:

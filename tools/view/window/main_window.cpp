@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "hiac/geometry/vector.hpp"
 #include "hiac/render/explain_pixel.hpp"
@@ -20,6 +21,8 @@
 #include "hiac/scene/camera_path.hpp"
 #include "hiac/scene/toml/spec_text.hpp"
 #include "tools/view/document/camera_text.hpp"
+#include "tools/view/transfer/bump.hpp"
+#include "tools/view/transfer/spec_pane.hpp"
 #include "tools/view/window/picture_facts.hpp"
 #include "tools/view/window/shell_command.hpp"
 
@@ -32,18 +35,18 @@ constexpr int kUsualDockWidth = 420;
 
 double distance_of_centre(const Camera& camera) { return length(view_direction(camera)); }
 
-// The depth of the segment that adds most to the pixel; none if nothing is seen.
-std::optional<double> seen_depth(const PixelExplanation& pixel) {
-  std::optional<double> depth;
+// The segment that adds most to the pixel; null if nothing is seen.
+const PixelSegment* seen_segment(const PixelExplanation& pixel) {
+  const PixelSegment* seen = nullptr;
   double most = 0, before = 1;
   for (const PixelSegment& segment : pixel.segments) {
     const double opacity = before - segment.transparency;
     before = segment.transparency;
     if (opacity <= most) continue;
     most = opacity;
-    depth = (segment.front.depth + segment.back.depth) / 2;
+    seen = &segment;
   }
-  return depth;
+  return seen;
 }
 
 }  // namespace
@@ -109,7 +112,12 @@ void MainWindow::make_docks() {
   pixel_panel_ = new PixelPanel;
   clip_panel_ = new ClipPanel;
   path_panel_ = new PathPanel;
-  add_dock(QStringLiteral("pixel"), tr("Pixel"), pixel_panel_);
+  transfer_panel_ = new TransferPanel(document_);
+  QDockWidget* transfer =
+      add_dock(QStringLiteral("transfer"), tr("Transfer functions"), transfer_panel_);
+  tabifyDockWidget(transfer, add_dock(QStringLiteral("text"), tr("Text"), new SpecPane(document_)));
+  tabifyDockWidget(transfer, add_dock(QStringLiteral("pixel"), tr("Pixel"), pixel_panel_));
+  transfer->raise();
   QDockWidget* clip = add_dock(QStringLiteral("clip"), tr("Clip"), clip_panel_);
   QDockWidget* path = add_dock(QStringLiteral("path"), tr("Camera path"), path_panel_);
   tabifyDockWidget(clip, path);
@@ -154,6 +162,7 @@ void MainWindow::connect_viewport() {
   connect(viewport_, &Viewport::hovered, this, &MainWindow::tell_hovered);
   connect(viewport_, &Viewport::pixel_chosen, this, &MainWindow::explain);
   connect(viewport_, &Viewport::centre_chosen, this, &MainWindow::centre_on);
+  connect(viewport_, &Viewport::bump_chosen, this, &MainWindow::add_bump_at);
   connect(&files_, &FileActions::progress, this, [this](const QString& text) {
     if (!text.isEmpty() && !picture_) viewport_->show_text(text);
     statusBar()->showMessage(text);
@@ -206,6 +215,8 @@ void MainWindow::show_file_name() {
 }
 
 void MainWindow::show_facts() {
+  transfer_panel_->show_depth(picture_ ? std::optional(picture_->mean_optical_depth)
+                                       : std::nullopt);
   facts_->setText(picture_ ? picture_facts(*picture_, error_, viewport_->scale()) : QString());
   facts_->setToolTip(facts_->text());
 }
@@ -217,9 +228,15 @@ void MainWindow::tell_hovered(std::optional<QPoint> pixel) {
 void MainWindow::explain(QPoint pixel) {
   pixel_ = pixel;
   centres_next_ = false;
+  bumps_next_ = false;
   viewport_->mark(pixel);
   is_at_rest_ = false;
   drawing_->explain(static_cast<std::uint32_t>(pixel.x()), static_cast<std::uint32_t>(pixel.y()));
+}
+
+void MainWindow::add_bump_at(QPoint pixel) {
+  explain(pixel);
+  bumps_next_ = true;
 }
 
 // Where surfaces or splats are drawn no pixel is explained, and the centre's own depth serves.
@@ -244,13 +261,26 @@ void MainWindow::take_explanation(const std::shared_ptr<const ExplainedPixel>& p
   const PixelExplanation& found = *pixel->explanation.pixel;
   const QPoint place(static_cast<int>(found.x), static_cast<int>(found.y));
   if (!pixel_ || *pixel_ != place) return;
+  const PixelSegment* seen = seen_segment(found);
+  if (std::exchange(bumps_next_, false)) {
+    const bool absorbs = pixel->scene.volume.extinction.has_value();
+    const auto value = [&](const SegmentEnd& end) {
+      return absorbs ? end.extinction_field : end.color_field;
+    };
+    if (seen != nullptr)
+      add_bump(document_, std::midpoint(value(seen->front), value(seen->back)));
+    else
+      messages_->tell(tr("Nothing is seen at this pixel: no value to add a bump at"));
+    return;
+  }
   if (!std::exchange(centres_next_, false)) {
     pixel_panel_->show_pixel(pixel, document_.mesh());
     return;
   }
   // where nothing is seen, the plane through look_at
   centre_at(pixel->scene, place,
-            seen_depth(found).value_or(distance_of_centre(pixel->scene.camera)));
+            seen != nullptr ? std::midpoint(seen->front.depth, seen->back.depth)
+                            : distance_of_centre(pixel->scene.camera));
 }
 
 void MainWindow::copy_command() {

@@ -12,6 +12,7 @@
 #include "tools/common/tool.hpp"
 #include "tools/view/document/document.hpp"
 #include "tools/view/pixel/pixel_panel.hpp"
+#include "tools/view/transfer/transfer_panel.hpp"
 #include "tools/view/viewport/bindings.hpp"
 #include "tools/view/viewport/drawing.hpp"
 #include "tools/view/viewport/viewport.hpp"
@@ -43,6 +44,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] Viewport& viewport() { return *viewport_; }
   [[nodiscard]] Drawing& drawing() { return *drawing_; }
   [[nodiscard]] PixelPanel& pixel_panel() { return *pixel_panel_; }
+  [[nodiscard]] TransferPanel& transfer_panel() { return *transfer_panel_; }
   [[nodiscard]] MessageLine& messages() { return *messages_; }
   /// The last picture; null if there is none.
   [[nodiscard]] const std::shared_ptr<const Painted>& picture() const { return picture_; }
@@ -74,6 +76,7 @@ class MainWindow : public QMainWindow {
   void show_facts();
   void tell_hovered(std::optional<QPoint> pixel);
   void explain(QPoint pixel);
+  void add_bump_at(QPoint pixel);
   void centre_on(QPoint pixel);
   void centre_at(const Scene& scene, QPoint pixel, double depth);
   void take_explanation(const std::shared_ptr<const ExplainedPixel>& pixel);
@@ -94,11 +97,13 @@ class MainWindow : public QMainWindow {
   bool is_at_rest_ = false;
   std::optional<QPoint> pixel_;  // that is explained
   bool centres_next_ = false;    // the next explanation is for centre_on
+  bool bumps_next_ = false;      // the next explanation is for a bump of the extinction
 
   MessageLine* messages_ = nullptr;
   Viewport* viewport_ = nullptr;
   PixelPanel* pixel_panel_ = nullptr;
   ClipPanel* clip_panel_ = nullptr;
+  TransferPanel* transfer_panel_ = nullptr;
   PathPanel* path_panel_ = nullptr;
   QLabel *facts_ = nullptr, *hovered_ = nullptr, *help_ = nullptr;
 };

@@ -35,6 +35,14 @@ void MainWindow::make_menus() {
   redo->setShortcut(bindings_.key(QStringLiteral("redo")));
   edit->addAction(undo);
   edit->addAction(redo);
+  edit->addSeparator();
+  add_action(edit, tr("Add a &bump"), QStringLiteral("add_bump"),
+             tr("A peak of the extinction at the value that is seen most at the pixel under the "
+                "mouse (Alt+click, too)"),
+             [this] {
+               const auto place = viewport_->mapFromGlobal(QCursor::pos());
+               if (const auto pixel = viewport_->pixel_at(place)) add_bump_at(*pixel);
+             });
   make_view_menu();
   QMenu* docks = createPopupMenu();
   docks->setTitle(tr("&Panels"));
