@@ -150,7 +150,7 @@ TEST_F(RenderSteps, AStarterCameraSeesAllSteps) {
       const ZooMesh mesh = read_zoo_file(file(step)).mesh;
       for (NodeId node = 0; node < mesh.node_count(); ++node) {
         const auto at = projector.project_extended(mesh.position(node));
-        EXPECT_TRUE(at[2] > 0 && 0 <= at[0] && at[0] <= 80 && 0 <= at[1] && at[1] <= 60)
+        EXPECT_TRUE(at[2] < 0 && 0 <= at[0] && at[0] <= 80 && 0 <= at[1] && at[1] <= 60)
             << steps << ": node " << node << " of " << step << " at " << at[0] << ", " << at[1];
       }
     }
