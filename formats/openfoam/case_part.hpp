@@ -28,7 +28,7 @@ struct CasePart {
   std::vector<std::int64_t> owner;                 ///< the cell that a face points out of
   std::vector<std::vector<std::size_t>> faces_of;  ///< for every cell its faces
 
-  std::vector<std::string> notes;                  ///< on what its files hold besides
+  std::vector<std::string> notes;  ///< on what its files hold besides
 
   [[nodiscard]] std::size_t point_count() const { return xyz.size() / 3; }
   /// A file of the mesh: where the mesh moves or changes, the latest one up to the step's time.

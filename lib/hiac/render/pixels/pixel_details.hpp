@@ -13,10 +13,10 @@ enum class RayPart : std::uint8_t { inside, skin, edge };
 /// The details of a ray segment for further channels. Depths are ray parameters.
 struct SegmentDetails {
   double front = 0, back = 0;
-  double light = 0;                                   ///< largest channel of the segment's light
-  double transparency = 1;                            ///< of the segment
-  double first = 0;                                   ///< where it begins to emit or absorb
-  double mean = 0;                                    ///< depth of its opacity
+  double light = 0;         ///< largest channel of the segment's light
+  double transparency = 1;  ///< of the segment
+  double first = 0;         ///< where it begins to emit or absorb
+  double mean = 0;          ///< depth of its opacity
   RayPart part = RayPart::inside;
   double radiance_error = 0, transparency_error = 0;  ///< ErrorBound
   double front_edge = 0, back_edge = 0;  ///< additional errors where no cell adjoins (edge_bound)
