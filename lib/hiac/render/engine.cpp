@@ -51,7 +51,6 @@ struct PartRenderer::Prepared {
     if (scene.render.splat_below > 0)
       throw UsageError("channel 'error': no bound is claimed of splats (`render.splat_below`)");
     if (scene.skin) throw UsageError("channel 'error': no bound is claimed of the skin (`skin`)");
-    if (scene.edges) throw UsageError("channel 'error': no bound is claimed of edges (`edges`)");
   }
 };
 

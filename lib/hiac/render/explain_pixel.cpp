@@ -274,8 +274,7 @@ PixelExplanation explain_pixel(const ZooMesh& mesh, const VisibilityOrder& order
                                bool with_background) {
   require_explainable(scene, x, y);
   const Projector projector(scene.camera, scene.image);
-  const bool is_bounded = !scene.skin && !scene.edges &&
-                          scene.render.integration == Integration::exact &&
+  const bool is_bounded = !scene.skin && scene.render.integration == Integration::exact &&
                           scene.render.interpolation == Interpolation::isoparametric;
   const Frame frame(mesh, scene, projector, is_bounded ? Details::bounded : Details::described);
 

@@ -171,7 +171,7 @@ std::optional<double> Painter::error_bound(const Wanted& wanted) {
   const Scene& scene = wanted.scene;
   if (scene.render.integration != Integration::exact ||
       scene.render.interpolation != Interpolation::isoparametric || scene.render.splat_below > 0 ||
-      scene.skin || scene.edges)
+      scene.skin)
     return std::nullopt;
   PictureRequest request;
   request.channels = {"error"};

@@ -239,12 +239,12 @@ void MainWindow::add_bump_at(QPoint pixel) {
   bumps_next_ = true;
 }
 
-// Where surfaces or splats are drawn no pixel is explained, and the centre's own depth serves.
+// Where splats are drawn no pixel is explained, and the centre's own depth serves.
 void MainWindow::centre_on(QPoint pixel) {
   const std::optional<Wanted> wanted = view_.wanted();
   if (!wanted) return;
   const Scene& scene = wanted->scene;
-  if (scene.skin || scene.edges || scene.render.splat_below > 0) {
+  if (scene.render.splat_below > 0) {
     centre_at(scene, pixel, distance_of_centre(scene.camera));
     return;
   }

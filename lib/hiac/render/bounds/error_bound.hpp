@@ -56,7 +56,8 @@ namespace hiac {
 ///
 /// The following is by definition, not an error: pixel centres on a projected edge to within
 /// rounding (on_crossing, screen_rounding.hpp) lie on the side where the engine puts them; a ray in
-/// a face belongs to one of its cells.
+/// a face belongs to one of its cells; an edge covers the share of a pixel that is drawn of it, at
+/// the place among the cells where it is drawn (skin_painter.hpp).
 struct ErrorBound {
   double radiance = 0;      ///< of any channel
   double transparency = 0;  ///< absolute, too

@@ -7,13 +7,14 @@
 namespace hiac {
 
 void PixelDetails::add(const SegmentDetails& segment, double visible, double light) {
-  if (segment.part == RayPart::inside) ++cells;
+  const bool inside = segment.part == RayPart::inside;
+  ++(inside ? cells : met);
   if (segment.transparency < 1 || segment.light > 0) first = std::min(first, segment.first);
   const double opacity = visible * (1 - segment.transparency);
   weight += opacity;
   weighted_depth += opacity * segment.mean;
 
-  if (segment.front != last) {
+  if (inside && segment.front != last) {
     // the ray came through empty space
     const double edges = open_edge + (visible + transparency_error) * segment.front_edge;
     radiance_error += edges;
@@ -24,6 +25,7 @@ void PixelDetails::add(const SegmentDetails& segment, double visible, double lig
                     4 * kUnit * (light + visible * segment.light);
   transparency_error = transparency_error * segment.transparency +
                        most_visible * segment.transparency_error + 2 * kUnit * visible;
+  if (!inside) return;  // has no volume in doubt, and lies on the cell before or behind
   open_edge = most_visible * segment.back_edge;
   last = segment.back;
 }

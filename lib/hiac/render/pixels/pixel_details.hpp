@@ -26,7 +26,8 @@ struct SegmentDetails {
 struct PixelDetails : PixelFacts {
   double radiance_error = 0, transparency_error = 0;
   double last = -std::numeric_limits<double>::infinity();  ///< where the last segment ended
-  double open_edge = 0;                                    ///< its back_edge, times what is visible
+  std::uint32_t met = 0;  ///< how often the ray met the skin or an edge
+  double open_edge = 0;   ///< its back_edge, times what is visible
 
   /// Adds a segment to all members except violations. `visible`: the transparency in front;
   /// `light`: the pixel's largest channel so far.

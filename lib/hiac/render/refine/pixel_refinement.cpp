@@ -108,6 +108,7 @@ double PixelRefinement::error(const TileBuffer& drawn, std::size_t at, double ba
   const double bound =
       pixel_error(frame_, drawn.details[at], left, left <= frame_.least_transparency, background);
   // arithmetic no finer than the engine's reveals nothing about its rounding
+  if (drawn.details[at].met > 0) return bound;  // only cells are met again
   if (!kExtendedIsFiner || bound <= kLargeBound * frame_.tolerance) return bound;
   const auto again = compute_again(tile_.column(at), tile_.row(at));
   if (!again) return bound;

@@ -24,7 +24,7 @@ namespace hiac {
 /// change.
 ///
 /// Only rays that meet linear cells with planar faces, each at most once, are recomputed
-/// (ExtendedSegments, ExtendedCellSegments); other pixels keep their bound.
+/// (ExtendedSegments, ExtendedCellSegments), and no edges; other pixels keep their bound.
 class PixelRefinement {
  public:
   /// `ranks`: positions in the visibility order of the cells that the tile may show. The arguments
