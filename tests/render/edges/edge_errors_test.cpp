@@ -20,7 +20,7 @@ using test::Cut;
 
 Scene edges_scene(std::uint64_t seed) {
   Scene scene =
-      test::cube_scene(seed % 2 == 0 ? Projection::perspective : Projection::orthographic, 40, 30);
+      test::cube_scene(seed % 2 == 0 ? Projection::perspective : Projection::orthographic, 28, 21);
   if (seed % 3 == 0) scene.volume.glow = Glow::emission;
   if (seed % 4 == 1)
     for (auto& point : scene.volume.extinction->points) point.value[0] *= 20;  // rays end early
@@ -69,8 +69,8 @@ TEST(EdgeErrors, AreNeverBelowTheErrorOfTheMedium) {
     bare.edges.reset();
     const test::SceneTruth truth(mesh, bare);
     const Image without = render(mesh, order, bare, false).image;
-    for (std::uint32_t y = 0; y < 30; ++y)
-      for (std::uint32_t x = 0; x < 40; ++x) {
+    for (std::uint32_t y = 0; y < 21; ++y)
+      for (std::uint32_t x = 0; x < 28; ++x) {
         if (image.at(x, y, 3) == without.at(x, y, 3)) continue;
         const PixelExplanation pixel = explain_pixel(mesh, order, scene, x, y, false);
         ASSERT_EQ(*pixel.error, image.at(x, y, 4));
@@ -87,8 +87,8 @@ TEST(EdgeErrors, AreNeverBelowTheErrorOfTheMedium) {
         EXPECT_LT(image.at(x, y, 4), 1e-6);
       }
   }
-  EXPECT_GT(compared, test::tried(1000));
-  EXPECT_GT(in_front, test::tried(400));
+  EXPECT_GT(compared, test::tried(600));
+  EXPECT_GT(in_front, test::tried(250));
   EXPECT_GT(largest_share, 1e-4);
 }
 

@@ -291,14 +291,5 @@ TEST(Edges, AreAsWideInPicturesOfSamples) {
   EXPECT_NEAR(of_many / of_one, 1, 0.03);
 }
 
-TEST(Edges, ClaimNoErrorBound) {
-  CubeView view(1, 4, 4);
-  view.scene.skin.reset();
-  const std::vector<Channel> channels{Channel::error};
-  EXPECT_THROW(
-      render(view.mesh, test::sorted(view.mesh, view.scene), view.scene, false, nullptr, channels),
-      UsageError);
-}
-
 }  // namespace
 }  // namespace hiac
