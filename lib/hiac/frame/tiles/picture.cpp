@@ -9,6 +9,7 @@
 #include "hiac/base/parallel.hpp"
 #include "hiac/base/seconds.hpp"
 #include "hiac/frame/background.hpp"
+#include "hiac/frame/tiles/surface_cover.hpp"
 
 namespace hiac {
 namespace {
@@ -40,13 +41,20 @@ double channel_value(Channel channel, const Projector& projector, DrawnTile& til
 struct TileSummary {
   TileCounts counts;
   double optical_depth_sum = 0, optical_depth_most = 0;
-  std::uint64_t covered = 0;
+  std::uint64_t covered = 0, with_depth = 0;
 
-  void add_pixel(double transparency) {
-    const double depth = -std::log(std::max(transparency, std::numeric_limits<double>::min()));
+  // `surfaces`: the transparency of skin and edges alone.
+  void add_pixel(double transparency, double surfaces) {
+    constexpr double kLeast = 1e-3;      // what hides the medium does not tell its depth
+    constexpr double kRounding = 1e-14;  // of two products
+    ++covered;
+    if (surfaces < kLeast) return;
+    const double depth =
+        -std::log(std::max(transparency / surfaces, std::numeric_limits<double>::min()));
+    if (surfaces < 1 && depth <= kRounding) return;
     optical_depth_sum += depth;
     optical_depth_most = std::max(optical_depth_most, depth);
-    ++covered;
+    ++with_depth;
   }
 };
 
@@ -55,6 +63,7 @@ TileSummary write_tile(DrawnTile& drawn, const TileRect& tile, const Frame& fram
                        const Scene& scene, const PictureParts& wanted, Image& image) {
   TileSummary summary{.counts = drawn.counts()};
   const TilePixels& pixels = drawn.pixels();
+  const auto* cover = dynamic_cast<const SurfaceCover*>(&drawn);
   const PixelRect& part = wanted.part;
   const int left = static_cast<int>(part.x), top = static_cast<int>(part.y);
   const int x0 = std::max(tile.x0, left), y0 = std::max(tile.y0, top);
@@ -77,7 +86,7 @@ TileSummary write_tile(DrawnTile& drawn, const TileRect& tile, const Frame& fram
         pixel[4 + c] =
             channel_value(wanted.channels[c], frame.projector, drawn, at, std::ranges::max(behind));
       if (pixels.last[at] != -std::numeric_limits<double>::infinity())
-        summary.add_pixel(transparency);
+        summary.add_pixel(transparency, cover == nullptr ? 1 : cover->surface_transparency(at));
     }
   }
   return summary;
@@ -89,12 +98,13 @@ RenderStatistics statistics_of(std::span<const TileSummary> tiles) {
     statistics.segments += tile.counts.segments;
     statistics.violations += tile.counts.violations;
     statistics.covered_pixels += tile.covered;
+    statistics.depth_pixels += tile.with_depth;
     statistics.mean_optical_depth += tile.optical_depth_sum;
     statistics.largest_optical_depth =
         std::max(statistics.largest_optical_depth, tile.optical_depth_most);
   }
-  if (statistics.covered_pixels > 0)
-    statistics.mean_optical_depth /= static_cast<double>(statistics.covered_pixels);
+  if (statistics.depth_pixels > 0)
+    statistics.mean_optical_depth /= static_cast<double>(statistics.depth_pixels);
   return statistics;
 }
 
@@ -103,13 +113,14 @@ RenderStatistics statistics_of(std::span<const TileSummary> tiles) {
 RenderStatistics& RenderStatistics::operator+=(const RenderStatistics& other) {
   segments += other.segments;
   violations += other.violations;
-  const auto pixels = static_cast<double>(covered_pixels),
-             more = static_cast<double>(other.covered_pixels);
+  const auto pixels = static_cast<double>(depth_pixels),
+             more = static_cast<double>(other.depth_pixels);
   if (more > 0)
     mean_optical_depth =
         (mean_optical_depth * pixels + other.mean_optical_depth * more) / (pixels + more);
   largest_optical_depth = std::max(largest_optical_depth, other.largest_optical_depth);
   covered_pixels += other.covered_pixels;
+  depth_pixels += other.depth_pixels;
   splatted_cells = std::max(splatted_cells, other.splatted_cells);
   prepare_seconds += other.prepare_seconds;
   tile_seconds += other.tile_seconds;
