@@ -72,55 +72,76 @@ void with_session(Drawer& drawer, const Scene& scene, const DrawingOptions& opti
   work(drawer.session);
 }
 
-/// Runs `work` with a session of the mesh, watched.
+/// Runs `work` with a drawer of the mesh, watched (run_watched). The drawer is kept for the next
+/// picture, however the work ends.
 template <typename Work>
-void draw_watched(MeshHandle& mesh, const DrawingOptions& options, const Listener& listener,
-                  const Work& work) {
-  std::unique_ptr<Drawer> drawer =
-      options.changes_session() ? std::make_unique<Drawer>(mesh.mesh()) : mesh.take_drawer();
-  run_watched(drawer->watch, listener, [&] { work(*drawer); });
-  if (!options.changes_session()) mesh.keep(std::move(drawer));
+void draw_watched(const std::shared_ptr<MeshHandle>& mesh, const DrawingOptions& options,
+                  const Listener& listener, Work work) {
+  const bool keeps = !options.changes_session();
+  const std::shared_ptr<Drawer> drawer =
+      keeps ? mesh->take_drawer() : std::make_shared<Drawer>(mesh->mesh());
+  run_watched(drawer->watch, listener, [mesh, drawer, keeps, work = std::move(work)] {
+    try {
+      work(*drawer);
+    } catch (...) {
+      if (keeps) mesh->keep(drawer);
+      throw;
+    }
+    if (keeps) mesh->keep(drawer);
+  });
 }
 
-std::shared_ptr<DrawnPicture> render(MeshHandle& mesh, const ParsedScene& parsed,
-                                     const DrawingOptions& options, const py::object& progress,
-                                     std::shared_ptr<const Cancellation> cancel) {
-  auto drawn = std::make_shared<DrawnPicture>();
-  draw_watched(mesh, options, {progress, std::move(cancel)}, [&](Drawer& drawer) {
-    const PictureRequest request = options.request();
-    drawn->part = require_possible(request, parsed.scene.image);
-    const ParsedScene view = resolved(parsed, mesh, options.frame);
-    drawn->scene = view.scene;
-    drawn->annotation = view.annotation;
-    drawn->background = options.background;
-    with_session(drawer, view.scene, options, [&](Session& session) {
-      drawn->warnings = invisible_parts(mesh.mesh(), view.scene);
-      drawn->picture = session.picture(view.scene, request);
-    });
-    require_numbers(drawn->picture.image);
-    const Picture& picture = drawn->picture;
-    if (const auto reason = reason_of_empty(
-            mesh.mesh(), view.scene,
-            {picture.covered_pixels, picture.largest_optical_depth, options.crop.has_value()}))
-      drawn->warnings.push_back(*reason);
-    if (view.annotation.draws()) drawn->facts = annotation_facts(mesh.mesh(), view.scene.volume);
-    annotate_numbers(*drawn);
+/// Draws one picture.
+void draw(Drawer& drawer, const MeshHandle& mesh, const ParsedScene& parsed,
+          const DrawingOptions& options, DrawnPicture& drawn) {
+  const PictureRequest request = options.request();
+  drawn.part = require_possible(request, parsed.scene.image);
+  const ParsedScene view = resolved(parsed, mesh, options.frame);
+  drawn.scene = view.scene;
+  drawn.annotation = view.annotation;
+  drawn.background = options.background;
+  with_session(drawer, view.scene, options, [&](Session& session) {
+    drawn.warnings = invisible_parts(mesh.mesh(), view.scene);
+    drawn.picture = session.picture(view.scene, request);
   });
+  require_numbers(drawn.picture.image);
+  const Picture& picture = drawn.picture;
+  if (const auto reason = reason_of_empty(
+          mesh.mesh(), view.scene,
+          {picture.covered_pixels, picture.largest_optical_depth, options.crop.has_value()}))
+    drawn.warnings.push_back(*reason);
+  if (view.annotation.draws()) drawn.facts = annotation_facts(mesh.mesh(), view.scene.volume);
+  annotate_numbers(drawn);
+}
+
+std::shared_ptr<DrawnPicture> render(const std::shared_ptr<MeshHandle>& mesh,
+                                     const ParsedScene& parsed, const DrawingOptions& options,
+                                     const py::object& progress,
+                                     std::shared_ptr<const Cancellation> cancel) {
+  const auto drawn = std::make_shared<DrawnPicture>();
+  draw_watched(mesh, options, {progress, std::move(cancel)},
+               [mesh, parsed, options, drawn](Drawer& drawer) {
+                 draw(drawer, *mesh, parsed, options, *drawn);
+               });
   return drawn;
 }
 
-py::dict explain(MeshHandle& mesh, const ParsedScene& parsed, std::uint32_t x, std::uint32_t y,
-                 const DrawingOptions& options, const py::object& progress,
-                 std::shared_ptr<const Cancellation> cancel) {
-  Explanation found;
-  Scene scene;
-  draw_watched(mesh, options, {progress, std::move(cancel)}, [&](Drawer& drawer) {
-    scene = resolved(parsed, mesh, options.frame).scene;
-    with_session(drawer, scene, options, [&](Session& session) {
-      found = session.explain(scene, x, y, options.background);
-    });
-  });
-  return pixel_facts(*found.pixel, scene);
+py::dict explain(const std::shared_ptr<MeshHandle>& mesh, const ParsedScene& parsed,
+                 std::uint32_t x, std::uint32_t y, const DrawingOptions& options,
+                 const py::object& progress, std::shared_ptr<const Cancellation> cancel) {
+  struct Found {
+    Explanation explanation;
+    Scene scene;
+  };
+  const auto found = std::make_shared<Found>();
+  draw_watched(mesh, options, {progress, std::move(cancel)},
+               [mesh, parsed, options, x, y, found](Drawer& drawer) {
+                 found->scene = resolved(parsed, *mesh, options.frame).scene;
+                 with_session(drawer, found->scene, options, [&](Session& session) {
+                   found->explanation = session.explain(found->scene, x, y, options.background);
+                 });
+               });
+  return pixel_facts(*found->explanation.pixel, found->scene);
 }
 
 }  // namespace

@@ -106,15 +106,15 @@ void Drawer::require_drawable(const Scene& scene) {
   checked = scene;
 }
 
-std::unique_ptr<Drawer> MeshHandle::take_drawer() {
+std::shared_ptr<Drawer> MeshHandle::take_drawer() {
   {
     const std::lock_guard lock(mutex_);
     if (idle_) return std::move(idle_);
   }
-  return std::make_unique<Drawer>(mesh_);
+  return std::make_shared<Drawer>(mesh_);
 }
 
-void MeshHandle::keep(std::unique_ptr<Drawer> drawer) {
+void MeshHandle::keep(std::shared_ptr<Drawer> drawer) {
   const std::lock_guard lock(mutex_);
   if (!idle_) idle_ = std::move(drawer);
 }

@@ -16,12 +16,13 @@ namespace hiac::python {
 /// Draws a mesh for one caller at a time.
 struct Drawer {
   explicit Drawer(ZooMesh mesh)
-      : session(std::move(mesh), {&watch.progress, &watch.cancellation}) {}
+      : watch(std::make_shared<Watch>()),
+        session(std::move(mesh), {&watch->progress, &watch->cancellation}) {}
 
   /// Throws unless the scene can be drawn; what was found last is not looked for again.
   void require_drawable(const Scene& scene);
 
-  Watch watch;
+  std::shared_ptr<Watch> watch;
   Session session;
   std::optional<Scene> checked;
 };
@@ -35,14 +36,14 @@ class MeshHandle {
   [[nodiscard]] const ZooMesh& mesh() const { return mesh_; }
 
   /// The kept drawer, if nobody uses it, or a new one. Takes no GIL.
-  std::unique_ptr<Drawer> take_drawer();
+  std::shared_ptr<Drawer> take_drawer();
   /// Keeps a drawer for the next picture.
-  void keep(std::unique_ptr<Drawer> drawer);
+  void keep(std::shared_ptr<Drawer> drawer);
 
  private:
   ZooMesh mesh_;
   std::mutex mutex_;
-  std::unique_ptr<Drawer> idle_;
+  std::shared_ptr<Drawer> idle_;
 };
 
 void bind_mesh(py::module_& module);

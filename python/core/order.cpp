@@ -18,14 +18,14 @@ namespace {
 
 using Handle = std::shared_ptr<OrderHandle>;
 
-Handle sort(const MeshHandle& mesh, const ParsedScene& parsed, const std::string& algorithm,
-            bool overlap, const py::object& progress, std::shared_ptr<const Cancellation> cancel) {
-  Watch watch;
-  return result_of(watch, {progress, std::move(cancel)}, [&] {
-    const Scene& scene = parsed.scene;
-    Ordering ordering(mesh.mesh(), {&watch.progress, &watch.cancellation});
+Handle sort(std::shared_ptr<MeshHandle> mesh, const ParsedScene& parsed,
+            const std::string& algorithm, bool overlap, const py::object& progress,
+            std::shared_ptr<const Cancellation> cancel) {
+  const OrderMethod method{parse_algorithm(algorithm, "algorithm"), {}};
+  const Scene& given = parsed.scene;
+  return result_of({progress, std::move(cancel)}, [mesh, scene = given, method, overlap](Watch& w) {
+    Ordering ordering(mesh->mesh(), {&w.progress, &w.cancellation});
     if (overlap) ordering.look_for_overlaps(scene.render.planarity);
-    const OrderMethod method{parse_algorithm(algorithm, "algorithm"), {}};
     auto made = std::make_shared<OrderHandle>();
     made->subject = "order";
     for (std::uint32_t frame = 0; frame < frame_count(scene); ++frame) {

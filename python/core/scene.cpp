@@ -20,7 +20,7 @@ namespace {
 using Size = std::optional<std::array<std::uint32_t, 2>>;
 
 std::pair<std::string, std::vector<std::string>> starter(
-    const MeshHandle& mesh, const std::string& field, const std::string& preset,
+    std::shared_ptr<MeshHandle> mesh, const std::string& field, const std::string& preset,
     std::uint32_t isovalues, bool dark, const Size& size, const py::object& progress,
     std::shared_ptr<const Cancellation> cancel) {
   StarterOptions options;
@@ -29,9 +29,9 @@ std::pair<std::string, std::vector<std::string>> starter(
   options.isovalues = isovalues;
   options.dark = dark;
   if (size) options.size = ImageSize{(*size)[0], (*size)[1]};
-  Watch watch;
-  StarterView view = result_of(watch, {progress, std::move(cancel)},
-                               [&] { return make_starter_view(mesh.mesh(), "mesh", options); });
+  StarterView view = result_of({progress, std::move(cancel)}, [mesh, options](Watch&) {
+    return make_starter_view(mesh->mesh(), "mesh", options);
+  });
   return {std::move(view.text), std::move(view.notes)};
 }
 

@@ -12,16 +12,15 @@
 namespace hiac::python {
 namespace {
 
-std::shared_ptr<MeshHandle> tetrahedralize(const MeshHandle& mesh, bool linearize, unsigned levels,
-                                           const py::object& progress,
+std::shared_ptr<MeshHandle> tetrahedralize(std::shared_ptr<MeshHandle> mesh, bool linearize,
+                                           unsigned levels, const py::object& progress,
                                            std::shared_ptr<const Cancellation> cancel) {
   if (levels > kMostSubdivisionLevels)
     throw UsageError(
         fmt::format("levels: 0 to {} expected ({} found)", kMostSubdivisionLevels, levels));
   if (levels > 0 && !linearize) throw UsageError("levels: only with linearize");
-  Watch watch;
-  return result_of(watch, {progress, std::move(cancel)}, [&] {
-    return std::make_shared<MeshHandle>(subdivide_cells(mesh.mesh(), {linearize, levels}).mesh);
+  return result_of({progress, std::move(cancel)}, [mesh, linearize, levels](Watch&) {
+    return std::make_shared<MeshHandle>(subdivide_cells(mesh->mesh(), {linearize, levels}).mesh);
   });
 }
 

@@ -4,8 +4,9 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
-#include <optional>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "hiac/base/cancellation.hpp"
 #include "hiac/base/process/side_thread.hpp"
@@ -17,26 +18,82 @@ using namespace std::chrono_literals;
 constexpr auto kSignalPause = 20ms;
 constexpr int kPausesPerReport = 5;
 
-// The end of work on another thread.
-class Ending {
+// Work on a thread, which owns it together with its caller.
+class Job {
  public:
-  void announce() {
+  Job(std::shared_ptr<Watch> watch, std::function<void()> work)
+      : watch_(std::move(watch)), work_(std::move(work)) {}
+
+  [[nodiscard]] Watch& watch() { return *watch_; }
+
+  void run() {
+    const CancellationScope scope(&watch_->cancellation);
+    std::exception_ptr failure;
+    try {
+      work_();
+    } catch (...) {
+      failure = std::current_exception();
+    }
+    work_ = {};  // what it owned is freed by this thread
     const std::lock_guard lock(mutex_);
+    failure_ = failure;
     done_ = true;
     changed_.notify_all();
   }
-  // Whether it has come within the time.
+
+  // Whether the end has come within the time.
   template <typename Duration>
   bool wait_for(Duration time) {
     std::unique_lock lock(mutex_);
     return changed_.wait_for(lock, time, [&] { return done_; });
   }
 
+  // Throws what the work has thrown.
+  void rethrow() {
+    const std::lock_guard lock(mutex_);
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
  private:
-  std::mutex mutex_;
+  std::shared_ptr<Watch> watch_;
+  std::function<void()> work_;
+  std::mutex mutex_;  // guards what follows
   std::condition_variable changed_;
   bool done_ = false;
+  std::exception_ptr failure_;
 };
+
+// The threads whose work goes on ending although nobody waits for it.
+class EndingThreads {
+ public:
+  void add(std::thread thread, std::shared_ptr<Job> job) {
+    const std::lock_guard lock(mutex_);
+    std::erase_if(threads_, [](Ending& ending) {
+      if (!ending.job->wait_for(0s)) return false;
+      ending.thread.join();
+      return true;
+    });
+    threads_.push_back({std::move(thread), std::move(job)});
+  }
+  void join() {
+    const std::lock_guard lock(mutex_);
+    for (Ending& ending : threads_) ending.thread.join();
+    threads_.clear();
+  }
+
+ private:
+  struct Ending {
+    std::thread thread;
+    std::shared_ptr<Job> job;
+  };
+  std::mutex mutex_;
+  std::vector<Ending> threads_;
+};
+
+EndingThreads& ending_threads() {
+  static EndingThreads threads;
+  return threads;
+}
 
 bool is_main_thread() {
   const py::module_ threading = py::module_::import("threading");
@@ -49,55 +106,46 @@ void report(const Watch& watch, const py::object& progress) {
   if (!state.stage.empty()) progress(state.stage, state.done, state.total);
 }
 
-// Looks at signals, tells of the progress, and passes a request to stop on, until the work ends.
-// Returns what Python threw meanwhile. Is called without the GIL.
-std::exception_ptr attend(Watch& watch, const Listener& listener, bool hears_signals,
-                          Ending& ending) {
-  std::exception_ptr thrown;
-  for (int pauses = 1; !ending.wait_for(kSignalPause); ++pauses) {
-    if (listener.cancellation && listener.cancellation->requested()) watch.cancellation.request();
+// Looks at signals, tells of the progress, and hears requests to stop, until the work ends. Throws
+// what stops it. Is called without the GIL.
+void attend(Job& job, const Listener& listener, bool hears_signals) {
+  for (int pauses = 1; !job.wait_for(kSignalPause); ++pauses) {
+    if (listener.cancellation && listener.cancellation->requested()) throw Cancelled();
     const bool reports = !listener.progress.is_none() && pauses % kPausesPerReport == 0;
-    if (thrown || !(hears_signals || reports)) continue;
+    if (!hears_signals && !reports) continue;
     const py::gil_scoped_acquire held;
-    try {
-      if (hears_signals && PyErr_CheckSignals() != 0) throw py::error_already_set();
-      if (reports) report(watch, listener.progress);
-    } catch (...) {
-      thrown = std::current_exception();
-      watch.cancellation.request();
-    }
+    if (hears_signals && PyErr_CheckSignals() != 0) throw py::error_already_set();
+    if (reports) report(job.watch(), listener.progress);
   }
-  return thrown;
 }
 
 }  // namespace
 
-void run_watched(Watch& watch, const Listener& listener, const std::function<void()>& work) {
-  watch.cancellation.reset();
+void run_watched(std::shared_ptr<Watch> watch, const Listener& listener,
+                 std::function<void()> work) {
+  watch->cancellation.reset();
   if (listener.cancellation && listener.cancellation->requested()) throw Cancelled();
   const bool hears_signals = is_main_thread();
-  std::exception_ptr failure, thrown;
+  const auto job = std::make_shared<Job>(std::move(watch), std::move(work));
   {
     const py::gil_scoped_release released;
-    Ending ending;
-    std::thread thread = start_side_thread([&] {
-      const CancellationScope scope(&watch.cancellation);
-      try {
-        work();
-      } catch (...) {
-        failure = std::current_exception();
-      }
-      ending.announce();
-    });
-    thrown = attend(watch, listener, hears_signals, ending);
+    std::thread thread = start_side_thread([job] { job->run(); });
+    try {
+      attend(*job, listener, hears_signals);
+    } catch (...) {
+      job->watch().cancellation.request();
+      ending_threads().add(std::move(thread), job);
+      throw;
+    }
     thread.join();
   }
-  if (thrown) std::rethrow_exception(thrown);
-  if (failure) std::rethrow_exception(failure);
-  report(watch, listener.progress);
+  job->rethrow();
+  report(job->watch(), listener.progress);
 }
 
 void bind_work(py::module_& module) {
+  py::module_::import("atexit").attr("register")(
+      py::cpp_function([] { ending_threads().join(); }, py::call_guard<py::gil_scoped_release>()));
   py::class_<Cancellation, std::shared_ptr<Cancellation>>(
       module, "Cancellation",
       "A request to stop work, which any thread may make: pass it as cancel=, call request().")

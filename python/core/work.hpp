@@ -29,17 +29,23 @@ struct Listener {
 };
 
 /// Runs work on a thread of its own, without the GIL, which the caller holds; returns when it has
-/// ended. Meanwhile a pending signal of Python's (Ctrl-C) is looked for every 20 ms, if this is
-/// the main thread: its exception stops the work, and is thrown when the work has ended. Throws
-/// what the work throws. The watch may be used again.
-void run_watched(Watch& watch, const Listener& listener, const std::function<void()>& work);
+/// ended. Throws what the work throws. Meanwhile a pending signal of Python's (Ctrl-C) is looked
+/// for every 20 ms, if this is the main thread.
+///
+/// Where a signal, the listener's progress or its cancellation stops the work, this throws at once:
+/// the work is asked to end, and does so in the background. So it owns whatever it uses, and
+/// nothing of that is Python's. The watch may be used again when the work has ended.
+void run_watched(std::shared_ptr<Watch> watch, const Listener& listener,
+                 std::function<void()> work);
 
-/// The same for work that returns something.
+/// The same for work that returns something and has a new watch: it is called with the watch.
 template <typename Work>
-auto result_of(Watch& watch, const Listener& listener, Work&& work) {
-  std::optional<decltype(work())> result;
-  run_watched(watch, listener, [&] { result.emplace(std::forward<Work>(work)()); });
-  return std::move(*result);
+auto result_of(const Listener& listener, Work work) {
+  const auto watch = std::make_shared<Watch>();
+  const auto result = std::make_shared<std::optional<decltype(work(*watch))>>();
+  run_watched(watch, listener,
+              [watch, result, work = std::move(work)] { result->emplace(work(*watch)); });
+  return std::move(**result);
 }
 
 void bind_work(py::module_& module);

@@ -56,7 +56,7 @@ class Pictures(unittest.TestCase):
         points = np.concatenate([tetrahedra.points, bricks.points + [2.0, 0, 0]])
         moved = bricks.cells[0][1] + np.uint32(len(tetrahedra.points))
         mesh = hiac.Mesh(points, [("tetrahedron4", tetrahedra.cells[0][1]), ("brick8", moved)],
-                         {"s": points[:, 0]})
+                         {"s": hiac.Field(points[:, 0], "node")})
         self.same(mesh, view_of(mesh), "--channels", "depth,error", channels=["depth", "error"])
 
     def test_options(self):
