@@ -63,7 +63,7 @@ class Mesh:
 
     points: float64, shape (n, 3): x y z of every node, world units.
     cells: kind and node numbers, by kind or as a list of blocks, in the mesh's order: numbers from
-        0, shape (cells, nodes of the kind), in the order that docs/zoo-format.md states (VTK's).
+        0, shape (cells, nodes of the kind), in the order that docs/python.md states (VTK's).
     fields: by name: a Field, or an array whose length says where its values belong.
     metadata: free text by key.
 

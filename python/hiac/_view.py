@@ -14,7 +14,7 @@ from .errors import InputError
 class View(MutableMapping[str, Any]):
     """An image specification: all that decides a picture except the mesh.
 
-    A mapping that mirrors the specification file (docs/specification.md): view["camera"]["fov"],
+    A mapping that mirrors the specification file (docs/image-specification.md): view["camera"]["fov"],
     view["camera.fov"] and view["isosurface.0.value"] are values that can be read and assigned.
     Every change is checked by the parser of the tools, and one that it refuses changes nothing:
     InputError names the key. Change what belongs together by update():
