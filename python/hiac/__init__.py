@@ -14,6 +14,7 @@ from ._compare import Comparison, compare
 from ._core import Cancellation
 from ._core import version as __version__
 from ._exchange import from_meshio, from_pyvista, from_vtk, to_meshio, to_pyvista, to_vtk
+from ._judge import Judgement, judge
 from ._mesh import KINDS, NODES_OF_KIND, Field, Mesh
 from ._notebook import ProgressBar, panel, rfb_view
 from ._order import Order, sort
@@ -25,8 +26,8 @@ from .errors import Cancelled, Error, InputError, JudgementError, PictureWarning
 
 __all__ = [
     "KINDS", "NODES_OF_KIND", "Cancellation", "Cancelled", "Comparison", "Error", "Field",
-    "InputError", "JudgementError", "Mesh", "Order", "Picture", "PictureWarning", "ProgressBar",
+    "InputError", "Judgement", "JudgementError", "Mesh", "Order", "Picture", "PictureWarning", "ProgressBar",
     "Report", "UsageError", "View", "__version__", "check", "compare", "explain_pixel",
-    "from_meshio", "from_pyvista", "from_vtk", "panel", "preview", "read", "render", "rfb_view",
+    "from_meshio", "from_pyvista", "from_vtk", "judge", "panel", "preview", "read", "render", "rfb_view",
     "sort", "starter_view", "tetrahedralize", "to_meshio", "to_pyvista", "to_vtk", "write",
 ]

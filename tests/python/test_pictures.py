@@ -146,6 +146,21 @@ class Pictures(unittest.TestCase):
             times.append(time.perf_counter() - start)
         self.assertLess(min(times), 5e-3)
 
+    def test_judgement_of_a_picture(self):
+        mesh = mesh_of("brick20")
+        view = view_of(mesh, size=(96, 72))
+        exact = hiac.render(mesh, view)
+        report = hiac.judge(exact, mesh, view)
+        self.assertEqual([c["largest_error"] for c in report.channels.values()], [0] * 4)
+        wrong = exact.rgba[:, :, :3] + 0.01 * (np.arange(96) > 50)[None, :, None]
+        report = hiac.judge(wrong, mesh, view)
+        for channel in report.channels.values():
+            self.assertAlmostEqual(channel["largest_error"], 0.01, 12)
+        self.assertGreater(np.ptp(report.heat_map[:, 40:60]), 0.1)
+        self.assertEqual(np.ptp(report.heat_map[:, :50], axis=(0, 1)).max(), 0)
+        turned = hiac.judge(exact.rgba[::-1, :, :3], mesh, view)
+        self.assertNotEqual(turned.text.count("\n"), report.text.count("\n"))  # that is told
+
     def test_comparison_is_numpy_arithmetic(self):
         random = np.random.default_rng(5)
         a, b = random.random((20, 30, 3)), random.random((20, 30, 3))
