@@ -60,7 +60,7 @@ def judge(
     with tempfile.TemporaryDirectory() as folder:
         specification, facts, heat_map = (
             os.path.join(folder, name) for name in ("view.toml", "facts.json", "heat.npy"))
-        view.save(specification)
+        view._save_elsewhere(specification)
         if not isinstance(picture, (str, os.PathLike)):
             path = os.path.join(folder, "picture.npy")
             np.save(path, picture.rgba if isinstance(picture, Picture)

@@ -95,6 +95,21 @@ class View(MutableMapping[str, Any]):
         self._parsed = _core.parse_scene(text, "view", self._folder, [])
         self._data, self._text = data, text
 
+    def _save_elsewhere(self, path: str) -> None:
+        """Writes the specification for a program that reads it from another folder: names of preset
+        files become absolute."""
+        data = _toml.plain(self._data)
+        for key in (["volume", "color"], ["skin", "color"]):
+            try:
+                table = _toml.get(data, key)
+                file = os.path.join(os.path.abspath(self._folder), table["preset"])
+            except (KeyError, TypeError):
+                continue  # no colours by a field, or not by a preset
+            if os.path.isfile(file):
+                table["preset"] = file
+        with open(path, "w", encoding="utf-8") as text:
+            text.write(_toml.text(data))
+
     def _scene(self, size: tuple[int, int] | None) -> _core.ParsedScene:
         if size is None:
             return self._parsed

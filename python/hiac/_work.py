@@ -41,8 +41,7 @@ def preview(
     with tempfile.TemporaryDirectory() as folder:
         specification = os.path.join(folder, "view.toml")
         result = os.path.join(folder, "picture.npy")
-        # complete and with paths resolved: the folder is another one
-        View.loads(view.toml, view._folder).save(specification)
+        view._save_elsewhere(specification)
         arguments = ["-", "--view", specification, "--method", method, "-o", result]
         if size is not None:
             arguments += ["--size", f"{int(size[0])}x{int(size[1])}"]

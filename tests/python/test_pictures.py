@@ -1,4 +1,5 @@
 """Pictures of the package are those of the tools, bit for bit."""
+import json
 import os
 import pathlib
 import subprocess
@@ -145,6 +146,29 @@ class Pictures(unittest.TestCase):
             hiac.render(mesh, view)
             times.append(time.perf_counter() - start)
         self.assertLess(min(times), 5e-3)
+
+    def test_preview(self):
+        mesh = mesh_of("tetrahedron4")
+        view = view_of(mesh)
+        if not (pathlib.Path(hiac.__file__).parent / "programs" / "hiac-preview").exists():
+            with self.assertRaisesRegex(hiac.Error, "not a part of this installation"):
+                hiac.preview(mesh, view)
+            return
+        found, exact = hiac.preview(mesh, view, size=(60, 40)), hiac.render(mesh, view, size=(60, 40))
+        self.assertEqual(found.shape, (40, 60, 4))
+        self.assertLess(np.abs(found[:, :, :3] - exact.values[:, :, :3]).max(), 1e-3)
+
+    def test_presets_in_files_are_found_from_other_folders(self):
+        map_points = [0, 0, 0, 1, 1, 1, 0, 0]
+        preset = [{"Name": "ours", "ColorSpace": "RGB", "RGBPoints": map_points}]
+        pathlib.Path(self.folder, "ours.json").write_text(json.dumps(preset))
+        mesh = mesh_of("brick8")
+        view = view_of(mesh)
+        view.save(os.path.join(self.folder, "v.toml"))
+        view = hiac.View.load(os.path.join(self.folder, "v.toml"))
+        view["volume.color.preset"] = "ours.json"
+        report = hiac.judge(hiac.render(mesh, view), mesh, view)
+        self.assertEqual(report.channels["R"]["largest_error"], 0)
 
     def test_judgement_of_a_picture(self):
         mesh = mesh_of("brick20")
