@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -28,6 +27,9 @@ struct Node {
 
 constexpr double kStraight = 0.01, kStep = 0.99;  // sharpness: less is a line, more is a step
 constexpr double kMidpointMargin = 1e-5;
+
+/// The largest single-precision number below 1, in which ParaView's tables hold opacities.
+constexpr double kLargestOpacity = 1 - 0x1p-24;
 
 /// Half of the curve between two points, from its end at t = 0 to the middle at t = 1. Its slope
 /// does not decrease: p and the polynomial of p are convex there.
@@ -68,10 +70,12 @@ class Follower {
   [[nodiscard]] double bound() const { return bound_; }
 
  private:
-  /// The derivative of the extinction by the opacity, which grows with the opacity.
-  [[nodiscard]] double law_slope(double opacity) const {
-    if (law_ == ExtinctionLaw::proportional) return 1 / unit_;
-    return 1 / (std::max(1 - opacity, 0.5 * std::numeric_limits<double>::epsilon()) * unit_);
+  /// Values between which the derivative of the extinction by the opacity lies, for opacities
+  /// between two: it grows with the opacity, up to kLargestOpacity, beyond which it is 0.
+  [[nodiscard]] std::array<double, 3> law_slopes(double o1, double o2) const {
+    if (law_ == ExtinctionLaw::proportional) return {1 / unit_, 1 / unit_, 1 / unit_};
+    const auto slope = [&](double o) { return 1 / ((1 - std::min(o, kLargestOpacity)) * unit_); };
+    return {slope(o1), slope(o2), std::max(o1, o2) > kLargestOpacity ? 0 : slope(o1)};
   }
 
   /// Bounds the distance of the extinction from the line over [a, b] by the mean value theorem: the
@@ -80,7 +84,7 @@ class Follower {
     const double va = extinction_at(curve, a), vb = extinction_at(curve, b);
     const double line = (vb - va) / (b - a), middle = 0.5 * (a + b);
     double steepest = 0;
-    for (const double factor : {law_slope(curve.opacity(a)), law_slope(curve.opacity(b))})
+    for (const double factor : law_slopes(curve.opacity(a), curve.opacity(b)))
       for (const double slope : {curve.slope(a), curve.slope(b)})
         steepest = std::max(steepest, std::fabs(factor * slope - line));
     const double at_middle = std::fabs(extinction_at(curve, middle) - 0.5 * (va + vb));
@@ -156,8 +160,7 @@ void append_curve(const Node& a, const Node& b, Follower& follower,
 
 double extinction(double opacity, double unit, ExtinctionLaw law) {
   if (law == ExtinctionLaw::proportional) return opacity / unit;
-  constexpr double kLargest = 1 - 0.5 * std::numeric_limits<double>::epsilon();
-  return -std::log1p(-std::min(opacity, kLargest)) / unit;
+  return -std::log1p(-std::min(opacity, kLargestOpacity)) / unit;
 }
 
 OpacityFunction read_opacity_function(const Proxy& function, double unit, ExtinctionLaw law) {

@@ -27,8 +27,8 @@ struct OpacityFunction {
   bool is_opaque = false;  ///< somewhere the opacity is 1, and the law's extinction infinite
 };
 
-/// The extinction of an opacity in [0, 1]; the exponential law has that of the largest number below
-/// 1 in place of an infinite one: about 37 / unit.
+/// The extinction of an opacity in [0, 1]; the exponential law has that of the largest
+/// single-precision number below 1 in place of an infinite one: 16.6 / unit.
 double extinction(double opacity, double unit, ExtinctionLaw law);
 
 /// Reads a PiecewiseFunction: points with midpoint and sharpness, on a linear or a logarithmic

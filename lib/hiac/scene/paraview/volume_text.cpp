@@ -52,9 +52,9 @@ std::string law_text(const OpacityFunction& function, const std::string& mapper,
                      ExtinctionLaw law) {
   const bool proportional = law == ExtinctionLaw::proportional;
   std::string text = fmt::format(
-      "extinction: {} / {:g} ({} over the unit distance), as ParaView's mapper \"{}\" takes it; "
-      "error at most {:.2g} of {} points",
-      proportional ? "opacity" : "-ln(1 - opacity)", unit, proportional ? "opacity" : "of opacity",
+      "extinction: {} / {:g}, the unit distance, as ParaView's mapper {} takes it; error at most "
+      "{:.2g} of {} points",
+      proportional ? "opacity" : "-ln(1 - opacity)", unit,
       mapper.empty() ? "of regular grids" : mapper, function.bound, function.points.size());
   if (function.is_opaque && !proportional)
     text += fmt::format("; at opacity 1 it is infinite, and {:.3g} here", extinction(1, unit, law));
