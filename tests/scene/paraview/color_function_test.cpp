@@ -13,9 +13,11 @@ namespace {
 
 using paraview::ColorFunction;
 
-ColorFunction function_of(const std::string& name) {
+using paraview::ColorSteps;
+
+ColorFunction function_of(const std::string& name, ColorSteps steps = ColorSteps::taken) {
   const paraview::StateDocument state(state_file(name + ".pvsm"));
-  return paraview::read_color_function(state.all("lookup_tables", "PVLookupTable").front());
+  return paraview::read_color_function(state.all("lookup_tables", "PVLookupTable").front(), steps);
 }
 
 /// The largest difference of a channel from ParaView's colours.
@@ -68,6 +70,12 @@ TEST(ColorFunction, HasTheStepsOfATable) {
           EXPECT_NEAR(function.at(at)[c], rows[k][c], is_end ? 1e-4 : 1e-6) << name << " " << k;
       }
   }
+}
+
+TEST(ColorFunction, IsTheFunctionBehindATableWhoseStepsAreIgnored) {
+  const ColorFunction function = function_of("table", ColorSteps::ignored);
+  for (const auto& [scalar, r, g, b] : truth<4>("table", "color"))
+    EXPECT_NEAR(function.at(scalar)[1], g, 1e-6);
 }
 
 // Pairs 1, 7, 17, 25 and 34 of Sharma, Wu and Dalal's table of test data.

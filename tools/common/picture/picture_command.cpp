@@ -131,7 +131,8 @@ std::optional<ParsedScene> specification_of(Tool& tool, PictureCommand& command)
   if (command.view.empty()) return std::nullopt;
   if (!command.save_view.empty())
     throw UsageError("--save-view: only for the starter view (found beside --view)");
-  if (are_given(command.starter))
+  const bool is_camera = command.view.ends_with(".pvcc");  // of a starter view
+  if (!is_camera && are_given(command.starter))
     throw UsageError(
         "--field, --preset, --isovalues, --dark: only for the starter view (found "
         "beside --view)");

@@ -132,7 +132,7 @@ std::array<double, 3> ColorFunction::at(double scalar) const {
   return PiecewiseLinear<3>(points)(axis.position(scalar));
 }
 
-ColorFunction read_color_function(const Proxy& table) {
+ColorFunction read_color_function(const Proxy& table, ColorSteps steps) {
   if (table.flag("IndexedLookup"))
     table.fail("IndexedLookup", "colours of categories have no equal here");
   if (table.flag("Use2DTransferFunction"))
@@ -153,7 +153,7 @@ ColorFunction read_color_function(const Proxy& table) {
     return function;
   }
   if (space == kCiede2000) preset.nodes = with_paths(preset.nodes);
-  if (table.flag("Discretize")) {
+  if (table.flag("Discretize") && steps == ColorSteps::taken) {
     function.points = steps_of(preset, first, table);
     function.description += fmt::format(" in {} steps", function.points.size() / 2);
   } else {

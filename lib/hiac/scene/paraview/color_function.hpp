@@ -25,9 +25,12 @@ struct ColorFunction {
   [[nodiscard]] std::array<double, 3> at(double scalar) const;
 };
 
+/// Whether a discretized colour function is drawn as its table, or as the function behind it.
+enum class ColorSteps : bool { taken, ignored };
+
 /// Reads a PVLookupTable: every colour space, logarithmic scales, colours below and above the
-/// range. A discretized one becomes steps: ParaView's table, before it is rounded to bytes. Throws
-/// InputError for a malformed one, and for one of categories or of two scalars.
-ColorFunction read_color_function(const Proxy& table);
+/// range. A discretized one whose steps are taken becomes ParaView's table, before that is rounded
+/// to bytes. Throws InputError for a malformed one, and for one of categories or of two scalars.
+ColorFunction read_color_function(const Proxy& table, ColorSteps steps);
 
 }  // namespace hiac::paraview

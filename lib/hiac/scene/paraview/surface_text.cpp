@@ -44,7 +44,7 @@ std::string contour_color(const StateDocument& state, const Proxy& shown, const 
   if (!array.empty() && contoured.size() == 5 && contoured[4] == array) {
     const std::optional<Proxy> table = state.referred(shown, "LookupTable");
     if (!table) shown.fail("LookupTable", "refers to nothing in the file");
-    std::array<double, 3> color = read_color_function(*table).at(value);
+    std::array<double, 3> color = read_color_function(*table, ColorSteps::taken).at(value);
     for (double& channel : color) channel = color_space::gamma_decoded(channel);
     return toml_text(color);
   }
@@ -79,7 +79,7 @@ std::string skin_text(const StateDocument& state, const Proxy& shown,
   if (color_array(shown).empty())
     text += fmt::format("color = {}\n", linear_color(shown, "DiffuseColor"));
   else
-    text += "[skin.color]\n" + color_text(state, shown, notes);
+    text += "[skin.color]\n" + color_text(state, shown, ColorSteps::taken, notes);
   tell_differences("the surface", shown, omitted);
   if (shown.text("Representation") != "Surface With Edges") return text;
   return text + fmt::format("[edges]\nshow = \"boundary\"\nwidth = {}\ncolor = {}\n",

@@ -6,12 +6,13 @@
 
 #include <fmt/format.h>
 
-#include "hiac/scene/paraview/color_function.hpp"
 #include "hiac/scene/paraview/opacity_function.hpp"
 #include "hiac/scene/transfer_points.hpp"
 
 namespace hiac::paraview {
 namespace {
+
+constexpr std::string_view kProjectedTetra = "Projected tetra";
 
 constexpr double kMagnitude = 0, kComponent = 1;  // VectorMode
 
@@ -38,7 +39,7 @@ std::string scalar_text(const Proxy& shown, const Proxy& table) {
 
 /// What a mapper takes opacities for.
 ExtinctionLaw law_of(const Proxy& shown, const std::string& mapper) {
-  constexpr std::array<std::string_view, 3> kProportional{"Projected tetra", "Z sweep",
+  constexpr std::array<std::string_view, 3> kProportional{kProjectedTetra, "Z sweep",
                                                           "Bunyk ray cast"};
   for (const std::string_view name : kProportional)
     if (mapper == name) return ExtinctionLaw::proportional;
@@ -90,12 +91,12 @@ std::string field_of(const Proxy& proxy, const char* property) {
   return texts[4] + (texts[3] == "0" ? "@node" : "@cell");
 }
 
-std::string color_text(const StateDocument& state, const Proxy& shown,
+std::string color_text(const StateDocument& state, const Proxy& shown, ColorSteps steps,
                        std::vector<std::string>& notes) {
   if (shown.number("MapScalars", 1) == 0)
     shown.fail("MapScalars", "colours that are the data have no equal here");
   const Proxy table = required(state, shown, "LookupTable");
-  const ColorFunction function = read_color_function(table);
+  const ColorFunction function = read_color_function(table, steps);
   const std::string field = scalar_text(shown, table);
   notes.push_back(
       fmt::format("colours: {} by {}, error of display values at most {:.2g} of {} "
@@ -109,7 +110,10 @@ std::string volume_text(const StateDocument& state, const Proxy& shown,
                         std::vector<std::string>& notes) {
   if (shown.flag("MultiComponentsMapping"))
     shown.fail("MultiComponentsMapping", "opacity of a second component has no equal here");
-  return "[volume.color]\n" + color_text(state, shown, notes) + "\n" +
+  // measured (docs/paraview.md): the other mappers draw the function behind a discretized one
+  const bool has_steps = shown.text("SelectMapper") == kProjectedTetra;
+  const ColorSteps steps = has_steps ? ColorSteps::taken : ColorSteps::ignored;
+  return "[volume.color]\n" + color_text(state, shown, steps, notes) + "\n" +
          extinction_text(state, shown, notes);
 }
 

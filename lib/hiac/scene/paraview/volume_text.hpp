@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "hiac/scene/paraview/color_function.hpp"
 #include "hiac/scene/paraview/state_document.hpp"
 
 namespace hiac::paraview {
@@ -15,7 +16,7 @@ std::string volume_text(const StateDocument& state, const Proxy& shown,
 
 /// The keys of a colour table, without its head, of a representation that a colour function
 /// colours.
-std::string color_text(const StateDocument& state, const Proxy& shown,
+std::string color_text(const StateDocument& state, const Proxy& shown, ColorSteps steps,
                        std::vector<std::string>& notes);
 
 /// An array of a representation's property as a field of the mesh, NAME@node or NAME@cell. Throws
