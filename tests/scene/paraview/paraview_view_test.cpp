@@ -158,9 +158,9 @@ TEST(ParaviewView, FindsTheDataBesideTheState) {
   EXPECT_EQ(view_of("rgb.pvsm").data_file, state_file("block.vtu"));
 }
 
-// Damage ------------------------------------------------------------------------------------------
+// Changes -----------------------------------------------------------------------------------------
 
-class DamagedState : public testing::Test {
+class ChangedState : public testing::Test {
  protected:
   /// The message for rgb.pvsm with a text replaced by another.
   std::string message(const std::string& from, const std::string& to) {
@@ -188,7 +188,7 @@ class DamagedState : public testing::Test {
   ScratchFolder folder_;
 };
 
-TEST_F(DamagedState, IsRefusedWithTheProperty) {
+TEST_F(ChangedState, IsRefusedWithTheProperty) {
   EXPECT_THAT(message_of("<a>"), HasSubstr("malformed XML"));
   EXPECT_THAT(message_of("<a/>"), HasSubstr("found <a>"));
   EXPECT_THAT(message_of("<ServerManagerState/>"), HasSubstr("no render view"));
@@ -201,13 +201,32 @@ TEST_F(DamagedState, IsRefusedWithTheProperty) {
   EXPECT_THAT(message("value=\"Projected tetra\"", "value=\"Marching\""), HasSubstr("Marching"));
 }
 
-TEST_F(DamagedState, NamesAFilterWhoseOutputTheVolumeShows) {
+TEST_F(ChangedState, NamesAFilterWhoseOutputTheVolumeShows) {
   EXPECT_THAT(message("<Proxy group=\"sources\" type=\"XMLUnstructuredGridReader\"",
                       "<Proxy group=\"filters\" type=\"Threshold\""),
               HasSubstr("filter XMLUnstructuredGridReader1 (Threshold)"));
 }
 
-TEST_F(DamagedState, MayBeACamera) {
+TEST_F(ChangedState, MayShowTheDatasSurface) {
+  std::ifstream state(state_file("rgb.pvsm"));
+  std::string text((std::istreambuf_iterator<char>(state)), {});
+  const std::string volume = "value=\"Volume\"";
+  text.replace(text.find(volume), volume.size(), "value=\"Surface With Edges\"");
+  const std::string path = folder_.write("surface.pvsm", text);
+  const ParaviewView view = view_from_state(path);
+  const Scene scene = parse_scene(view.text, "surface").scene;
+  EXPECT_FALSE(scene.volume.color);
+  EXPECT_FALSE(scene.volume.extinction);
+  ASSERT_TRUE(scene.skin && scene.skin->color_by && scene.edges);
+  EXPECT_EQ(scene.skin->color_by->field, "RTData@node:value");
+  EXPECT_EQ(scene.skin->opacity, 1);
+  EXPECT_EQ(scene.skin->diffuse, 1);
+  EXPECT_EQ(scene.edges->show, EdgeChoice::boundary);
+  EXPECT_EQ(scene.edges->width, 1);
+  EXPECT_NEAR(color_space::gamma_encoded(scene.edges->color[2]), 0.5, 1e-12);
+}
+
+TEST_F(ChangedState, MayBeACamera) {
   const std::string path = folder_.file("a.pvcc");
   std::ofstream(path) << "<?xml version=\"1.0\"?>\n<PVCameraConfiguration version=\"1.0\"><Proxy>"
                          "<Property name=\"CameraPosition\"><Element index=\"0\" value=\"1\"/>"
