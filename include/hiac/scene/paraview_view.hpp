@@ -16,7 +16,7 @@ struct ParaviewView {
   /// The file of the data that the view shows, found beside the state where the path in it does not
   /// exist; empty if the state names none.
   std::string data_file;
-  bool is_camera_file = false;  ///< of a camera file
+  bool is_camera_file = false;  ///< the text has a camera alone
 };
 
 /// Whether a name is that of a ParaView file: `.pvsm` or `.pvcc`, where need be with `#VIEW` behind
