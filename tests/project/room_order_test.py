@@ -9,7 +9,7 @@ import re
 import sys
 
 FLOORS = {
-    "base": 0, "mesh": 1, "geometry": 2, "derive": 2,
+    "base": 0, "mesh": 1, "geometry": 2, "derive": 2, "partition": 2,
     "optics": 3, "scene": 3, "image": 3,
     "element": 4, "order": 4, "tetrahedralize": 4,
     "check": 5, "frame": 5,
