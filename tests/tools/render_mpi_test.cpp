@@ -177,7 +177,7 @@ TEST_F(RenderMpi, ErrorsEndAllProcessesWithOneLine) {
 TEST_F(RenderMpi, AFullDiskLeavesNoPicture) {
   EXPECT_EQ(
       run(mpi(2) + "sh -c '(sleep 0.4; prlimit --pid $$ --fsize=4096) & exec \"" HIAC_RENDER_MPI
-                   "\" -q m.zparts --view view.toml --threads 1 --samples 24 -o x.npy'"),
+                   "\" -q m.zparts --view view.toml --threads 1 --samples 8 -o x.npy'"),
       3)
       << complaint();
   EXPECT_THAT(told(), testing::ElementsAre(HasSubstr("x.npy")));

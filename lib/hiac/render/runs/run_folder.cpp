@@ -1,8 +1,9 @@
 #include "hiac/render/runs/run_folder.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
+
+#include "hiac/render/pixels/compositor.hpp"
 
 namespace hiac {
 namespace {
@@ -27,59 +28,61 @@ void sort_by_pixel(TileRuns& all) {
 
 }  // namespace
 
-RunFolder::RunFolder(bool with_details, bool apart)
-    : with_details_(with_details),
+RunFolder::RunFolder(TileBuffer& buffer, double witness_tolerance, bool with_details, bool apart)
+    : buffer_(buffer),
+      witness_tolerance_(witness_tolerance),
       apart_(apart),
       open_(kPixels),
-      is_open_(kPixels, 0),
       details_(with_details ? kPixels : 0),
       front_edge_(details_.size()) {}
 
-void RunFolder::add(const ListedSegment& segment, const SegmentDetails* details, bool is_late) {
+void RunFolder::begin(const ListedSegment& segment, const SegmentDetails* details) {
   const std::size_t at = segment.pixel;
   Open& run = open_[at];
-  if (is_open_[at] != 0 && (apart_ || segment.front != run.back)) close(at);
-  if (is_open_[at] == 0) {
-    is_open_[at] = 1;
-    run = {segment.front, segment.back, {{0, 0, 0}, 1}};
-    if (with_details_) {
-      details_[at] = {};
-      // whether empty space lies in front is not known here: it is counted where runs are merged
-      details_[at].last = details->front;
-      front_edge_[at] = details->front_edge;
-    }
-  }
-  PlainRadiance& light = run.light;
-  if (with_details_) {
-    details_[at].add(*details, light.transparency,
-                     std::max({light.rgb[0], light.rgb[1], light.rgb[2]}));
-    if (is_late) ++details_[at].violations;
-  }
-  for (std::size_t c = 0; c < 3; ++c) light.rgb[c] += light.transparency * segment.light.rgb[c];
-  light.transparency *= segment.light.transparency;
-  run.back = segment.back;
+  if (run.front != kNone) close(at);
+  const bool is_late =
+      out_of_order(segment.front, segment.back, buffer_.last[at], witness_tolerance_);
+  if (is_late) ++violations_;
+  run.front = run.back = segment.front;
+  if (details == nullptr) return;
+  details_[at] = {};
+  // whether empty space lies in front is not known here: it is counted where runs are merged
+  details_[at].last = details->front;
+  details_[at].violations = is_late ? 1 : 0;
+  front_edge_[at] = details->front_edge;
 }
 
-void RunFolder::close(std::size_t pixel) {
-  const Open& run = open_[pixel];
-  is_open_[pixel] = 0;
-  closed_.runs.push_back({run.front, run.back, run.light, static_cast<std::uint32_t>(pixel)});
-  if (!with_details_) return;
-  const PixelDetails& d = details_[pixel];
-  closed_.facts.push_back({.first = d.first,
-                           .mean = d.weight > 0 ? d.weighted_depth / d.weight : run.front,
-                           .radiance_error = d.radiance_error,
-                           .transparency_error = d.transparency_error,
-                           .front_edge = front_edge_[pixel],
-                           .back_edge = d.open_edge,
-                           .cells = d.cells,
-                           .violations = d.violations});
+void RunFolder::describe(std::size_t at, const SegmentDetails& details) {
+  const PlainRadiance& light = open_[at].light;
+  details_[at].add(details, light.transparency,
+                   std::max({light.rgb[0], light.rgb[1], light.rgb[2]}));
 }
 
-TileRuns RunFolder::take(const TileCounts& counts) {
-  for (std::size_t pixel = 0; pixel < kPixels; ++pixel)
-    if (is_open_[pixel] != 0) close(pixel);
+void RunFolder::close(std::size_t at) {
+  Open& run = open_[at];
+  buffer_.last[at] = std::max(buffer_.last[at], run.back);
+  closed_.runs.push_back({run.front, run.back, run.light, static_cast<std::uint32_t>(at)});
+  if (!details_.empty()) {
+    const PixelDetails& d = details_[at];
+    closed_.facts.push_back({.first = d.first,
+                             .mean = d.weight > 0 ? d.weighted_depth / d.weight : run.front,
+                             .radiance_error = d.radiance_error,
+                             .transparency_error = d.transparency_error,
+                             .front_edge = front_edge_[at],
+                             .back_edge = d.open_edge,
+                             .cells = d.cells,
+                             .violations = d.violations});
+  }
+  const double before = run.before * run.light.transparency;
+  run = {};
+  run.before = before;
+}
+
+TileRuns RunFolder::take(TileCounts counts) {
+  for (std::size_t at = 0; at < kPixels; ++at)
+    if (open_[at].front != kNone) close(at);
   sort_by_pixel(closed_);
+  counts.violations += violations_;
   closed_.counts = counts;
   return std::move(closed_);
 }

@@ -1,13 +1,11 @@
 #include "hiac/render/runs/tile_runs.hpp"
 
-#include <algorithm>
 #include <memory>
 #include <vector>
 
 #include "hiac/base/cancellation.hpp"
 #include "hiac/frame/cell_groups.hpp"
 #include "hiac/render/draw_cells.hpp"
-#include "hiac/render/pixels/compositor.hpp"
 #include "hiac/render/pixels/sorted_segments.hpp"
 #include "hiac/render/runs/run_folder.hpp"
 
@@ -16,7 +14,7 @@ namespace {
 
 // The number of cells whose segments are listed before they are folded: few enough for the list to
 // stay in a core's cache where cells are small.
-constexpr std::size_t kCellsPerList = 64;
+constexpr std::size_t kCellsPerList = 256;
 
 class RunPainter {
  public:
@@ -27,7 +25,7 @@ class RunPainter {
         order_(order),
         tile_(tile),
         buffer_(std::make_unique<TileBuffer>()),
-        folder_(frame.with_details, !splatted.none()) {
+        folder_(*buffer_, frame.witness_tolerance, frame.with_details, !splatted.none()) {
     buffer_->reset(tile, frame.projector, false);
   }
 
@@ -50,8 +48,7 @@ class RunPainter {
     TileSplats splats(frame_, splatted_, order_.cells, ranks, tile_);
     if (splats.empty()) return;
     splats.append_rest(*buffer_, list_);
-    for (std::size_t k = 0; k < list_.segments.size(); ++k)
-      folder_.add(list_.segments[k], details_of(k), false);
+    for (std::size_t k = 0; k < list_.segments.size(); ++k) fold_one(k);
   }
 
   void draw_cells(std::span<const std::uint32_t> ranks) {
@@ -74,16 +71,7 @@ class RunPainter {
     }
   }
 
-  void fold_one(std::size_t k) {
-    const ListedSegment& segment = list_.segments[k];
-    double& last = buffer_->last[segment.pixel];
-    const bool is_late = out_of_order(segment.front, segment.back, last, frame_.witness_tolerance);
-    if (is_late) ++counts_.violations;
-    last = std::max(last, segment.back);
-    // kernels leave out the pixels that this makes opaque
-    buffer_->transparency[segment.pixel] *= segment.light.transparency;
-    folder_.add(segment, details_of(k), is_late);
-  }
+  void fold_one(std::size_t k) { folder_.add(list_.segments[k], details_of(k)); }
 
   [[nodiscard]] const SegmentDetails* details_of(std::size_t k) const {
     return list_.details.empty() ? nullptr : &list_.details[k];
