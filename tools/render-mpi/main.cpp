@@ -1,6 +1,8 @@
 // hiac-render-mpi: a picture of a mesh, by many processes.
 
+#include <chrono>
 #include <memory>
+#include <thread>
 
 #include "hiac/cluster/mpi/mpi_communicator.hpp"
 #include "hiac/cluster/shared_tiles.hpp"
@@ -39,5 +41,7 @@ int main(int argc, char** argv) {
     return 0;
   }
   if (held) held->tell_after_a_while();
+  // whoever has started the processes passes on what they wrote, unless they end at once
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
   MpiCommunicator::abort(exit_code);
 }
