@@ -161,10 +161,9 @@ int main(int argc, char** argv) {
   const double render_seconds = cpu_seconds() - start;
   const Projector projector(scene.camera, scene.image);
   const MeshExtremes extremes = PartEngine(mesh, scene, {}).extremes();
-  fmt::print(
-      "{} cells, {} pixels; whole: adjacency {:.2f} s, order {:.2f} s, render {:.2f} s\n",
-      mesh.cell_count(), std::uint64_t{side} * side, adjacency_seconds, order_seconds,
-      whole.statistics.prepare_seconds, whole.statistics.tile_seconds);
+  fmt::print("{} cells, {} pixels; whole: adjacency {:.2f} s, order {:.2f} s, render {:.2f} s\n",
+             mesh.cell_count(), std::uint64_t{side} * side, adjacency_seconds, order_seconds,
+             render_seconds);
   fmt::print("{:>5} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>7} {:>8} {:>8} {:>8} {:>9}\n", "parts",
              "order", "most", "prepare", "draw", "most", "balance", "merge", "runs/px", "B/px",
              "most", "off");
