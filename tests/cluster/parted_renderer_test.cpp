@@ -190,11 +190,13 @@ TEST(PartedRenderer, IsosurfacesInFacesBetweenParts) {
 }
 
 TEST(PartedRenderer, Splats) {
-  const ZooMesh mesh = with_fields(test::structured(10, Cut::tetrahedra));
-  Scene scene = scene_for(Projection::perspective, 40);
-  scene.render.splat_below = 4;
+  const ZooMesh mesh = with_fields(test::random_delaunay(900, 7));
+  Scene scene = scene_for(Projection::perspective, 60);
+  scene.render.splat_below = 5;
   const RenderResult whole = render(mesh, test::sorted(mesh, scene), scene, true);
+  // cells of both kinds, beside and before one another
   ASSERT_GT(whole.statistics.splatted_cells, 1000U);
+  ASSERT_LT(whole.statistics.splatted_cells, mesh.cell_count() - 1000U);
   const Assignment random = at_random(mesh, 4, 3);
   const test::Parts parts(mesh, random, 4, scene);
   const RenderResult alone = draw_parts(parts, scene);
