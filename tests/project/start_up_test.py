@@ -35,7 +35,8 @@ def main():
     failed = False
     for tool in sys.argv[1:]:
         name = os.path.basename(tool)
-        foreign = [lib for lib in linked_libraries(tool) if re.search(r"vtk|cgal|metis|libepoxy|libE?GL", lib, re.I)]
+        foreign = [lib for lib in linked_libraries(tool)
+                   if re.search(r"vtk|cgal|metis|libepoxy|libE?GL|libmpi", lib, re.I)]
         seconds = start_seconds(tool)
         print(f"{name}: starts in {1000 * seconds:.1f} ms (limit {1000 * limit:.0f} ms)")
         if foreign:
