@@ -60,8 +60,8 @@ mesh each."
 # every library under multiarch folders may be installed beside that of another architecture
 set(CPACK_DEBIAN_SHARED_PACKAGE_MULTIARCH same)
 # programs that are linked with libhiac learn by shlibs which package to depend on
-set(CPACK_DEBIAN_SHARED_PACKAGE_GENERATE_SHLIBS ON)
-set(CPACK_DEBIAN_SHARED_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
 # archives of object code alone depend on what packages.cmake names
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_FORMATS_PACKAGE_SHLIBDEPS OFF)
