@@ -2,8 +2,9 @@
 """No link in a Markdown page is dead: the file is there, and the heading, and mkdocs.yml names pages.
 
 Looks at every page under version control: links and pictures of Markdown, their reference definitions,
-and `src` and `href` of HTML. A target is a file beside the page, `#heading` as GitHub and mkdocs number
-them, or both. Links with a scheme (https:) are counted, not followed: a test needs no network. Also every
+and `src` and `href` of HTML. A target is a file beside the page, a `#heading` by the name that GitHub and
+mkdocs give it, or both. Links with a scheme (https:) are counted, not followed: a test needs no network.
+Files of ours that the text names in full (`docs/x.md`) have to be there, too. Also every
 page of docs/ has to be in the navigation of mkdocs.yml, where there is one, once.
 
 Usage: links_test.py SOURCE_FOLDER. Exit status 1 with a line for every dead link.
@@ -11,6 +12,7 @@ Usage: links_test.py SOURCE_FOLDER. Exit status 1 with a line for every dead lin
 import pathlib
 import re
 import sys
+import unicodedata
 
 FENCE = re.compile(r"^ {0,3}(```+|~~~+).*?^ {0,3}\1[^\n]*$", re.M | re.S)
 CODE = re.compile(r"(`+)(?!`).*?(?<!`)\1(?!`)", re.S)
@@ -18,6 +20,8 @@ LINK = re.compile(r"!?\[(?:[^\[\]]|!?\[[^\[\]]*\](?:\([^()]*\))?)*\]\(\s*<?([^()
 DEFINITION = re.compile(r"^ {0,3}\[[^\]]+\]:\s*<?(\S+?)>?(?:\s+\"[^\"]*\")?\s*$", re.M)
 HTML = re.compile(r"<(?:a|img)\b[^>]*?\b(?:href|src)=\"([^\"]+)\"")
 ANCHOR = re.compile(r"<[^>]+\b(?:id|name)=\"([^\"]+)\"")
+# a file of ours that a page names in its text, from the top folder
+NAMED = re.compile(r"`((?:docs|samples|lib|include|tests|tools|formats|packaging|\.ci)/[\w./-]+\.\w+)`")
 SCHEME = re.compile(r"^[a-z][a-z0-9+.-]*:", re.I)
 SKIPPED = {"build", ".git", "node_modules", "__pycache__", "shared"}
 
@@ -37,21 +41,24 @@ def without_code(text):
     return CODE.sub(blanked, FENCE.sub(blanked, text))
 
 
-def slug(heading):
-    """The anchor of a heading: what it shows, in small letters, without punctuation, with hyphens."""
+def slugs(heading):
+    """The anchors of a heading on GitHub and in mkdocs: what it shows, in small letters, with hyphens."""
     shown = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", heading)
     shown = re.sub(r"[*`]|<[^>]+>", "", shown).strip().lower()
-    return re.sub(r"\s", "-", re.sub(r"[^\w\s-]", "", shown))
+    plain = unicodedata.normalize("NFKD", shown).encode("ascii", "ignore").decode()
+    return (re.sub(r"\s", "-", re.sub(r"[^\w\s-]", "", shown)),
+            re.sub(r"[-\s]+", "-", re.sub(r"[^\w\s-]", "", plain).strip()))
 
 
 def anchors(page):
+    """What a link can lead to on both: not the second heading of one name, which they number differently."""
     text = FENCE.sub(blanked, page.read_text())
-    found, seen = set(ANCHOR.findall(text)), {}
+    found = set(ANCHOR.findall(text))
     headings = re.findall(r"^ {0,3}#{1,6}\s+(.*?)\s*#*\s*$|^(\S[^\n]*)\n(?:=+|-{3,})\s*$", text, re.M)
     for heading in (one or other for one, other in headings):
-        name = slug(heading)
-        found.add(f"{name}-{seen[name]}" if name in seen else name)
-        seen[name] = seen.get(name, 0) + 1
+        on_github, on_site = slugs(heading)
+        if on_github == on_site:
+            found.add(on_github)
     return found
 
 
@@ -60,6 +67,12 @@ def links(text):
     for pattern in (LINK, DEFINITION, HTML):
         for match in pattern.finditer(text):
             yield text.count("\n", 0, match.start()) + 1, match[1]
+
+
+def named_files(text):
+    text = FENCE.sub(blanked, text)
+    for match in NAMED.finditer(text):
+        yield text.count("\n", 0, match.start()) + 1, match[1]
 
 
 def fault_of(source, page, target):
@@ -104,6 +117,10 @@ def main():
                 outside += 1
             elif fault := fault_of(source, page, target):
                 faults.append(f"{page.relative_to(source)}:{line}: {fault}")
+        for line, name in named_files(page.read_text()):
+            count += 1
+            if not (source / name).exists():
+                faults.append(f"{page.relative_to(source)}:{line}: there is no {name}")
     faults += navigation_faults(source)
     print(*faults, sep="\n")
     print(f"{len(pages)} pages, {count} links ({outside} to other sites), {len(faults)} faults")
