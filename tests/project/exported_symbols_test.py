@@ -118,12 +118,17 @@ class PublicHeaders:
             source.write_text("".join(f'#include "{name}"\n' for name in self.names) + program)
             return subprocess.run([*self.compile, *options, source], capture_output=True, text=True, check=False)
 
-    def declare(self, signature):
-        """Whether they declare this function, and not another of its name: its address can be taken."""
-        name, _, arguments = re.sub(r"\[abi:\w+\]", "", signature).partition("(")
-        program = ("template <class... A> struct Taking { template <class R> static void take(R (*)(A...)); };\n"
-                   f"void probe() {{ Taking<{arguments.rpartition(')')[0]}>::take(&{name}); }}\n")
-        return self.compiled(program).returncode == 0
+    def declared_among(self, signatures):
+        """Those of the functions that they declare, and not another of the name: an address can be taken."""
+        signatures = sorted(signatures)
+        program = ["template <class... A> struct Taking { template <class R> static void take(R (*)(A...)); };"]
+        for number, signature in enumerate(signatures, 1):
+            name, _, arguments = re.sub(r"\[abi:\w+\]", "", signature).partition("(")
+            program += [f'#line {number} "signature"',
+                        f"void probe{number}() {{ Taking<{arguments.rpartition(')')[0]}>::take(&{name}); }}"]
+        complaints = self.compiled("\n".join(program) + "\n").stderr
+        refused = {int(number) for number in re.findall(r"^signature:(\d+):\d+: error", complaints, re.M)}
+        return {signature for number, signature in enumerate(signatures, 1) if number not in refused}
 
 
 def defined_symbols(library, *options):
@@ -149,14 +154,17 @@ def exported_by(headers, archive):
         elif qualified_name(shown) in headers.declared.functions:
             functions[qualified_name(shown)].append((mangled, shown))
     faults = []
+    shown = {name: {symbol[1] for symbol in functions[name]} for name in headers.declared.functions}
+    # where the library has overloads of its own
+    declared = headers.declared_among(signature for name, count in headers.declared.functions.items()
+                                      for signature in shown[name] if len(shown[name]) > count)
     for name, count in sorted(headers.declared.functions.items()):
-        signatures = {shown for _, shown in functions[name]}
-        if len(signatures) > count:  # the library has overloads of its own
-            signatures = {shown for shown in signatures if headers.declare(shown)}
-            functions[name] = [symbol for symbol in functions[name] if symbol[1] in signatures]
-        if len(signatures) != count:
+        if len(shown[name]) > count:
+            shown[name] &= declared
+            functions[name] = [symbol for symbol in functions[name] if symbol[1] in declared]
+        if len(shown[name]) != count:
             faults.append(f"{name}: the public headers declare {count} function(s), the library defines "
-                          f"{len(signatures)}: {'; '.join(sorted(signatures))}")
+                          f"{len(shown[name])}: {'; '.join(sorted(shown[name]))}")
     public = information + [symbol for symbols in functions.values() for symbol in symbols]
     return sorted(public, key=lambda symbol: (symbol[1], symbol[0])), faults
 
