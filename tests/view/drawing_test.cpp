@@ -1,63 +1,27 @@
 #include "tools/view/viewport/drawing.hpp"
 
-#include <QCoreApplication>
 #include <QThread>
 #include <algorithm>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "hiac/base/error.hpp"
 #include "hiac/base/seconds.hpp"
 #include "hiac/image/display_bytes.hpp"
 #include "hiac/scene/camera_motion.hpp"
 #include "hiac/session/coarse_scene.hpp"
 #include "hiac/session/session.hpp"
 #include "tests/support/instrumented.hpp"
-#include "tests/support/meshes.hpp"
-#include "tests/view/open_window.hpp"
+#include "tests/view/drawing_log.hpp"
 
 namespace hiac::view {
 namespace {
 
-Wanted wanted_of(std::size_t cells_along, ImageSize size) {
-  ZooMesh mesh = hiac::test::structured(cells_along, hiac::test::Cut::tetrahedra);
-  hiac::test::add_node_field(mesh, "f", hiac::test::smooth_field);
-  Scene scene = starter_view(mesh);
-  scene.image = size;
-  return {std::make_shared<const ZooMesh>(std::move(mesh)), scene, {}, 1};
-}
-
-// What a drawing reports, in order.
-class Log {
- public:
-  explicit Log(Drawing& drawing) {
-    QObject::connect(&drawing, &Drawing::painted, &here_,
-                     [this](const std::shared_ptr<const Painted>& p) { painted.push_back(p); });
-    QObject::connect(&drawing, &Drawing::bounded, &here_,
-                     [this](quint64, const std::optional<double>& e) { errors.push_back(e); });
-    QObject::connect(&drawing, &Drawing::failed, &here_,
-                     [this](const QString& line, bool) { faults << line; });
-    QObject::connect(&drawing, &Drawing::rested, &here_, [this](quint64 n) { rested = n; });
-  }
-  bool rests(std::uint64_t number) {
-    return test::wait_until([&] { return rested == number; });
-  }
-
-  std::vector<std::shared_ptr<const Painted>> painted;
-  std::vector<std::optional<double>> errors;
-  QStringList faults;
-  quint64 rested = 0;
-
- private:
-  QObject here_;
-};
-
 TEST(Drawing, RefinesToThePictureOfASession) {
-  const Wanted wanted = wanted_of(4, {700, 500});
+  const Wanted wanted = test::wanted_of(4, {700, 500});
   const Picture expected = Session(ZooMesh(*wanted.mesh)).picture(wanted.scene);
   Drawing drawing;
-  Log log(drawing);
+  test::DrawingLog log(drawing);
   ASSERT_TRUE(log.rests(drawing.show(wanted)));
   ASSERT_GE(log.painted.size(), 2U);
   std::uint64_t pixels = 0;
@@ -74,7 +38,7 @@ TEST(Drawing, RefinesToThePictureOfASession) {
 }
 
 TEST(Drawing, CoarsePicturesHaveThePixelsOfTheWholeOne) {
-  Wanted wanted = wanted_of(3, {150, 101});
+  Wanted wanted = test::wanted_of(3, {150, 101});
   wanted.scene.background = {BackgroundPattern::checker, {1, 0, 0}, {0, 0, 1}, 7};
   Cancellation never;
   Painter painter(never);
@@ -99,23 +63,23 @@ TEST(Drawing, CoarsePicturesHaveThePixelsOfTheWholeOne) {
 }
 
 TEST(Drawing, TakesSeveralRaysAPixelAtRest) {
-  Wanted wanted = wanted_of(3, {90, 60});
+  Wanted wanted = test::wanted_of(3, {90, 60});
   wanted.samples = 2;
   PictureRequest request;
   request.sampling = Supersampling{2};
   const Picture expected = Session(ZooMesh(*wanted.mesh)).picture(wanted.scene, request);
   Drawing drawing;
-  Log log(drawing);
+  test::DrawingLog log(drawing);
   ASSERT_TRUE(log.rests(drawing.show(wanted)));
   EXPECT_EQ(log.painted.back()->samples, 2U);
   EXPECT_TRUE(log.painted.back()->bytes == display_bytes(expected.image));
 }
 
 TEST(Drawing, TellsOfAFieldThatIsNotThere) {
-  Wanted wanted = wanted_of(2, {90, 60});
+  Wanted wanted = test::wanted_of(2, {90, 60});
   wanted.scene.volume.color->field = "nothing";
   Drawing drawing;
-  Log log(drawing);
+  test::DrawingLog log(drawing);
   ASSERT_TRUE(log.rests(drawing.show(wanted)));
   ASSERT_EQ(log.faults.size(), 1);
   EXPECT_TRUE(log.faults[0].contains(QStringLiteral("nothing")));
@@ -128,9 +92,9 @@ TEST(Drawing, TellsOfAFieldThatIsNotThere) {
 
 // The picture of the last change is complete at the end, whatever was stopped on the way.
 TEST(Drawing, StopsWithinFiftyMillisecondsForAChange) {
-  Wanted wanted = wanted_of(hiac::test::kInstrumented ? 12 : 37, {900, 700});
+  Wanted wanted = test::wanted_of(hiac::test::kInstrumented ? 12 : 37, {900, 700});
   Drawing drawing;
-  Log log(drawing);
+  test::DrawingLog log(drawing);
   ASSERT_TRUE(log.rests(drawing.show(wanted)));
   constexpr int kChanges = hiac::test::kInstrumented ? 5 : 40;
   std::vector<double> waits;

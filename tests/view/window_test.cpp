@@ -181,6 +181,31 @@ TEST(Window, TellsOfAPixelWhatHiacRenderTells) {
   }
 }
 
+// After an edit the panel tells of the new picture; a pixel that the picture has no more is
+// dropped.
+TEST(Window, GoesOnExplainingThePixelThatWasChosen) {
+  OpenWindow window;
+  ASSERT_TRUE(window.open(sample(), small_view(window)));
+  Q_EMIT window->viewport().pixel_chosen(QPoint(80, 60));
+  ASSERT_TRUE(wait_until([&] { return !window->pixel_panel().text().isEmpty(); }));
+  const QString before = window->pixel_panel().text();
+  window->view().move_camera(orbited(*window->view().camera(), 20, 5), QStringLiteral("turn"),
+                             false);
+  EXPECT_FALSE(window->pixel_panel().isEnabled());  // what it tells is of the picture before
+  ASSERT_TRUE(window.rest());
+  EXPECT_TRUE(window->pixel_panel().isEnabled());
+  EXPECT_NE(window->pixel_panel().text(), before);
+  const std::string view = window.file("turned.toml"), told = window.file("told.txt");
+  ASSERT_TRUE(window->files().save_to(QString::fromStdString(view)));
+  ASSERT_TRUE(run(fmt::format("{} -q '{}' --view '{}' --pixel 80,60 > '{}'", HIAC_RENDER, sample(),
+                              view, told)));
+  EXPECT_EQ(window->pixel_panel().text().toStdString(), hiac::test::bytes_of(told));
+  window->view().set_size({70, 120});
+  EXPECT_TRUE(window->pixel_panel().isEnabled());
+  EXPECT_TRUE(window->pixel_panel().text().isEmpty());
+  EXPECT_TRUE(window.rest());
+}
+
 TEST(Window, BringsWhatIsSeenToTheCentre) {
   OpenWindow window;
   ASSERT_TRUE(window.open(sample(), small_view(window)));

@@ -19,6 +19,7 @@
 #include "hiac/image/image_io.hpp"
 #include "hiac/order/algorithm.hpp"
 #include "hiac/preview/context.hpp"
+#include "hiac/preview/drawn_mesh.hpp"
 #include "hiac/preview/preview.hpp"
 #include "hiac/scene/camera_path.hpp"
 #include "hiac/session/scene_orders.hpp"
@@ -48,26 +49,20 @@ struct Options : PictureCommand {
   bool list_devices = false;
 };
 
-bool is_linear_tetrahedron(CellKind kind) { return kind == CellKind::tetrahedron4; }
-
-// The mesh that is drawn: linear tetrahedra, of the mesh's own cells where these are others.
-ZooMesh drawn_mesh(Tool& tool, const ZooMesh& mesh, unsigned levels) {
-  if (std::ranges::all_of(mesh.kinds, is_linear_tetrahedron)) return mesh;
-  const auto others = static_cast<std::size_t>(
-      std::ranges::count_if(mesh.kinds, [](CellKind k) { return !is_linear_tetrahedron(k); }));
-  const bool curved =
-      std::ranges::any_of(mesh.kinds, [](CellKind k) { return order_of(k) != CellOrder::linear; });
-  const unsigned halvings = curved ? levels : 0;
-  SubdividedMesh made = tool.timed("tetrahedralize", [&] {
-    return subdivide_cells(mesh, {.linearize = true, .levels = halvings});
-  });
-  tool.warn(fmt::format(
-      "{} of {} cells are no linear tetrahedra and are approximated: {} linear "
-      "tetrahedra are drawn, edges halved {} times{}",
-      others, mesh.cell_count(), made.mesh.cell_count(), halvings, curved ? " (--levels)" : ""));
-  tool.facts()["approximated_cells"] = others;
-  tool.facts()["levels"] = halvings;
-  return std::move(made.mesh);
+// The mesh that is drawn; says what it approximates.
+preview::DrawnMesh mesh_to_draw(Tool& tool, const ZooMesh& mesh, unsigned levels) {
+  preview::DrawnMesh drawn =
+      tool.timed("tetrahedralize", [&] { return preview::drawn_mesh(mesh, levels); });
+  if (drawn.approximated > 0) {
+    tool.warn(
+        fmt::format("{} of {} cells are no linear tetrahedra and are approximated: {} linear "
+                    "tetrahedra are drawn, edges halved {} times{}",
+                    drawn.approximated, mesh.cell_count(), drawn.mesh.cell_count(), drawn.halvings,
+                    drawn.halvings > 0 ? " (--levels)" : ""));
+    tool.facts()["approximated_cells"] = drawn.approximated;
+    tool.facts()["levels"] = drawn.halvings;
+  }
+  return drawn;
 }
 
 // How the frames of one mesh are ordered, but for the cells that are left out.
@@ -256,11 +251,12 @@ void draw(Tool& tool, Options options) {
   const Scene& scene = view.scene;
   if (!early) fit_to(tool, options, scene);
   note_what_is_not_drawn(tool, options, scene);
-  const ZooMesh mesh = drawn_mesh(tool, file.mesh, options.levels);
+  const preview::DrawnMesh drawn = mesh_to_draw(tool, file.mesh, options.levels);
+  const ZooMesh& mesh = drawn.mesh;
   tool.facts()["cells"] = mesh.cell_count();
   tool.facts()["method"] = options.method;
   std::optional<GivenOrders> given = given_orders(options, file);
-  if (given && !std::ranges::all_of(file.mesh.kinds, is_linear_tetrahedron)) {
+  if (given && drawn.approximated > 0) {
     tool.note(given->subject +
               ": the order is of other cells than the tetrahedra that are drawn, "
               "whose order is made here");

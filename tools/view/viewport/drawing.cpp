@@ -8,6 +8,7 @@
 #include "hiac/base/error.hpp"
 #include "hiac/base/seconds.hpp"
 #include "hiac/scene/toml/spec_text.hpp"
+#include "tools/view/viewport/hardware_preview.hpp"
 
 namespace hiac::view {
 
@@ -77,9 +78,10 @@ void Drawing::run() {
   std::unique_lock lock(mutex_);
   while (true) {
     wake_.wait(lock, [&] { return ends_ || pixel_ || (wanted_ && stage_ != Stage::done); });
-    if (ends_) return;
+    if (ends_) break;
     work(lock);
   }
+  painter_.leave_hardware();
 }
 
 // One explanation, or one stage. The mutex is locked, except while the work is done.
@@ -123,6 +125,7 @@ void Drawing::work(std::unique_lock<std::mutex>& lock) {
 Drawing::Stage Drawing::after(Stage stage, const Wanted& wanted) const {
   switch (stage) {
     case Stage::first:
+      if (shown_step_ == kNoStep) return Stage::all;
       return shown_step_ == 1 ? after(Stage::all, wanted) : Stage::middle;
     case Stage::middle:
       return Stage::all;
@@ -140,20 +143,14 @@ Drawing::Stage Drawing::after(Stage stage, const Wanted& wanted) const {
 void Drawing::paint(const std::shared_ptr<const Wanted>& what, Stage stage, std::uint64_t number) {
   const Wanted& wanted = *what;
   const auto publish = [&](Painted painted) {
-    shown_step_ = painted.step;
+    shown_step_ = painted.device.empty() ? painted.step : kNoStep;
     painted.wanted = what;
     Q_EMIT this->painted(std::make_shared<const Painted>(std::move(painted)));
   };
   switch (stage) {
-    case Stage::first: {
-      const std::uint32_t step = steps_.step(wanted.scene.image);
-      Painted painted = painter_.paint(wanted, step);
-      // the first picture of a mesh takes what all others of it are spared
-      if (wanted.mesh == timed_mesh_) steps_.took(painted.seconds);
-      timed_mesh_ = wanted.mesh;
-      publish(std::move(painted));
+    case Stage::first:
+      publish(paint_first(wanted));
       break;
-    }
     case Stage::middle:
       // a third of the way: three times finer, if that is less than all pixels
       if (shown_step_ > 3) publish(painter_.paint(wanted, 3));
@@ -169,6 +166,36 @@ void Drawing::paint(const std::shared_ptr<const Wanted>& what, Stage stage, std:
       break;
     case Stage::done:
       break;
+  }
+}
+
+Painted Drawing::paint_first(const Wanted& wanted) {
+  if (auto painted = paint_by_hardware(wanted)) return std::move(*painted);
+  const std::uint32_t step = steps_.step(wanted.scene.image);
+  Painted painted = painter_.paint(wanted, step);
+  // the first picture of a mesh takes what all others of it are spared
+  if (wanted.mesh == timed_mesh_) steps_.took(painted.seconds);
+  timed_mesh_ = wanted.mesh;
+  return painted;
+}
+
+// None where it is not wanted, or cannot draw the scene, or failed, which is told once.
+std::optional<Painted> Drawing::paint_by_hardware(const Wanted& wanted) {
+  if (!wanted.hardware) {
+    painter_.leave_hardware();
+    hardware_failed_ = false;
+    return std::nullopt;
+  }
+  if (hardware_failed_ || !HardwarePreview::draws(wanted.scene)) return std::nullopt;
+  try {
+    return painter_.paint_by_hardware(wanted);
+  } catch (const Error& error) {
+    if (error.exit_code() != ExitCode::internal) throw;  // the scene's fault
+    hardware_failed_ = true;
+    Q_EMIT failed(
+        tr("No hardware preview: %1").arg(QString::fromStdString(in_one_line(error.what()))),
+        false);
+    return std::nullopt;
   }
 }
 

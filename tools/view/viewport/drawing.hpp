@@ -25,7 +25,8 @@ struct ExplainedPixel {
 
 /// Draws on a thread of its own, and refines in place: first as many pixels as a twentieth of a
 /// second allows (StepChoice), then, while nothing changes, all pixels, then the picture of several
-/// rays a pixel if that is wanted, and at last the bound of the error.
+/// rays a pixel if that is wanted, and at last the bound of the error. Where graphics hardware is
+/// wanted, its picture comes first, and then all pixels.
 ///
 /// What is wanted anew stops whatever runs, except the first picture of a change: that one is
 /// short, and so a hand that moves on does not keep every picture from being finished.
@@ -58,10 +59,13 @@ class Drawing : public QObject {
 
  private:
   enum class Stage : std::uint8_t { first, middle, all, samples, bound, done };
+  static constexpr std::uint32_t kNoStep = 0;  // of a picture by graphics hardware
 
   void run();
   void work(std::unique_lock<std::mutex>& lock);
   void paint(const std::shared_ptr<const Wanted>& wanted, Stage stage, std::uint64_t number);
+  Painted paint_first(const Wanted& wanted);
+  std::optional<Painted> paint_by_hardware(const Wanted& wanted);
   void explain_pixel_of(const Wanted& wanted, const std::array<std::uint32_t, 2>& pixel);
   [[nodiscard]] Stage after(Stage stage, const Wanted& wanted) const;
   void stop_refinement();
@@ -81,6 +85,7 @@ class Drawing : public QObject {
   StepChoice steps_;
   std::shared_ptr<const ZooMesh> timed_mesh_;  // whose first picture was drawn
   std::uint32_t shown_step_ = 0;
+  bool hardware_failed_ = false;  // since it was last wanted anew
   std::thread thread_;
 };
 

@@ -10,6 +10,7 @@
 #include "hiac/frame/background.hpp"
 #include "hiac/image/display_bytes.hpp"
 #include "hiac/session/coarse_scene.hpp"
+#include "tools/view/viewport/hardware_preview.hpp"
 
 namespace hiac::view {
 namespace {
@@ -70,6 +71,9 @@ std::vector<Value> spread(std::span<const Value> values, std::size_t width, std:
 }
 
 }  // namespace
+
+Painter::Painter(const Cancellation& cancellation) : cancellation_(cancellation) {}
+Painter::~Painter() = default;
 
 Session& Painter::session_for(const Wanted& wanted) {
   if (!session_ || mesh_ != wanted.mesh) {
@@ -159,6 +163,24 @@ Painted Painter::paint(const Wanted& wanted, std::uint32_t step) {
   painted.seconds = seconds_now() - start;
   return painted;
 }
+
+Painted Painter::paint_by_hardware(const Wanted& wanted) {
+  const double start = seconds_now();
+  Session& session = session_for(wanted);
+  if (!hardware_) hardware_ = std::make_unique<HardwarePreview>();
+  Image image = hardware_->draw(wanted.mesh, wanted.scene, session);
+  require_numbers(image);
+  annotate(image, wanted);
+  const ImageSize size = wanted.scene.image;
+  return {.bytes = display_bytes(image),
+          .size = size,
+          .pixels = static_cast<std::uint64_t>(size.width) * size.height,
+          .seconds = seconds_now() - start,
+          .left_out = left_out_,
+          .device = hardware_->device()};
+}
+
+void Painter::leave_hardware() { hardware_.reset(); }
 
 Painted Painter::paint_samples(const Wanted& wanted) {
   const double start = seconds_now();

@@ -15,12 +15,16 @@
 
 namespace hiac::view {
 
+class HardwarePreview;
+
 /// What the window is to show: a mesh and a scene of one frame.
 struct Wanted {
   std::shared_ptr<const ZooMesh> mesh;
   Scene scene;
   Annotation annotation;
   std::uint32_t samples = 1;  ///< rays along a side of each pixel, once the picture is at rest
+  /// While something moves, by graphics hardware (HardwarePreview), where that can draw the scene.
+  bool hardware = false;
 };
 
 /// A picture of what is wanted, or of some of its pixels.
@@ -40,6 +44,7 @@ struct Painted {
   std::shared_ptr<const Image> image =
       {};  ///< R G B A, without annotation, if all pixels were computed
   std::string mesh_hash = {};
+  std::string device = {};  ///< that drew a preview in single precision; empty: the exact engine
   std::shared_ptr<const Wanted> wanted = {};  ///< what the picture is of
 };
 
@@ -48,11 +53,18 @@ struct Painted {
 class Painter {
  public:
   /// `cancellation` stops the work, which then throws Cancelled.
-  explicit Painter(const Cancellation& cancellation) : cancellation_(cancellation) {}
+  explicit Painter(const Cancellation& cancellation);
+  ~Painter();
 
   /// Every step-th pixel of every step-th row; step 1 gives hiac-render's picture, to the bit.
   /// Throws what Session throws.
   Painted paint(const Wanted& wanted, std::uint32_t step);
+
+  /// The picture by graphics hardware: all pixels, in single precision. Throws DriverError where
+  /// there is none, and what HardwarePreview throws.
+  Painted paint_by_hardware(const Wanted& wanted);
+  /// Gives back what graphics hardware holds; the thread that painted by it must do so.
+  void leave_hardware();
 
   /// The picture with wanted.samples rays along a side of each pixel.
   Painted paint_samples(const Wanted& wanted);
@@ -71,6 +83,7 @@ class Painter {
   const Cancellation& cancellation_;
   std::shared_ptr<const ZooMesh> mesh_;  // of the session
   std::unique_ptr<Session> session_;
+  std::unique_ptr<HardwarePreview> hardware_;  // made when it is first wanted
   std::optional<Scene> checked_;  // is drawable, with its camera and its size or any others
   std::size_t left_out_ = 0;
 };

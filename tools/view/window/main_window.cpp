@@ -58,6 +58,7 @@ MainWindow::MainWindow(tools::Tool& tool, QSettings& settings, QStringList fault
       files_(document_, tool, settings, this),
       view_(document_),
       drawing_(std::make_unique<Drawing>()) {
+  view_.set_hardware(settings_.value(QStringLiteral("view/hardware_preview")).toBool());
   setAcceptDrops(true);
   setCentralWidget(make_centre());
   make_docks();
@@ -145,7 +146,11 @@ void MainWindow::connect_drawing() {
             show_facts();
           });
   connect(drawing_.get(), &Drawing::rested, this, [this](quint64 number) {
-    if (number == shown_number_) is_at_rest_ = true;
+    if (number != shown_number_) return;
+    if (pixel_is_stale_ && pixel_)
+      explain(*pixel_);  // rests again afterwards
+    else
+      is_at_rest_ = true;
   });
   connect(drawing_.get(), &Drawing::explained, this, &MainWindow::take_explanation);
   connect(drawing_.get(), &Drawing::failed, this, [this](const QString& line, bool of_picture) {
@@ -172,9 +177,7 @@ void MainWindow::connect_viewport() {
 void MainWindow::show_document() {
   const std::optional<Wanted> wanted = view_.wanted();
   is_at_rest_ = false;
-  pixel_.reset();
-  viewport_->mark(std::nullopt);
-  pixel_panel_->show_pixel(nullptr, nullptr);
+  keep_pixel(wanted);
   const auto camera = view_.camera();
   viewport_->set_camera(camera);
   clip_panel_->show_camera(camera, view_.depths());
@@ -198,6 +201,27 @@ void MainWindow::show_document() {
                 .arg(
                     bindings_.key(QStringLiteral("open_mesh")).toString(QKeySequence::NativeText)));
   show_facts();
+}
+
+// The pixel that is explained stays so, as long as the picture has it: what is told of it is of the
+// picture before until the new one is complete.
+void MainWindow::keep_pixel(const std::optional<Wanted>& wanted) {
+  centres_next_ = false;
+  bumps_next_ = false;
+  if (pixel_ && wanted && wanted->scene.render.splat_below <= 0 && picture_ &&
+      picture_->wanted->mesh == wanted->mesh &&
+      QRect(0, 0, static_cast<int>(wanted->scene.image.width),
+            static_cast<int>(wanted->scene.image.height))
+          .contains(*pixel_)) {
+    pixel_is_stale_ = true;
+    pixel_panel_->setEnabled(false);
+    return;
+  }
+  pixel_.reset();
+  pixel_is_stale_ = false;
+  viewport_->mark(std::nullopt);
+  pixel_panel_->setEnabled(true);
+  pixel_panel_->show_pixel(nullptr, nullptr);
 }
 
 void MainWindow::show_file_name() {
@@ -227,6 +251,7 @@ void MainWindow::tell_hovered(std::optional<QPoint> pixel) {
 
 void MainWindow::explain(QPoint pixel) {
   pixel_ = pixel;
+  pixel_is_stale_ = false;
   centres_next_ = false;
   bumps_next_ = false;
   viewport_->mark(pixel);
@@ -274,9 +299,11 @@ void MainWindow::take_explanation(const std::shared_ptr<const ExplainedPixel>& p
     return;
   }
   if (!std::exchange(centres_next_, false)) {
+    pixel_panel_->setEnabled(true);
     pixel_panel_->show_pixel(pixel, document_.mesh());
     return;
   }
+  pixel_.reset();
   // where nothing is seen, the plane through look_at
   centre_at(pixel->scene, place,
             seen != nullptr ? std::midpoint(seen->front.depth, seen->back.depth)

@@ -76,6 +76,7 @@ class MainWindow : public QMainWindow {
   void show_facts();
   void tell_hovered(std::optional<QPoint> pixel);
   void explain(QPoint pixel);
+  void keep_pixel(const std::optional<Wanted>& wanted);
   void add_bump_at(QPoint pixel);
   void centre_on(QPoint pixel);
   void centre_at(const Scene& scene, QPoint pixel, double depth);
@@ -96,6 +97,7 @@ class MainWindow : public QMainWindow {
   std::uint64_t shown_number_ = 0;              // of what is drawn (Drawing::show)
   bool is_at_rest_ = false;
   std::optional<QPoint> pixel_;  // that is explained
+  bool pixel_is_stale_ = false;  // the explanation is of the picture before
   bool centres_next_ = false;    // the next explanation is for centre_on
   bool bumps_next_ = false;      // the next explanation is for a bump of the extinction
 

@@ -114,6 +114,18 @@ void MainWindow::make_view_menu() {
     group->addAction(action);
     connect(action, &QAction::triggered, this, [this, count] { view_.set_samples(count); });
   }
+  QAction* hardware = add_action(
+      menu, tr("&Hardware preview while moving"), QStringLiteral("hardware_preview"),
+      tr("Draw in single precision by OpenGL while something moves, and exactly at rest; the "
+         "status "
+         "line names the device. Without a graphics card it is slower than the exact engine."),
+      [this] {
+        const bool on = !view_.hardware();
+        settings_.setValue(QStringLiteral("view/hardware_preview"), on);
+        view_.set_hardware(on);
+      });
+  hardware->setCheckable(true);
+  hardware->setChecked(view_.hardware());
   add_action(menu, tr("&Explain the pixel"), QStringLiteral("explain_pixel"),
              tr("What the ray of the pixel under the mouse meets"), [this] {
                const auto place = viewport_->mapFromGlobal(QCursor::pos());

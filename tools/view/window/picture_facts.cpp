@@ -22,6 +22,10 @@ QString pixels_text(const Painted& picture) {
 
 QString picture_facts(const Painted& picture, const std::optional<std::optional<double>>& error,
                       double scale) {
+  if (!picture.device.empty())
+    return tr("hardware preview, single precision, by %1 \u00b7 %2 s")
+        .arg(QString::fromStdString(picture.device))
+        .arg(picture.seconds, 0, 'f', 3);
   QStringList parts{tr("accurate engine"), pixels_text(picture)};
   if (picture.step == 1 && error)
     parts << (*error ? tr("error at most %1").arg(**error, 0, 'e', 1)

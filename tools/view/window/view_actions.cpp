@@ -48,10 +48,15 @@ void ViewActions::set_samples(std::uint32_t samples) {
   Q_EMIT changed();
 }
 
+void ViewActions::set_hardware(bool on) {
+  hardware_ = on;
+  Q_EMIT changed();
+}
+
 std::optional<Wanted> ViewActions::wanted() const {
   if (!document_.has_scene() || !document_.mesh()) return std::nullopt;
   return Wanted{document_.mesh(), scene_of_frame(document_.scene(), frame_),
-                document_.parsed().annotation, samples_};
+                document_.parsed().annotation, samples_, hardware_};
 }
 
 std::optional<Camera> ViewActions::camera() const {

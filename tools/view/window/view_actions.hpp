@@ -28,6 +28,10 @@ class ViewActions : public QObject {
   void set_samples(std::uint32_t samples);
   [[nodiscard]] std::uint32_t samples() const { return samples_; }
 
+  /// Whether graphics hardware draws while something moves.
+  void set_hardware(bool on);
+  [[nodiscard]] bool hardware() const { return hardware_; }
+
   /// What is to be drawn; none without a mesh or a text.
   [[nodiscard]] std::optional<Wanted> wanted() const;
   /// The camera of the frame; none without a text.
@@ -49,7 +53,7 @@ class ViewActions : public QObject {
   void record_keyframe(std::uint32_t frame);
 
  Q_SIGNALS:
-  void changed();              ///< frame or samples
+  void changed();              ///< frame, samples or hardware
   void message(QString line);  ///< why an edit is not possible
 
  private:
@@ -63,6 +67,7 @@ class ViewActions : public QObject {
 
   Document& document_;
   std::uint32_t frame_ = 0, samples_ = 1;
+  bool hardware_ = false;
   std::size_t axis_view_ = 0;
   Ball ball_;  // around the cells of the mesh
 };
