@@ -15,7 +15,7 @@ the documentation and a sample."
 hiac_package(view hiac-view "window for exact pictures of finite-element results"
   "This package contains hiac-view, a window in which views and transfer
 functions are set."
-  DEPENDS "hiac ${same_version}" SUGGESTS "hiac-preview ${same_version}")
+  DEPENDS "hiac ${same_version}" libegl1 RECOMMENDS libgl1-mesa-dri)
 
 hiac_package(preview hiac-preview "hardware preview of the volume renderer hiac"
   "This package contains hiac-preview, which draws by OpenGL, without a screen."
