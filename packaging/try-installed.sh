@@ -46,6 +46,27 @@ if ls /usr/lib/*/cmake/hiac/hiacConfig.cmake >/dev/null 2>&1; then
   hiac-compare static.png shared.png --max-error 0
 fi
 
+# a program that reads foreign files, as libhiac-formats-dev brings the readers
+if ls /usr/lib/*/cmake/hiac/hiacFormats.cmake >/dev/null 2>&1; then
+  mkdir readers
+  cat >readers/CMakeLists.txt <<'END'
+cmake_minimum_required(VERSION 3.25)
+project(readers LANGUAGES C CXX)
+find_package(hiac REQUIRED COMPONENTS formats)
+add_executable(readers main.cpp)
+target_link_libraries(readers PRIVATE hiac::formats)
+END
+  cat >readers/main.cpp <<'END'
+#include <formats/registry.hpp>
+int main(int, char** argv) {
+  return hiac::formats::format_to_read(argv[1]).read(argv[1], {}).mesh.kinds.empty() ? 1 : 0;
+}
+END
+  cmake -S readers -B readers/build -G Ninja
+  cmake --build readers/build
+  readers/build/readers "$sample/flow.vtu"
+fi
+
 if dpkg-query -W python3-hiac >/dev/null 2>&1; then
   python3 -c 'import hiac; print(hiac.__file__)'
 fi

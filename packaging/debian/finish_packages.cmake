@@ -51,9 +51,11 @@ foreach(component ${CPACK_COMPONENTS_ALL})
   if(EXISTS ${prefix}/share/zsh/site-functions)
     file(RENAME ${prefix}/share/zsh/site-functions ${prefix}/share/zsh/vendor-completions)
   endif()
-  file(GLOB archives ${prefix}/lib/*.a ${prefix}/lib/*/*.a)
-  if(archives)
+  # cmake --install strips programs that it installs as targets, not archives and copies
+  file(GLOB objects ${prefix}/lib/*.a ${prefix}/lib/*/*.a
+       ${prefix}/lib/python3/dist-packages/hiac/programs/*)
+  if(objects)
     run(strip --strip-unneeded --remove-section=.comment --remove-section=.note
-        --enable-deterministic-archives ${archives})
+        --enable-deterministic-archives ${objects})
   endif()
 endforeach()
