@@ -15,9 +15,9 @@ FLOORS = {
     "element": 4, "order": 4, "tetrahedralize": 4,
     "check": 5, "frame": 5,
     "render": 6, "preview": 6, "annotate": 6, "cluster": 6,
-    "formats": 7, "session": 7, "tools": 8,
+    "formats": 7, "session": 7, "tools": 8, "python": 8,
 }
-INCLUDE = re.compile(r'^\s*#\s*include\s*["<]((?:hiac|formats|tools|tests)/[^">]+)[">]')
+INCLUDE = re.compile(r'^\s*#\s*include\s*["<]((?:hiac|formats|tools|python|tests)/[^">]+)[">]')
 
 
 def room_of(path):
@@ -41,7 +41,7 @@ def allowed(path, included):
 def main():
     source = pathlib.Path(sys.argv[1])
     faults, includes = [], 0
-    for folder in ("include/hiac", "lib/hiac", "formats", "tools"):
+    for folder in ("include/hiac", "lib/hiac", "formats", "tools", "python"):
         for file in sorted((source / folder).rglob("*.[ch]pp")):
             path = file.relative_to(source).as_posix()
             if room_of(path) not in FLOORS:
