@@ -1,7 +1,7 @@
 // Views of ParaView against what ParaView 5.11 itself computes for the same states
 // (make_states.py).
 
-#include "hiac/scene/paraview_view.hpp"
+#include "hiac/scene/paraview/paraview_view.hpp"
 
 #include <algorithm>
 #include <cmath>

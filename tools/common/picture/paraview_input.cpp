@@ -5,7 +5,7 @@
 #include <unistd.h>
 
 #include "hiac/base/error.hpp"
-#include "hiac/scene/paraview_view.hpp"
+#include "hiac/scene/paraview/paraview_view.hpp"
 #include "hiac/scene/toml/spec_key.hpp"
 #include "tools/common/as_option.hpp"
 

@@ -14,7 +14,7 @@
 #include "hiac/mesh/metadata_keys.hpp"
 #include "hiac/order/order_file.hpp"
 #include "hiac/scene/camera_path.hpp"
-#include "hiac/scene/paraview_view.hpp"
+#include "hiac/scene/paraview/paraview_view.hpp"
 #include "hiac/session/session.hpp"
 #include "tools/common/as_option.hpp"
 #include "tools/common/foreign_mesh.hpp"

@@ -5,7 +5,7 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/image/image_io.hpp"
-#include "hiac/scene/paraview_view.hpp"
+#include "hiac/scene/paraview/paraview_view.hpp"
 #include "hiac/scene/toml/spec_text.hpp"
 #include "tools/common/as_option.hpp"
 

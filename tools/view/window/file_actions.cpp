@@ -10,7 +10,7 @@
 #include "hiac/annotate/annotate.hpp"
 #include "hiac/base/error.hpp"
 #include "hiac/image/image_io.hpp"
-#include "hiac/scene/paraview_view.hpp"
+#include "hiac/scene/paraview/paraview_view.hpp"
 #include "hiac/scene/toml/spec_text.hpp"
 #include "tools/common/picture/picture_output.hpp"
 #include "tools/common/picture/specification.hpp"

@@ -1,4 +1,4 @@
-#include "hiac/scene/paraview_view.hpp"
+#include "hiac/scene/paraview/paraview_view.hpp"
 
 #include <algorithm>
 #include <array>

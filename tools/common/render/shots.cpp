@@ -1,4 +1,4 @@
-#include "tools/render/shots.hpp"
+#include "tools/common/render/shots.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "tools/render/picture_options.hpp"
+#include "tools/common/render/picture_options.hpp"
 
 #include "hiac/base/error.hpp"
 #include "hiac/frame/channels.hpp"

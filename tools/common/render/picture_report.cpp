@@ -1,4 +1,4 @@
-#include "tools/render/picture_report.hpp"
+#include "tools/common/render/picture_report.hpp"
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include "tools/render/movie.hpp"
+#include "tools/common/render/movie.hpp"
 
 #include <algorithm>
 #include <csignal>

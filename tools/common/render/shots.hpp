@@ -8,7 +8,7 @@
 
 #include "hiac/scene/scene.hpp"
 #include "tools/common/picture/picture_command.hpp"
-#include "tools/render/mesh_series.hpp"
+#include "tools/common/render/mesh_series.hpp"
 
 namespace hiac::tools {
 

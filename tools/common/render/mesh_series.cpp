@@ -1,4 +1,4 @@
-#include "tools/render/mesh_series.hpp"
+#include "tools/common/render/mesh_series.hpp"
 
 #include <filesystem>
 #include <system_error>
