@@ -10,6 +10,7 @@
 #include <pybind11/stl.h>
 
 #include "hiac/scene/camera_path.hpp"
+#include "hiac/scene/paraview_view.hpp"
 #include "hiac/scene/specification.hpp"
 #include "hiac/session/starter_view.hpp"
 #include "python/core/mesh.hpp"
@@ -35,6 +36,13 @@ std::pair<std::string, std::vector<std::string>> starter(
   return {std::move(view.text), std::move(view.notes)};
 }
 
+py::dict paraview_state(const std::string& name) {
+  using py::literals::operator""_a;
+  const ParaviewView view = view_from_state(name);
+  return py::dict("text"_a = view.text, "notes"_a = view.notes, "omitted"_a = view.omitted,
+                  "data_file"_a = view.data_file);
+}
+
 }  // namespace
 
 void bind_scene(py::module_& module) {
@@ -53,6 +61,7 @@ void bind_scene(py::module_& module) {
         return parse_scene(text, subject, folder, overrides);
       },
       py::arg("text"), py::arg("subject"), py::arg("folder"), py::arg("overrides"));
+  module.def("view_from_state", &paraview_state, py::arg("name"));
   module.def("starter_view", &starter, py::arg("mesh"), py::arg("field"), py::arg("preset"),
              py::arg("isovalues"), py::arg("dark"), py::arg("size"), py::arg("progress"),
              py::arg("cancel"));

@@ -9,6 +9,7 @@
 Pictures, orders and meshes are those of the command-line tools, bit for bit. Arrays go in and out
 without copies where memory allows it.
 """
+from . import paraview
 from ._check import Report, check
 from ._compare import Comparison, compare
 from ._core import Cancellation
@@ -28,6 +29,6 @@ __all__ = [
     "KINDS", "NODES_OF_KIND", "Cancellation", "Cancelled", "Comparison", "Error", "Field",
     "InputError", "Judgement", "JudgementError", "Mesh", "Order", "Picture", "PictureWarning", "ProgressBar",
     "Report", "UsageError", "View", "__version__", "check", "compare", "explain_pixel",
-    "from_meshio", "from_pyvista", "from_vtk", "judge", "panel", "preview", "read", "render", "rfb_view",
+    "from_meshio", "from_pyvista", "from_vtk", "judge", "panel", "paraview", "preview", "read", "render", "rfb_view",
     "sort", "starter_view", "tetrahedralize", "to_meshio", "to_pyvista", "to_vtk", "write",
 ]

@@ -119,6 +119,7 @@ def starter_view(
     mesh: Mesh, field: str, preset: str, isovalues: int, dark: bool, size: list[int] | None,
     progress: _Progress, cancel: Cancellation | None,
 ) -> tuple[str, list[str]]: ...
+def view_from_state(name: str) -> dict[str, Any]: ...
 def sort(
     mesh: Mesh, scene: ParsedScene, algorithm: str, overlap: bool, progress: _Progress,
     cancel: Cancellation | None,

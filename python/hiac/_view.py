@@ -24,6 +24,13 @@ class View(MutableMapping[str, Any]):
     Tables and lists of tables that are read are windows into the view; lists of numbers are tuples.
     """
 
+    notes: Sequence[str] = ()
+    """What its maker had to say: starter_view, paraview.view_from_state."""
+    omitted: Sequence[str] = ()
+    """What paraview.view_from_state found no equal for."""
+    data_file: str = ""
+    """The data that paraview.view_from_state found in the state."""
+
     def __init__(self, data: Mapping[str, Any] | None = None, *, folder: str = "") -> None:
         """data: as tomllib.load returns it; folder: where relative names of presets begin."""
         self._folder = folder

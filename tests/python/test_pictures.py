@@ -147,6 +147,23 @@ class Pictures(unittest.TestCase):
             times.append(time.perf_counter() - start)
         self.assertLess(min(times), 5e-3)
 
+    def test_view_of_paraview(self):
+        state = pathlib.Path(os.environ["HIAC_SAMPLES"], "reactor-pool", "state.pvsm")
+        view = hiac.paraview.view_from_state(state)
+        image = os.path.join(self.folder, "p.npy")
+        data = state.with_name("flow.vtu")  # the state names a file of another machine
+        mesh = hiac.read(data)
+        zoo = os.path.join(self.folder, "m.zoo")
+        hiac.write(mesh, zoo)
+        subprocess.run([RENDER, zoo, "--view", state, "--size", "80x60", "-o", image, "-q"],
+                       check=True)
+        picture = hiac.render(mesh, view, size=(80, 60))
+        self.assertTrue(view.data_file.endswith("run.vtu"))
+        self.assertEqual(picture.values.tobytes(), np.load(image).tobytes())
+        self.assertTrue(view.notes)
+        with self.assertRaises(hiac.InputError):
+            hiac.paraview.view_from_state(os.path.join(self.folder, "missing.pvsm"))
+
     def test_preview(self):
         mesh = mesh_of("tetrahedron4")
         view = view_of(mesh)
