@@ -3,40 +3,35 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/image/alignment.hpp"
 #include "hiac/image/difference.hpp"
-#include "hiac/image/flip.hpp"
 #include "hiac/image/heat_map.hpp"
 #include "hiac/image/image_io.hpp"
-#include "hiac/image/ssim.hpp"
 #include "tools/common/text_output.hpp"
 #include "tools/common/tool.hpp"
+#include "tools/compare/comparison.hpp"
+#include "tools/compare/truth.hpp"
 
 namespace {
 
 using namespace hiac;
 using namespace hiac::tools;
-using Json = nlohmann::ordered_json;
 
 struct Options {
+  TruthCommand truth;
   std::string image, reference, heat_map, heat_map_of = "difference";
   double max_error = std::numeric_limits<double>::infinity();
   double max_rmse = std::numeric_limits<double>::infinity();
   ReadOptions reading;
-};
 
-/// What is known of two images of one size.
-struct Comparison {
-  std::vector<Difference> channels;  ///< at least one
-  std::optional<double> psnr, ssim, mean_flip, largest_flip;
-  std::optional<Image> flip;
+  [[nodiscard]] bool has_truth() const { return !truth.input.empty(); }
 };
 
 void require_comparable(const Image& image, const Image& reference, const Options& options) {
@@ -58,79 +53,6 @@ void note_lonely_channels(Tool& tool, const Image& image, const Image& reference
   };
   note_missing(image, options.image, reference);
   note_missing(reference, options.reference, image);
-}
-
-Comparison compare_images(const Image& image, const Image& reference, const Options& options) {
-  Comparison comparison;
-  comparison.channels = channel_differences(image, reference);
-  if (comparison.channels.empty())
-    throw JudgementError(fmt::format(
-        "{}: no channel in common with {} ({} expected, {} found)", options.image,
-        options.reference, fmt::join(reference.channels(), " "), fmt::join(image.channels(), " ")));
-  comparison.psnr = peak_signal_to_noise(image, reference);
-  comparison.ssim = structural_similarity(image, reference);
-  comparison.flip = flip_map(image, reference);
-  if (comparison.flip) {
-    const auto values = comparison.flip->values();
-    comparison.mean_flip =
-        std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-    comparison.largest_flip = *std::max_element(values.begin(), values.end());
-  }
-  return comparison;
-}
-
-bool are_equal(const Comparison& comparison, const Image& image, const Image& reference) {
-  return comparison.channels.size() == image.channel_count() &&
-         comparison.channels.size() == reference.channel_count() &&
-         std::all_of(comparison.channels.begin(), comparison.channels.end(),
-                     [](const Difference& d) { return d.largest == 0; });
-}
-
-// For programs; what is infinite or not defined is null there. ------------------------------------
-
-Json number(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json();
-}
-
-void put_into(Json& facts, const Comparison& comparison) {
-  facts["channels"] = Json::array();
-  for (const Difference& d : comparison.channels)
-    facts["channels"].push_back({{"name", d.channel},
-                                 {"rmse", number(d.rmse)},
-                                 {"relative_mse", number(d.relative_mse)},
-                                 {"mean_error", number(d.mean_absolute)},
-                                 {"largest_error", number(d.largest)},
-                                 {"largest_at", {d.x, d.y}},
-                                 {"infinite", d.infinite}});
-  facts["psnr"] = number(comparison.psnr);
-  facts["ssim"] = number(comparison.ssim);
-  facts["flip"] = {{"mean", number(comparison.mean_flip)},
-                   {"largest", number(comparison.largest_flip)}};
-}
-
-// For people --------------------------------------------------------------------------------------
-
-std::string summary_line(const char* label, const std::optional<double>& value,
-                         const std::string& unit) {
-  return fmt::format("  {:<10}{}\n", label,
-                     value ? fmt::format("{:.6g}{}", *value, unit) : "not defined");
-}
-
-std::string table(const Comparison& comparison) {
-  std::string text = fmt::format("  {:<10}{:>14}{:>14}{:>14}{:>14}  {}\n", "channel", "RMSE",
-                                 "relative MSE", "mean error", "largest", "at pixel");
-  for (const Difference& d : comparison.channels) {
-    text += fmt::format("  {:<10}{:>14.6g}{:>14.6g}{:>14.6g}{:>14.6g}  {},{}", d.channel, d.rmse,
-                        d.relative_mse, d.mean_absolute, d.largest, d.x, d.y);
-    text += d.infinite > 0 ? fmt::format("  ({} infinite)\n", d.infinite) : "\n";
-  }
-  text += summary_line("PSNR", comparison.psnr, " dB");
-  text += summary_line("SSIM", comparison.ssim, "");
-  text += summary_line("FLIP", comparison.mean_flip,
-                       comparison.largest_flip
-                           ? fmt::format(" in the mean, {:.6g} at most", *comparison.largest_flip)
-                           : "");
-  return text;
 }
 
 /// The scale that colours mean: FLIP's own from 0 to 1; for differences up to the largest finite.
@@ -172,39 +94,65 @@ void judge(const Options& options, const Comparison& comparison) {
 
 void claim_files(Tool& tool, const Options& options) {
   RunFiles files{image_parts(options.image), {}};
-  for (std::string& part : image_parts(options.reference)) files.inputs.push_back(std::move(part));
+  if (options.has_truth())
+    files.inputs.insert(files.inputs.end(), {options.truth.input, options.truth.view});
+  else
+    for (std::string& part : image_parts(options.reference))
+      files.inputs.push_back(std::move(part));
   add_image(files.outputs, "--heatmap", options.heat_map);
   tool.claim(std::move(files));
 }
 
-void compare(Tool& tool, const Options& options) {
+/// What a comparison with the truth has beyond one of two images.
+std::string told_of_truth(Tool& tool, const Image& image, const Image& truth,
+                          const std::optional<double>& error) {
+  const Misfit misfit = tool.timed("align", [&] { return find_misfit(image, truth); });
+  put_into(tool.facts(), misfit);
+  tool.facts()["truth_error"] = error ? nlohmann::ordered_json(*error) : nullptr;
+  std::string text = error ? fmt::format("  the truth is exact to {:.1e}\n", *error) : "";
+  for (const std::string& line : lines_of(misfit)) text += "  " + line + '\n';
+  return text;
+}
+
+void compare(Tool& tool, Options options) {
+  if (options.has_truth() != options.reference.empty())
+    throw UsageError(options.has_truth() ? "B: not beside --truth (found " + options.reference + ")"
+                                         : "B or --truth MESH is required: what to compare A with");
+  if (options.has_truth()) options.reference = "the truth of " + options.truth.input;
   claim_files(tool, options);
   if (!options.heat_map.empty()) require_known_image_extension(options.heat_map);
-  const Image image =
+  Image image =
       tool.timed("read", [&] { return read_image(options.image, options.reading).image; });
-  const Image reference = read_image(options.reference, options.reading).image;
+  std::optional<double> error;
+  const Image reference = [&] {
+    if (!options.has_truth()) return read_image(options.reference, options.reading).image;
+    Truth truth = render_truth(tool, options.truth, image, options.image);
+    error = truth.error;
+    return std::move(truth.image);
+  }();
   tool.facts()["image"] = options.image;
   tool.facts()["reference"] = options.reference;
   require_comparable(image, reference, options);
   tool.facts()["width"] = image.width();
   tool.facts()["height"] = image.height();
   note_lonely_channels(tool, image, reference, options);
-  const Comparison comparison =
-      tool.timed("compare", [&] { return compare_images(image, reference, options); });
-  const bool equal = are_equal(comparison, image, reference);
-  tool.facts()["equal"] = equal;
+  const Comparison comparison = tool.timed("compare", [&] {
+    return compare_images(image, options.image, reference, options.reference);
+  });
   put_into(tool.facts(), comparison);
-  if (tool.common().json != "-")
-    write_text(
-        "-", fmt::format("{} against {}: {} x {} pixels{}\n{}", options.image, options.reference,
-                         image.width(), image.height(), equal ? ", equal" : "", table(comparison)));
+  std::string text = fmt::format("{} against {}: {} x {} pixels{}\n{}", options.image,
+                                 options.reference, image.width(), image.height(),
+                                 comparison.equal ? ", equal" : "", table(comparison));
+  if (options.has_truth()) text += told_of_truth(tool, image, reference, error);
+  if (tool.common().json != "-") write_text("-", text);
   if (!options.heat_map.empty()) write_heat_map(tool, options, comparison, image, reference);
   judge(options, comparison);
 }
 
 void add_options(CLI::App& app, Options& options) {
   app.add_option("A", options.image, "Image (" + image_extensions() + ")")->required();
-  app.add_option("B", options.reference, "Image to compare it with: the reference")->required();
+  app.add_option("B", options.reference, "Image to compare it with: the reference");
+  add_truth_options(app, options.truth);
   app.add_option("--max-error", options.max_error,
                  "Fail (exit 1) when a value differs by more than this")
       ->check(CLI::NonNegativeNumber)
@@ -236,10 +184,13 @@ int main(int argc, char** argv) {
       "(a - b)^2 / (|b| + 0.01)^2. A NaN or an infinity equals itself and differs infinitely\n"
       "from everything else. PSNR assumes a signal from 0 to 1; SSIM and FLIP (67 pixels per\n"
       "degree) compare the colours as displayed, from 0 to 1. Images of different sizes, or\n"
-      "without a common channel, fail the judgement.",
+      "without a common channel, fail the judgement.\n\n"
+      "With --truth the reference is the exact picture of a mesh, and what is wrong with A as a\n"
+      "whole is told: turned or mirrored, in another encoding, shifted, or of another scale.",
       "  hiac-compare new.exr reference.exr\n"
       "  hiac-compare new.npy reference.npy --max-error 1e-12 --json facts.json\n"
-      "  hiac-compare new.png old.png --heatmap where.png --heatmap-of flip");
+      "  hiac-compare new.png old.png --heatmap where.png --heatmap-of flip\n"
+      "  hiac-compare theirs.png --truth run.vtu --view view.toml   # how wrong is this picture?");
   Options options;
   add_options(tool.app(), options);
   return tool.run(argc, argv, [&] { compare(tool, options); });
