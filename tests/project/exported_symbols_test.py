@@ -50,6 +50,7 @@ class Declarations:
     def __init__(self):
         self.functions = collections.Counter()  # by qualified name; more than 1: overloads
         self.derived = set()
+        self.has_body = False  # the statement that is read is a function whose body has begun
 
     def read(self, text):
         scopes, statement = [], ""  # a scope: its qualified name, or None inside a body or an initialiser
@@ -70,8 +71,6 @@ class Declarations:
                 statement = re.sub(r"\b(?:public|private|protected)\s*:(?!:)", "", statement + token)
                 if self.has_body:
                     statement, self.has_body = token, False
-
-    has_body = False
 
     def scope_of(self, statement, scopes):
         outer = scopes[-1] if scopes else ""
