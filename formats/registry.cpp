@@ -29,6 +29,7 @@
 #include "formats/unv/unv.hpp"
 #include "formats/vtk/vtk_formats.hpp"
 #include "formats/zoo/zoo_format.hpp"
+#include "formats/zoo/zparts_format.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats {
@@ -73,6 +74,7 @@ std::span<const Format> all_formats() {
   static const std::vector<Format> formats = [] {
     std::vector<Format> all;
     all.push_back(zoo_format());
+    all.push_back(zparts_format());
     all.push_back(vtk_legacy_format());
     all.push_back(vtu_format());
     all.push_back(pvtu_format());

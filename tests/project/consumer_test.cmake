@@ -82,6 +82,17 @@ endif()
 build_project(${SOURCE}/samples/program ${WORK}/program)
 run(${WORK}/program/first_picture ${WORK}/mesh.zoo ${WORK}/picture.png)
 run(${WORK}/moved/bin/hiac-info ${WORK}/picture.png)
+
+# the same program over the shared library draws the same picture, and sees the library's exceptions
+build_project(${CMAKE_CURRENT_LIST_DIR}/shared_consumer ${WORK}/shared_build
+              -D HIAC_PROGRAM=${SOURCE}/samples/program/main.cpp)
+run(${WORK}/shared_build/first_picture ${WORK}/mesh.zoo ${WORK}/shared.png)
+run(${WORK}/moved/bin/hiac-compare ${WORK}/picture.png ${WORK}/shared.png --max-error 0)
+execute_process(COMMAND ${WORK}/shared_build/first_picture ${WORK}/absent.zoo ${WORK}/absent.png
+                RESULT_VARIABLE result ERROR_VARIABLE error)
+if(NOT result EQUAL 3 OR NOT error MATCHES "absent.zoo")
+  message(FATAL_ERROR "an error of the shared library arrives as (${result}): ${error}")
+endif()
 foreach(tool sort render compare)
   run(${WORK}/moved/bin/hiac-${tool} --version)
 endforeach()

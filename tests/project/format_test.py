@@ -15,7 +15,7 @@ def main():
     if formatter is None:
         print("SKIPPED: clang-format is not installed")
         sys.exit(77)
-    files = [str(file) for folder in ("include", "lib", "formats", "tools", "tests")
+    files = [str(file) for folder in ("include", "lib", "formats", "tools", "python", "tests")
              for file in sorted((source / folder).rglob("*.[ch]pp"))]
     if not files:
         sys.exit("no file found: is this the source folder?")

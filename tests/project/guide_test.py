@@ -2,7 +2,7 @@
 """Runs the commands of the guide, from its own text: indented lines that start with `hiac`.
 
 A page's commands run one after the other in a folder of the page's own, where the sample's mesh is
-run.vtu; each has to end with exit code 0 and to leave the files that it names as outputs. So the guide
+run.vtu and ParaView's state of it state.pvsm; each has to end with exit code 0 and to leave the files that it names as outputs. So the guide
 tells nothing that does not work. Usage: guide_test.py GUIDE SAMPLE PROGRAM...
 """
 import os
@@ -37,6 +37,7 @@ def run_page(page, sample, path):
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         (folder / "run.vtu").write_bytes(sample.read_bytes())
+        (folder / "state.pvsm").write_bytes((sample.parent / "state.pvsm").read_bytes())
         for command in commands(page):
             done = subprocess.run(["bash", "-o", "pipefail", "-c", command], cwd=folder, capture_output=True,
                                   errors="replace", env={**os.environ, "PATH": path}, check=False)

@@ -50,7 +50,7 @@ def include_folders():
 
 def used_headers(source):
     headers = {}
-    for folder in ("include", "lib", "formats", "tools", "tests"):
+    for folder in ("include", "lib", "formats", "tools", "python", "tests"):
         for file in sorted((source / folder).rglob("*.[ch]pp")):
             for header in INCLUDE.findall(file.read_text()):
                 headers.setdefault(header, file.relative_to(source))

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tools that read no foreign format link no VTK, CGAL or OpenGL and start in under 50 ms.
+"""Tools that read no foreign format link no VTK, CGAL, METIS or OpenGL and start in under 50 ms.
 
 Usage: start_up_test.py TOOL... Measures `TOOL --version`: the processor time of the fastest of some
 runs, after one that brings the files into memory; nothing waits then but for other programs.
@@ -35,7 +35,8 @@ def main():
     failed = False
     for tool in sys.argv[1:]:
         name = os.path.basename(tool)
-        foreign = [lib for lib in linked_libraries(tool) if re.search(r"vtk|cgal|libepoxy|libE?GL", lib, re.I)]
+        foreign = [lib for lib in linked_libraries(tool)
+                   if re.search(r"vtk|cgal|metis|libepoxy|libE?GL|libmpi", lib, re.I)]
         seconds = start_seconds(tool)
         print(f"{name}: starts in {1000 * seconds:.1f} ms (limit {1000 * limit:.0f} ms)")
         if foreign:

@@ -54,6 +54,52 @@ constexpr const char* kPoly =
     "4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n4 0\n1\n3 1 3 2\n1\n3 1 2 4\n1\n3 2 3 4\n1\n"
     "3 3 1 4\n0\n0\n";
 
+/// A state of ParaView, as short as it may be: a volume with logarithmic colours and a curved
+/// opacity, and a contour.
+std::string state() {
+  const auto property = [](const std::string& name, const std::vector<std::string>& values) {
+    std::string text = "<Property name=\"" + name + "\">";
+    for (const std::string& value : values) text += "<Element value=\"" + value + "\"/>";
+    return text + "</Property>";
+  };
+  const auto reference = [](const std::string& name, const std::string& ids) {
+    return "<Property name=\"" + name + "\"><Proxy value=\"" + ids + "\"/></Property>";
+  };
+  const auto proxy = [](const std::string& kind, const std::string& properties) {
+    return "<Proxy " + kind + ">" + properties + "</Proxy>";
+  };
+  const std::vector<std::string> array{"", "", "", "0", "f"};
+  return "<ServerManagerState version=\"5.11.0\">" +
+         proxy("group=\"views\" type=\"RenderView\" id=\"1\"",
+               property("CameraPosition", {"0.5", "0.5", "-3"}) +
+                   property("CameraFocalPoint", {"0.5", "0.5", "0"}) +
+                   property("CameraViewUp", {"0", "1", "0"}) + property("ViewSize", {"8", "6"}) +
+                   property("Background", {"0.1", "0.2", "0.3"}) +
+                   "<Property name=\"Representations\"><Proxy value=\"2\"/><Proxy value=\"6\"/>"
+                   "</Property>") +
+         proxy("group=\"representations\" type=\"UnstructuredGridRepresentation\" id=\"2\"",
+               reference("Input", "3") + property("Representation", {"Volume"}) +
+                   property("ColorArrayName", array) +
+                   property("SelectMapper", {"Bunyk ray cast"}) +
+                   property("ScalarOpacityUnitDistance", {"0.3"}) + reference("LookupTable", "4") +
+                   reference("ScalarOpacityFunction", "5")) +
+         proxy("group=\"sources\" type=\"XMLUnstructuredGridReader\" id=\"3\"",
+               property("FileName", {"m.vtu"})) +
+         proxy("group=\"lookup_tables\" type=\"PVLookupTable\" id=\"4\"",
+               property("ColorSpace", {"2"}) + property("UseLogScale", {"1"}) +
+                   property("NumberOfTableValues", {"7"}) +
+                   property("RGBPoints", {"0.1", "0", "0.2", "1", "1", "1", "0.5", "0"})) +
+         proxy("group=\"piecewise_functions\" type=\"PiecewiseFunction\" id=\"5\"",
+               property("Points", {"0", "0.1", "0.3", "0.5", "1", "0.9", "0.5", "0"})) +
+         proxy("group=\"representations\" type=\"GeometryRepresentation\" id=\"6\"",
+               reference("Input", "7") + property("Representation", {"Surface"}) +
+                   property("DiffuseColor", {"1", "0.5", "0"})) +
+         proxy("group=\"filters\" type=\"Contour\" id=\"7\"",
+               reference("Input", "3") + property("SelectInputScalars", array) +
+                   property("ContourValues", {"0.25", "0.5"})) +
+         "</ServerManagerState>";
+}
+
 /// An input, and what reads it: %s is the damaged file's name (in `view-NAME`: of the view of it).
 struct Input {
   std::string name, command;
@@ -71,6 +117,7 @@ const std::vector<Input> kInputs{
     {"m.order", HIAC_INFO " %s"},
     {"v.toml", HIAC_RENDER " m.zoo --view %s -o o.png"},
     {"v.toml", HIAC_SORT " m.zoo --view %s -o o.order"},
+    {"s.pvsm", HIAC_RENDER " m.zoo --view %s -o o.png"},
     {"a.png", HIAC_COMPARE " %s b.png"},
     {"a.exr", HIAC_COMPARE " %s b.png"},
     {"a.npy", HIAC_COMPARE " %s b.png"},
@@ -103,6 +150,7 @@ class MutatedInputs : public testing::Test {
     add_node_field(mesh, "f", [](const Position& p) { return p[0]; });
     write_zoo_file(path("m.zoo"), {mesh, {}});
     write("v.toml", kView);
+    write("s.pvsm", state());
     std::vector<double> values(48);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<double>(i) / 48;
     for (const char* image : {"a.png", "a.exr", "a.npy", "a.tiff", "a.sgi", "a.pfm", "a.hdr"})

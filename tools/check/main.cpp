@@ -293,9 +293,10 @@ int main(int argc, char** argv) {
                "Tell the shapes of the cells (volumes, dihedral angles, edge, aspect and radius "
                "ratios, condition, scaled Jacobian) and count components, boundary shells, "
                "cavities and tunnels");
-  app.add_option("--view", options.view,
-                 "For --cycles: the camera of this image specification (TOML, or a picture made by "
-                 "one), or all its frames")
+  app.add_option(
+         "--view", options.view,
+         "For --cycles: the camera of this image specification (TOML, a picture made by one, "
+         "or a state or camera of ParaView), or all its frames")
       ->type_name("SPEC");
   app.add_option("--set", options.overrides, "Override KEY=VALUE of the specification; repeatable")
       ->type_name("KEY=VALUE")

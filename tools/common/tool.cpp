@@ -191,6 +191,13 @@ void Tool::claim(RunFiles files) {
   }
 }
 
+void Tool::leave_report() {
+  common_.json.clear();
+  common_.quiet = true;
+  common_.verbose = false;
+  bar_.reset();
+}
+
 void Tool::note(const std::string& line) const {
   if (!common_.quiet) print(name_ + ": " + plain_line(line) + '\n');
 }

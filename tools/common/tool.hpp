@@ -57,6 +57,10 @@ class Tool {
   /// destroy something or cannot be written (require_safe). The file of --json is added.
   void claim(RunFiles files);
 
+  /// For a process among several, another of which reports: no file of --json, and only errors on
+  /// stderr.
+  void leave_report();
+
   /// A line on stderr unless --quiet.
   void note(const std::string& line) const;
   /// A line on stderr with --verbose.

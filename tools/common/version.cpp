@@ -10,6 +10,8 @@
 #include <toml++/toml.h>
 #include <xxhash.h>
 
+#include "hiac/base/version.hpp"
+
 namespace hiac::tools {
 
 std::string version_text() {

@@ -22,6 +22,7 @@
 #include "hiac/mesh/boundary_surface.hpp"
 #include "hiac/mesh/file_descriptor.hpp"
 #include "hiac/mesh/zoo_container.hpp"
+#include "hiac/partition/partition.hpp"
 #include "tools/common/as_option.hpp"
 #include "tools/common/mesh_io.hpp"
 #include "tools/common/number_text.hpp"
@@ -34,6 +35,7 @@
 #include "tools/convert/invalid_cells.hpp"
 #include "tools/convert/listing.hpp"
 #include "tools/convert/option_names.hpp"
+#include "tools/convert/parted_output.hpp"
 #include "tools/convert/spooled_input.hpp"
 #include "tools/convert/step_adjacency.hpp"
 #include "tools/convert/tell.hpp"
@@ -48,7 +50,8 @@ constexpr const char* kExamples =
     "  hiac-convert run.vtu --derive 'speed=magnitude(velocity)' -o run.zoo\n"
     "  hiac-convert run.exo --steps all -o run-%04d.zoo\n"
     "  hiac-convert run.zoo -o run.vtu\n"
-    "  hiac-convert run.zoo --levels 3 -o boundary.ply";
+    "  hiac-convert run.zoo --levels 3 -o boundary.ply\n"
+    "  hiac-convert run.zoo --parts 8 -o run.zparts";
 
 struct Options {
   std::string input;
@@ -69,6 +72,7 @@ struct Options {
   bool adjacency = true;
   std::optional<InvalidCellsFate> invalid;
   std::optional<unsigned> levels;
+  Parting parting;
 
   [[nodiscard]] bool from_stdin() const { return input.empty() || input == "-"; }
   [[nodiscard]] bool to_stdout() const { return output.empty() || output == "-"; }
@@ -81,8 +85,9 @@ void add_options(CLI::App& app, Options& options) {
       "--format, any format that is one file");
   app.add_option(
          "-o,--output", options.output,
-         "Output file; its extension chooses the format (.zoo, .vtu, .vtkhdf, .msh; .stl, .ply, "
-         ".vtp: the boundary alone); - or none: a zoo stream to stdout")
+         "Output file; its extension chooses the format (.zoo, .vtu, .vtkhdf, .msh; .zparts: "
+         "an index and a file for each part; .stl, .ply, .vtp: the boundary alone); - or none: a "
+         "zoo stream to stdout")
       ->type_name("FILE");
   app.add_option("--format", options.format,
                  "Read INPUT as this format instead of detecting the format")
@@ -139,6 +144,7 @@ void add_options(CLI::App& app, Options& options) {
                  "makes 4^N triangles of one (default: 0 if all cells are linear, otherwise 2)")
       ->check(CLI::Range(0U, kMostBoundaryLevels))
       ->type_name("N");
+  options.parting.add_options(app);
   app.add_flag("--adjacency,!--no-adjacency", options.adjacency,
                "Store which cells share faces, so that later stages start faster (default: yes)");
 }
@@ -283,6 +289,7 @@ bool keeps_format(const Options& options) {
 /// Adds the file that -o names.
 void add_output(RunFiles& files, const Options& options) {
   bool boundary = false;
+  if (!options.list) options.parting.check_output(options.output);
   if (!options.list && !options.to_stdout()) {
     as_option("-o ", [&] {
       boundary = static_cast<bool>(formats::format_to_write(options.output).write_boundary);
@@ -327,6 +334,8 @@ void write_output(Tool& tool, const Options& options, const ZooMesh& mesh) {
     write_zoo_stream(STDOUT_FILENO, {mesh, {}}, "stdout");
     return;
   }
+  if (is_parted_output(options.output))
+    return write_parts(tool, options.parting, mesh, options.input, options.output);
   const formats::Format& format = formats::format_to_write(options.output);
   if (!format.write_boundary) return note_all(tool, format.write(options.output, mesh));
   const unsigned levels = options.levels.value_or(default_boundary_levels(mesh));
@@ -360,7 +369,8 @@ void finish(Tool& tool, const Options& options, formats::Reading reading, StepAd
     tool.timed("invalid cells", [&] {
       treat_invalid_cells(tool, *options.invalid, input_name(options.input), mesh);
     });
-  const bool to_zoo = options.to_stdout() || formats::format_to_write(options.output).name == "zoo";
+  const bool to_zoo = options.to_stdout() || is_parted_output(options.output) ||
+                      formats::format_to_write(options.output).name == "zoo";
   if (!options.adjacency)
     mesh.adjacency.reset();
   else if (to_zoo && !mesh.adjacency)
@@ -438,8 +448,9 @@ int main(int argc, char** argv) {
   using namespace hiac::tools;
   Tool tool("hiac-convert", "Converts a finite-element file to a zoo mesh, or a zoo mesh to VTU.",
             kExamples);
-  tool.app().set_version_flag("--version", fmt::format("hiac-convert {}, {}", version_text(),
-                                                       hiac::formats::format_library_versions()));
+  tool.app().set_version_flag("--version", fmt::format("hiac-convert {}, {}, {}", version_text(),
+                                                       hiac::formats::format_library_versions(),
+                                                       hiac::partitioner_version()));
   Options options;
   add_options(tool.app(), options);
   return tool.run(argc, argv, [&] { convert(tool, options); });

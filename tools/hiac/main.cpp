@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hiac/base/version.hpp"
 #include "tools/common/sibling_program.hpp"
 #include "tools/common/suggestion.hpp"
 

@@ -247,8 +247,8 @@ int main(int argc, char** argv) {
   app.add_option("MESH", options.input, kMeshHelp);
   add_conversion(app, options.conversion);
   app.add_option("--view", options.view,
-                 "Image specification (TOML) with the camera or a camera path, or a picture made "
-                 "by one (.png .exr .tiff)")
+                 "Image specification (TOML) with the camera or a camera path, a picture made by "
+                 "one (.png .exr .tiff), or a state or camera of ParaView (.pvsm, .pvcc)")
       ->required()
       ->type_name("SPEC");
   app.add_option("--set", options.overrides, "Override KEY=VALUE of the specification; repeatable")

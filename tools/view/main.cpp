@@ -80,9 +80,10 @@ int main(int argc, char** argv) {
   tools::add_threshold(app, command.threshold);
   app.add_option("--block", command.block, "Show only this block of a foreign file")
       ->type_name("NAME");
-  app.add_option("--view", command.view,
-                 "Image specification (TOML), or a picture made by one (.png .exr .tiff); without "
-                 "it the window begins with a starter view")
+  app.add_option(
+         "--view", command.view,
+         "Image specification (TOML), a picture made by one (.png .exr .tiff), or a state of "
+         "ParaView (.pvsm); without it the window begins with a starter view")
       ->type_name("SPEC");
   tools::add_starter_options(app, command.starter);
   return tool.run(argc, argv, [&] { show(tool, command); });

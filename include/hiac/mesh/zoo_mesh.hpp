@@ -91,13 +91,13 @@ std::string distinct_name(const ZooMesh& mesh, const Field& field);
 
 /// Returns a scalar field by name. Accepts NAME for a field of one component, NAME:x (y, z; xx, yy,
 /// zz, xy, yz, xz for six components; xx, xy, xz, yx ... zz for nine; 0, 1, 2 ... always), and
-/// NAME:magnitude, the Euclidean length of every tuple. Fields of six and nine components also have
-/// NAME:von_mises, NAME:tresca, NAME:trace and NAME:principal_1 (the largest), _2 and _3; of nine
-/// components these are the scalars of the symmetric part. `position:x`, `:y` and `:z` are the
-/// coordinates of the nodes, unless a field has that name. If a node, a cell and a corner field
-/// share a name, NAME@node, NAME@cell and NAME@corner distinguish them (before any `:`). Throws
-/// UsageError, which names the existing fields, if no field or more than one matches. A field that
-/// is a scalar is not copied.
+/// NAME:magnitude, the Euclidean length of every tuple, or NAME:value, a scalar as it is, else its
+/// magnitude. Fields of six and nine components also have NAME:von_mises, NAME:tresca, NAME:trace
+/// and NAME:principal_1 (the largest), _2 and _3; of nine components these are the scalars of the
+/// symmetric part. `position:x`, `:y` and `:z` are the coordinates of the nodes, unless a field has
+/// that name. If a node, a cell and a corner field share a name, NAME@node, NAME@cell and
+/// NAME@corner distinguish them (before any `:`). Throws UsageError, which names the existing
+/// fields, if no field or more than one matches. A field that is a scalar is not copied.
 Field scalar_field(const ZooMesh& mesh, const std::string& reference);
 
 /// Returns the names that scalar_field accepts, components and magnitudes included, in the mesh's

@@ -23,6 +23,7 @@ namespace hiac {
 struct PixelExplanation;
 struct RenderStatistics;
 struct MeshOrder;
+class TileCrew;
 
 /// How a front end watches work and stops it. Every member is optional.
 struct Monitor {
@@ -44,6 +45,9 @@ struct PictureRequest {
   bool background = true;  ///< composite the specification's background behind the volume
   /// A picture of the same size to composite behind instead; must outlive the call.
   const Image* under = nullptr;
+  /// The processes that share the drawing, each with a session of its own that is asked the same
+  /// (tile_crew.hpp): of the images, that of one process alone is complete.
+  const TileCrew* crew = nullptr;
 };
 
 /// A picture and the facts recorded while it was made.

@@ -56,6 +56,14 @@ std::string geometry_hash(const ZooMesh& mesh) {
   return hasher.hexadecimal();
 }
 
+std::string numbers_hash(std::span<const std::uint64_t> nodes,
+                         std::span<const std::uint64_t> cells) {
+  ContentHasher hasher;
+  hasher.add(nodes);
+  hasher.add(cells);
+  return hasher.hexadecimal();
+}
+
 std::string content_hash(const ZooMesh& mesh) {
   ContentHasher hasher;
   add_geometry(hasher, mesh);

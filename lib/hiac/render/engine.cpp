@@ -3,11 +3,11 @@
 #include <optional>
 #include <vector>
 
-#include "hiac/base/error.hpp"
 #include "hiac/base/seconds.hpp"
 #include "hiac/frame/frame.hpp"
 #include "hiac/frame/tiles/tile_bins.hpp"
 #include "hiac/render/accurate_tile.hpp"
+#include "hiac/render/bounds/bounded_scene.hpp"
 #include "hiac/render/edges/screen_edges.hpp"
 #include "hiac/render/splatting.hpp"
 
@@ -17,6 +17,7 @@ struct PartRenderer::Prepared {
   const VisibilityOrder& order;
   const Scene& scene;
   std::vector<Channel> channels;
+  const TileCrew* crew;
   double start;
   Projector projector;
   Frame frame;
@@ -25,38 +26,24 @@ struct PartRenderer::Prepared {
   double seconds = 0;
 
   Prepared(const ZooMesh& mesh, const VisibilityOrder& visibility, const Scene& what,
-           std::span<const Channel> wanted)
+           std::span<const Channel> wanted, const TileCrew* sharing)
       : order(visibility),
         scene(what),
         channels(wanted.begin(), wanted.end()),
+        crew(sharing),
         start(seconds_now()),
         projector(scene.camera, scene.image),
         frame(mesh, scene, projector, details_for(channels)),
         splatted(frame, scene.image, scene.render.splat_below),
         edges(frame, scene) {
-    require_bound();
+    if (frame.with_error) require_bounded_scene(scene);
     seconds = seconds_now() - start;
-  }
-
-  void require_bound() const {
-    if (!frame.with_error) return;
-    if (frame.optics.rule != PieceRule::exact)
-      throw UsageError(
-          "channel 'error': no bound is claimed of integrations other than \"exact\" "
-          "(`render.integration`)");
-    if (scene.render.interpolation != Interpolation::isoparametric)
-      throw UsageError(
-          "channel 'error': no bound is claimed of interpolations other than \"isoparametric\" "
-          "(`render.interpolation`)");
-    if (scene.render.splat_below > 0)
-      throw UsageError("channel 'error': no bound is claimed of splats (`render.splat_below`)");
-    if (scene.skin) throw UsageError("channel 'error': no bound is claimed of the skin (`skin`)");
   }
 };
 
 PartRenderer::PartRenderer(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
-                           std::span<const Channel> channels)
-    : prepared_(std::make_unique<const Prepared>(mesh, order, scene, channels)) {}
+                           std::span<const Channel> channels, const TileCrew* crew)
+    : prepared_(std::make_unique<const Prepared>(mesh, order, scene, channels, crew)) {}
 
 PartRenderer::~PartRenderer() = default;
 
@@ -73,7 +60,7 @@ RenderResult PartRenderer::render(const PixelRect& part, bool with_background,
   const TileBins bins = bin_cells(frame, order, scene.image, part, splat_bounds(frame, splatted));
   const double prepared = seconds_now() - start;
   RenderResult result = draw_picture(
-      frame, scene, bins, {part, with_background, prepared_->channels},
+      frame, scene, bins, {part, with_background, prepared_->channels, prepared_->crew},
       [&](const TileRect& tile, std::span<const std::uint32_t> ranks, const TakeTile& take) {
         AccurateTile drawn(frame, splatted, prepared_->edges, order, tile, ranks);
         take(drawn);

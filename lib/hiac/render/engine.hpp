@@ -32,8 +32,9 @@ RenderResult render(const ZooMesh& mesh, const VisibilityOrder& order, const Sce
 class PartRenderer {
  public:
   /// Mesh, order and scene must outlive it. `channels` and what is thrown are those of render.
+  /// `crew`: the processes that share the work, all of which do the same; null: this one alone.
   PartRenderer(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
-               std::span<const Channel> channels = {});
+               std::span<const Channel> channels = {}, const TileCrew* crew = nullptr);
   ~PartRenderer();
   PartRenderer(const PartRenderer&) = delete;
   PartRenderer& operator=(const PartRenderer&) = delete;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -202,10 +203,10 @@ void require_possible(const Supersampling& sampling, ImageSize size) {
                   kMaxImageSide / most, size.width, size.height, sampling.samples));
 }
 
-RenderResult render_supersampled(const ZooMesh& mesh, const VisibilityOrder& order,
-                                 const Scene& scene, const PixelRect& part,
-                                 const Supersampling& sampling, bool with_background,
-                                 Progress* progress, std::span<const Channel> channels) {
+RenderResult supersampled(const Scene& scene, const PixelRect& part, const Supersampling& sampling,
+                          bool with_background, Progress* progress,
+                          std::span<const Channel> channels,
+                          const std::function<RenderSamples(const Scene& samples)>& engine_for) {
   require_inside(part, scene.image);
   require_possible(sampling, scene.image);
   const Scene samples = scene_of_samples(scene, sampling);
@@ -213,16 +214,15 @@ RenderResult render_supersampled(const ZooMesh& mesh, const VisibilityOrder& ord
   // of the part, in the picture of samples
   const std::uint32_t left = part.x * n, top = part.y * n;
   const std::uint32_t columns = (part.width + beside) * n, rows = (part.height + beside) * n;
-  const PartRenderer renderer(mesh, order, samples, channels);
+  const RenderSamples render_samples = engine_for(samples);
   SampleSum sum(part, sampling, channels);
   RenderResult result;
-  result.statistics.prepare_seconds = renderer.prepare_seconds();
   const std::size_t band = rows_of_band(part, columns);
   if (progress != nullptr) progress->begin("rows of samples", rows);
   for (std::uint32_t y = top; y < top + rows;) {
     const auto next = static_cast<std::uint32_t>((y / band + 1) * band);
     const std::uint32_t end = std::min(next, top + rows);
-    const RenderResult some = renderer.render({left, y, columns, end - y}, false);
+    const RenderResult some = render_samples({left, y, columns, end - y});
     sum.add(weighted(some.image, channels), y - top);
     result.statistics += some.statistics;
     if (progress != nullptr) progress->advance(end - y);
@@ -231,6 +231,24 @@ RenderResult render_supersampled(const ZooMesh& mesh, const VisibilityOrder& ord
   result.image = sum.take();
   add_rounding(sampling, result.image);
   if (with_background) put_background_behind(scene, part, result.image);
+  return result;
+}
+
+RenderResult render_supersampled(const ZooMesh& mesh, const VisibilityOrder& order,
+                                 const Scene& scene, const PixelRect& part,
+                                 const Supersampling& sampling, bool with_background,
+                                 Progress* progress, std::span<const Channel> channels,
+                                 const TileCrew* crew) {
+  double prepare_seconds = 0;
+  RenderResult result = supersampled(
+      scene, part, sampling, with_background, progress, channels,
+      [&](const Scene& samples) -> RenderSamples {
+        const auto renderer =
+            std::make_shared<const PartRenderer>(mesh, order, samples, channels, crew);
+        prepare_seconds = renderer->prepare_seconds();
+        return [renderer](const PixelRect& some) { return renderer->render(some, false); };
+      });
+  result.statistics.prepare_seconds += prepare_seconds;
   return result;
 }
 

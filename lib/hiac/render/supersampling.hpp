@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "hiac/render/engine.hpp"
 
 namespace hiac {
@@ -29,6 +31,17 @@ RenderResult render_supersampled(const ZooMesh& mesh, const VisibilityOrder& ord
                                  const Scene& scene, const PixelRect& part,
                                  const Supersampling& sampling, bool with_background,
                                  Progress* progress = nullptr,
-                                 std::span<const Channel> channels = {});
+                                 std::span<const Channel> channels = {},
+                                 const TileCrew* crew = nullptr);
+
+/// Renders a part of the picture of all samples, without background.
+using RenderSamples = std::function<RenderResult(const PixelRect& part)>;
+
+/// The same with another engine: `engine_for` makes it for the scene of the samples, which outlives
+/// it.
+RenderResult supersampled(const Scene& scene, const PixelRect& part, const Supersampling& sampling,
+                          bool with_background, Progress* progress,
+                          std::span<const Channel> channels,
+                          const std::function<RenderSamples(const Scene& samples)>& engine_for);
 
 }  // namespace hiac

@@ -1,6 +1,7 @@
 #include "hiac/session/field_range.hpp"
 
 #include <cmath>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -67,7 +68,7 @@ void FieldRanges::place(const std::string& key, OpenRange& range,
   const auto [low, high] = range.ends();
   transfer->points = placed<N>(std::move(*wanted), {low, high});
   wanted.reset();
-  const std::string where = meshes_ == 1 ? "" : fmt::format(" over {} steps", meshes_);
+  const std::string where = meshes_ <= 1 ? "" : fmt::format(" over {} steps", meshes_);
   notes.push_back(
       low < high ? fmt::format("{}: '{}' from {:g} to {:g}{}", key, range.field, low, high, where)
                  : fmt::format("{}: '{}' has the one value {:g}{}, and takes the middle of "
@@ -88,6 +89,29 @@ void FieldRanges::add(const ZooMesh& mesh) {
   if (color_) color_->add(mesh);
   if (extinction_) extinction_->add(mesh);
   if (skin_) skin_->add(mesh);
+}
+
+bool FieldRanges::need_all_values() const {
+  const auto needs = [](const std::optional<OpenRange>& range) {
+    return range && range->percents != std::array<double, 2>{0, 100};
+  };
+  return needs(color_) || needs(extinction_) || needs(skin_);
+}
+
+std::vector<Interval> FieldRanges::extents() const {
+  std::vector<Interval> all;
+  for (const auto* range : {&color_, &extinction_, &skin_})
+    if (*range) all.push_back((*range)->values.extent());
+  return all;
+}
+
+void FieldRanges::add_extents(std::span<const Interval> extents) {
+  std::size_t next = 0;
+  for (auto* range : {&color_, &extinction_, &skin_}) {
+    if (!*range) continue;
+    const Interval& extent = extents[next++];
+    if (!extent.empty()) (*range)->values.add({extent.low, extent.high});
+  }
 }
 
 ParsedScene FieldRanges::place(ParsedScene parsed) {

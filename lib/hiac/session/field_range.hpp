@@ -3,7 +3,9 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/scene/specification.hpp"
@@ -25,6 +27,13 @@ class FieldRanges {
 
   /// Adds the values of one mesh. Throws UsageError if a field does not exist.
   void add(const ZooMesh& mesh);
+
+  /// Whether the smallest and the largest values are not all that is asked for.
+  [[nodiscard]] bool need_all_values() const;
+  /// The smallest and the largest value so far of every range that is open; and adds such of meshes
+  /// that are in another process, where all values are not needed.
+  [[nodiscard]] std::vector<Interval> extents() const;
+  void add_extents(std::span<const Interval> extents);
 
   /// Puts the points of the scene's transfer functions on the ranges of all meshes, and notes them.
   /// `parsed` is what the constructor saw. Throws InputError as with_field_ranges does.

@@ -29,8 +29,8 @@ RenderResult draw(const ZooMesh& mesh, const VisibilityOrder& order, const Scene
   const bool background = request.background && request.under == nullptr;
   if (request.sampling)
     return render_supersampled(mesh, order, scene, part, *request.sampling, background, progress,
-                               channels);
-  const PartRenderer renderer(mesh, order, scene, channels);
+                               channels, request.crew);
+  const PartRenderer renderer(mesh, order, scene, channels, request.crew);
   RenderResult result = renderer.render(part, background, progress);
   result.statistics.prepare_seconds += renderer.prepare_seconds();
   return result;

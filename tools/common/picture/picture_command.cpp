@@ -14,12 +14,14 @@
 #include "hiac/mesh/metadata_keys.hpp"
 #include "hiac/order/order_file.hpp"
 #include "hiac/scene/camera_path.hpp"
+#include "hiac/scene/paraview/paraview_view.hpp"
 #include "hiac/session/session.hpp"
 #include "tools/common/as_option.hpp"
 #include "tools/common/foreign_mesh.hpp"
 #include "tools/common/mesh_io.hpp"
 #include "tools/common/picture/frames.hpp"
 #include "tools/common/picture/order_facts.hpp"
+#include "tools/common/picture/paraview_input.hpp"
 #include "tools/common/picture/specification.hpp"
 #include "tools/common/text_output.hpp"
 #include "tools/common/threshold.hpp"
@@ -78,8 +80,9 @@ void add_picture_command(CLI::App& app, PictureCommand& command, const std::stri
       ->type_name("NAME");
   app.add_option(
          "--view", command.view,
-         "Image specification (TOML), or a picture made by one (.png .exr .tiff); without it "
-         "the picture is of a starter view")
+         "Image specification (TOML), a picture made by one (.png .exr .tiff), or a state or "
+         "camera "
+         "of ParaView (.pvsm, FILE.pvsm#VIEW, .pvcc); without it the picture is of a starter view")
       ->type_name("SPEC");
   app.add_option("--save-view", command.save_view,
                  "Keep the starter view in this file, without --set")
@@ -128,7 +131,8 @@ std::optional<ParsedScene> specification_of(Tool& tool, PictureCommand& command)
   if (command.view.empty()) return std::nullopt;
   if (!command.save_view.empty())
     throw UsageError("--save-view: only for the starter view (found beside --view)");
-  if (are_given(command.starter))
+  const bool is_camera = command.view.ends_with(".pvcc");  // of a starter view
+  if (!is_camera && are_given(command.starter))
     throw UsageError(
         "--field, --preset, --isovalues, --dark: only for the starter view (found "
         "beside --view)");
@@ -137,8 +141,11 @@ std::optional<ParsedScene> specification_of(Tool& tool, PictureCommand& command)
     command.overrides.push_back(fmt::format("image.width={}", size.width));
     command.overrides.push_back(fmt::format("image.height={}", size.height));
   }
-  ParsedScene parsed = read_specification(command.view, command.overrides);
-  for (const std::string& line : parsed.notes) tool.note(line);
+  std::optional<ParsedScene> parsed = is_paraview_file(command.view)
+                                          ? paraview_specification(tool, command)
+                                          : read_specification(command.view, command.overrides);
+  if (!parsed) return std::nullopt;
+  for (const std::string& line : parsed->notes) tool.note(line);
   return parsed;
 }
 

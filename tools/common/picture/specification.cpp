@@ -5,6 +5,7 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/image/image_io.hpp"
+#include "hiac/scene/paraview/paraview_view.hpp"
 #include "hiac/scene/toml/spec_text.hpp"
 #include "tools/common/as_option.hpp"
 
@@ -29,13 +30,14 @@ std::string specification_in(const std::string& picture) {
 }  // namespace
 
 std::string specification_text(const std::string& path) {
+  if (is_paraview_file(path)) return view_from_state(path).text;
   return has_image_extension(path) ? specification_in(path) : read_text_file(path);
 }
 
 ParsedScene read_specification(const std::string& path, const std::vector<std::string>& overrides) {
   return as_option("--set ", [&] {
-    if (!has_image_extension(path)) return read_scene(path, overrides);
-    return parse_scene(specification_in(path), path,
+    if (!has_image_extension(path) && !is_paraview_file(path)) return read_scene(path, overrides);
+    return parse_scene(specification_text(path), path,
                        std::filesystem::path(path).parent_path().string(), overrides);
   });
 }

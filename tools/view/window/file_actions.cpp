@@ -10,6 +10,7 @@
 #include "hiac/annotate/annotate.hpp"
 #include "hiac/base/error.hpp"
 #include "hiac/image/image_io.hpp"
+#include "hiac/scene/paraview/paraview_view.hpp"
 #include "hiac/scene/toml/spec_text.hpp"
 #include "tools/common/picture/picture_output.hpp"
 #include "tools/common/picture/specification.hpp"
@@ -122,7 +123,8 @@ void FileActions::open_view(const QString& path) {
 
 void FileActions::open_file(const QString& path) {
   const std::string file = path.toStdString();
-  if (path.endsWith(QStringLiteral(".toml")) || has_image_extension(file)) return open_view(path);
+  if (path.endsWith(QStringLiteral(".toml")) || has_image_extension(file) || is_paraview_file(file))
+    return open_view(path);
   tools::PictureCommand command;
   command.input = file;
   open(command);
@@ -130,8 +132,9 @@ void FileActions::open_file(const QString& path) {
 
 bool FileActions::save() {
   const QString file = QString::fromStdString(document_.file());
-  // a picture's specification goes into a file of its own
-  if (file.isEmpty() || has_image_extension(document_.file())) return choose_save();
+  // the specification of a picture or of ParaView's state goes into a file of its own
+  if (file.isEmpty() || has_image_extension(document_.file()) || is_paraview_file(document_.file()))
+    return choose_save();
   return save_to(file);
 }
 
@@ -196,7 +199,7 @@ void FileActions::choose_mesh() {
 void FileActions::choose_view() {
   const QString path = QFileDialog::getOpenFileName(
       window_, tr("Open a specification"), folder(),
-      tr("Specifications and pictures that hold one (*.toml *.png *.exr *.tiff);;All files (*)"));
+      tr("Specifications, and what holds one (*.toml *.pvsm *.png *.exr *.tiff);;All files (*)"));
   if (!path.isEmpty()) open_view(path);
 }
 

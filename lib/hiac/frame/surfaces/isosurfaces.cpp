@@ -11,23 +11,12 @@
 
 #include "hiac/base/parallel.hpp"
 #include "hiac/element/cell_field.hpp"
-#include "hiac/element/face_interpolant.hpp"
+#include "hiac/frame/surfaces/touched_faces.hpp"
 
 namespace hiac {
 namespace {
 
 constexpr std::size_t kGrain = std::size_t{1} << 14;
-
-// A face at all of whose corners the field equals a surface's value, in a cell that is below the
-// value elsewhere.
-struct TouchedFace {
-  std::uint32_t surface;
-  std::array<NodeId, 4> nodes;  // ascending; the last of a triangle is unused
-  std::size_t cut;              // index into the cuts
-  std::uint8_t face;
-
-  [[nodiscard]] auto key() const { return std::tie(surface, nodes); }
-};
 
 // The cuts of some consecutive cells.
 struct CellCuts {
@@ -62,14 +51,14 @@ class CutFinder {
     if (lies_between_surfaces(cell)) return;
     for (std::size_t f = 0; f < all_.fields.size(); ++f)
       values_[f] = cell_field(mesh_, cell, all_.fields[f]);
-    const std::size_t nodes = node_count(mesh_.kinds[cell]);
     for (std::uint32_t s = 0; s < all_.surfaces.size(); ++s) {
       const FrameIsosurface& surface = all_.surfaces[s];
       const CellField& field = values_[surface.field];
       if (!is_met(surface, field.least, field.most)) continue;
-      // in cells of higher order the field may exceed the value between the nodes
-      const double most = std::ranges::max(std::span(field.values).first(nodes));
-      const bool touched = most == surface.value && add_touched(cell, s, result);
+      const std::size_t before = result.touched.size();
+      append_touched_faces(mesh_, cell, field, surface.value, {s, {}, result.cuts.size(), 0},
+                           result.touched);
+      const bool touched = result.touched.size() > before;
       if (surface.value < field.most || touched) result.cuts.push_back({s, 0});
     }
   }
@@ -93,40 +82,17 @@ class CutFinder {
     return true;
   }
 
-  // Adds the face that has the value at all its corners. Returns false if there is none.
-  bool add_touched(CellId cell, std::uint32_t s, CellCuts& result) const {
-    const auto nodes = mesh_.cell_nodes(cell);
-    const CellKind kind = mesh_.kinds[cell];
-    const CellField& field = values_[all_.surfaces[s].field];
-    bool any = false;
-    for (std::size_t f = 0; f < face_count(kind); ++f) {
-      const FaceOffsets of_face = face_offsets(kind, f, nodes, field.values);
-      const auto values = std::span(of_face.offsets).first(of_face.node_count());
-      if (!std::ranges::all_of(values,
-                               [&](double value) { return value == all_.surfaces[s].value; }))
-        continue;
-      TouchedFace face{s, {}, result.cuts.size(), static_cast<std::uint8_t>(f)};
-      face.nodes.fill(std::numeric_limits<NodeId>::max());
-      std::copy_n(of_face.nodes.begin(), of_face.count, face.nodes.begin());
-      std::ranges::sort(face.nodes);
-      result.touched.push_back(face);
-      any = true;
-    }
-    return any;
-  }
-
   const ZooMesh& mesh_;
   const Isosurfaces& all_;
   std::vector<CellField> values_;  // of the current cell, by field
 };
 
 // Closes the faces that a surface touches from below on both sides.
-void close_faces(std::vector<TouchedFace>& touched, std::vector<IsosurfaceCut>& cuts) {
+void close_faces(std::vector<TouchedFace>& touched, Isosurfaces& all) {
   std::ranges::sort(touched, {}, [](const TouchedFace& f) { return f.key(); });
   for (std::size_t i = 0; i + 1 < touched.size(); ++i) {
     if (touched[i].key() != touched[i + 1].key()) continue;
-    for (const std::size_t k : {i, i + 1})
-      cuts[touched[k].cut].closed_faces |= static_cast<std::uint8_t>(1U << touched[k].face);
+    for (const std::size_t k : {i, i + 1}) close_face(touched[k], all);
   }
 }
 
@@ -148,7 +114,7 @@ void find_cuts(const ZooMesh& mesh, Isosurfaces& all) {
     all.cuts.insert(all.cuts.end(), part.cuts.begin(), part.cuts.end());
     part = {};
   }
-  close_faces(touched, all.cuts);
+  close_faces(touched, all);
 }
 
 // Differences from a surface's value below this may underflow in products.

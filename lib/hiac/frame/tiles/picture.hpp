@@ -14,6 +14,8 @@
 
 namespace hiac {
 
+class TileCrew;
+
 struct RenderStatistics {
   std::uint64_t segments = 0;    ///< ray segments integrated, one for each cell that a ray meets
   std::uint64_t violations = 0;  ///< segments out of order (section 4)
@@ -41,6 +43,7 @@ struct PictureParts {
   PixelRect part;        ///< the pixels; must lie inside the picture
   bool with_background;  ///< composite the scene's background behind the volume
   std::span<const Channel> channels = {};
+  const TileCrew* crew = nullptr;  ///< the processes that share the work; null: this one alone
 };
 
 /// The details of pixels that some channels require.

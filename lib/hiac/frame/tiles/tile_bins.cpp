@@ -23,6 +23,17 @@ struct TileRange {
   int column0, row0, column1, row1;
 };
 
+// The tiles that contain columns [x0, x1) and rows [y0, y1), neither of which is empty.
+TileRange tiles_between(int x0, int y0, int x1, int y1) {
+  return {x0 / kWidth, y0 / kHeight, (x1 - 1) / kWidth + 1, (y1 - 1) / kHeight + 1};
+}
+
+TileRange tiles_meeting(const PixelRect& part) {
+  return tiles_between(static_cast<int>(part.x), static_cast<int>(part.y),
+                       static_cast<int>(part.x + part.width),
+                       static_cast<int>(part.y + part.height));
+}
+
 class Binner {
  public:
   Binner(const Frame& frame, const BoundsOfCell& other_bounds, ImageSize size,
@@ -31,9 +42,7 @@ class Binner {
         other_bounds_(other_bounds),
         width_(static_cast<int>(size.width)),
         height_(static_cast<int>(size.height)),
-        all_(tiles_between(static_cast<int>(part.x), static_cast<int>(part.y),
-                           static_cast<int>(part.x + part.width),
-                           static_cast<int>(part.y + part.height))) {}
+        all_(tiles_meeting(part)) {}
 
   // The range of all tiles.
   [[nodiscard]] const TileRange& all() const { return all_; }
@@ -58,26 +67,11 @@ class Binner {
             std::min(range.column1, all_.column1), std::min(range.row1, all_.row1)};
   }
 
-  // The tiles that contain columns [x0, x1) and rows [y0, y1), neither of which is empty.
-  static TileRange tiles_between(int x0, int y0, int x1, int y1) {
-    return {x0 / kWidth, y0 / kHeight, (x1 - 1) / kWidth + 1, (y1 - 1) / kHeight + 1};
-  }
-
   const Frame& frame_;
   const BoundsOfCell& other_bounds_;
   int width_, height_;
   TileRange all_;
 };
-
-std::vector<TileRect> make_tiles(const TileRange& all, ImageSize size) {
-  std::vector<TileRect> tiles;
-  for (int row = all.row0; row < all.row1; ++row)
-    for (int column = all.column0; column < all.column1; ++column)
-      tiles.push_back({column * kWidth, row * kHeight,
-                       std::min((column + 1) * kWidth, static_cast<int>(size.width)),
-                       std::min((row + 1) * kHeight, static_cast<int>(size.height))});
-  return tiles;
-}
 
 template <typename Visit>
 void for_each_tile(const TileRange& range, const TileRange& all, const Visit& visit) {
@@ -107,11 +101,22 @@ std::vector<std::uint64_t> places_of_counts(std::span<std::uint32_t> counts,
 
 }  // namespace
 
+std::vector<TileRect> tiles_of(ImageSize size, const PixelRect& part) {
+  const TileRange all = tiles_meeting(part);
+  std::vector<TileRect> tiles;
+  for (int row = all.row0; row < all.row1; ++row)
+    for (int column = all.column0; column < all.column1; ++column)
+      tiles.push_back({column * kWidth, row * kHeight,
+                       std::min((column + 1) * kWidth, static_cast<int>(size.width)),
+                       std::min((row + 1) * kHeight, static_cast<int>(size.height))});
+  return tiles;
+}
+
 TileBins bin_cells(const Frame& frame, const VisibilityOrder& order, ImageSize size,
                    const PixelRect& part, const BoundsOfCell& other_bounds) {
   const Binner binner(frame, other_bounds, size, part);
   TileBins bins;
-  bins.tiles = make_tiles(binner.all(), size);
+  bins.tiles = tiles_of(size, part);
   const std::size_t tile_count = bins.tiles.size(), cells = order.cells.size();
   const std::size_t chunks = (cells + kCellsPerChunk - 1) / kCellsPerChunk;
 

@@ -26,6 +26,9 @@ struct TileBins {
   }
 };
 
+/// The tiles of the picture that meet a part of it, row by row.
+std::vector<TileRect> tiles_of(ImageSize size, const PixelRect& part);
+
 /// The bounds of a cell that an engine draws in another form, for example as a splat; none for
 /// other cells.
 using BoundsOfCell = std::function<std::optional<ScreenBounds>(CellId)>;

@@ -14,7 +14,7 @@ namespace hiac {
 namespace {
 
 constexpr std::size_t kGrain = 1 << 14;
-constexpr std::string_view kMagnitude = "magnitude";
+constexpr std::string_view kMagnitude = "magnitude", kValue = "value";
 
 /// Returns the names of a vector's or a tensor's components; none for other counts.
 std::span<const std::string_view> component_names(std::uint32_t components) {
@@ -133,7 +133,8 @@ Field scalar_field(const ZooMesh& mesh, const std::string& reference) {
   if (field == nullptr && name == kPosition)
     if (const auto axis = component_of(suffix, 3)) return coordinate(mesh, reference, *axis);
   if (field == nullptr) refuse(mesh, reference);
-  if (suffix == kMagnitude) return magnitude(*field, reference);
+  if (suffix == kValue && field->components == 1) return *field;
+  if (suffix == kMagnitude || suffix == kValue) return magnitude(*field, reference);
   for (const Invariant& invariant : invariants(field->components))
     if (suffix == invariant.name)
       return reduced(*field, reference,

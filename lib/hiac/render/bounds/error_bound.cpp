@@ -6,6 +6,7 @@
 
 #include "hiac/base/rounding.hpp"
 #include "hiac/geometry/vector.hpp"
+#include "hiac/render/bounds/pixel_error.hpp"
 
 namespace hiac {
 namespace {
@@ -275,10 +276,15 @@ ErrorBound shade_bound(const FrameIsosurface& surface, std::span<const FrameLigh
 
 double pixel_error(const Frame& frame, const PixelDetails& pixel, double transparency, bool ended,
                    double background) {
+  return pixel_error(frame.largest_light, pixel, transparency, ended, background);
+}
+
+double pixel_error(double largest_light, const PixelDetails& pixel, double transparency, bool ended,
+                   double background) {
   const double left = ended ? transparency : 0;
   // the scene behind replaces the background, and either may be wrong by what the other lacks
-  const double behind = left * std::max(frame.largest_light, background) +
-                        (ended ? pixel.transparency_error * frame.largest_light : 0);
+  const double behind = left * std::max(largest_light, background) +
+                        (ended ? pixel.transparency_error * largest_light : 0);
   const double lost = pixel.transparency_error + pixel.open_edge;
   return std::max(pixel.radiance_error + pixel.open_edge + behind + lost * background,
                   lost + left) +

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "hiac/render/pixels/compositor.hpp"
+#include "hiac/render/pixels/sorted_segments.hpp"
 
 namespace hiac {
 
@@ -27,8 +28,7 @@ bool SegmentList::nearer(std::uint32_t a, std::uint32_t b) const {
   return p.back != q.back ? p.back < q.back : a < b;
 }
 
-void composite_sorted(const SegmentList& list, double witness_tolerance, TileBuffer& buffer,
-                      TileCounts& counts) {
+std::vector<std::uint32_t> sorted_segments(const SegmentList& list) {
   // counting sort by pixel, then a comparison sort of each pixel's few segments by depth
   std::vector<std::uint32_t> start(kTileStride * kTileHeight + 1, 0);
   for (const ListedSegment& s : list.segments) ++start[s.pixel + 1];
@@ -36,15 +36,18 @@ void composite_sorted(const SegmentList& list, double witness_tolerance, TileBuf
   std::vector<std::uint32_t> sorted(list.segments.size());
   std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
   for (std::uint32_t s = 0; s < sorted.size(); ++s) sorted[next[list.segments[s].pixel]++] = s;
-
   const auto nearer = [&](std::uint32_t a, std::uint32_t b) { return list.nearer(a, b); };
-  for (std::size_t p = 0; p + 1 < start.size(); ++p) {
+  for (std::size_t p = 0; p + 1 < start.size(); ++p)
     std::sort(sorted.begin() + start[p], sorted.begin() + start[p + 1], nearer);
-    for (std::uint32_t i = start[p]; i < start[p + 1]; ++i) {
-      const ListedSegment& s = list.segments[sorted[i]];
-      if (!list.details.empty()) describe(p, list.details[sorted[i]], witness_tolerance, buffer);
-      composite(p, s.front, s.back, s.light, witness_tolerance, buffer, counts);
-    }
+  return sorted;
+}
+
+void composite_sorted(const SegmentList& list, double witness_tolerance, TileBuffer& buffer,
+                      TileCounts& counts) {
+  for (const std::uint32_t k : sorted_segments(list)) {
+    const ListedSegment& s = list.segments[k];
+    if (!list.details.empty()) describe(s.pixel, list.details[k], witness_tolerance, buffer);
+    composite(s.pixel, s.front, s.back, s.light, witness_tolerance, buffer, counts);
   }
 }
 

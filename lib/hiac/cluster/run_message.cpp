@@ -1,0 +1,111 @@
+#include "hiac/cluster/run_message.hpp"
+
+#include <array>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace hiac {
+namespace {
+
+static_assert(kTileStride * kTileHeight <= std::numeric_limits<std::uint16_t>::max());
+
+// The numbers of a run, and those of its facts.
+constexpr std::size_t kRunNumbers = 6, kFactNumbers = 6;
+
+void put_facts(ByteWriter& to, std::span<const RunFacts> all) {
+  std::vector<double> numbers;
+  std::vector<std::uint32_t> counts;
+  numbers.reserve(kFactNumbers * all.size());
+  for (const RunFacts& f : all) {
+    numbers.insert(numbers.end(), {f.first, f.mean, f.radiance_error, f.transparency_error,
+                                   f.front_edge, f.back_edge});
+    counts.insert(counts.end(), {f.cells, f.violations});
+  }
+  to.put_all(std::span<const double>(numbers));
+  to.put_all(std::span<const std::uint32_t>(counts));
+}
+
+std::vector<RunFacts> get_facts(ByteReader& from, std::size_t count) {
+  const auto numbers = from.get_all<double>(kFactNumbers * count);
+  const auto counts = from.get_all<std::uint32_t>(2 * count);
+  std::vector<RunFacts> all(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const double* n = numbers.data() + kFactNumbers * k;
+    all[k] = {n[0], n[1], n[2], n[3], n[4], n[5], counts[2 * k], counts[2 * k + 1]};
+  }
+  return all;
+}
+
+}  // namespace
+
+void put_runs(ByteWriter& to, const TileRuns& runs) {
+  const std::size_t count = runs.runs.size();
+  to.put(static_cast<std::uint32_t>(count));
+  to.put(static_cast<std::uint32_t>(runs.facts.size()));
+  to.put(runs.counts.segments);
+  to.put(runs.counts.violations);
+  std::vector<std::uint16_t> pixels;
+  std::vector<double> numbers;
+  pixels.reserve(count);
+  numbers.reserve(kRunNumbers * count);
+  for (const RayRun& run : runs.runs) {
+    const auto& [rgb, transparency] = run.light;
+    pixels.push_back(static_cast<std::uint16_t>(run.pixel));
+    numbers.insert(numbers.end(), {run.front, run.back, rgb[0], rgb[1], rgb[2], transparency});
+  }
+  to.put_all(std::span<const std::uint16_t>(pixels));
+  to.put_all(std::span<const double>(numbers));
+  put_facts(to, runs.facts);
+}
+
+TileRuns get_runs(ByteReader& from) {
+  const auto count = from.get<std::uint32_t>(), facts = from.get<std::uint32_t>();
+  TileRuns runs;
+  runs.counts.segments = from.get<std::uint64_t>();
+  runs.counts.violations = from.get<std::uint64_t>();
+  const auto pixels = from.get_all<std::uint16_t>(count);
+  const auto numbers = from.get_all<double>(kRunNumbers * count);
+  runs.runs.resize(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const double* n = numbers.data() + kRunNumbers * k;
+    runs.runs[k] = {n[0], n[1], {{n[2], n[3], n[4]}, n[5]}, pixels[k]};
+  }
+  runs.facts = get_facts(from, facts);
+  return runs;
+}
+
+void put_summary(ByteWriter& to, const TileSummary& summary) {
+  to.put(summary.counts.segments);
+  to.put(summary.counts.violations);
+  to.put(summary.optical_depth_sum);
+  to.put(summary.optical_depth_most);
+  to.put(summary.covered);
+  to.put(summary.with_depth);
+}
+
+TileSummary get_summary(ByteReader& from) {
+  TileSummary summary;
+  summary.counts.segments = from.get<std::uint64_t>();
+  summary.counts.violations = from.get<std::uint64_t>();
+  summary.optical_depth_sum = from.get<double>();
+  summary.optical_depth_most = from.get<double>();
+  summary.covered = from.get<std::uint64_t>();
+  summary.with_depth = from.get<std::uint64_t>();
+  return summary;
+}
+
+void put_finished(ByteWriter& to, const FinishedTile& tile) {
+  put_summary(to, tile.summary);
+  to.put(static_cast<std::uint64_t>(tile.values.size()));
+  to.put_all(std::span<const double>(tile.values));
+}
+
+FinishedTile get_finished(ByteReader& from) {
+  FinishedTile tile;
+  tile.summary = get_summary(from);
+  tile.values = from.get_all<double>(from.get<std::uint64_t>());
+  return tile;
+}
+
+}  // namespace hiac

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+
+#include "hiac/frame/tiles/finished_tile.hpp"
+
+namespace hiac {
+
+/// Several processes that draw the tiles of one picture: each has the same mesh and calls
+/// draw_picture with the same arguments.
+class TileCrew {
+ public:
+  TileCrew() = default;
+  TileCrew(const TileCrew&) = delete;
+  TileCrew& operator=(const TileCrew&) = delete;
+  virtual ~TileCrew() = default;
+
+  using Finish = std::function<FinishedTile(std::size_t tile)>;
+  using Take = std::function<void(std::size_t tile, FinishedTile finished)>;
+  /// Hands the tiles out in this order, one at a time. Every tile is drawn by one process, by a
+  /// call of `finish` from any of its threads. Then calls `take` for all tiles in every process,
+  /// one after the other; only the process that writes the picture gets their values, the others
+  /// the summaries alone.
+  virtual void share(std::span<const std::size_t> tiles, const Finish& finish,
+                     const Take& take) const = 0;
+};
+
+}  // namespace hiac

@@ -1,0 +1,214 @@
+// hiac-render-mpi as a user calls it, by as many processes as the machine has no cores for.
+
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "hiac/image/image_io.hpp"
+#include "hiac/mesh/parted/write_parts.hpp"
+#include "hiac/mesh/zoo_container.hpp"
+#include "tests/support/meshes.hpp"
+#include "tests/tools/tool_folder.hpp"
+
+namespace hiac::test {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string kView = R"([image]
+width = 150
+height = 90
+[camera]
+eye = [2.3, 1.9, 1.4]
+look_at = [0.5, 0.5, 0.5]
+up = [0.0, 0.0, 1.0]
+fov = 35.0
+[volume.color]
+field = "f"
+points = [[0.0, 0.1, 0.2, 0.9], [1.0, 0.9, 0.1, 0.1]]
+range = "auto"
+[volume.extinction]
+field = "g"
+points = [[0.0, 0.1], [1.0, 3.0]]
+[[isosurface]]
+field = "f"
+value = 0.5
+opacity = 0.25
+[background]
+color = [0.25, 0.5, 0.75]
+[render]
+tolerance = 1e-13
+)";
+
+class RenderMpi : public ToolFolder {
+ protected:
+  static constexpr std::uint32_t kParts = 5;
+
+  void SetUp() override {
+    ToolFolder::SetUp();
+    mesh_ = random_delaunay(120, 4);
+    add_node_field(mesh_, "f", smooth_field);
+    add_node_field(mesh_, "g", [](const Position& p) { return p[2]; });
+    write_zoo_file(file("m.zoo"), {mesh_, {}});
+    write_parts("m.zparts", mesh_);
+    std::ofstream(file("view.toml")) << kView;
+    std::ofstream(file("turn.toml")) << kView << "[turntable]\nframes = 3\n";
+  }
+
+  void write_parts(const std::string& name, const ZooMesh& mesh) const {
+    std::mt19937_64 random(1);
+    std::vector<std::uint32_t> part(mesh.cell_count());
+    for (std::uint32_t& p : part) p = static_cast<std::uint32_t>(random() % kParts);
+    write_parted_mesh(file(name), mesh, part, kParts, [](const std::string&) {});
+  }
+
+  // Both implementations of MPI understand what concerns them.
+  [[nodiscard]] static std::string mpi(int ranks) {
+    return fmt::format(
+        "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+        "OMPI_MCA_rmaps_base_oversubscribe=1 timeout 60 '" HIAC_MPIEXEC "' -n {} ",
+        ranks);
+  }
+  [[nodiscard]] int render(int ranks, const std::string& arguments) const {
+    return run(mpi(ranks) + "'" HIAC_RENDER_MPI "' --threads 1 " + arguments);
+  }
+  [[nodiscard]] bool exists(const std::string& name) const {
+    return std::filesystem::exists(file(name));
+  }
+  // The lines of the program itself: what runs the processes adds its own.
+  [[nodiscard]] std::vector<std::string> told() const {
+    std::ifstream text(file("err.txt"));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(text, line);)
+      if (line.starts_with("hiac-render-mpi: ")) lines.push_back(line);
+    return lines;
+  }
+
+  ZooMesh mesh_;
+};
+
+TEST_F(RenderMpi, WholeMeshesMakeThePictureOfHiacRender) {
+  const std::vector<std::string> all{"--channels depth,cells,error -o {}.npy", "-o {}.png",
+                                     "--samples 2 --crop 20,10,90,64 -o {}.npy"};
+  for (const std::string& options : all) {
+    const std::string name = options.ends_with("png") ? "{}.png" : "{}.npy";
+    const std::string common = "-q m.zoo --view view.toml ";
+    ASSERT_EQ(run("$RENDER " + common + fmt::format(fmt::runtime(options), "one")), 0);
+    for (const int ranks : name.ends_with("png") ? std::vector{1, 2, 8} : std::vector{3}) {
+      ASSERT_EQ(render(ranks, common + fmt::format(fmt::runtime(options), "many")), 0)
+          << complaint();
+      EXPECT_EQ(bytes_of(file(fmt::format(fmt::runtime(name), "one"))),
+                bytes_of(file(fmt::format(fmt::runtime(name), "many"))))
+          << ranks << options;
+    }
+  }
+}
+
+TEST_F(RenderMpi, PartsMakeOnePictureWhateverTheRanks) {
+  ASSERT_EQ(run("$RENDER -q m.zoo --view view.toml -o whole.npy"), 0);
+  const Image whole = read_image(file("whole.npy"), {.width = 150}).image;
+  std::string first;
+  for (const int ranks : {1, 2, 3, 8}) {
+    ASSERT_EQ(render(ranks, "-q m.zparts --view view.toml -o parts.npy"), 0) << complaint();
+    const Image parts = read_image(file("parts.npy"), {.width = 150}).image;
+    ASSERT_EQ(parts.values().size(), whole.values().size());
+    for (std::size_t k = 0; k < whole.values().size(); ++k)
+      ASSERT_NEAR(parts.values()[k], whole.values()[k], 1e-13);
+    if (first.empty()) first = bytes_of(file("parts.npy"));
+    EXPECT_EQ(bytes_of(file("parts.npy")), first) << ranks;
+  }
+}
+
+TEST_F(RenderMpi, FramesOfPartsAndOfTheWhole) {
+  ASSERT_EQ(run("$RENDER -q m.zoo --view turn.toml --frames -o one-%d.png"), 0);
+  ASSERT_EQ(render(2, "-q m.zoo --view turn.toml --frames -o many-%d.png"), 0) << complaint();
+  ASSERT_EQ(render(3, "-q m.zparts --view turn.toml --frames --samples 2 -o parts-%d.npy"), 0)
+      << complaint();
+  ASSERT_EQ(render(1, "-q m.zparts --view turn.toml --frame 2 --samples 2 -o alone.npy"), 0);
+  for (const int frame : {0, 1, 2}) {
+    EXPECT_EQ(bytes_of(file(fmt::format("one-{}.png", frame))),
+              bytes_of(file(fmt::format("many-{}.png", frame))));
+    EXPECT_TRUE(exists(fmt::format("parts-{}.npy", frame)));
+  }
+  EXPECT_EQ(bytes_of(file("parts-2.npy")), bytes_of(file("alone.npy")));
+}
+
+TEST_F(RenderMpi, ErrorsEndAllProcessesWithOneLine) {
+  struct Wrong {
+    std::string arguments;
+    int code;
+    std::string told;
+  };
+  std::filesystem::copy(file("m.zparts"), file("less.zparts"));
+  ASSERT_EQ(run("sed -i s/m.3.zoo/no.3.zoo/ less.zparts"), 0);
+  ZooMesh other = mesh_;
+  add_node_field(other, "h", smooth_field);
+  write_parts("other.zparts", other);
+  ASSERT_EQ(run("sed s/m.2.zoo/other.2.zoo/ m.zparts > mixed.zparts"), 0);
+  const std::vector<Wrong> all{
+      {"m.zoo --view view.toml --bad -o x.npy", 2, "--bad"},
+      {"m.zoo --view view.toml", 2, "--output is required"},
+      {"none.zoo --view view.toml -o x.npy", 3, "none.zoo"},
+      {"m.zoo --view view.toml --engine preview -o x.npy", 2, "hiac-render expected"},
+      {"m.zparts -o x.npy", 2, "--view is required"},
+      {"m.zparts --view view.toml --overlap -o x.npy", 2, "--overlap: not for a mesh in parts"},
+      {"m.zparts --view view.toml --set skin.opacity=1 -o x.npy", 2, "`skin`"},
+      {"m.zparts --view view.toml -o none/x.npy", 3, "none/x.npy"},
+      {"less.zparts --view view.toml -o x.npy", 3, "no.3.zoo"},
+      {"mixed.zparts --view view.toml -o x.npy", 3, "other.2.zoo"}};
+  for (const auto& [arguments, code, line] : all) {
+    const int ranks = code == 2 ? 2 : 3;
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(render(ranks, "-q " + arguments), code) << arguments << complaint();
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10)) << arguments;
+    EXPECT_THAT(told(), testing::ElementsAre(HasSubstr(line))) << complaint();
+    EXPECT_FALSE(exists("x.npy"));
+  }
+}
+
+// The disk is full once the work is under way: MPI itself needs files before.
+TEST_F(RenderMpi, AFullDiskLeavesNoPicture) {
+  EXPECT_EQ(
+      run(mpi(2) + "sh -c '(sleep 0.4; prlimit --pid $$ --fsize=4096) & exec \"" HIAC_RENDER_MPI
+                   "\" -q m.zparts --view view.toml --threads 1 --samples 8 -o x.npy'"),
+      3)
+      << complaint();
+  EXPECT_THAT(told(), testing::ElementsAre(HasSubstr("x.npy")));
+  EXPECT_FALSE(exists("x.npy"));
+}
+
+// Each rank in turn is killed, early and late.
+TEST_F(RenderMpi, ARankThatDiesEndsAllAndLeavesNoPicture) {
+  struct Death {
+    const char* input;
+    int rank;
+    double after;  // seconds
+  };
+  for (const auto& [input, rank, after] : {Death{"m.zoo", 0, 0.3},
+                                           {"m.zoo", 2, 1.2},
+                                           {"m.zparts", 1, 0.3},
+                                           {"m.zparts", 0, 0.8},
+                                           {"m.zparts", 2, 1.2}}) {
+    const auto start = std::chrono::steady_clock::now();
+    // the name of the process that dies is one of its own
+    const int code = run(fmt::format(
+        "{}sh -c 'r=${{OMPI_COMM_WORLD_RANK:-$PMI_RANK}}; [ $r = {} ] && (sleep {}; kill -9 "
+        "$$) & exec \"" HIAC_RENDER_MPI
+        "\" -q {} --view view.toml --threads 1 --samples 40 -o x.npy'",
+        mpi(3), rank, after, input));
+    EXPECT_NE(code, 0);
+    EXPECT_NE(code, 124);  // as after a minute
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+    EXPECT_FALSE(exists("x.npy"));
+  }
+}
+
+}  // namespace
+}  // namespace hiac::test

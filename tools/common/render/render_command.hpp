@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+
+#include "hiac/frame/tiles/tile_crew.hpp"
+#include "tools/common/picture/picture_command.hpp"
+#include "tools/common/render/picture_options.hpp"
+#include "tools/common/tool.hpp"
+
+namespace hiac::tools {
+
+/// What a program that makes pictures of a mesh is among others that make them with it.
+struct RenderRole {
+  const TileCrew* crew = nullptr;  ///< the processes that share the drawing; null: this one alone
+  bool writes = true;              ///< false: another process writes and reports
+  /// Makes pictures of a mesh in parts; without it the parts are put together. The options that do
+  /// not fit have been refused.
+  std::function<void(Tool& tool, PictureCommand& command, const PictureOptions& picture)>
+      draw_parts = {};
+};
+
+/// The command that makes pictures of a mesh, as hiac-render has it: adds its options to the tool
+/// and runs it.
+int render_command(Tool& tool, int argc, char** argv, const RenderRole& role);
+
+}  // namespace hiac::tools
