@@ -85,6 +85,7 @@ TEST(Crop, WorksOnTheTilesThatItNeeds) {
   EXPECT_EQ(sum.covered_pixels, whole.covered_pixels);
   EXPECT_NEAR(sum.mean_optical_depth, whole.mean_optical_depth, 1e-12);
   EXPECT_EQ(sum.largest_optical_depth, whole.largest_optical_depth);
+  EXPECT_EQ(sum.depth_pixels, whole.depth_pixels);
 }
 
 TEST(Crop, MustLieInThePicture) {

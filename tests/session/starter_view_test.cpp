@@ -87,11 +87,61 @@ TEST(StarterView, MeshesWithoutAFieldAreSolid) {
   const ZooMesh mesh = box(2, {2, 1, 1});
   const StarterView view = make_starter_view(mesh, "m");
   ASSERT_TRUE(view.scene.skin && view.scene.edges);
-  EXPECT_GT(seen(mesh, view.scene).depth, 100);  // opaque
+  EXPECT_EQ(seen(mesh, view.scene).depth, 0);  // opaque: the medium is hidden
   EXPECT_THAT(view.text, HasSubstr("\n[skin]\n"));
   EXPECT_EQ(parse_scene(view.text, "text").scene, view.scene);
   // surfaces are not hidden
   EXPECT_FALSE(make_starter_view(mesh, "m", {.isovalues = 2}).scene.skin);
+}
+
+TEST(StarterView, DrawsFeatureEdgesOverTheMedium) {
+  ZooMesh mesh = box(3, {2, 1, 1});
+  test::add_node_field(mesh, "f", test::smooth_field);
+  const Scene scene = make_starter_view(mesh, "m").scene;
+  ASSERT_TRUE(scene.edges);
+  EXPECT_FALSE(scene.skin);
+  EXPECT_EQ(scene.edges->show, EdgeChoice::feature);
+  EXPECT_EQ(scene.edges->width, 1);
+  EXPECT_THAT(scene.edges->color, Each(0));
+  EXPECT_THAT(make_starter_view(mesh, "m", {.dark = true}).scene.edges->color,
+              Each(testing::Gt(0.5)));
+}
+
+TEST(StarterView, OpaqueEdgesDoNotCountAsMedium) {
+  ZooMesh mesh = box(3, {2, 1, 1});
+  test::add_node_field(mesh, "f", test::smooth_field);
+  Scene with = make_starter_view(mesh, "m").scene, without = with;
+  without.edges.reset();
+  with.edges->width = 3;
+  const auto picture = [&](Scene scene) {
+    scene.image = {128, 96};
+    return Session(mesh).picture(scene);
+  };
+  const Picture lines = picture(with), medium = picture(without);
+  EXPECT_NEAR(lines.mean_optical_depth, medium.mean_optical_depth, 0.1);
+  EXPECT_LT(lines.largest_optical_depth, medium.largest_optical_depth + 1e-12);
+}
+
+TEST(StarterView, LeavesOutMoreFeatureEdgesThanThePictureHolds) {
+  // loose bricks: every edge of every brick is a feature
+  ZooMesh mesh = test::structured(24, test::Cut::bricks);
+  std::vector<CellKind> kinds;
+  std::vector<std::uint64_t> elems{0};
+  std::vector<NodeId> nodes;
+  for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {
+    if (cell % 2 != 0) continue;  // neighbours along x
+    kinds.push_back(mesh.kinds[cell]);
+    for (const NodeId node : mesh.cell_nodes(cell)) nodes.push_back(node);
+    elems.push_back(nodes.size());
+  }
+  mesh.kinds = std::move(kinds);
+  mesh.elems = std::move(elems);
+  mesh.nodes = std::move(nodes);
+  mesh.adjacency.reset();
+  test::add_node_field(mesh, "f", test::smooth_field);
+  const StarterView view = make_starter_view(mesh, "m", {.size = {{96, 72}}});
+  EXPECT_FALSE(view.scene.edges);
+  EXPECT_THAT(view.notes, testing::Contains(HasSubstr("leaves the feature edges out")));
 }
 
 TEST(StarterView, ShowsTheFieldThatSaysMost) {

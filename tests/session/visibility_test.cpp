@@ -66,6 +66,16 @@ TEST(Visibility, GoodPicturesGiveNoReason) {
   EXPECT_EQ(reason(scene), "");
 }
 
+TEST(Visibility, EdgesDoNotHideThatTheMediumIsNotSeen) {
+  Scene scene = good_view();
+  ASSERT_TRUE(scene.edges && !scene.skin);
+  EXPECT_EQ(reason(scene), "");
+  for (auto& point : scene.volume.extinction->points) point.value[0] *= 1e-5;
+  EXPECT_THAT(reason(scene), HasSubstr("the medium is too thin to be seen"));
+  for (auto& point : scene.volume.extinction->points) point.value[0] = 0;
+  EXPECT_THAT(invisible_parts(cube(), scene), ElementsAre(HasSubstr("zero for all values of 'x'")));
+}
+
 TEST(Visibility, PointsThatTheFieldDoesNotMeet) {
   for (const double shift : {-3.0, 3.0}) {
     Scene scene = good_view();

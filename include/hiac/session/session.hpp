@@ -56,7 +56,9 @@ struct Picture {
   std::uint64_t segments = 0;    ///< ray segments, one for each cell that a ray meets
   std::uint64_t violations = 0;  ///< segments out of order
   std::uint64_t covered_pixels = 0;
-  double mean_optical_depth = 0, largest_optical_depth = 0;  ///< over the covered pixels
+  /// Of the medium and the isosurfaces, over the covered pixels that tell it: those whose skin and
+  /// edges let through a thousandth of what is behind them or more.
+  double mean_optical_depth = 0, largest_optical_depth = 0;
   std::string mesh_hash;                                     ///< content_hash of the mesh
   // complete results, for callers who know the types
   std::shared_ptr<const MeshOrder> order;

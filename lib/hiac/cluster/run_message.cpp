@@ -81,6 +81,7 @@ void put_summary(ByteWriter& to, const TileSummary& summary) {
   to.put(summary.optical_depth_sum);
   to.put(summary.optical_depth_most);
   to.put(summary.covered);
+  to.put(summary.with_depth);
 }
 
 TileSummary get_summary(ByteReader& from) {
@@ -90,6 +91,7 @@ TileSummary get_summary(ByteReader& from) {
   summary.optical_depth_sum = from.get<double>();
   summary.optical_depth_most = from.get<double>();
   summary.covered = from.get<std::uint64_t>();
+  summary.with_depth = from.get<std::uint64_t>();
   return summary;
 }
 

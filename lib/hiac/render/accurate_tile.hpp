@@ -7,6 +7,7 @@
 #include "hiac/frame/cell_groups.hpp"
 #include "hiac/frame/frame.hpp"
 #include "hiac/frame/tiles/drawn_tile.hpp"
+#include "hiac/frame/tiles/surface_cover.hpp"
 #include "hiac/order/visibility_order.hpp"
 #include "hiac/render/edges/screen_edges.hpp"
 #include "hiac/render/edges/tile_edges.hpp"
@@ -18,7 +19,7 @@
 namespace hiac {
 
 /// One tile, drawn by the accurate engine (engine.hpp).
-class AccurateTile final : public DrawnTile {
+class AccurateTile final : public DrawnTile, public SurfaceCover {
  public:
   /// Draws the cells at these positions of the order. All arguments must outlive this object.
   AccurateTile(const Frame& frame, const SplattedCells& splatted, const ScreenEdges& edges,
@@ -32,6 +33,9 @@ class AccurateTile final : public DrawnTile {
   }
   [[nodiscard]] double error(std::size_t at, double background) override {
     return refinement_.error(buffer_, at, background);
+  }
+  [[nodiscard]] double surface_transparency(std::size_t at) const override {
+    return tile_edges_.transparency(at) * skin_.transparency(at);
   }
 
  private:

@@ -26,6 +26,11 @@ bool lies_on(const ZooMesh& mesh, CellId cell, std::size_t face, const TileEdges
 
 }  // namespace
 
+SkinPainter::SkinPainter(const Frame& frame, TileEdges& edges)
+    : frame_(frame), edges_(edges), skin_(frame) {
+  if (!frame.skin.faces.empty()) transparency_.assign(kTileStride * kTileHeight, 1);
+}
+
 void SkinPainter::draw(const TileTarget& to, CellId cell, bool with_inside) {
   skin_.enter(cell, to.tile);
   if (to.group != nullptr) {
@@ -92,6 +97,7 @@ void SkinPainter::add_skin(const TileTarget& to, Which which) {
     const std::size_t at = to.tile.index(crossing.x, crossing.y);
     if (!to.is_seen(at)) continue;
     const auto [rgb, transparency] = skin_.shade(crossing);
+    transparency_[at] *= transparency;
     const double t = end_at(at, crossing.t, crossing.enters);
     if (frame_.with_details) {
       SegmentDetails details;

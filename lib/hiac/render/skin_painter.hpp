@@ -30,10 +30,15 @@ namespace hiac {
 class SkinPainter {
  public:
   /// `edges`: those of the tile. Both must outlive this object.
-  SkinPainter(const Frame& frame, TileEdges& edges) : frame_(frame), edges_(edges), skin_(frame) {}
+  SkinPainter(const Frame& frame, TileEdges& edges);
 
   /// Draws one cell. `with_inside`: else only its skin and edges.
   void draw(const TileTarget& to, CellId cell, bool with_inside);
+
+  /// The transparency of all that has been composited of the skin in a pixel.
+  [[nodiscard]] double transparency(std::size_t at) const {
+    return transparency_.empty() ? 1 : transparency_[at];
+  }
 
  private:
   enum class Which : std::uint8_t { entered, left, all };
@@ -46,6 +51,7 @@ class SkinPainter {
   const Frame& frame_;
   TileEdges& edges_;
   CellSkin skin_;
+  std::vector<double> transparency_;
   SegmentList list_;  // of a cell that is crossed several times
   // Where the segment of the cell at hand begins and ends in each pixel; used in lists.
   struct Ends {

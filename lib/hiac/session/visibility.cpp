@@ -134,7 +134,7 @@ void look_at_volume(Extents& extents, const Scene& scene, std::vector<std::strin
   const auto line = missed("volume.extinction", extinction, extent);
   if (line) found.push_back(*line);
   const bool seen = largest_over(extinction, extent) > 0 || glows_alone(volume);
-  if (!seen && !line && scene.isosurfaces.empty() && !draws_boundary(scene))
+  if (!seen && !line && scene.isosurfaces.empty() && !scene.skin)
     found.push_back(fmt::format(
         "volume.extinction: zero for all values of '{}' ({}): the medium is not seen (points with "
         "an extinction above 0 there make it visible)",
@@ -233,7 +233,7 @@ std::optional<std::string> reason_of_empty(const ZooMesh& mesh, const Scene& sce
                                            const DrawnFacts& drawn) {
   if (drawn.covered_pixels == 0) return why_no_pixel(mesh, scene, drawn.is_part);
   const bool medium_alone =
-      scene.volume.extinction && scene.isosurfaces.empty() && !draws_boundary(scene);
+      scene.volume.extinction && scene.isosurfaces.empty() && !scene.skin;
   const double opacity = -std::expm1(-drawn.largest_optical_depth);
   if (!medium_alone || glows_alone(scene.volume) || opacity >= kInvisible || opacity <= 0)
     return std::nullopt;

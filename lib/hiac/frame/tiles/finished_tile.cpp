@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "hiac/frame/background.hpp"
+#include "hiac/frame/tiles/surface_cover.hpp"
 
 namespace hiac {
 namespace {
@@ -34,17 +35,24 @@ double channel_value(Channel channel, const Projector& projector, DrawnTile& til
 
 }  // namespace
 
-void TileSummary::add_pixel(double transparency) {
-  const double depth = -std::log(std::max(transparency, std::numeric_limits<double>::min()));
+void TileSummary::add_pixel(double transparency, double surfaces) {
+  constexpr double kLeast = 1e-3;      // what hides the medium does not tell its depth
+  constexpr double kRounding = 1e-14;  // of two products
+  ++covered;
+  if (surfaces < kLeast) return;
+  const double depth =
+      -std::log(std::max(transparency / surfaces, std::numeric_limits<double>::min()));
+  if (surfaces < 1 && depth <= kRounding) return;
   optical_depth_sum += depth;
   optical_depth_most = std::max(optical_depth_most, depth);
-  ++covered;
+  ++with_depth;
 }
 
 TileSummary write_tile(DrawnTile& drawn, const TileRect& tile, const Projector& projector,
                        const Scene& scene, const PictureParts& wanted, Image& image) {
   TileSummary summary{.counts = drawn.counts()};
   const TilePixels& pixels = drawn.pixels();
+  const auto* cover = dynamic_cast<const SurfaceCover*>(&drawn);
   const PixelRect& part = wanted.part;
   const int left = static_cast<int>(part.x), top = static_cast<int>(part.y);
   const int x0 = std::max(tile.x0, left), y0 = std::max(tile.y0, top);
@@ -67,7 +75,7 @@ TileSummary write_tile(DrawnTile& drawn, const TileRect& tile, const Projector& 
         pixel[4 + c] =
             channel_value(wanted.channels[c], projector, drawn, at, std::ranges::max(behind));
       if (pixels.last[at] != -std::numeric_limits<double>::infinity())
-        summary.add_pixel(transparency);
+        summary.add_pixel(transparency, cover == nullptr ? 1 : cover->surface_transparency(at));
     }
   }
   return summary;
@@ -79,12 +87,13 @@ RenderStatistics statistics_of(std::span<const TileSummary> tiles) {
     statistics.segments += tile.counts.segments;
     statistics.violations += tile.counts.violations;
     statistics.covered_pixels += tile.covered;
+    statistics.depth_pixels += tile.with_depth;
     statistics.mean_optical_depth += tile.optical_depth_sum;
     statistics.largest_optical_depth =
         std::max(statistics.largest_optical_depth, tile.optical_depth_most);
   }
-  if (statistics.covered_pixels > 0)
-    statistics.mean_optical_depth /= static_cast<double>(statistics.covered_pixels);
+  if (statistics.depth_pixels > 0)
+    statistics.mean_optical_depth /= static_cast<double>(statistics.depth_pixels);
   return statistics;
 }
 

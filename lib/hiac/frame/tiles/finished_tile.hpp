@@ -16,9 +16,10 @@ namespace hiac {
 struct TileSummary {
   TileCounts counts;
   double optical_depth_sum = 0, optical_depth_most = 0;
-  std::uint64_t covered = 0;
+  std::uint64_t covered = 0, with_depth = 0;  // pixels; those that tell the depth of the medium
 
-  void add_pixel(double transparency);
+  /// `surfaces`: the transparency of skin and edges alone (SurfaceCover).
+  void add_pixel(double transparency, double surfaces);
 };
 
 /// A tile as it goes into the picture.

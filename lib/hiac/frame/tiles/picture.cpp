@@ -15,13 +15,14 @@ namespace hiac {
 RenderStatistics& RenderStatistics::operator+=(const RenderStatistics& other) {
   segments += other.segments;
   violations += other.violations;
-  const auto pixels = static_cast<double>(covered_pixels),
-             more = static_cast<double>(other.covered_pixels);
+  const auto pixels = static_cast<double>(depth_pixels),
+             more = static_cast<double>(other.depth_pixels);
   if (more > 0)
     mean_optical_depth =
         (mean_optical_depth * pixels + other.mean_optical_depth * more) / (pixels + more);
   largest_optical_depth = std::max(largest_optical_depth, other.largest_optical_depth);
   covered_pixels += other.covered_pixels;
+  depth_pixels += other.depth_pixels;
   splatted_cells = std::max(splatted_cells, other.splatted_cells);
   prepare_seconds += other.prepare_seconds;
   tile_seconds += other.tile_seconds;

@@ -19,9 +19,12 @@ class TileCrew;
 struct RenderStatistics {
   std::uint64_t segments = 0;    ///< ray segments integrated, one for each cell that a ray meets
   std::uint64_t violations = 0;  ///< segments out of order (section 4)
-  double mean_optical_depth = 0,
-         largest_optical_depth = 0;  ///< over the pixels that the mesh covers
+  /// Of the medium and the isosurfaces, over `depth_pixels`; 0 if there are none of these.
+  double mean_optical_depth = 0, largest_optical_depth = 0;
   std::uint64_t covered_pixels = 0;
+  /// The covered pixels that tell the depth of the medium: not those that show skin or edges alone,
+  /// nor those in which these let less than a thousandth of the light behind them through.
+  std::uint64_t depth_pixels = 0;
   std::uint64_t splatted_cells = 0;  ///< in the whole picture, even if only a part is rendered
   double prepare_seconds = 0, tile_seconds = 0;
 

@@ -24,6 +24,7 @@ TileEdges::TileEdges(const Frame& frame, const ScreenEdges& edges, const TileRec
   if (empty()) return;
   std::ranges::stable_sort(fragments_, {},
                            [](const Fragment& f) { return std::tuple(f.at, f.place.t); });
+  transparency_.assign(kTileStride * kTileHeight, 1);
   first_.assign(kTileStride * kTileHeight + 1, 0);
   for (const Fragment& fragment : fragments_) ++first_[fragment.at + 1];
   for (std::size_t at = 0; at + 1 < first_.size(); ++at) first_[at + 1] += first_[at];
@@ -70,9 +71,10 @@ void TileEdges::append_rest(const TileTarget& to) {
 }
 
 void TileEdges::composite_share(const TileTarget& to, std::size_t at, double at_parameter,
-                                double share) const {
+                                double share) {
   if (!to.is_seen(at)) return;
   const double opacity = std::min(share, 1.0) * look_.opacity;
+  transparency_[at] *= 1 - opacity;
   const PlainRadiance light{
       {opacity * look_.color[0], opacity * look_.color[1], opacity * look_.color[2]}, 1 - opacity};
   if (frame_.with_details) {

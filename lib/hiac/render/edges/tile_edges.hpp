@@ -24,6 +24,10 @@ class TileEdges {
   TileEdges(const Frame& frame, const ScreenEdges& edges, const TileRect& tile);
 
   [[nodiscard]] bool empty() const { return fragments_.empty(); }
+  /// The transparency of all that has been composited of edges in a pixel.
+  [[nodiscard]] double transparency(std::size_t at) const {
+    return transparency_.empty() ? 1 : transparency_[at];
+  }
 
   /// The point of an edge that is nearest to a pixel's centre.
   struct Place {
@@ -61,13 +65,13 @@ class TileEdges {
     Place place;
   };
   void add(const EdgePiece& piece, const TileRect& tile);
-  void composite_share(const TileTarget& to, std::size_t at, double at_parameter,
-                       double share) const;
+  void composite_share(const TileTarget& to, std::size_t at, double at_parameter, double share);
 
   const Frame& frame_;
   const Edges& look_;
   std::vector<Fragment> fragments_;  // by pixel, and by depth
   std::vector<std::size_t> first_;   // of every pixel's, and the end
+  std::vector<double> transparency_;
 };
 
 }  // namespace hiac

@@ -12,6 +12,7 @@
 #include "hiac/scene/specification.hpp"
 #include "hiac/scene/starter_text.hpp"
 #include "hiac/session/session.hpp"
+#include "hiac/session/starter/feature_lines.hpp"
 #include "hiac/session/starter/measured_depth.hpp"
 #include "hiac/session/starter/starter_camera.hpp"
 #include "hiac/session/starter/starter_field.hpp"
@@ -90,6 +91,23 @@ Framing framing_of(const Sight& sight, const Choice& choice,
   return *best;
 }
 
+/// Feature edges over the medium: light lines on a dark background. None, with a note, where there
+/// are more of them than the picture can hold.
+std::optional<Edges> lines_over(const ZooMesh& mesh, const Framing& framing, bool dark,
+                                std::vector<std::string>& notes) {
+  constexpr double kMostCovered = 0.25;
+  constexpr double kLight = 0.6;
+  Edges edges;
+  edges.width = 1;
+  if (dark) edges.color = {kLight, kLight, kLight};
+  const double pixels = framing.depth.coverage * framing.size.width * framing.size.height;
+  if (edges.width * line_length(mesh, edges, framing.camera, framing.size) <= kMostCovered * pixels)
+    return edges;
+  notes.emplace_back(
+      "leaves the feature edges out: they would cover much of the model ([edges] draws them)");
+  return std::nullopt;
+}
+
 ExtinctionTransfer extinction_over(const Choice& choice, double largest) {
   if (is_uniform(choice)) return {choice.field.name, {{choice.low, {largest}}}};
   return {choice.field.name,
@@ -149,6 +167,8 @@ StarterView make_starter_view(const ZooMesh& mesh, const std::string& subject,
     view.notes.emplace_back(
         "shows the solid model with its feature edges ([skin] and [edges]; without them the "
         "medium)");
+  } else {
+    scene.edges = lines_over(mesh, framing, options.dark, view.notes);
   }
   const double backdrop = options.dark ? 0.01 : 1;
   scene.background.color = {backdrop, backdrop, backdrop};
