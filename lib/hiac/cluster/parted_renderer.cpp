@@ -153,7 +153,8 @@ struct PartedRenderer::State {
     for (const Bytes& received : all_gather(all, mine))
       all_splatted += ByteReader(received).get<std::uint64_t>();
     mine.clear();
-    for (const std::uint64_t count : {own.segments, own.violations, own.covered_pixels})
+    for (const std::uint64_t count :
+         {own.segments, own.violations, own.covered_pixels, own.depth_pixels})
       message.put(count);
     for (const double depth : {own.mean_optical_depth, own.largest_optical_depth})
       message.put(depth);
@@ -163,6 +164,7 @@ struct PartedRenderer::State {
     result.segments = from.get<std::uint64_t>();
     result.violations = from.get<std::uint64_t>();
     result.covered_pixels = from.get<std::uint64_t>();
+    result.depth_pixels = from.get<std::uint64_t>();
     result.mean_optical_depth = from.get<double>();
     result.largest_optical_depth = from.get<double>();
     result.splatted_cells = all_splatted;

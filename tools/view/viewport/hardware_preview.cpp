@@ -34,7 +34,7 @@ HardwarePreview::HardwarePreview() : state_(std::make_unique<State>()) {}
 HardwarePreview::~HardwarePreview() = default;
 
 bool HardwarePreview::draws(const Scene& scene) {
-  return !scene.skin && !scene.edges && scene.render.splat_below <= 0;
+  return !scene.skin && scene.render.splat_below <= 0;
 }
 
 const std::string& HardwarePreview::device() const { return state_->context.device().name; }

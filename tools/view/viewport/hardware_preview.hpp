@@ -20,7 +20,8 @@ class HardwarePreview {
   HardwarePreview(const HardwarePreview&) = delete;
   HardwarePreview& operator=(const HardwarePreview&) = delete;
 
-  /// Whether it draws all of a scene: it has neither skin, edges nor splats.
+  /// Whether it draws a scene, but for edges, which it leaves out: the scene has neither skin nor
+  /// splats.
   static bool draws(const Scene& scene);
 
   /// The name of the device that draws.

@@ -23,8 +23,9 @@ QString pixels_text(const Painted& picture) {
 QString picture_facts(const Painted& picture, const std::optional<std::optional<double>>& error,
                       double scale) {
   if (!picture.device.empty())
-    return tr("hardware preview, single precision, by %1 \u00b7 %2 s")
-        .arg(QString::fromStdString(picture.device))
+    return tr("hardware preview, single precision%1, by %2 \u00b7 %3 s")
+        .arg(picture.wanted->scene.edges ? tr(", without edges") : QString(),
+             QString::fromStdString(picture.device))
         .arg(picture.seconds, 0, 'f', 3);
   QStringList parts{tr("accurate engine"), pixels_text(picture)};
   if (picture.step == 1 && error)

@@ -16,9 +16,9 @@ namespace hiac {
 struct TileSummary {
   TileCounts counts;
   double optical_depth_sum = 0, optical_depth_most = 0;
-  std::uint64_t covered = 0, with_depth = 0;  ///< pixels; RenderStatistics::depth_pixels
+  std::uint64_t covered = 0, with_depth = 0;  // pixels; those that tell the depth of the medium
 
-  /// `surfaces`: the transparency of skin and edges alone.
+  /// `surfaces`: the transparency of skin and edges alone (SurfaceCover).
   void add_pixel(double transparency, double surfaces);
 };
 
