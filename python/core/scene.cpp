@@ -10,7 +10,7 @@
 #include <pybind11/stl.h>
 
 #include "hiac/scene/camera_path.hpp"
-#include "hiac/scene/paraview_view.hpp"
+#include "hiac/scene/paraview/paraview_view.hpp"
 #include "hiac/scene/specification.hpp"
 #include "hiac/session/starter_view.hpp"
 #include "python/core/mesh.hpp"
