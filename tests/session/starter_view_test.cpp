@@ -208,6 +208,16 @@ TEST(StarterView, ShowsEverySection) {
   EXPECT_EQ(parse_scene(view.text, "text").scene, view.scene);
 }
 
+// As `--set edges.show=boundary` does: a key that other edges do not have must not be left behind.
+TEST(StarterView, OtherEdgesCanBeShown) {
+  ZooMesh mesh = box(3, {1, 1, 1});
+  test::add_node_field(mesh, "f", test::smooth_field);
+  std::string text = make_starter_view(mesh, "m").text;
+  const std::string feature = "show = \"feature\"";
+  text.replace(text.find(feature), feature.size(), "show = \"boundary\"");
+  EXPECT_EQ(parse_scene(text, "text").scene.edges->show, EdgeChoice::boundary);
+}
+
 TEST(StarterView, RefusesWhatCannotBeSeen) {
   EXPECT_THROW(make_starter_view(ZooMesh{}, "m"), InputError);
   ZooMesh point = box(1, {0, 0, 0});

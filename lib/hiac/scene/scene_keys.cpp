@@ -143,10 +143,11 @@ constexpr SpecKey<Edges> kEdgeKeys[] = {
     {"show", "\"feature\" (where the boundary bends), \"boundary\" or \"all\"", false,
      [](const SpecValue& v, Edges& e) { e.show = v.name_of<EdgeChoice>(kEdgeChoices); },
      [](const Edges& e) -> Text { return name_text<EdgeChoice>(kEdgeChoices, e.show); }},
-    {"angle", "feature: degrees between two faces, above which their edge shows", false,
-     [](const SpecValue& v, Edges& e) { e.angle = v.inside(0, 180); },
+    {"angle", "feature: degrees between two faces, above which their edge shows; without it 30",
+     false, [](const SpecValue& v, Edges& e) { e.angle = v.inside(0, 180); },
      [](const Edges& e) -> Text {
-       if (e.show != EdgeChoice::feature) return std::nullopt;
+       // the default is left out, so that `show` can be changed alone
+       if (e.show != EdgeChoice::feature || e.angle == Edges{}.angle) return std::nullopt;
        return toml_text(e.angle);
      }},
     {"width", "pixels", false,
