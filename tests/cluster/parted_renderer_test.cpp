@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -11,6 +12,7 @@
 #include "hiac/cluster/solo_communicator.hpp"
 #include "hiac/render/engine.hpp"
 #include "tests/cluster/parts_of.hpp"
+#include "tests/order/hard_meshes.hpp"
 #include "tests/render/truth/general_meshes.hpp"
 #include "tests/support/meshes.hpp"
 
@@ -151,6 +153,23 @@ TEST(PartedRenderer, CavitiesSlidingInterfacesAndGaps) {
   expect_whole(contact, at_random(contact, 6, 4), scene_for(Projection::orthographic));
   expect_whole(contact, by_place(contact, [](const Position& p) { return p[2] > 0.5; }),
                scene_for(Projection::perspective));
+}
+
+// Every stick is a part of its own: no order of the parts draws them.
+TEST(PartedRenderer, CyclesAcrossParts) {
+  for (const int sticks : {3, 5, 8}) {
+    const ZooMesh mesh = with_fields(test::ring_of_sticks(sticks, 1));
+    Scene scene = scene_for(Projection::perspective);
+    scene.camera.eye = {0, 0, 12};
+    scene.camera.look_at = {0, 0, 0};
+    scene.camera.up = {0.137, 1, 0};
+    scene.camera.fov = 12;
+    scene.image = {120, 110};
+    EXPECT_FALSE(test::sorted(mesh, scene).groups.empty());
+    Assignment parts(mesh.cell_count());
+    std::iota(parts.begin(), parts.end(), 0U);
+    expect_whole(mesh, parts, scene);
+  }
 }
 
 TEST(PartedRenderer, SeparateFieldsEmissionAndCellFields) {
