@@ -15,7 +15,8 @@ cp -r "$root"/docs/. "$pages"
 # pages of the top move to where docs/ is the top: their links lose that folder, and samples come along
 for page in README.md:index.md CHANGELOG.md:changelog.md CONTRIBUTING.md:contributing.md \
             LICENSES-OF-BINARIES.md:licences.md; do
-  sed 's|](docs/|](|g' "$root/${page%:*}" >"$pages/${page#*:}"
+  sed 's|](docs/|](|g; s|](CHANGELOG\.md|](changelog.md|g; s|](CONTRIBUTING\.md|](contributing.md|g
+       s|](LICENSES-OF-BINARIES\.md|](licences.md|g' "$root/${page%:*}" >"$pages/${page#*:}"
 done
 mkdir -p "$pages/samples/reactor-pool"
 cp "$root"/samples/reactor-pool/*.png "$pages/samples/reactor-pool/"

@@ -51,9 +51,8 @@ foreach(component ${CPACK_COMPONENTS_ALL})
   if(EXISTS ${prefix}/share/zsh/site-functions)
     file(RENAME ${prefix}/share/zsh/site-functions ${prefix}/share/zsh/vendor-completions)
   endif()
-  # cmake --install strips programs that it installs as targets, not archives and copies
-  file(GLOB objects ${prefix}/lib/*.a ${prefix}/lib/*/*.a
-       ${prefix}/lib/python3/dist-packages/hiac/programs/*)
+  # cmake --install strips programs, not archives
+  file(GLOB objects ${prefix}/lib/*.a ${prefix}/lib/*/*.a)
   if(objects)
     run(strip --strip-unneeded --remove-section=.comment --remove-section=.note
         --enable-deterministic-archives ${objects})

@@ -65,3 +65,6 @@ set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
 # archives of object code alone depend on what packages.cmake names
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_FORMATS_PACKAGE_SHLIBDEPS OFF)
+# what Python compiles beside the module goes with it
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_LIST_DIR}/python/postinst
+                                              ${CMAKE_CURRENT_LIST_DIR}/python/prerm)

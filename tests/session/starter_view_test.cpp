@@ -202,7 +202,7 @@ TEST(StarterView, ShowsEverySection) {
   const StarterView view = make_starter_view(mesh, "m");
   for (const char* section :
        {"\n[camera]", "\n[volume]", "\n[volume.color]", "\n[volume.extinction]", "\n[[light]]",
-        "\n[background]", "\n[render]", "\n# [[isosurface]]", "\n# [skin]", "\n# [edges]",
+        "\n[background]", "\n[render]", "\n# [[isosurface]]", "\n# [skin]", "\n[edges]",
         "\n# [turntable]", "\n# [camera_path]", "\n# opacity = ", "\n# frames = 36"})
     EXPECT_THAT("\n" + view.text, HasSubstr(section));
   EXPECT_EQ(parse_scene(view.text, "text").scene, view.scene);

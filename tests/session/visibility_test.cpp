@@ -107,6 +107,8 @@ TEST(Visibility, ExtinctionThatIsZero) {
   EXPECT_THAT(invisible_parts(cube(), scene), IsEmpty());
   scene.isosurfaces.clear();
   scene.volume.extinction.reset();
+  EXPECT_THAT(invisible_parts(cube(), scene), IsEmpty());  // edges are drawn
+  scene.edges.reset();
   EXPECT_THAT(invisible_parts(cube(), scene), ElementsAre(HasSubstr("nothing is drawn")));
 }
 

@@ -59,7 +59,7 @@ struct Picture {
   /// Of the medium and the isosurfaces, over the covered pixels that tell it: those whose skin and
   /// edges let through a thousandth of what is behind them or more.
   double mean_optical_depth = 0, largest_optical_depth = 0;
-  std::string mesh_hash;                                     ///< content_hash of the mesh
+  std::string mesh_hash;  ///< content_hash of the mesh
   // complete results, for callers who know the types
   std::shared_ptr<const MeshOrder> order;
   std::shared_ptr<const RenderStatistics> statistics;

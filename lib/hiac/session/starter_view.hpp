@@ -44,9 +44,9 @@ struct StarterView {
 /// and fields with values that are not finite are none. Without any, the mesh is coloured by its
 /// height, `position:z`. The range leaves out the lowest and the highest percent of values where
 /// these would make up most of it. Without any field, an opaque skin makes the model solid, with
-/// its feature edges, unless isosurfaces are asked for. Over the medium, feature edges are lines one
-/// pixel wide, light on a dark background; they are left out, with a note, where they would cover
-/// more than a quarter of the model.
+/// its feature edges, unless isosurfaces are asked for. Over the medium, feature edges are lines
+/// one pixel wide, light on a dark background; they are left out, with a note, where they would
+/// cover more than a quarter of the model.
 ///
 /// The extinction grows from four tenths at the lower end of the range to the whole at the upper,
 /// and is uniform for the height, such that the mean optical depth, measured along rays of a coarse

@@ -232,8 +232,7 @@ std::vector<std::string> invisible_parts(const ZooMesh& mesh, const Scene& scene
 std::optional<std::string> reason_of_empty(const ZooMesh& mesh, const Scene& scene,
                                            const DrawnFacts& drawn) {
   if (drawn.covered_pixels == 0) return why_no_pixel(mesh, scene, drawn.is_part);
-  const bool medium_alone =
-      scene.volume.extinction && scene.isosurfaces.empty() && !scene.skin;
+  const bool medium_alone = scene.volume.extinction && scene.isosurfaces.empty() && !scene.skin;
   const double opacity = -std::expm1(-drawn.largest_optical_depth);
   if (!medium_alone || glows_alone(scene.volume) || opacity >= kInvisible || opacity <= 0)
     return std::nullopt;
