@@ -173,6 +173,8 @@ TEST(Alignment, FindsOneThingBehindTheOther) {
     for (std::size_t x = 0; x < 90; ++x)
       for (std::size_t c = 0; c < 3; ++c) image.at(x, y, c) = upright.at(x, 69 - y, c);
   const Misfit misfit = find_misfit(image, picture(90, 70));
+  ASSERT_TRUE(misfit.orientation);
+  EXPECT_EQ(misfit.orientation->orientation, Orientation::upside_down);
   ASSERT_TRUE(misfit.encoding);
   ASSERT_TRUE(misfit.place);
   EXPECT_NEAR(misfit.place->shift[0], 1.5, 0.01);
