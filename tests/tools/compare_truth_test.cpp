@@ -60,6 +60,7 @@ class CompareTruth : public testing::Test {
     EXPECT_EQ(run(arguments + " -q --json -"), 0) << errors_;
     return nlohmann::json::parse(out_);
   }
+  nlohmann::json channels(const std::string& arguments) { return facts(arguments)["channels"]; }
 
   test::ScratchFolder folder_;
   Scene scene_;
@@ -106,11 +107,11 @@ TEST_F(CompareTruth, FindsTheErrorOfAPixel) {
 TEST_F(CompareTruth, KnowsWhichPicturesHaveABackground) {
   // integers with an alpha that varies hold none
   write("alpha.png", picture(scene_, false), {.depth = 16});
-  for (const auto& channel : facts("alpha.png --truth m.zoo --view v.toml")["channels"])
+  for (const auto& channel : channels("alpha.png --truth m.zoo --view v.toml"))
     EXPECT_LT(channel["largest_error"], 1e-4) << channel["name"];
   // an alpha of 1 everywhere says nothing
   write("opaque.png", picture(scene_), {.background_included = true, .depth = 16});
-  const auto opaque = facts("opaque.png --truth m.zoo --view v.toml")["channels"];
+  const auto opaque = channels("opaque.png --truth m.zoo --view v.toml");
   EXPECT_EQ(opaque.size(), 3U);
   for (const auto& channel : opaque) EXPECT_LT(channel["largest_error"], 1e-4) << channel["name"];
   write("bare.npy", picture(scene_, false));
