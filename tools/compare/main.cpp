@@ -25,7 +25,7 @@ using namespace hiac;
 using namespace hiac::tools;
 
 struct Options {
-  TruthCommand truth;
+  PictureCommand truth;
   std::string image, reference, heat_map, heat_map_of = "difference";
   double max_error = std::numeric_limits<double>::infinity();
   double max_rmse = std::numeric_limits<double>::infinity();

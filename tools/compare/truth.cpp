@@ -76,7 +76,7 @@ Picture picture_with_bounds(Tool& tool, Session& session, const Scene& scene,
 
 }  // namespace
 
-void add_truth_options(CLI::App& app, TruthCommand& command) {
+void add_truth_options(CLI::App& app, PictureCommand& command) {
   auto* truth = app.add_option("--truth", command.input,
                                "Compare A with the exact picture of this mesh, a zoo mesh or any "
                                "file that hiac-convert reads, in A's size")
@@ -99,7 +99,7 @@ void add_truth_options(CLI::App& app, TruthCommand& command) {
   add_conversion(app, command.conversion);
 }
 
-Truth render_truth(Tool& tool, TruthCommand command, Image& picture, const std::string& path) {
+Truth render_truth(Tool& tool, PictureCommand command, Image& picture, const std::string& path) {
   picture = without_opaque_alpha(tool, std::move(picture), path);
   if (command.view.empty()) command.view = path;
   command.size = fmt::format("{}x{}", picture.width(), picture.height());

@@ -11,12 +11,8 @@
 
 namespace hiac::tools {
 
-/// Of what the truth is rendered: a mesh (empty: two images are compared), a specification, and how
-/// both are read.
-struct TruthCommand : PictureCommand {};
-
-/// Adds --truth and what goes with it.
-void add_truth_options(CLI::App& app, TruthCommand& command);
+/// Adds --truth, the command's input (empty: two images are compared), and what goes with it.
+void add_truth_options(CLI::App& app, PictureCommand& command);
 
 /// The picture that should be there, and how far it may be from the exact one.
 struct Truth {
@@ -29,6 +25,6 @@ struct Truth {
 /// The truth is composited over the specification's background unless the command says otherwise,
 /// or the picture is one of integers whose alpha varies: those hold no background. An alpha that is
 /// 1 everywhere says nothing of the medium; it is taken off the picture. Notes what was decided.
-Truth render_truth(Tool& tool, TruthCommand command, Image& picture, const std::string& path);
+Truth render_truth(Tool& tool, PictureCommand command, Image& picture, const std::string& path);
 
 }  // namespace hiac::tools

@@ -214,7 +214,7 @@ struct Place {
   double x = 0, y = 0, scale = 1;
 };
 
-// Central differences of a plane moved to a place: its values and slopes there.
+// How far a picture at a place is from its reference, and the normal equations of a better place.
 struct Comparison {
   double sum = 0;  // of squared differences
   std::size_t count = 0;
