@@ -53,6 +53,57 @@ TEST(CurveAxes, ZoomAroundAPlace) {
   EXPECT_EQ(narrow.zoomed(50, 0.5), narrow.values());  // no further
 }
 
+const CurveAxes kLogAxes({50, 20, 450, 236}, {1e-3, 10}, {1e-3, 1e2}, TransferScale::log);
+
+TEST(CurveAxes, PutDecadesOfValuesEvenly) {
+  EXPECT_NEAR(kLogAxes.x_of(1e-3), 50, 1e-9);
+  EXPECT_NEAR(kLogAxes.x_of(1e-2), 150, 1e-9);
+  EXPECT_NEAR(kLogAxes.x_of(10), 450, 1e-9);
+  EXPECT_NEAR(kLogAxes.value_along(0.25), 1e-2, 1e-15);
+  for (const double value : {0.0, -0.0, -5.0}) EXPECT_LT(kLogAxes.x_of(value), 0);
+}
+
+TEST(CurveAxes, GoThereAndBackInDecades) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> x(50, 450);
+  for (int i = 0; i < 1000; ++i) {
+    const double at_x = x(random);
+    EXPECT_NEAR(kLogAxes.x_of(kLogAxes.value_at(at_x)), at_x, 0.051);
+  }
+}
+
+TEST(CurveAxes, ZoomAroundAPlaceInDecades) {
+  const auto [low, high] = kLogAxes.zoomed(150, 0.5);  // the value there is 0.01
+  EXPECT_NEAR(low, 1e-2 / std::sqrt(10), 1e-14);
+  EXPECT_NEAR(high, 1e-2 * std::pow(10, 1.5), 1e-13);
+  // as far out as numbers go, and no farther
+  CurveAxes axes = kLogAxes;
+  for (int i = 0; i < 40; ++i)
+    axes = CurveAxes(axes.box(), axes.zoomed(250, 3), axes.extinctions(), TransferScale::log);
+  EXPECT_GT(axes.values()[0], 0);
+  EXPECT_TRUE(std::isfinite(axes.values()[1]));
+  EXPECT_LT(axes.values()[0], 1e-100);
+}
+
+TEST(ShownLogValues, ArePositive) {
+  const auto wide = shown_log_values({1e-2, 1e2});  // a fiftieth of four decades beside them
+  ASSERT_TRUE(wide);
+  EXPECT_NEAR(std::log10((*wide)[0]), -2.08, 1e-12);
+  EXPECT_NEAR(std::log10((*wide)[1]), 2.08, 1e-12);
+  const auto from_zero = shown_log_values({0, 100});
+  ASSERT_TRUE(from_zero);
+  EXPECT_NEAR(std::log10((*from_zero)[0]), 2 - kLogDecades - 0.02 * kLogDecades, 1e-12);
+  EXPECT_EQ(shown_log_values({-3, 0}), std::nullopt);
+  for (const std::array<double, 2> extent :
+       {std::array<double, 2>{2, 2}, {-1e308, 1e308}, {5e-324, 5e-324}, {5e-324, 1.7e308}}) {
+    const auto shown = shown_log_values(extent);
+    ASSERT_TRUE(shown);
+    EXPECT_GT((*shown)[0], 0);
+    EXPECT_LT((*shown)[0], (*shown)[1]);
+    EXPECT_TRUE(std::isfinite((*shown)[1]));
+  }
+}
+
 std::vector<ExtinctionTransfer::Point> points(const std::vector<double>& extinctions) {
   std::vector<ExtinctionTransfer::Point> all;
   for (const double extinction : extinctions)

@@ -2,6 +2,7 @@
 
 #include "tools/view/transfer/transfer_panel.hpp"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QPlainTextEdit>
 #include <QSlider>
@@ -259,6 +260,33 @@ TEST_F(TransferPanelTest, MeasuresTheHistogramAndFollowsTheZoom) {
   EXPECT_TRUE(wait_until([&] { return panel_.is_at_rest(); }));
   curve().show_all_values();
   EXPECT_EQ(curve().axes().values(), before);
+}
+
+TEST_F(TransferPanelTest, PutsValuesEvenlyInTheirLogarithm) {
+  const std::string before = document_.text();
+  const auto linear = curve().axes().values();
+  panel_.log_values().setChecked(true);
+  const CurveAxes axes = curve().axes();
+  EXPECT_EQ(axes.scale(), TransferScale::log);
+  EXPECT_GT(axes.values()[0], 0);
+  const double decade = axes.x_of(0.1) - axes.x_of(0.01);
+  EXPECT_GT(decade, 20);
+  EXPECT_NEAR(axes.x_of(1) - axes.x_of(0.1), decade, 1e-9);
+  EXPECT_TRUE(wait_until([&] { return panel_.is_at_rest(); }));
+  EXPECT_EQ(document_.text(), before);  // an axis is no edit
+  ASSERT_NE(curve().histogram(), nullptr);
+  const std::vector<double>& edges = curve().histogram()->edges;
+  const double ratio = edges[1] / edges[0];
+  EXPECT_GT(ratio, 1);
+  EXPECT_NEAR(edges.back() / edges[edges.size() - 2], ratio, 1e-9 * ratio);
+  // a point is dragged to the value below the mouse
+  const QPoint from = at(Handle::extinction, 1);
+  EXPECT_NEAR(from.x(), axes.x_of(0.5), 1);
+  drag(from, {static_cast<int>(axes.x_of(0.05)), from.y()});
+  EXPECT_NEAR(document_.scene().volume.extinction->points[1].scalar, 0.05, 0.05 * 0.03);
+  panel_.log_values().setChecked(false);
+  EXPECT_EQ(curve().axes().scale(), TransferScale::linear);
+  EXPECT_EQ(curve().axes().values(), linear);
 }
 
 TEST_F(TransferPanelTest, HasAPlotForEachField) {

@@ -9,10 +9,11 @@ namespace {
 
 /// Null if the mesh has no such field any more.
 std::shared_ptr<const VolumeHistogram> histogram_of(const ZooMesh& mesh, const std::string& field,
-                                                    const std::array<double, 2>& values) {
+                                                    const std::array<double, 2>& values,
+                                                    TransferScale scale) {
   try {
     const std::vector<double> edges =
-        bin_edges(values[0], values[1], HistogramSource::kBins, TransferScale::linear);
+        bin_edges(values[0], values[1], HistogramSource::kBins, scale);
     return std::make_shared<const VolumeHistogram>(
         volume_histogram(mesh, scalar_field(mesh, field), edges));
   } catch (const Error&) {
@@ -27,8 +28,8 @@ HistogramSource::~HistogramSource() {
 }
 
 void HistogramSource::measure(std::shared_ptr<const ZooMesh> mesh, const std::string& field,
-                              const std::array<double, 2>& values) {
-  Wanted wanted{std::move(mesh), field, values};
+                              const std::array<double, 2>& values, TransferScale scale) {
+  Wanted wanted{std::move(mesh), field, values, scale};
   if (thread_.joinable())
     next_ = std::move(wanted);
   else
@@ -37,7 +38,7 @@ void HistogramSource::measure(std::shared_ptr<const ZooMesh> mesh, const std::st
 
 void HistogramSource::start(Wanted wanted) {
   thread_ = std::thread([this, wanted = std::move(wanted)] {
-    auto histogram = histogram_of(*wanted.mesh, wanted.field, wanted.values);
+    auto histogram = histogram_of(*wanted.mesh, wanted.field, wanted.values, wanted.scale);
     QMetaObject::invokeMethod(
         this,
         [this, histogram = std::move(histogram), field = QString::fromStdString(wanted.field)] {

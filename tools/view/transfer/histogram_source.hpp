@@ -23,9 +23,10 @@ class HistogramSource : public QObject {
   explicit HistogramSource(QObject* parent = nullptr) : QObject(parent) {}
   ~HistogramSource() override;
 
-  /// Measures a field over these values, low < high; `measured` tells the result.
+  /// Measures a field over these values, low < high, both positive on a logarithmic scale;
+  /// `measured` tells the result.
   void measure(std::shared_ptr<const ZooMesh> mesh, const std::string& field,
-               const std::array<double, 2>& values);
+               const std::array<double, 2>& values, TransferScale scale);
   /// Whether nothing is under way.
   [[nodiscard]] bool is_at_rest() const { return !thread_.joinable(); }
 
@@ -37,6 +38,7 @@ class HistogramSource : public QObject {
     std::shared_ptr<const ZooMesh> mesh;
     std::string field;
     std::array<double, 2> values;
+    TransferScale scale;
   };
   void start(Wanted wanted);
   void finish(std::shared_ptr<const VolumeHistogram> histogram, const QString& field);

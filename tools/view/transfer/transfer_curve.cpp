@@ -61,6 +61,13 @@ void TransferCurve::set_log_counts(bool on) {
   update();
 }
 
+void TransferCurve::set_log_values(bool on) {
+  if (on == log_values_) return;
+  log_values_ = on;
+  histogram_.reset();
+  show_all_values();
+}
+
 void TransferCurve::read_document() {
   if (document_.has_scene()) {
     color_is_preset_ = !preset_of(document_.text()).empty();
@@ -83,12 +90,13 @@ void TransferCurve::update_axes() {
       has_extinction() ? std::span(document_.scene().volume.extinction->points)
                        : std::span<const ExtinctionTransfer::Point>();
   const auto extinctions = pressed_ ? axes_.extinctions() : extinction_range(points);
-  const auto values = pressed_ ? axes_.values() : zoom_.value_or(all_values());
-  axes_ = CurveAxes(box, values, extinctions);
+  const ShownValues all = pressed_ ? ShownValues{axes_.values(), axes_.scale()} : all_values();
+  const auto values = pressed_ ? all.values : zoom_.value_or(all.values);
+  axes_ = CurveAxes(box, values, extinctions, all.scale);
 }
 
 // Those of the field, and the points' beside them.
-std::array<double, 2> TransferCurve::all_values() const {
+TransferCurve::ShownValues TransferCurve::all_values() const {
   std::vector<double> scalars;
   if (has_extinction())
     for (const auto& point : document_.scene().volume.extinction->points)
@@ -96,7 +104,10 @@ std::array<double, 2> TransferCurve::all_values() const {
   if (has_color())
     for (const auto& point : document_.scene().volume.color->points)
       scalars.push_back(point.scalar);
-  return shown_values(with_nearby(extent_, scalars));
+  const std::array<double, 2> extent = with_nearby(extent_, scalars);
+  if (log_values_)
+    if (const auto values = shown_log_values(extent)) return {*values, TransferScale::log};
+  return {shown_values(extent), TransferScale::linear};
 }
 
 bool TransferCurve::has_extinction() const {
@@ -358,7 +369,7 @@ void TransferCurve::show_all_values() {
 
 void TransferCurve::wheelEvent(QWheelEvent* event) {
   const double factor = std::pow(0.8, event->angleDelta().y() / 120.0);
-  const std::array<double, 2> all = all_values();
+  const std::array<double, 2> all = all_values().values;
   const std::array<double, 2> wanted = axes_.zoomed(event->position().x(), factor);
   const bool is_all = wanted[0] <= all[0] && wanted[1] >= all[1];
   zoom_ = is_all ? std::nullopt : std::optional(wanted);

@@ -40,7 +40,11 @@ class TransferCurve : public QWidget {
   [[nodiscard]] const std::string& field() const { return field_; }
   /// Null: none is known.
   void show_histogram(std::shared_ptr<const VolumeHistogram> histogram);
+  /// Null: none has been measured.
+  [[nodiscard]] const VolumeHistogram* histogram() const { return histogram_.get(); }
   void set_log_counts(bool on);
+  /// Values lie evenly in their logarithm where the field has positive ones.
+  void set_log_values(bool on);
 
   [[nodiscard]] const CurveAxes& axes() const { return axes_; }
   /// Where a handle is; none if there is no such.
@@ -78,7 +82,12 @@ class TransferCurve : public QWidget {
  private:
   void read_document();
   void update_axes();
-  [[nodiscard]] std::array<double, 2> all_values() const;
+  /// What the axis shows without a zoom.
+  struct ShownValues {
+    std::array<double, 2> values;
+    TransferScale scale;
+  };
+  [[nodiscard]] ShownValues all_values() const;
   [[nodiscard]] bool has_extinction() const;
   [[nodiscard]] bool has_color() const;
   [[nodiscard]] std::vector<ChosenHandle> handles() const;
@@ -109,7 +118,7 @@ class TransferCurve : public QWidget {
   std::array<double, 2> extent_{0, 1};
   std::optional<std::array<double, 2>> zoom_;  // none: all values
   std::shared_ptr<const VolumeHistogram> histogram_;
-  bool log_counts_ = false;
+  bool log_counts_ = false, log_values_ = false;
   bool color_is_preset_ = false, color_is_plain_ = false;  // as the text has it
   CurveAxes axes_;
   std::optional<ChosenHandle> chosen_;

@@ -106,7 +106,9 @@ void TransferCurve::paint_axes(QPainter& painter) const {
   const QRectF below(box.left, strip_middle() + kStrip / 2 + 3, box.right - box.left, line);
   painter.setPen(text);
   painter.drawText(below, Qt::AlignLeft, number(axes_.values()[0]));
-  painter.drawText(below, Qt::AlignHCenter, QString::fromStdString(field_));
+  const QString name = QString::fromStdString(field_);
+  painter.drawText(below, Qt::AlignHCenter,
+                   axes_.scale() == TransferScale::log ? tr("%1 (log)").arg(name) : name);
   painter.drawText(below, Qt::AlignRight, number(axes_.values()[1]));
 }
 
@@ -117,11 +119,10 @@ void TransferCurve::paint_extinction(QPainter& painter) const {
   // on the logarithmic axis lines are curves: a place for every half pixel, and both sides of a
   // step
   QPolygonF curve;
-  const auto values = axes_.values();
   const int count = std::max(2, static_cast<int>(2 * (box.right - box.left)));
   std::vector<double> scalars;
   for (int i = 0; i <= count; ++i)
-    scalars.push_back(std::lerp(values[0], values[1], static_cast<double>(i) / count));
+    scalars.push_back(axes_.value_along(static_cast<double>(i) / count));
   for (const double s : function.breakpoints()) {
     scalars.push_back(s);
     scalars.push_back(std::nextafter(s, -HUGE_VAL));
@@ -152,12 +153,11 @@ void TransferCurve::paint_color(QPainter& painter) const {
   painter.drawRect(strip);
   if (!has_color()) return;
   const PiecewiseLinear<3> function = document_.scene().volume.color->function();
-  const auto values = axes_.values();
   const int columns = std::max(1, static_cast<int>(std::ceil(strip.width())));
   for (int i = 0; i < columns; ++i) {
     const double share = (i + 0.5) / columns;
     painter.fillRect(QRectF(strip.left() + i, strip.top() + 1, 1.5, strip.height() - 1),
-                     on_screen(function(std::lerp(values[0], values[1], share))));
+                     on_screen(function(axes_.value_along(share))));
   }
 }
 

@@ -54,6 +54,7 @@ TransferPanel::TransferPanel(Document& document, QWidget* parent)
       factor_(new QLabel),
       depth_(new QLabel),
       log_counts_(new QCheckBox(tr("Log counts"))),
+      log_values_(new QCheckBox(tr("Log values"))),
       tables_(new TransferTables(document)) {
   lay_out();
   connect_curve(*curve_, histogram_);
@@ -139,16 +140,23 @@ QWidget* TransferPanel::make_density() {
       tr("Multiplies every extinction, by a hundredth to a hundred; comes back to the middle"));
   density_->setAccessibleName(tr("Density"));
   factor_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("× 100.00")));
+  log_values_->setToolTip(
+      tr("Values lie evenly in their logarithm; those that are not positive are not shown"));
   log_counts_->setToolTip(tr("The histogram's height is the logarithm of the volume"));
   layout->addWidget(new QLabel(tr("Density")));
   layout->addWidget(density_, 1);
   layout->addWidget(factor_);
   layout->addWidget(log_counts_);
+  layout->addWidget(log_values_);
   connect(density_, &QSlider::valueChanged, this, &TransferPanel::slide_density);
   connect(density_, &QSlider::sliderReleased, this, [this] { density_->setValue(0); });
   connect(log_counts_, &QCheckBox::toggled, this, [this](bool on) {
     curve_->set_log_counts(on);
     color_curve_->set_log_counts(on);
+  });
+  connect(log_values_, &QCheckBox::toggled, this, [this](bool on) {
+    curve_->set_log_values(on);
+    color_curve_->set_log_values(on);
   });
   return row;
 }
@@ -188,7 +196,7 @@ QWidget* TransferPanel::make_buttons() {
 void TransferPanel::connect_curve(TransferCurve& curve, HistogramSource& source) {
   connect(&curve, &TransferCurve::values_shown, this, [this, &curve, &source] {
     if (document_.mesh() && !curve.field().empty())
-      source.measure(document_.mesh(), curve.field(), curve.axes().values());
+      source.measure(document_.mesh(), curve.field(), curve.axes().values(), curve.axes().scale());
   });
   connect(&source, &HistogramSource::measured, &curve,
           [&curve](std::shared_ptr<const VolumeHistogram> histogram, const QString& field) {

@@ -36,6 +36,7 @@ class TransferPanel : public QWidget {
   [[nodiscard]] TransferCurve& color_curve() { return *color_curve_; }
   [[nodiscard]] TransferTables& tables() { return *tables_; }
   [[nodiscard]] QSlider& density() { return *density_; }
+  [[nodiscard]] QCheckBox& log_values() { return *log_values_; }
   [[nodiscard]] QComboBox& presets() { return *preset_; }
   [[nodiscard]] QComboBox& extinction_fields() { return *extinction_field_; }
   [[nodiscard]] QComboBox& color_fields() { return *color_field_; }
@@ -69,10 +70,9 @@ class TransferPanel : public QWidget {
   HistogramSource histogram_, color_histogram_;
   QSlider* density_;
   QLabel *factor_, *depth_;
-  QCheckBox* log_counts_;
+  QCheckBox *log_counts_, *log_values_;
   TransferTables* tables_;
   std::string undense_;  // the text where the slider's drag began; empty: there is none
-  bool is_filling_ = false;
 };
 
 }  // namespace hiac::view
