@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
@@ -107,6 +108,44 @@ TEST_F(OutputFiles, WhatCannotBeWrittenIsRefusedAtOnce) {
               ThrowsMessage<InputError>(HasSubstr("cannot be written (Is a directory)")));
   EXPECT_NO_THROW(require_writable(path("a")));
   EXPECT_TRUE(names().empty());
+}
+
+class SeveralOutputFiles : public OutputFiles {
+ protected:
+  void SetUp() override {
+    put(path("a"), "old a");
+    put(path("c"), "old c");
+    for (const char* name : {"a", "b", "c"}) {
+      files_.push_back(std::make_unique<OutputFile>(path(name)));
+      std::ofstream(files_.back()->temporary_path()) << "new " << name;
+    }
+  }
+  std::vector<std::unique_ptr<OutputFile>> files_;
+};
+
+TEST_F(SeveralOutputFiles, AreReplacedTogether) {
+  OutputFile::commit_all(files_);
+  files_.clear();
+  EXPECT_THAT(names(), ElementsAre("a", "b", "c"));
+  for (const std::string name : {"a", "b", "c"}) EXPECT_EQ(bytes_of(path(name)), "new " + name);
+}
+
+TEST_F(SeveralOutputFiles, AreWhatTheyWereWhereOneIsAFolder) {
+  fs::remove(path("c"));
+  fs::create_directory(path("c"));
+  EXPECT_THROW(OutputFile::commit_all(files_), InputError);
+  files_.clear();
+  EXPECT_THAT(names(), ElementsAre("a", "c"));
+  EXPECT_EQ(bytes_of(path("a")), "old a");
+}
+
+TEST_F(SeveralOutputFiles, AreWhatTheyWereWhereOneCannotBeRenamed) {
+  fs::remove(files_[2]->temporary_path());
+  EXPECT_THROW(OutputFile::commit_all(files_), InputError);
+  files_.clear();
+  EXPECT_THAT(names(), ElementsAre("a", "c"));
+  EXPECT_EQ(bytes_of(path("a")), "old a");
+  EXPECT_EQ(bytes_of(path("c")), "old c");
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
-// The work and the traffic of every process of a mesh in parts, for docs/cluster.md: the processes
-// run one after another in one thread.
+// The work and the traffic of every process of a mesh in the partitioner's parts, for
+// docs/cluster.md: the processes run one after another in one thread. The last two balances are the
+// largest over the mean of drawing, and of all that a process does.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <ctime>
@@ -17,9 +17,11 @@
 
 #include "hiac/base/parallel.hpp"
 #include "hiac/cluster/run_message.hpp"
+#include "hiac/cluster/tile_rounds.hpp"
 #include "hiac/frame/tiles/finished_tile.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
 #include "hiac/mesh/parted/split_mesh.hpp"
+#include "hiac/partition/partition.hpp"
 #include "hiac/render/engine.hpp"
 #include "hiac/render/runs/part_engine.hpp"
 #include "tests/benchmarks/cube_scene.hpp"
@@ -29,38 +31,8 @@ namespace {
 
 using namespace hiac;
 
-using Point = std::array<double, 3>;
-
 // Of the processor: the machine may have other work.
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-// Recursive bisection of the cells' first nodes along the longest side: parts of equal numbers of
-// cells.
-void bisect(const ZooMesh& mesh, std::span<CellId> cells, std::uint32_t first, std::uint32_t parts,
-            std::span<std::uint32_t> part_of_cell) {
-  if (parts == 1) {
-    for (const CellId cell : cells) part_of_cell[cell] = first;
-    return;
-  }
-  Point low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-  const auto place = [&](CellId cell) { return mesh.position(mesh.cell_nodes(cell)[0]); };
-  for (const CellId cell : cells)
-    for (std::size_t c = 0; c < 3; ++c) {
-      low[c] = std::min(low[c], place(cell)[c]);
-      high[c] = std::max(high[c], place(cell)[c]);
-    }
-  std::size_t axis = 0;
-  for (std::size_t c = 1; c < 3; ++c)
-    if (high[c] - low[c] > high[axis] - low[axis]) axis = c;
-  const std::uint32_t half = parts / 2;
-  const auto middle = cells.begin() + static_cast<std::ptrdiff_t>(cells.size() * half / parts);
-  std::nth_element(cells.begin(), middle, cells.end(), [&](CellId a, CellId b) {
-    const double p = place(a)[axis], q = place(b)[axis];
-    return p != q ? p < q : a < b;
-  });
-  bisect(mesh, {cells.begin(), middle}, first, half, part_of_cell);
-  bisect(mesh, {middle, cells.end()}, first + half, parts - half, part_of_cell);
-}
 
 struct Column {
   std::vector<double> values;
@@ -107,29 +79,39 @@ void measure(const ZooMesh& mesh, const Scene& scene, const MeshExtremes& extrem
     bytes.add(static_cast<double>(size));
     constants = engine.constants();
   }
-  const double start = cpu_seconds();
   const Projector projector(scene.camera, scene.image);
   const PictureParts wanted{whole_picture(scene.image), false};
   Image image(scene.image.width, scene.image.height, rgba_channels());
-  for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
-    std::vector<TileRuns> received;
-    for (const Bytes& message : sent[tile]) {
-      ByteReader from(message);
-      received.push_back(get_runs(from));
+  Column merge_seconds;
+  merge_seconds.values.resize(parts);
+  for (TileRounds rounds(tiles.size()); !rounds.at_end();) {
+    const std::vector<std::uint32_t> round = rounds.next();
+    for (std::size_t place = 0; place < round.size(); ++place) {
+      const double start = cpu_seconds();
+      std::vector<TileRuns> received;
+      for (const Bytes& message : sent[round[place]]) {
+        ByteReader from(message);
+        received.push_back(get_runs(from));
+      }
+      MergedTile merged(constants, received);
+      write_tile(merged, tiles[round[place]], projector, scene, wanted, image);
+      merge_seconds.values[place % parts] += cpu_seconds() - start;
     }
-    MergedTile merged(constants, received);
-    write_tile(merged, tiles[tile], projector, scene, wanted, image);
+    rounds.note_bytes(1);
   }
-  const double merge_seconds = cpu_seconds() - start;
+  Column work;
+  for (std::uint32_t k = 0; k < parts; ++k)
+    work.add(order_seconds.values[k] + prepare_seconds.values[k] + draw_seconds.values[k] +
+             merge_seconds.values[k]);
   double off = 0;
   for (std::size_t k = 0; k < image.values().size(); ++k)
     off = std::max(off, std::abs(image.values()[k] - whole.values()[k]));
   const auto pixels = static_cast<double>(scene.image.width) * scene.image.height;
   fmt::print(
-      "{:5} {:8.2f} {:8.2f} {:8.2f} {:8.2f} {:8.2f} {:8.2f} {:7.2f} {:8.2f} {:8.1f} "
+      "{:5} {:8.2f} {:8.2f} {:8.2f} {:8.2f} {:8.3f} {:8.2f} {:7.2f} {:8.2f} {:8.2f} {:8.1f} "
       "{:8.1f} {:9.1e}\n",
       parts, order_seconds.sum(), order_seconds.most(), prepare_seconds.most(), draw_seconds.sum(),
-      draw_seconds.most(), draw_seconds.balance(), merge_seconds,
+      draw_seconds.most(), draw_seconds.balance(), merge_seconds.sum(), work.balance(),
       static_cast<double>(runs) / pixels, bytes.sum() / pixels, bytes.most() / pixels, off);
 }
 
@@ -164,17 +146,13 @@ int main(int argc, char** argv) {
   fmt::print("{} cells, {} pixels; whole: adjacency {:.2f} s, order {:.2f} s, render {:.2f} s\n",
              mesh.cell_count(), std::uint64_t{side} * side, adjacency_seconds, order_seconds,
              render_seconds);
-  fmt::print("{:>5} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>7} {:>8} {:>8} {:>8} {:>9}\n", "parts",
-             "order", "most", "prepare", "draw", "most", "balance", "merge", "runs/px", "B/px",
-             "most", "off");
-  std::vector<CellId> cells(mesh.cell_count());
-  std::vector<std::uint32_t> part_of_cell(mesh.cell_count());
-  for (const std::uint32_t parts : counts) {
-    std::iota(cells.begin(), cells.end(), CellId{0});
-    bisect(mesh, cells, 0, parts, part_of_cell);
-    measure(mesh, scene, extremes, part_of_cell, parts, whole.image);
-  }
+  fmt::print("{:>5} {:>8} {:>8} {:>8} {:>8} {:>8} {:>8} {:>7} {:>8} {:>8} {:>8} {:>8} {:>9}\n",
+             "parts", "order", "most", "prepare", "draw", "most", "balance", "merge", "work",
+             "runs/px", "B/px", "most", "off");
+  for (const std::uint32_t parts : counts)
+    measure(mesh, scene, extremes, partition_cells(mesh, parts, "cube"), parts, whole.image);
   if (random == 0) return 0;
+  std::vector<std::uint32_t> part_of_cell(mesh.cell_count());
   std::mt19937_64 numbers(1);  // the worst parts
   for (std::uint32_t& part : part_of_cell) part = static_cast<std::uint32_t>(numbers() % random);
   measure(mesh, scene, extremes, part_of_cell, random, whole.image);

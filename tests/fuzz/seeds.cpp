@@ -8,11 +8,13 @@
 #include <iterator>
 #include <map>
 #include <random>
+#include <set>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "formats/registry.hpp"
+#include "hiac/mesh/parted/write_parts.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 #include "tests/formats/one_cell_files.hpp"
 #include "tests/formats/solver_files.hpp"
@@ -23,6 +25,28 @@ namespace {
 
 using formats::Bytes;
 using Texts = std::vector<std::string>;
+
+std::string bytes_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// What `write` writes under that name, and further files beside it.
+template <typename Write>
+std::string written_files(const std::string& name, const Write& write) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() /
+                                       fmt::format("hiac-fuzz-seed-{}", std::random_device()());
+  std::filesystem::create_directory(folder);
+  write((folder / name).string());
+  std::string text = bytes_of(folder / name);
+  std::set<std::string> others;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    others.insert(entry.path().filename().string());
+  others.erase(name);
+  for (const std::string& other : others) text += parcel(other, bytes_of(folder / other));
+  std::filesystem::remove_all(folder);
+  return text;
+}
 
 /// A mesh written by the format.
 std::string written_seed(const formats::Format& format) {
@@ -41,14 +65,8 @@ std::string written_seed(const formats::Format& format) {
   mesh.xyz = std::move(xyz);
   mesh.fields.push_back({"a", "", FieldLocation::corner, 1, std::vector<double>(count, 0.5)});
   mesh.fields.push_back({"b", "", FieldLocation::node, 3, std::vector<double>(3 * count, 2)});
-  const std::filesystem::path path =
-      std::filesystem::temp_directory_path() /
-      fmt::format("hiac-fuzz-seed-{}{}", std::random_device()(), format.extensions.front());
-  format.write(path.string(), mesh);
-  std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  std::filesystem::remove(path);
-  return text;
+  return written_files("input" + std::string(format.extensions.front()),
+                       [&](const std::string& path) { format.write(path, mesh); });
 }
 
 /// The corners of a unit brick, x fastest, each through a pattern.
@@ -455,6 +473,19 @@ Texts d3plot() {
   return {d3plot_geometry(model, false, false) + d3plot_state(model, 1, false, false)};
 }
 
+/// Two tetrahedra with a face in common, each a part.
+Texts zparts() {
+  ZooMesh mesh;
+  mesh.kinds = std::vector<CellKind>(2, CellKind::tetrahedron4);
+  mesh.elems = std::vector<std::uint64_t>{0, 4, 8};
+  mesh.nodes = std::vector<NodeId>{0, 1, 2, 3, 0, 2, 1, 4};
+  mesh.xyz = std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, -1};
+  mesh.fields.push_back({"t", "K", FieldLocation::node, 1, std::vector<double>{0, 1, 2, 3, 4}});
+  return {written_files("input.zparts", [&](const std::string& path) {
+    write_parted_mesh(path, mesh, std::vector<std::uint32_t>{0, 1}, 2, [](const std::string&) {});
+  })};
+}
+
 Texts tecplot() {
   return {formats::tecplot_bricks({}), formats::tecplot_polyhedra(false),
           "VARIABLES = X, Y, Z\nZONE ZONETYPE=FEPOLYHEDRON, NODES=4, ELEMENTS=1, FACES=4, "
@@ -475,7 +506,7 @@ std::vector<std::string> seeds(const std::string& name) {
       {"tetgen", tetgen}, {"vti", vti},         {"vtk", vtk},
       {"vtm", vtm},       {"vtp", vtp},         {"vtu-surface", vtu_surface},
       {"vtr", vtr},       {"vts", vts},         {"vtu", vtu},
-      {"xdmf", xdmf}};
+      {"xdmf", xdmf},     {"zparts", zparts}};
   Texts texts;
   if (known.contains(name)) texts = known.at(name)();
   for (const formats::OneCellFile& file : formats::one_cell_files())

@@ -54,9 +54,9 @@ class PartedMesh : public testing::Test {
     PartedIndex index = read_parted_index(path_);
     MeshPart part = read_mesh_part(index, k);
     edit(part);
-    write_mesh_part(index.path_of(k), part);
+    write_zoo_file(index.path_of(k), zoo_file_of(part));
     index.parts[k] = part_info(part, index.parts[k].file);
-    write_parted_index(index);
+    (void)folder_.write("m.zparts", text_of(index));
   }
   template <typename Edit>
   void edit_index(const Edit& edit) {
@@ -99,12 +99,26 @@ TEST_F(PartedMesh, JoinsToTheSameMesh) {
   }
 }
 
-TEST_F(PartedMesh, AnInterruptedRunLeavesNoIndex) {
+TEST_F(PartedMesh, ReplacesTheFilesOfAMeshOfThatName) {
   write_two_cells();
+  ZooMesh other = two_cells();
+  other.fields.clear();
+  write(other, std::vector<std::uint32_t>{1, 0}, 2);
+  EXPECT_EQ(complaint(), "");
+  EXPECT_EQ(read_parted_index(path_).hash, content_hash(other));
+  EXPECT_THAT(folder_.names(), testing::ElementsAre("m.0.zoo", "m.1.zoo", "m.zparts"));
+}
+
+TEST_F(PartedMesh, WhatCannotBeReplacedLeavesTheOldFiles) {
+  write_two_cells();
+  const std::string old = test::bytes_of(folder_.file("m.0.zoo"));
   std::filesystem::remove(folder_.file("m.1.zoo"));
-  std::filesystem::create_directory(folder_.file("m.1.zoo"));  // cannot be replaced
-  EXPECT_THROW(write_two_cells(), InputError);
-  EXPECT_FALSE(std::filesystem::exists(path_));
+  std::filesystem::create_directory(folder_.file("m.1.zoo"));
+  ZooMesh other = two_cells();
+  other.fields.clear();
+  EXPECT_THROW(write(other, std::vector<std::uint32_t>{0, 1}, 2), InputError);
+  EXPECT_EQ(test::bytes_of(folder_.file("m.0.zoo")), old);
+  EXPECT_THAT(folder_.names(), testing::ElementsAre("m.0.zoo", "m.1.zoo", "m.zparts"));
 }
 
 TEST_F(PartedMesh, RefusesEmptyPartsToWrite) {
@@ -155,7 +169,7 @@ TEST_F(PartedMesh, GlobalNumbersOutOfRangeOrOrder) {
   const PartedIndex index = read_parted_index(path_);
   MeshPart part = read_mesh_part(index, 1);
   part.global_nodes = std::vector<std::uint64_t>{0, 1, 2, 3};
-  write_mesh_part(index.path_of(1), part);
+  write_zoo_file(index.path_of(1), zoo_file_of(part));
   EXPECT_THAT(complaint(), HasSubstr("another hash of the global numbers"));
 }
 

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,10 +16,12 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/image/image_io.hpp"
+#include "hiac/mesh/parted/write_parts.hpp"
 #include "hiac/mesh/zoo_container.hpp"
 #include "hiac/order/order_file.hpp"
 #include "hiac/scene/specification.hpp"
 #include "hiac/session/session.hpp"
+#include "tests/support/meshes.hpp"
 #include "tests/support/scratch_folder.hpp"
 
 namespace hiac::tools {
@@ -194,6 +197,39 @@ TEST_F(Info, DescribesAMesh) {
   EXPECT_EQ(facts["fields"][0]["maximum"], 1.0);
   EXPECT_EQ(facts["bounds"][1][1], 2.0);
 }
+
+#ifdef HIAC_WITH_FORMATS
+// Two boxes of 2 x 2 x 2 bricks, one in front of the other, in three parts: the first box's left
+// and right half, and the second one, which is apart.
+TEST_F(Info, DescribesTheParts) {
+  const ZooMesh mesh = test::side_by_side(box_of_bricks({0, 0, 0}, {1, 1, 1}, 2),
+                                          box_of_bricks({0, 0, 2}, {1, 1, 3}, 2));
+  std::vector<std::uint32_t> part;
+  for (CellId cell = 0; cell < 16; ++cell) part.push_back(cell >= 8 ? 2 : cell % 2);
+  write_parted_mesh(path("box.zparts"), mesh, part, 3, [](const std::string&) {});
+  const Answer answer = run(path("box.zparts"));
+  EXPECT_EQ(answer.exit_code, 0) << answer.output;
+  for (const char* words :
+       {"16 (16 brick8)",
+        "3; the largest weighs 1.500 times the mean and has 1.500 times the mean's cells",
+        "63 nodes in all parts", "4 faces cut",
+        "part 1       box.1.zoo: 4 cells, 18 nodes; 4 faces to 1 neighbours: 0 (4)",
+        "part 2       box.2.zoo: 8 cells, 27 nodes; no neighbour"})
+    EXPECT_THAT(answer.output, HasSubstr(words));
+  ASSERT_EQ(run(path("box.zparts") + " --json " + path("facts.json")).exit_code, 0);
+  const auto parts = nlohmann::json::parse(test::bytes_of(path("facts.json")))["parts"];
+  EXPECT_EQ(parts["count"], 3);
+  EXPECT_EQ(parts["balance"], 1.5);
+  EXPECT_EQ(parts["cell_balance"], 1.5);
+  EXPECT_EQ(parts["nodes"], 63);
+  EXPECT_EQ(parts["cut_faces"], 4);
+  EXPECT_EQ(parts["each"][0]["file"], "box.0.zoo");
+  EXPECT_EQ(parts["each"][0]["cells"], 4);
+  EXPECT_EQ(parts["each"][0]["neighbours"][0]["part"], 1);
+  EXPECT_EQ(parts["each"][0]["neighbours"][0]["faces"], 4);
+  EXPECT_TRUE(parts["each"][2]["neighbours"].empty());
+}
+#endif
 
 TEST_F(Info, DescribesAnOrder) {
   OrderRecord record{std::string(32, 'a'), std::string(32, 'b'), {}};

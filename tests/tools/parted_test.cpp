@@ -1,6 +1,9 @@
 // hiac-convert writes parted meshes and joins them again.
 #include <filesystem>
+#include <string>
+#include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -64,6 +67,32 @@ TEST_F(Parted, WrongUsageIsExit2) {
   EXPECT_THAT(complaint(), HasSubstr("--parts: 1000 parts of 75 cells"));
   EXPECT_EQ(run("cp a.zoo b.1.zoo && $CONVERT b.1.zoo --parts 2 -o b.zparts"), 2);
   EXPECT_THAT(complaint(), HasSubstr("b.1.zoo: is an input of this run"));
+}
+
+TEST_F(Parted, DividedAgainInPlace) {
+  ASSERT_EQ(run("$CONVERT -q a.zoo --parts 3 -o b.zparts"), 0) << complaint();
+  ASSERT_EQ(run("$CONVERT -q b.zparts --parts 4 -o b.zparts"), 0) << complaint();
+  EXPECT_EQ(read_parted_index(file("b.zparts")).parts.size(), 4U);
+  ASSERT_EQ(run("$CONVERT -q b.zparts -o c.zoo"), 0) << complaint();
+  EXPECT_EQ(content_hash(read_zoo_file(file("c.zoo")).mesh), content_hash(mesh_));
+}
+
+// The disk is full at one part after the other, and at the index.
+TEST_F(Parted, AFullDiskLosesNothing) {
+  ASSERT_EQ(run("$CONVERT -q a.zoo --parts-by owner -o b.zparts"), 0) << complaint();
+  ASSERT_EQ(run("mkdir new && $CONVERT -q b.zparts --parts 4 -o new/b.zparts"), 0) << complaint();
+  const std::vector<std::string> old{"b.zparts", "b.0.zoo", "b.1.zoo"};
+  std::vector<std::string> bytes;
+  for (const std::string& name : old) bytes.push_back(bytes_of(file(name)));
+  const std::vector<std::string> names = folder_.names();
+  for (const char* name : {"b.0.zoo", "b.1.zoo", "b.2.zoo", "b.3.zoo", "b.zparts"}) {
+    const std::size_t fits = std::filesystem::file_size(file(std::string("new/") + name)) - 1;
+    EXPECT_EQ(
+        run(fmt::format("prlimit --fsize={} $CONVERT -q b.zparts --parts 4 -o b.zparts", fits)), 3)
+        << complaint();
+    for (std::size_t k = 0; k < old.size(); ++k) EXPECT_EQ(bytes_of(file(old[k])), bytes[k]);
+    EXPECT_EQ(folder_.names(), names);
+  }
 }
 
 TEST_F(Parted, HostileIndex) {

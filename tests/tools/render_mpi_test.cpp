@@ -6,6 +6,8 @@
 #include <fstream>
 #include <random>
 #include <string>
+#include <system_error>
+#include <thread>
 #include <vector>
 
 #include <fmt/format.h>
@@ -70,14 +72,42 @@ class RenderMpi : public ToolFolder {
   }
 
   // Both implementations of MPI understand what concerns them.
-  [[nodiscard]] static std::string mpi(int ranks) {
+  [[nodiscard]] static std::string mpi(int ranks, const std::string& limit = "timeout 60") {
     return fmt::format(
         "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
-        "OMPI_MCA_rmaps_base_oversubscribe=1 timeout 60 '" HIAC_MPIEXEC "' -n {} ",
-        ranks);
+        "OMPI_MCA_rmaps_base_oversubscribe=1 {} '" HIAC_MPIEXEC "' -n {} ",
+        limit, ranks);
   }
   [[nodiscard]] int render(int ranks, const std::string& arguments) const {
     return run(mpi(ranks) + "'" HIAC_RENDER_MPI "' --threads 1 " + arguments);
+  }
+  // What takes seconds, and writes x.npy.
+  [[nodiscard]] static std::string long_work(const std::string& input) {
+    return fmt::format(
+        "\"" HIAC_RENDER_MPI "\" -q {} --view view.toml --threads 1 --samples 40 -o x.npy", input);
+  }
+  // The processes that work in the folder.
+  [[nodiscard]] std::size_t processes() const {
+    std::size_t count = 0;
+    std::error_code gone;
+    for (const auto& entry : std::filesystem::directory_iterator("/proc"))
+      if (std::filesystem::read_symlink(entry.path() / "cwd", gone) == folder_.path()) ++count;
+    return count;
+  }
+  // A command that is ended fails soon, and leaves neither a picture nor a process.
+  void expect_an_early_end(const std::string& command) {
+    const auto start = std::chrono::steady_clock::now();
+    const int code = run(command);
+    EXPECT_NE(code, 0);
+    EXPECT_NE(code, 124);  // as after a minute
+    const auto has_passed = [&](int seconds) {
+      return std::chrono::steady_clock::now() - start > std::chrono::seconds(seconds);
+    };
+    EXPECT_FALSE(has_passed(10));
+    while (processes() > 0 && !has_passed(15))
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    EXPECT_EQ(processes(), 0U);
+    EXPECT_FALSE(exists("x.npy"));
   }
   [[nodiscard]] bool exists(const std::string& name) const {
     return std::filesystem::exists(file(name));
@@ -184,30 +214,41 @@ TEST_F(RenderMpi, AFullDiskLeavesNoPicture) {
   EXPECT_FALSE(exists("x.npy"));
 }
 
-// Each rank in turn is killed, early and late.
+// Each rank in turn is killed, early and late, or gets what Ctrl-C sends.
 TEST_F(RenderMpi, ARankThatDiesEndsAllAndLeavesNoPicture) {
   struct Death {
     const char* input;
     int rank;
     double after;  // seconds
+    const char* of;
   };
-  for (const auto& [input, rank, after] : {Death{"m.zoo", 0, 0.3},
-                                           {"m.zoo", 2, 1.2},
-                                           {"m.zparts", 1, 0.3},
-                                           {"m.zparts", 0, 0.8},
-                                           {"m.zparts", 2, 1.2}}) {
-    const auto start = std::chrono::steady_clock::now();
+  for (const auto& [input, rank, after, of] : {Death{"m.zoo", 0, 0.3, "KILL"},
+                                               {"m.zoo", 2, 1.2, "KILL"},
+                                               {"m.zparts", 1, 0.3, "KILL"},
+                                               {"m.zparts", 0, 0.8, "KILL"},
+                                               {"m.zparts", 2, 1.2, "KILL"},
+                                               {"m.zoo", 1, 0.8, "INT"},
+                                               {"m.zparts", 0, 0.8, "INT"},
+                                               {"m.zparts", 2, 0.8, "INT"}}) {
+    SCOPED_TRACE(fmt::format("{} rank {} {}", input, rank, of));
     // the name of the process that dies is one of its own
-    const int code = run(fmt::format(
-        "{}sh -c 'r=${{OMPI_COMM_WORLD_RANK:-$PMI_RANK}}; [ $r = {} ] && (sleep {}; kill -9 "
-        "$$) & exec \"" HIAC_RENDER_MPI
-        "\" -q {} --view view.toml --threads 1 --samples 40 -o x.npy'",
-        mpi(3), rank, after, input));
-    EXPECT_NE(code, 0);
-    EXPECT_NE(code, 124);  // as after a minute
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
-    EXPECT_FALSE(exists("x.npy"));
+    expect_an_early_end(
+        fmt::format("{}sh -c 'r=${{OMPI_COMM_WORLD_RANK:-$PMI_RANK}}; [ $r = {} ] && "
+                    "(sleep {}; kill -{} $$) & exec {}'",
+                    mpi(3), rank, after, of, long_work(input)));
   }
+}
+
+// What runs the processes gets it, alone, or with them as from a terminal. Nothing is left of the
+// picture under another name either.
+TEST_F(RenderMpi, CtrlCEndsAllAndLeavesNoPicture) {
+  for (const char* input : {"m.zoo", "m.zparts"})
+    for (const char* whom : {"--foreground ", ""}) {
+      SCOPED_TRACE(fmt::format("{} {}", input, whom));
+      expect_an_early_end(mpi(3, fmt::format("timeout --preserve-status {}-s INT 0.8", whom)) +
+                          long_work(input));
+      EXPECT_THAT(folder_.names(), testing::Each(testing::Not(testing::StartsWith("x.npy"))));
+    }
 }
 
 }  // namespace

@@ -30,10 +30,6 @@ void put(const FiniteRange& range, Json& facts) {
   facts["not_finite"] = range.not_finite;
 }
 
-std::string line(std::string_view label, const std::string& value) {
-  return fmt::format("  {:<12} {}\n", label, value);
-}
-
 void describe_cells(const ZooMesh& mesh, Description& description) {
   std::array<std::uint64_t, kKindCount> counts{};
   for (const CellKind kind : mesh.kinds) ++counts[static_cast<std::size_t>(kind)];
@@ -48,8 +44,8 @@ void describe_cells(const ZooMesh& mesh, Description& description) {
   description.facts["cells"] = mesh.cell_count();
   description.facts["nodes"] = mesh.node_count();
   description.facts["kinds"] = kinds;
-  description.text += line("cells", fmt::format("{} ({})", mesh.cell_count(), text));
-  description.text += line("nodes", fmt::format("{}", mesh.node_count()));
+  description.text += description_line("cells", fmt::format("{} ({})", mesh.cell_count(), text));
+  description.text += description_line("nodes", fmt::format("{}", mesh.node_count()));
 }
 
 void describe_bounds(const ZooMesh& mesh, Description& description) {
@@ -58,13 +54,14 @@ void describe_bounds(const ZooMesh& mesh, Description& description) {
   Json facts = Json::array();
   for (std::size_t axis = 0; axis < 3; ++axis) {
     facts.push_back({box.low[axis], box.high[axis]});
-    description.text += line(axis == 0 ? "bounds" : "", fmt::format("{} {:g} to {:g}", "xyz"[axis],
-                                                                    box.low[axis], box.high[axis]));
+    description.text += description_line(
+        axis == 0 ? "bounds" : "",
+        fmt::format("{} {:g} to {:g}", "xyz"[axis], box.low[axis], box.high[axis]));
   }
   description.facts["bounds"] = facts;
   const double diagonal = box.diagonal();
   description.facts["diagonal"] = diagonal;
-  description.text += line("diagonal", fmt::format("{:g}", diagonal));
+  description.text += description_line("diagonal", fmt::format("{:g}", diagonal));
 }
 
 /// The range of a scalar field, or of the lengths of a vector field.
@@ -92,14 +89,14 @@ void describe_fields(const ZooMesh& mesh, Description& description) {
     description.facts["fields"].push_back(facts);
     const bool first = &field == &mesh.fields.front();
     const std::string unit = field.unit.empty() ? "" : " " + field.unit;
-    description.text +=
-        line(first ? "fields" : "",
-             fmt::format(
-                 "{} ({}, {}): {}{}{}", field.name, location_name(field.location),
-                 field.components == 1 ? "scalar" : fmt::format("{} components", field.components),
-                 field.components == 1 ? "" : "magnitude ", text_of(range), unit));
+    description.text += description_line(
+        first ? "fields" : "",
+        fmt::format(
+            "{} ({}, {}): {}{}{}", field.name, location_name(field.location),
+            field.components == 1 ? "scalar" : fmt::format("{} components", field.components),
+            field.components == 1 ? "" : "magnitude ", text_of(range), unit));
   }
-  if (mesh.fields.empty()) description.text += line("fields", "none");
+  if (mesh.fields.empty()) description.text += description_line("fields", "none");
 }
 
 // The facts of one order; its lines are added to `text`.
@@ -110,15 +107,15 @@ Json describe_order(const OrderRecord& record, std::string& text) {
     in_groups += group.count;
     largest = std::max(largest, group.count);
   }
-  text += line(
+  text += description_line(
       "order",
       fmt::format("{} cells by {}; {}", record.order.cells.size(), record.order.algorithm,
                   in_groups == 0 ? "no groups"
                                  : fmt::format("{} groups of {} cells together, {} in the "
                                                "largest",
                                                record.order.groups.size(), in_groups, largest)));
-  text += line("for geometry", record.mesh_hash);
-  text += line("for view", record.view_hash);
+  text += description_line("for geometry", record.mesh_hash);
+  text += description_line("for view", record.view_hash);
   return {{"algorithm", record.order.algorithm},
           {"cells", record.order.cells.size()},
           {"groups", record.order.groups.size()},
@@ -142,6 +139,10 @@ void add_orders(const std::vector<ExtraChunk>& chunks, const std::string& subjec
 
 }  // namespace
 
+std::string description_line(std::string_view label, const std::string& value) {
+  return fmt::format("  {:<12} {}\n", label, value);
+}
+
 Description describe_mesh(const ZooFile& file, const std::string& subject) {
   const ZooMesh& mesh = file.mesh;
   Description description;
@@ -156,19 +157,19 @@ Description describe_mesh(const ZooFile& file, const std::string& subject) {
   description.facts["geometry_hash"] = geometry;
   description.facts["face_adjacency"] = mesh.adjacency.has_value();
   description.facts["metadata"] = Json::object();
-  description.text += line("hash", hash);
-  description.text += line("geometry", geometry);
-  description.text += line("adjacency", mesh.adjacency ? "stored" : "not stored");
+  description.text += description_line("hash", hash);
+  description.text += description_line("geometry", geometry);
+  description.text += description_line("adjacency", mesh.adjacency ? "stored" : "not stored");
   for (const auto& [key, value] : mesh.metadata) {
     description.facts["metadata"][key] = value;
-    description.text += line("metadata", fmt::format("{}: {}", key, value));
+    description.text += description_line("metadata", fmt::format("{}: {}", key, value));
   }
   std::vector<ExtraChunk> orders;
   for (const ExtraChunk& chunk : file.extras) {
     if (chunk.type == kOrderChunk)
       orders.push_back(chunk);
     else
-      description.text += line(
+      description.text += description_line(
           "chunk", fmt::format("{} ({} bytes, not known here)", chunk.type, chunk.payload.size()));
   }
   add_orders(orders, subject, description);
@@ -192,7 +193,8 @@ Description describe_image(const ImageFile& file, const std::string& subject) {
   description.facts["width"] = image.width();
   description.facts["height"] = image.height();
   description.text = subject + ": image\n";
-  description.text += line("size", fmt::format("{} x {} pixels", image.width(), image.height()));
+  description.text +=
+      description_line("size", fmt::format("{} x {} pixels", image.width(), image.height()));
   description.facts["channels"] = Json::array();
   for (std::size_t c = 0; c < image.channel_count(); ++c) {
     FiniteRange range;
@@ -201,15 +203,16 @@ Description describe_image(const ImageFile& file, const std::string& subject) {
     Json facts{{"name", image.channels()[c]}};
     put(range, facts);
     description.facts["channels"].push_back(facts);
-    description.text +=
-        line(c == 0 ? "channels" : "", fmt::format("{}: {}", image.channels()[c], text_of(range)));
+    description.text += description_line(
+        c == 0 ? "channels" : "", fmt::format("{}: {}", image.channels()[c], text_of(range)));
   }
   description.facts["attributes"] = Json::object();
   for (const auto& [name, text] : file.attributes) {
     description.facts["attributes"][name] = text;
     const bool several_lines = text.find('\n') != std::string::npos;
-    description.text += several_lines ? fmt::format("  {}:\n{}\n", name, text)
-                                      : line("attribute", fmt::format("{}: {}", name, text));
+    description.text += several_lines
+                            ? fmt::format("  {}:\n{}\n", name, text)
+                            : description_line("attribute", fmt::format("{}: {}", name, text));
   }
   return description;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -16,6 +17,9 @@ struct Description {  // NOLINT(bugprone-exception-escape): the JSON library's m
   nlohmann::ordered_json facts;
   std::string text;
 };
+
+/// A line of a description's text.
+std::string description_line(std::string_view label, const std::string& value);
 
 /// A mesh, and the orders behind it where the container has any. `subject` stands for the file.
 Description describe_mesh(const ZooFile& file, const std::string& subject);

@@ -15,6 +15,7 @@
 #include "tools/common/text_output.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/info/describe.hpp"
+#include "tools/info/describe_parts.hpp"
 
 namespace {
 
@@ -35,9 +36,11 @@ Description describe(const Tool& tool, const Options& options) {
   const bool is_order = subject != "stdin" && kind_of_file(options.input) == FileKind::order;
   try {
     if (is_order) return describe_mesh(read_mesh(options.input), subject);
-    return describe_mesh(read_any_mesh(tool, {options.input, options.conversion},
-                                       MeshNumbers::checked, {"--no-adjacency"}),
-                         subject);
+    Description description = describe_mesh(read_any_mesh(tool, {options.input, options.conversion},
+                                                          MeshNumbers::checked, {"--no-adjacency"}),
+                                            subject);
+    if (is_parted_mesh(options.input)) describe_parts(options.input, description);
+    return description;
   } catch (const InputError& no_mesh) {
     if (!is_order) throw;
     try {

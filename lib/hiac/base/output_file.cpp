@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <deque>
 #include <filesystem>
 #include <optional>
 #include <system_error>
@@ -119,6 +120,56 @@ void OutputFile::commit() {
   if (stream_) return copy_to_stream();
   if (std::rename(temporary_path().c_str(), destination_.c_str()) != 0) refuse(path_, errno);
   temporary_->keep();
+}
+
+// Renames one of several files, and takes that back unless it is told to keep it.
+class OutputFile::Replacement {
+ public:
+  explicit Replacement(OutputFile& file) : file_(file), old_(file.temporary_path() + ".old") {
+    const char* destination = file.destination_.c_str();
+    const auto found = status_of(file.destination_);
+    if (found && S_ISDIR(found->st_mode)) refuse(file.path_, EISDIR);
+    // without a second name, where there are none, the destination is gone for a moment
+    had_old_ = found.has_value();
+    if (had_old_ && link(destination, old_.c_str()) != 0 &&
+        std::rename(destination, old_.c_str()) != 0)
+      refuse(file.path_, errno);
+    if (std::rename(file.temporary_path().c_str(), destination) == 0) return;
+    const int error = errno;
+    restore();
+    refuse(file.path_, error);
+  }
+  ~Replacement() {
+    if (!kept_) restore();
+  }
+  Replacement(const Replacement&) = delete;
+  Replacement& operator=(const Replacement&) = delete;
+
+  void keep() {
+    kept_ = true;
+    file_.temporary_->keep();
+    if (had_old_) unlink(old_.c_str());
+  }
+
+ private:
+  void restore() const {
+    const char* destination = file_.destination_.c_str();
+    if (!had_old_)
+      unlink(destination);
+    else if (std::rename(old_.c_str(), destination) == 0)
+      unlink(old_.c_str());  // which is left where both names are still one file's
+  }
+
+  OutputFile& file_;
+  std::string old_;
+  bool had_old_ = false, kept_ = false;
+};
+
+void OutputFile::commit_all(std::span<const std::unique_ptr<OutputFile>> files) {
+  const UnbrokenStep step;
+  std::deque<Replacement> replacements;
+  for (const std::unique_ptr<OutputFile>& file : files) replacements.emplace_back(*file);
+  for (Replacement& replacement : replacements) replacement.keep();
 }
 
 void OutputFile::copy_to_stream() const {

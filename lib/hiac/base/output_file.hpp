@@ -1,6 +1,8 @@
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "hiac/base/temporary_file.hpp"
@@ -30,8 +32,12 @@ class OutputFile {
   /// Renames the file to its destination, or copies it to a device, a pipe or a socket. Throws
   /// InputError when that cannot be done.
   void commit();
+  /// Commits several files together, none of which goes to a device, a pipe or a socket: when one
+  /// of them cannot be renamed, all destinations are again what they were. No signal comes between.
+  static void commit_all(std::span<const std::unique_ptr<OutputFile>> files);
 
  private:
+  class Replacement;
   void copy_to_stream() const;
 
   std::string path_;

@@ -19,20 +19,23 @@ namespace hiac {
 namespace {
 
 // Names of the temporary files that exist now. A signal handler may only read what is lock-free
-// and may only call what is async-signal-safe: a fixed table of atomic pointers, and unlink.
-constexpr std::size_t kSlots = 64;
+// and may only call what is async-signal-safe: a fixed table of atomic pointers, and unlink. It has
+// places for all files of a parted mesh; those that are not used take no memory.
+constexpr std::size_t kSlots = std::size_t{1} << 17;
 std::array<std::atomic<const char*>, kSlots> open_files{};
+std::atomic<std::size_t> highest{0};  // all slots in use are below it
+std::atomic<std::size_t> likely{0};   // where the search for a free one begins
 
 // A file that is being made and not yet in the table would survive a signal. So the handler waits
-// for those under way, in other threads, and lets no further one begin.
-std::atomic<int> making{0};
+// for steps under way, in other threads, and lets no further one begin.
+std::atomic<int> steps{0};
 std::atomic<bool> dying{false};
 
 void remove_all() {
   dying.store(true);
-  while (making.load() > 0) continue;
-  for (auto& slot : open_files) {
-    const char* name = slot.load();
+  while (steps.load() > 0) continue;
+  for (std::size_t i = 0; i < highest.load(); ++i) {
+    const char* name = open_files[i].load();
     if (name != nullptr) unlink(name);
   }
 }
@@ -57,44 +60,40 @@ void install_handlers() {
 }
 
 std::size_t claim_slot(const char* name) {
-  for (std::size_t i = 0; i < kSlots; ++i) {
+  for (std::size_t k = 0; k < kSlots; ++k) {
+    const std::size_t i = (likely.load() + k) % kSlots;
     const char* expected = nullptr;
-    if (open_files[i].compare_exchange_strong(expected, name)) return i;
+    if (!open_files[i].compare_exchange_strong(expected, name)) continue;
+    likely.store(i + 1);
+    for (std::size_t most = highest.load(); most <= i;) highest.compare_exchange_weak(most, i + 1);
+    return i;
   }
   return kSlots;  // more files at once than the handler can clean up: still correct without signals
 }
 
-// Lives while a file is made. Its own thread hears no signals meanwhile: the handler would wait for
-// it forever.
-class Making {
- public:
-  Making() {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_BLOCK, &all, &before_);
-    ++making;
-    if (!dying.load()) return;
-    --making;
-    for (;;) pause();
-  }
-  ~Making() {
-    --making;
-    pthread_sigmask(SIG_SETMASK, &before_, nullptr);
-  }
-  Making(const Making&) = delete;
-  Making& operator=(const Making&) = delete;
-
- private:
-  sigset_t before_{};
-};
-
 }  // namespace
+
+UnbrokenStep::UnbrokenStep() {
+  sigset_t all;
+  sigfillset(&all);
+  // in its own thread the handler would wait for it forever
+  pthread_sigmask(SIG_BLOCK, &all, &before_);
+  ++steps;
+  if (!dying.load()) return;
+  --steps;
+  for (;;) pause();
+}
+
+UnbrokenStep::~UnbrokenStep() {
+  --steps;
+  pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+}
 
 TemporaryFile::TemporaryFile(const std::string& beginning, const std::string& subject,
                              const std::string& ending)
     : path_(beginning + ".XXXXXX" + ending), slot_(kSlots) {
   install_handlers();
-  const Making guard;
+  const UnbrokenStep step;
   const int descriptor = mkostemps(path_.data(), static_cast<int>(ending.size()), O_CLOEXEC);
   if (descriptor < 0)
     throw InputError(subject, std::string("cannot be written (") + std::strerror(errno) + ")");
@@ -114,7 +113,9 @@ void TemporaryFile::keep() {
 }
 
 void TemporaryFile::forget() {
-  if (slot_ < kSlots) open_files[slot_].store(nullptr);
+  if (slot_ == kSlots) return;
+  open_files[slot_].store(nullptr);
+  likely.store(slot_);
 }
 
 void remove_temporary_files() { remove_all(); }

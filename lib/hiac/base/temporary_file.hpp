@@ -1,5 +1,6 @@
 #pragma once
 
+#include <csignal>
 #include <cstddef>
 #include <string>
 
@@ -26,6 +27,19 @@ class TemporaryFile {
 
   std::string path_;
   std::size_t slot_;
+};
+
+/// While one lives, SIGINT, SIGTERM and SIGHUP do not end the process: its own thread hears no
+/// signal, and where another one does, removing the temporary files waits for it.
+class UnbrokenStep {
+ public:
+  UnbrokenStep();
+  ~UnbrokenStep();
+  UnbrokenStep(const UnbrokenStep&) = delete;
+  UnbrokenStep& operator=(const UnbrokenStep&) = delete;
+
+ private:
+  sigset_t before_{};
 };
 
 /// Removes every TemporaryFile and lets no further one begin: for a process that is about to end.

@@ -20,14 +20,18 @@ class ByteWriter {
   void put(const T& value) {
     put_all(std::span(&value, 1));
   }
+  /// Bytes of the message that the caller sets, before it puts anything else.
+  std::byte* put_space(std::size_t size) {
+    const std::size_t begin = bytes_.size();
+    bytes_.resize(begin + size);
+    return bytes_.data() + begin;
+  }
   /// Without their number.
   template <typename T>
   void put_all(std::span<const T> values) {
     static_assert(std::has_unique_object_representations_v<T> || std::is_floating_point_v<T>);
     if (values.empty()) return;
-    const std::size_t end = bytes_.size();
-    bytes_.resize(end + values.size_bytes());
-    std::memcpy(bytes_.data() + end, values.data(), values.size_bytes());
+    std::memcpy(put_space(values.size_bytes()), values.data(), values.size_bytes());
   }
 
  private:
@@ -48,6 +52,13 @@ class ByteReader {
     copy(&value, sizeof(T));
     return value;
   }
+  /// Bytes that the caller of put_space has set.
+  std::span<const std::byte> get_space(std::size_t size) {
+    if (size > bytes_.size()) fail();
+    const auto space = bytes_.first(size);
+    bytes_ = bytes_.subspan(size);
+    return space;
+  }
   template <typename T>
   std::vector<T> get_all(std::size_t count) {
     if (count > bytes_.size() / sizeof(T)) fail();
@@ -57,11 +68,7 @@ class ByteReader {
   }
 
  private:
-  void copy(void* to, std::size_t size) {
-    if (size > bytes_.size()) fail();
-    std::memcpy(to, bytes_.data(), size);
-    bytes_ = bytes_.subspan(size);
-  }
+  void copy(void* to, std::size_t size) { std::memcpy(to, get_space(size).data(), size); }
   [[noreturn]] static void fail() {
     throw Error(ExitCode::internal, "a message between processes ends too soon");
   }

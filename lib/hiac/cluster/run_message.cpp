@@ -1,8 +1,11 @@
 #include "hiac/cluster/run_message.hpp"
 
 #include <array>
+#include <cstddef>
+#include <cstring>
 #include <limits>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 namespace hiac {
@@ -10,8 +13,12 @@ namespace {
 
 static_assert(kTileStride * kTileHeight <= std::numeric_limits<std::uint16_t>::max());
 
-// The numbers of a run, and those of its facts.
-constexpr std::size_t kRunNumbers = 6, kFactNumbers = 6;
+// A run's numbers are what it begins with, and its pixel.
+constexpr std::size_t kRunNumbers = offsetof(RayRun, pixel);
+static_assert(std::is_trivially_copyable_v<RayRun> && kRunNumbers == 6 * sizeof(double));
+constexpr std::size_t kRunBytes = kRunNumbers + sizeof(std::uint16_t);
+// the numbers of a run's facts
+constexpr std::size_t kFactNumbers = 6;
 
 void put_facts(ByteWriter& to, std::span<const RunFacts> all) {
   std::vector<double> numbers;
@@ -45,17 +52,13 @@ void put_runs(ByteWriter& to, const TileRuns& runs) {
   to.put(static_cast<std::uint32_t>(runs.facts.size()));
   to.put(runs.counts.segments);
   to.put(runs.counts.violations);
-  std::vector<std::uint16_t> pixels;
-  std::vector<double> numbers;
-  pixels.reserve(count);
-  numbers.reserve(kRunNumbers * count);
+  std::byte* at = to.put_space(kRunBytes * count);
   for (const RayRun& run : runs.runs) {
-    const auto& [rgb, transparency] = run.light;
-    pixels.push_back(static_cast<std::uint16_t>(run.pixel));
-    numbers.insert(numbers.end(), {run.front, run.back, rgb[0], rgb[1], rgb[2], transparency});
+    const auto pixel = static_cast<std::uint16_t>(run.pixel);
+    std::memcpy(at, &run, kRunNumbers);
+    std::memcpy(at + kRunNumbers, &pixel, sizeof pixel);
+    at += kRunBytes;
   }
-  to.put_all(std::span<const std::uint16_t>(pixels));
-  to.put_all(std::span<const double>(numbers));
   put_facts(to, runs.facts);
 }
 
@@ -64,12 +67,14 @@ TileRuns get_runs(ByteReader& from) {
   TileRuns runs;
   runs.counts.segments = from.get<std::uint64_t>();
   runs.counts.violations = from.get<std::uint64_t>();
-  const auto pixels = from.get_all<std::uint16_t>(count);
-  const auto numbers = from.get_all<double>(kRunNumbers * count);
+  const std::byte* at = from.get_space(kRunBytes * count).data();
   runs.runs.resize(count);
-  for (std::size_t k = 0; k < count; ++k) {
-    const double* n = numbers.data() + kRunNumbers * k;
-    runs.runs[k] = {n[0], n[1], {{n[2], n[3], n[4]}, n[5]}, pixels[k]};
+  for (RayRun& run : runs.runs) {
+    std::uint16_t pixel;
+    std::memcpy(static_cast<void*>(&run), at, kRunNumbers);
+    std::memcpy(&pixel, at + kRunNumbers, sizeof pixel);
+    run.pixel = pixel;
+    at += kRunBytes;
   }
   runs.facts = get_facts(from, facts);
   return runs;

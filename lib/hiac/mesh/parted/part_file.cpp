@@ -12,7 +12,6 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/mesh/mesh_hash.hpp"
-#include "hiac/mesh/zoo_container.hpp"
 
 namespace hiac {
 namespace {
@@ -107,15 +106,15 @@ MeshPart read_mesh_part(const PartedIndex& index, std::size_t part) {
   return result;
 }
 
-void write_mesh_part(const std::string& path, const MeshPart& part) {
+ZooFile zoo_file_of(const MeshPart& part) {
   const auto chunk = [](const char* type, const SharedArray<std::uint64_t>& numbers) {
     const std::span<const std::uint8_t> bytes(reinterpret_cast<const std::uint8_t*>(numbers.data()),
                                               8 * numbers.size());
     return ExtraChunk{type, {bytes, std::make_shared<SharedArray<std::uint64_t>>(numbers)}};
   };
-  write_zoo_file(path, {part.mesh,
-                        {chunk(kGlobalNodesChunk, part.global_nodes),
-                         chunk(kGlobalCellsChunk, part.global_cells)}});
+  return {
+      part.mesh,
+      {chunk(kGlobalNodesChunk, part.global_nodes), chunk(kGlobalCellsChunk, part.global_cells)}};
 }
 
 PartInfo part_info(const MeshPart& part, const std::string& file) {

@@ -5,6 +5,7 @@
 
 #include "hiac/mesh/parted/mesh_part.hpp"
 #include "hiac/mesh/parted/parted_index.hpp"
+#include "hiac/mesh/zoo_container.hpp"
 
 namespace hiac {
 
@@ -18,8 +19,8 @@ inline constexpr const char* kGlobalCellsChunk = "GCELLS";
 /// naming the part's file, what was expected and what was found.
 MeshPart read_mesh_part(const PartedIndex& index, std::size_t part);
 
-/// Writes a part's zoo container, completely or not at all.
-void write_mesh_part(const std::string& path, const MeshPart& part);
+/// A part's zoo container. It holds the part's arrays, not copies.
+ZooFile zoo_file_of(const MeshPart& part);
 
 /// Returns what an index says of a part whose file has that name.
 PartInfo part_info(const MeshPart& part, const std::string& file);

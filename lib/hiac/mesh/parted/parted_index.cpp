@@ -12,7 +12,6 @@
 #include <nlohmann/json.hpp>
 
 #include "hiac/base/error.hpp"
-#include "hiac/mesh/atomic_file.hpp"
 #include "hiac/mesh/file_descriptor.hpp"
 
 namespace hiac {
@@ -200,7 +199,7 @@ PartedIndex read_parted_index(const std::string& path, PartFiles files) {
   return index;
 }
 
-void write_parted_index(const PartedIndex& index) {
+std::string text_of(const PartedIndex& index) {
   Json json{{"format", kFormat},    {"version", kVersion}, {"cells", index.cells},
             {"nodes", index.nodes}, {"hash", index.hash},  {"parts", Json::array()}};
   for (const PartInfo& part : index.parts)
@@ -211,11 +210,7 @@ void write_parted_index(const PartedIndex& index) {
                              {"high", part.high},
                              {"hash", part.hash},
                              {"numbers_hash", part.numbers_hash}});
-  const std::string text = json.dump(1) + "\n";
-  write_atomically(index.path, [&](int descriptor) {
-    write_fully(descriptor, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()},
-                index.path);
-  });
+  return json.dump(1) + "\n";
 }
 
 }  // namespace hiac

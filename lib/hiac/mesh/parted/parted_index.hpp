@@ -50,7 +50,7 @@ bool is_parted_index(std::string_view head);
 /// cells do not add up to those of the whole, parts named twice, and parts that `files` excludes.
 PartedIndex read_parted_index(const std::string& path, PartFiles files = PartFiles::beside);
 
-/// Writes index.path, completely or not at all.
-void write_parted_index(const PartedIndex& index);
+/// The text of an index's file.
+std::string text_of(const PartedIndex& index);
 
 }  // namespace hiac

@@ -16,9 +16,10 @@ namespace hiac {
 /// on for NAME.zparts.
 std::vector<std::string> part_paths(const std::string& index_path, std::size_t parts);
 
-/// Splits a mesh (MeshSplitter), writes each part's file, one part in memory at a time, and the
-/// index last. An index of that name is removed first, so that a run that is interrupted leaves
-/// none. `written` is told each part's file. Every part has to have cells. Throws InputError when
+/// Splits a mesh (MeshSplitter) and writes each part's file, one part in memory at a time, and the
+/// index, all under temporary names, which replace older files when all are complete: a run that
+/// fails or is interrupted leaves what was there before, be it parts of the mesh itself. `written`
+/// is told each part's file at the end. Every part has to have cells. Throws InputError when
 /// something cannot be written.
 PartedIndex write_parted_mesh(const std::string& path, const ZooMesh& mesh,
                               std::span<const std::uint32_t> part_of_cell, std::size_t parts,

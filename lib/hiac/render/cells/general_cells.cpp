@@ -90,7 +90,7 @@ class GeneralCellRenderer {
     batch_.append_crossings(crossings_);
     if (batch_.segments().count == 0) return;
     batch_.integrate();
-    const bool one_by_one = to_.group != nullptr || frame_.with_details;
+    const bool one_by_one = to_.group != nullptr || to_.runs != nullptr || frame_.with_details;
     if (!one_by_one)
       to_.counts.violations += composite_segments(frame_, batch_.segments(), of_runs, to_.buffer);
     for (std::size_t k = 0; k < of_runs; ++k)

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "hiac/optics/piece_rule.hpp"
+#include "hiac/render/pixels/open_runs.hpp"
 #include "hiac/render/pixels/tile.hpp"
 
 namespace hiac {
@@ -45,10 +46,23 @@ inline void describe(std::size_t at, const SegmentDetails& segment, double toler
   pixel.add(segment, buffer.transparency[at], light);
 }
 
+/// Adds a segment to the runs of a part of a mesh. open_runs-inl.hpp does the same of vectors.
+inline void add_to_runs(std::size_t at, double front, double back, const PlainRadiance& radiance,
+                        double tolerance, OpenRuns& runs, TileBuffer& buffer, TileCounts& counts) {
+  if (front != runs.back[at]) {
+    runs.open(at, front, buffer);
+    if (out_of_order(front, back, buffer.last[at], tolerance)) ++counts.violations;
+  }
+  runs.extend(at, back, radiance, buffer);
+}
+
 /// The same where cells are drawn: in a group, segments and their details join its list.
 inline void composite(const TileTarget& to, std::size_t at, double front, double back,
                       const PlainRadiance& radiance) {
   if (to.group != nullptr) return to.group->segments.push_back({at, front, back, radiance});
+  if (to.runs != nullptr)
+    return add_to_runs(at, front, back, radiance, to.frame.witness_tolerance, *to.runs, to.buffer,
+                       to.counts);
   composite(at, front, back, radiance, to.frame.witness_tolerance, to.buffer, to.counts);
 }
 inline void describe(const TileTarget& to, std::size_t at, const SegmentDetails& segment) {

@@ -13,6 +13,7 @@
 #  include <hwy/highway.h>
 
 #  include "hiac/render/pixels/compositor-inl.hpp"
+#  include "hiac/render/pixels/open_runs-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
@@ -45,20 +46,23 @@ class SegmentLanes {
   HWY_ALIGN double lane_[kCount][8];
 };
 
-// Composites segments over a tile's pixels, or appends them to the list of a group whose order is
-// not yet known.
+// Composites segments over a tile's pixels, adds them to its runs, or appends them to the list of a
+// group whose order is not yet known.
 class SegmentSink {
  public:
   explicit SegmentSink(const TileTarget& to)
       : buffer_(to.buffer),
         group_(to.group),
+        runs_(to.runs),
         counts_(to.counts),
         witness_tolerance_(to.frame.witness_tolerance) {}
 
   template <class D>
   HWY_INLINE void add(D d, const FinishedSegments<D>& s) {
-    if (group_ != nullptr)
+    if (HWY_UNLIKELY(group_ != nullptr))
       collect(d, s);
+    else if (HWY_UNLIKELY(runs_ != nullptr))
+      counts_.violations += add_to_runs(d, s, witness_tolerance_, *runs_, buffer_);
     else
       counts_.violations += composite<Rounding::once>(d, s, witness_tolerance_, buffer_);
   }
@@ -79,6 +83,7 @@ class SegmentSink {
 
   TileBuffer& buffer_;
   SegmentList* group_;
+  OpenRuns* runs_;
   TileCounts& counts_;
   double witness_tolerance_;
 };

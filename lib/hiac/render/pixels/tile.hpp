@@ -40,14 +40,17 @@ struct SegmentList {
   [[nodiscard]] bool nearer(std::uint32_t a, std::uint32_t b) const;
 };
 
-/// Where the cells of one tile are drawn: over its pixels or, in a group of cells whose order is
-/// yet to be found, into a list.
+struct OpenRuns;
+
+/// Where the cells of one tile are drawn: over its pixels, into the runs of a part of a mesh or, in
+/// a group of cells whose order is yet to be found, into a list.
 struct TileTarget {
   const Frame& frame;
   const TileRect& tile;
   TileBuffer& buffer;
   SegmentList* group;  ///< null where segments are composited
   TileCounts& counts;
+  OpenRuns* runs = nullptr;  ///< where they are composited without details, if not over the pixels
 
   /// Whether anything behind a pixel's segments so far is visible.
   [[nodiscard]] bool is_seen(std::size_t at) const {

@@ -12,8 +12,8 @@
 namespace hiac {
 namespace {
 
-// The number of cells whose segments are listed before they are folded: few enough for the list to
-// stay in a core's cache where cells are small.
+// The number of cells between two looks whether all pixels are opaque. Where segments are listed
+// before they are folded, the list stays in a core's cache if cells are small.
 constexpr std::size_t kCellsPerList = 256;
 
 class RunPainter {
@@ -24,7 +24,7 @@ class RunPainter {
         splatted_(splatted),
         order_(order),
         tile_(tile),
-        buffer_(std::make_unique<TileBuffer>()),
+        buffer_(std::make_unique_for_overwrite<TileBuffer>()),
         folder_(*buffer_, frame.witness_tolerance, frame.with_details, !splatted.none()) {
     buffer_->reset(tile, frame.projector, false);
   }
@@ -34,9 +34,7 @@ class RunPainter {
     while (!ranks.empty()) {
       check_cancelled();
       const CellRun run = first_run(order_, ranks, kCellsPerList);
-      list_.clear();
-      draw_cells(run.ranks);
-      fold(run.is_group);
+      draw_run(run);
       if (is_opaque()) break;
       ranks = ranks.subspan(run.ranks.size());
     }
@@ -51,8 +49,17 @@ class RunPainter {
     for (std::size_t k = 0; k < list_.segments.size(); ++k) fold_one(k);
   }
 
-  void draw_cells(std::span<const std::uint32_t> ranks) {
-    const TileTarget to{frame_, tile_, *buffer_, &list_, counts_};
+  void draw_run(const CellRun& run) {
+    // kernels fold by themselves where nothing but the order of cells has to be known
+    if (!run.is_group && !frame_.with_details && splatted_.none())
+      return draw_cells(run.ranks, nullptr);
+    list_.clear();
+    draw_cells(run.ranks, &list_);
+    fold(run.is_group);
+  }
+
+  void draw_cells(std::span<const std::uint32_t> ranks, SegmentList* list) {
+    const TileTarget to{frame_, tile_, *buffer_, list, counts_, &folder_.open()};
     for (std::size_t i = 0; i < ranks.size();) {
       const DrawCells draw = draw_for(frame_, order_.cells[ranks[i]]);
       cells_.clear();
