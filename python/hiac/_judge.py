@@ -52,7 +52,7 @@ def judge(
     cancel: _core.Cancellation | None = None,
 ) -> Judgement:
     """Judges a picture that another renderer made of a mesh and a view: renders the truth in its
-    size and compares, also with the picture turned, shifted, scaled, or in another encoding.
+    size and compares, also with the picture turned, shifted, scaled, in another encoding or in another projection.
 
     picture: a file, a Picture, or an array of linear R G B (A), shape (height, width, 3 or 4).
     background: whether the picture has the view's background behind the volume.

@@ -9,16 +9,15 @@
 
 Needs python3-numpy, for the mesh that vortices.py makes.
 """
-import json
-import os
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-ROOT = HERE.parent.parent
-BUILD = Path(os.environ.get("HIAC_BUILD_DIR", ROOT / "build/release"))
+sys.path.append(str(HERE.parent))
+from programs import ROOT, compare, renew_table, run  # noqa: E402
+
 DOCS = ROOT / "docs"
 SMALL = "400x300"  # the size of the pictures in docs/gallery
 
@@ -45,15 +44,6 @@ FIGURES = {
 PREVIEWS = {"figure-11": ("pool-corners", "pool", "M3")}
 # mesh: its specification
 VIEWS = {"pool": "pool", "pool-corners": "pool", "vortices": "vortices"}
-
-
-def run(tool, *arguments):
-    """Runs hiac-TOOL and returns its output; ends the program when the tool fails."""
-    command = [BUILD / "tools" / tool / f"hiac-{tool}", "-q", *map(str, arguments)]
-    result = subprocess.run(command, stdout=subprocess.PIPE, check=False)
-    if result.returncode != 0:
-        sys.exit(f"make.py: hiac-{tool} failed")
-    return result.stdout
 
 
 def make_meshes(folder):
@@ -92,10 +82,7 @@ def make_pictures(meshes, folder, size):
 
 def difference(image, reference):
     """The table's columns for two images: errors over red, green, blue; PSNR, SSIM, mean FLIP."""
-    facts = json.loads(run("compare", image, reference, "--json", "-"))
-    colours = [c for c in facts["channels"] if c["name"] in "RGB"]
-    largest = max(c["largest_error"] for c in colours)
-    rmse = (sum(c["rmse"] ** 2 for c in colours) / 3) ** 0.5
+    facts, largest, rmse = compare(image, reference)
     return (f"{largest:.1e} | {rmse:.1e} | {facts['psnr']:.1f} | {facts['ssim']:.4f} | "
             f"{facts['flip']['mean']:.4f} |")
 
@@ -143,14 +130,6 @@ def error_table(meshes, folder):
     return "\n".join([HEAD, *rows]) + "\n"
 
 
-def renew_table(path, table):
-    """Puts the table between the two marks of a document."""
-    first, last = "<!-- errors: samples/gallery/make.py --docs -->\n", "<!-- end of errors -->\n"
-    text = path.read_text()
-    before, rest = text.split(first)
-    path.write_text(before + first + "\n" + table + "\n" + last + rest.split(last)[1])
-
-
 def main():
     for_docs = sys.argv[1:] == ["--docs"]
     with tempfile.TemporaryDirectory() as name:
@@ -164,7 +143,7 @@ def main():
         table = error_table(meshes, scratch)
         print(table)
         if for_docs:
-            renew_table(DOCS / "gallery.md", table)
+            renew_table(DOCS / "gallery.md", "errors", "samples/gallery/make.py", table)
         else:
             (folder / "errors.md").write_text(table)
 

@@ -97,20 +97,21 @@ def pixels(window, width, height):
     return vtk_to_numpy(bytes_of_window).reshape(height, width, 3)[::-1] / 255
 
 
-def draw(mesh, specification, mapper_name, first_frame):
+def draw(mesh, specification, mapper, first_frame=False, is_moved=False):
+    """The window's picture; moved, its mapper samples the middles of pixels."""
     with open(specification, "rb") as file:
         scene = tomllib.load(file)
     width, height = scene["image"]["width"], scene["image"]["height"]
     renderer, window = vtkRenderer(), vtkRenderWindow()
     renderer.SetBackground(0, 0, 0)
     place_camera(renderer.GetActiveCamera(), scene["camera"])
-    if mapper_name == "tuned":
+    if is_moved:
         renderer.GetActiveCamera().SetWindowCenter(1 / width, 1 / height)
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(0)
     window.SetSize(width, height)
     window.AddRenderer(renderer)
-    mapper, volume = make_mapper(mapper_name), vtkVolume()
+    volume = vtkVolume()
     mapper.SetInputData(read_tetrahedra(mesh, scene["volume"]["color"]["field"]))
     volume.SetMapper(mapper)
     volume.SetProperty(make_property(scene["volume"]))
@@ -125,8 +126,9 @@ def main():
     arguments = [a for a in sys.argv[1:] if a != "--first-frame"]
     if len(arguments) != 4 or arguments[2] not in ("projected", "raycast", "tuned", "zsweep"):
         sys.exit(__doc__)
-    mesh, specification, mapper, picture = arguments
-    np.save(picture, draw(mesh, specification, mapper, "--first-frame" in sys.argv))
+    mesh, specification, name, picture = arguments
+    np.save(picture, draw(mesh, specification, make_mapper(name), "--first-frame" in sys.argv,
+                          is_moved=name == "tuned"))
 
 
 if __name__ == "__main__":

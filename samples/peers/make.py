@@ -10,8 +10,6 @@
 Draws every scene of scenes.py with hiac and with VTK's three mappers, one of them twice, each in a process of its own,
 on a screen that only exists in memory. Needs python3-vtk9, python3-numpy, xvfb and xauth.
 """
-import json
-import os
 import subprocess
 import sys
 import tempfile
@@ -25,8 +23,9 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 from scenes import SCENES, SIDE
 
 HERE = Path(__file__).resolve().parent
-ROOT = HERE.parent.parent
-BUILD = Path(os.environ.get("HIAC_BUILD_DIR", ROOT / "build/release"))
+sys.path.append(str(HERE.parent))
+from programs import ROOT, compare, renew_table, run  # noqa: E402
+
 PAGE = ROOT / "docs/peers.md"
 MAPPERS = {"projected": "projected tetrahedra", "raycast": "ray cast", "tuned": "ray cast, tuned",
            "zsweep": "z-sweep"}
@@ -34,15 +33,6 @@ PATIENCE = 120  # seconds for a picture of VTK's, which takes a few
 LARGEST_SHOWN = 0.1  # error that the last colour of error maps means
 VIRIDIS = np.array([[0x44, 0x01, 0x54], [0x44, 0x39, 0x83], [0x31, 0x68, 0x8e], [0x21, 0x91, 0x8c],
                     [0x35, 0xb7, 0x79], [0x90, 0xd7, 0x43], [0xfd, 0xe7, 0x25]])
-
-
-def run(tool, *arguments):
-    """Runs hiac-TOOL and returns its output; ends the program when the tool fails."""
-    command = [BUILD / "tools" / tool / f"hiac-{tool}", "-q", *map(str, arguments)]
-    result = subprocess.run(command, stdout=subprocess.PIPE, check=False)
-    if result.returncode != 0:
-        sys.exit(f"make.py: hiac-{tool} failed")
-    return result.stdout
 
 
 def draw_with_vtk(scene, mesh, view, mapper, picture):
@@ -57,10 +47,9 @@ def draw_with_vtk(scene, mesh, view, mapper, picture):
 
 def figures(picture, mesh, view):
     """What hiac-compare says of a picture: errors over R, G and B, metrics, and what it suspects."""
-    facts = json.loads(run("compare", picture, "--truth", mesh, "--view", view, "--json", "-"))
+    facts, largest, rmse = compare(picture, "--truth", mesh, "--view", view)
     place = facts["misfit"].get("place")
-    return {"largest": max(c["largest_error"] for c in facts["channels"]),
-            "rmse": (sum(c["rmse"] ** 2 for c in facts["channels"]) / 3) ** 0.5,
+    return {"largest": largest, "rmse": rmse,
             "psnr": facts["psnr"], "flip": facts["flip"]["mean"],
             "truth": facts["truth_error"],
             "shift": place and place["shift"], "scale": place and place["scale"]}
@@ -142,13 +131,6 @@ def rows_of(scene, found):
                f"{f['flip']:.4f} | {shift} | {f['truth']:.0e} |")
 
 
-def renew_table(table):
-    """Puts the table between the two marks of the page."""
-    first, last = "<!-- figures: samples/peers/make.py --docs -->\n", "<!-- end of figures -->\n"
-    before, rest = PAGE.read_text().split(first)
-    PAGE.write_text(before + first + "\n" + table + "\n" + last + rest.split(last)[1])
-
-
 def main():
     arguments = sys.argv[1:]
     chosen = {s.name for s in SCENES}
@@ -169,7 +151,7 @@ def main():
             print("\n".join(rows_of(scene, found)), flush=True)
     table = "\n".join(rows) + "\n"
     if for_docs:
-        renew_table(table)
+        renew_table(PAGE, "figures", "samples/peers/make.py", table)
     else:
         (folder / "figures.md").write_text(table)
 

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/scene/colormaps/color_space.hpp"
+#include "hiac/scene/specification.hpp"
 
 namespace hiac {
 namespace {
@@ -46,6 +48,23 @@ TEST(ColorBar, ShowsTheColoursOfItsColumns) {
       EXPECT_NEAR(found[1], 0.25, 1e-8);
       EXPECT_NEAR(found[2], 1, 1e-8);
     }
+}
+
+// Display values that are even in the logarithm are even along a logarithmic bar.
+TEST(ColorBar, ShowsDisplayValuesEvenlyOnALogarithmicScale) {
+  const ParsedScene parsed = parse_scene(
+      "[image]\nwidth = 4\nheight = 3\n[camera]\neye = [0, -3, 1]\nlook_at = [0, 0, 0]\n"
+      "up = [0, 0, 1]\nfov = 30\n[volume.color]\nfield = 't'\nscale = 'log'\n"
+      "color_space = 'srgb'\npoints = [[0.01, 0, 0, 0.5], [100, 1, 0, 0.5]]\n"
+      "[volume.extinction]\nfield = 'p'\npoints = [[0, 1]]\n",
+      "view.toml");
+  const Image bar = draw_color_bar(parsed.scene.volume, {"t", "p"}, 0.5,
+                                   parsed.annotation.bar_is_logarithmic);
+  for (int i = 0; i < Layout::kPlotWidth; ++i) {
+    const auto found = pixel(bar, Layout::kLeft + i, kBarTop);
+    EXPECT_NEAR(color_space::gamma_encoded(found[0]), (i + 0.5) / Layout::kPlotWidth, 0.006) << i;
+    EXPECT_NEAR(color_space::gamma_encoded(found[2]), 0.5, 0.002) << i;
+  }
 }
 
 TEST(ColorBar, ShowsTheOpacityOfTheLength) {

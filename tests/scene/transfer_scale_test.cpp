@@ -1,5 +1,6 @@
 #include "hiac/scene/transfer_scale.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -93,6 +94,58 @@ TEST(TransferScale, ColorsAreDecodedWhereTheySaySo) {
   const std::string gray = "preset = 'grayscale'\nrange = [0, 1]\n";
   EXPECT_NEAR(color(gray).function()(0.5)[0], 0.21404114048223255, 9e-4);
   EXPECT_EQ(color(gray + "color_space = 'linear'\n").function()(0.5)[0], 0.5);
+}
+
+/// What a display value of 0 to 1 is as light (IEC 61966-2-1).
+double light(double display) {
+  return display <= 0.04045 ? display / 12.92 : std::pow((display + 0.055) / 1.055, 2.4);
+}
+
+// On a logarithmic scale a display value is even in the scalar's logarithm, however the points are
+// given: at the geometric middle of two scalars it is the middle one.
+TEST(TransferScale, DisplayValuesAreEvenInTheLogarithm) {
+  const auto color = [](const std::string& keys) {
+    return *scene_of("[volume.color]\nfield = 'p'\nscale = 'log'\n" + keys).volume.color;
+  };
+  const std::string absolute = "points = [[1e-2, 0, 0.1, 0.5], [10, 1, 0.9, 0.5]]\n";
+  const std::string relative =
+      "range = [1e-2, 10]\npoints = [[0, 0, 0.1, 0.5], [1, 1, 0.9, 0.5]]\n";
+  for (const std::string& points : {absolute, relative}) {
+    const auto display = color(points + "color_space = 'srgb'\n");
+    EXPECT_EQ(display.points.front().scalar, 1e-2);
+    EXPECT_EQ(display.points.back().scalar, 10);
+    EXPECT_NEAR(display.function()(std::sqrt(1e-1))[0], light(0.5), 2e-3) << points;
+    const auto linear = color(points + "color_space = 'linear'\n").function();
+    EXPECT_NEAR(linear(std::sqrt(1e-1))[0], 0.5, 1e-4) << points;
+    for (int i = 0; i <= 1000; ++i) {
+      const double share = i / 1000.0, scalar = std::pow(10, -2 + 3 * share);
+      const auto found = display.function()(scalar);
+      EXPECT_NEAR(found[0], light(share), 2e-3) << points << scalar;
+      EXPECT_NEAR(found[1], light(0.1 + 0.8 * share), 2e-3) << points << scalar;
+      EXPECT_NEAR(found[2], light(0.5), 1e-12) << points << scalar;
+      EXPECT_NEAR(linear(scalar)[1], 0.1 + 0.8 * share, 1e-4) << points << scalar;
+    }
+  }
+  const auto gray = color("preset = 'grayscale'\nrange = [1e-2, 10]\n").function();
+  EXPECT_NEAR(gray(std::sqrt(1e-1))[0], light(0.5), 2e-3);
+}
+
+// Points keep their scalars to the last bit, above all those of a step.
+TEST(TransferScale, DecodedPointsKeepTheirScalars) {
+  for (const std::string scale : {"linear", "log"}) {
+    const auto color =
+        *scene_of("[volume.color]\nfield = 'p'\ncolor_space = 'srgb'\nscale = '" + scale +
+                  "'\npoints = [[0.1, 0, 0, 0], [0.3, 1, 0, 0.2], [0.3, 0, 1, 0.2], "
+                  "[0.7, 1, 0, 0.3], [0.7, 0.5, 0.5, 0], [7.7, 0, 0, 1]]\n")
+             .volume.color;
+    const auto function = color.function();
+    for (const double step : {0.3, 0.7}) {
+      const auto below = function(std::nextafter(step, 0)), above = function(step);
+      EXPECT_NEAR(below[0], 1, 1e-12) << scale << step;
+      EXPECT_NEAR(above[1], step == 0.3 ? 1 : light(0.5), 1e-12) << scale << step;
+    }
+    EXPECT_TRUE(std::ranges::is_sorted(color.points, {}, [](const auto& p) { return p.scalar; }));
+  }
 }
 
 }  // namespace

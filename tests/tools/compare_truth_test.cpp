@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -165,6 +166,123 @@ TEST_F(CompareTruth, TellsWhatIsWrongWithThePictureAsAWhole) {
   const auto place = facts("aside.npy --truth m.zoo --view p.toml")["misfit"]["place"];
   EXPECT_NEAR(place["shift"][0], -2.5, 0.05);
   EXPECT_NEAR(place["shift"][1], 0, 0.05);
+}
+
+// The projection: what is drawn with one camera is judged by the truth of another.
+class CompareProjection : public CompareTruth {
+ protected:
+  CompareProjection() { scene_.image = {160, 120}; }
+
+  // A camera that sees as much of what is at look_at, with a view angle (0: parallel).
+  [[nodiscard]] static Camera framed(Camera camera, double fov) {
+    const double half = std::tan(radians(camera.fov) / 2) * distance(camera);
+    if (fov == 0) {
+      camera.projection = Projection::orthographic;
+      camera.height = 2 * half;
+    } else {
+      const double farther = half / std::tan(radians(fov) / 2) / distance(camera);
+      for (std::size_t c = 0; c < 3; ++c)
+        camera.eye[c] = camera.look_at[c] + farther * (camera.eye[c] - camera.look_at[c]);
+    }
+    camera.fov = fov;
+    return camera;
+  }
+  [[nodiscard]] static double distance(const Camera& camera) {
+    const auto ahead = view_direction(camera);
+    return std::hypot(ahead[0], ahead[1], ahead[2]);
+  }
+  // The misfit of a picture by one camera from the truth of another.
+  nlohmann::json misfit(const Camera& drawn, const Camera& view, bool is_mirrored = false) {
+    Scene other = scene_;
+    other.camera = drawn;
+    Image image = picture(other);
+    if (is_mirrored)
+      for (std::size_t y = 0; y < image.height(); ++y)
+        for (std::size_t x = 0; x < image.width() / 2; ++x)
+          for (std::size_t c = 0; c < 4; ++c)
+            std::swap(image.at(x, y, c), image.at(image.width() - 1 - x, y, c));
+    write("drawn.npy", image);
+    other.camera = view;
+    static_cast<void>(folder_.write("view.toml", to_toml(other)));
+    return facts("drawn.npy --truth m.zoo --view view.toml")["misfit"];
+  }
+
+ private:
+  static double radians(double degrees) { return degrees * std::acos(-1.0) / 180; }
+};
+
+TEST_F(CompareProjection, FindsAParallelPictureOfAViewInPerspective) {
+  const Camera view = framed(scene_.camera, 40), parallel = framed(view, 0);
+  const auto told = misfit(parallel, view);
+  EXPECT_GT(told["rmse"], 0.01);
+  ASSERT_TRUE(told.contains("projection")) << told;
+  EXPECT_EQ(told["projection"]["name"], "orthographic");
+  EXPECT_NEAR(told["projection"]["height"], parallel.height, 1e-9);
+  EXPECT_LT(told["projection"]["rmse_without"], 1e-9);
+  ASSERT_EQ(run("drawn.npy --truth m.zoo --view view.toml"), 0);
+  EXPECT_THAT(out_, HasSubstr("the picture is in parallel projection, "));
+  EXPECT_THAT(out_, HasSubstr("(the view is of 40.0 degrees, from "));
+}
+
+TEST_F(CompareProjection, FindsAPictureInPerspectiveOfAParallelView) {
+  for (const double fov : {12.0, 35.0, 70.0}) {
+    const Camera drawn = framed(scene_.camera, fov);
+    const auto told = misfit(drawn, framed(scene_.camera, 0));
+    ASSERT_TRUE(told.contains("projection")) << fov << told;
+    EXPECT_EQ(told["projection"]["name"], "perspective");
+    EXPECT_NEAR(told["projection"]["fov"], fov, 0.02 * fov);
+    EXPECT_NEAR(told["projection"]["eye"][0], drawn.eye[0], 0.03 * distance(drawn));
+    EXPECT_LT(told["projection"]["rmse_without"], 0.1 * told["rmse"].get<double>());
+  }
+}
+
+TEST_F(CompareProjection, FindsAWrongViewAngle) {
+  const Camera view = framed(scene_.camera, 30);
+  for (const double fov : {18.0, 45.0, 60.0}) {
+    Camera drawn = view;
+    drawn.fov = fov;  // the eye where it is
+    const auto told = misfit(drawn, view);
+    ASSERT_TRUE(told.contains("projection")) << fov << told;
+    EXPECT_NEAR(told["projection"]["fov"], fov, 0.01 * fov);
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(told["projection"]["eye"][c], view.eye[c], 1e-9);
+  }
+  const auto moved = misfit(framed(view, 75), view);
+  ASSERT_TRUE(moved.contains("projection")) << moved;
+  EXPECT_NEAR(moved["projection"]["fov"], 75, 1);
+}
+
+TEST_F(CompareProjection, FindsAWrongHeight) {
+  const Camera view = framed(scene_.camera, 0);
+  for (const double share : {0.5, 2.0}) {
+    Camera drawn = view;
+    drawn.height *= share;  // half the height where the whole is meant, or the other way
+    const auto told = misfit(drawn, view);
+    ASSERT_TRUE(told.contains("projection")) << share << told;
+    EXPECT_EQ(told["projection"]["name"], "orthographic");
+    EXPECT_NEAR(told["projection"]["height"], drawn.height, 0.005 * drawn.height);
+  }
+}
+
+TEST_F(CompareProjection, FindsWhatElseIsWrong) {
+  const Camera view = framed(scene_.camera, 40);
+  const auto told = misfit(framed(view, 0), view, true);
+  ASSERT_TRUE(told.contains("projection")) << told;
+  EXPECT_EQ(told["projection"]["name"], "orthographic");
+  EXPECT_EQ(told["orientation"]["name"], "mirrored left to right");
+}
+
+TEST_F(CompareProjection, FindsNoneInTheRightPicture) {
+  const Camera view = framed(scene_.camera, 40);
+  EXPECT_FALSE(misfit(view, view).contains("projection"));
+  EXPECT_FALSE(misfit(view, view, true).contains("projection"));
+  // errors that are no projection's: what is dark is darker
+  scene_.camera = view;
+  Image image = picture(scene_);
+  for (double& value : image.values()) value = std::pow(value, 1.3);
+  write("darker.npy", image);
+  static_cast<void>(folder_.write("view.toml", to_toml(scene_)));
+  EXPECT_FALSE(facts("darker.npy --truth m.zoo --view view.toml")["misfit"].contains("projection"));
 }
 
 TEST_F(CompareTruth, SaysWhereTheTruthHasNoBound) {

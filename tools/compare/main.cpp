@@ -17,6 +17,7 @@
 #include "tools/common/text_output.hpp"
 #include "tools/common/tool.hpp"
 #include "tools/compare/comparison.hpp"
+#include "tools/compare/projection.hpp"
 #include "tools/compare/truth.hpp"
 
 namespace {
@@ -105,12 +106,23 @@ void claim_files(Tool& tool, const Options& options) {
 
 /// What a comparison with the truth has beyond one of two images.
 std::string told_of_truth(Tool& tool, const Image& image, const Image& truth,
-                          const std::optional<double>& error) {
-  const Misfit misfit = tool.timed("align", [&] { return find_misfit(image, truth); });
-  put_into(tool.facts(), misfit);
-  tool.facts()["truth_error"] = error ? nlohmann::ordered_json(*error) : nullptr;
+                          TruthRenderer& renderer, const std::optional<double>& error) {
+  Misfit misfit = tool.timed("align", [&] { return find_misfit(image, truth); });
+  const auto projection = tool.timed("projection", [&] {
+    return find_projection(renderer.camera(), image, misfit,
+                           [&](const Camera& camera, ImageSize size, std::uint32_t samples) {
+                             return renderer.picture_of(camera, size, samples);
+                           });
+  });
   std::string text = error ? fmt::format("  the truth is exact to {:.1e}\n", *error) : "";
+  if (projection) text += "  " + line_of(renderer.camera(), *projection, misfit.rmse) + '\n';
+  // what is wrong beside the projection
+  const double rmse = misfit.rmse;
+  if (projection) misfit = projection->misfit;
   for (const std::string& line : lines_of(misfit)) text += "  " + line + '\n';
+  put_into(tool.facts(), misfit);
+  if (projection) put_into(tool.facts(), *projection, rmse);
+  tool.facts()["truth_error"] = error ? nlohmann::ordered_json(*error) : nullptr;
   return text;
 }
 
@@ -124,9 +136,10 @@ void compare(Tool& tool, Options options) {
   Image image =
       tool.timed("read", [&] { return read_image(options.image, options.reading).image; });
   std::optional<double> error;
+  std::optional<TruthRenderer> renderer;
   const Image reference = [&] {
     if (!options.has_truth()) return read_image(options.reference, options.reading).image;
-    Truth truth = render_truth(tool, options.truth, image, options.image);
+    Truth truth = renderer.emplace(tool, options.truth, image, options.image).truth();
     error = truth.error;
     return std::move(truth.image);
   }();
@@ -143,7 +156,7 @@ void compare(Tool& tool, Options options) {
   std::string text = fmt::format("{} against {}: {} x {} pixels{}\n{}", options.image,
                                  options.reference, image.width(), image.height(),
                                  comparison.equal ? ", equal" : "", table(comparison));
-  if (options.has_truth()) text += told_of_truth(tool, image, reference, error);
+  if (options.has_truth()) text += told_of_truth(tool, image, reference, *renderer, error);
   if (tool.common().json != "-") write_text("-", text);
   if (!options.heat_map.empty()) write_heat_map(tool, options, comparison, image, reference);
   judge(options, comparison);
@@ -186,7 +199,8 @@ int main(int argc, char** argv) {
       "degree) compare the colours as displayed, from 0 to 1. Images of different sizes, or\n"
       "without a common channel, fail the judgement.\n\n"
       "With --truth the reference is the exact picture of a mesh, and what is wrong with A as a\n"
-      "whole is told: turned or mirrored, in another encoding, shifted, or of another scale.",
+      "whole is told: turned or mirrored, in another encoding, in another projection or with\n"
+      "another view angle, shifted, or of another scale.",
       "  hiac-compare new.exr reference.exr\n"
       "  hiac-compare new.npy reference.npy --max-error 1e-12 --json facts.json\n"
       "  hiac-compare new.png old.png --heatmap where.png --heatmap-of flip\n"

@@ -99,40 +99,58 @@ void add_truth_options(CLI::App& app, PictureCommand& command) {
   add_conversion(app, command.conversion);
 }
 
-Truth render_truth(Tool& tool, PictureCommand command, Image& picture, const std::string& path) {
-  picture = without_opaque_alpha(tool, std::move(picture), path);
-  if (command.view.empty()) command.view = path;
-  command.size = fmt::format("{}x{}", picture.width(), picture.height());
-  std::optional<ParsedScene> parsed = specification_of(tool, command);
-  check_frame_options(command, parsed->scene);
-  ZooFile file = mesh_of(tool, command);
-  const ParsedScene view = scene_for(tool, command, std::move(parsed), file.mesh);
+TruthRenderer::TruthRenderer(Tool& tool, PictureCommand command, Image& picture,
+                             const std::string& path)
+    : tool_(tool), command_(std::move(command)) {
+  picture = without_opaque_alpha(tool_, std::move(picture), path);
+  channels_.assign(picture.channels().begin(), picture.channels().end());
+  if (command_.view.empty()) command_.view = path;
+  command_.size = fmt::format("{}x{}", picture.width(), picture.height());
+  std::optional<ParsedScene> parsed = specification_of(tool_, command_);
+  check_frame_options(command_, parsed->scene);
+  ZooFile file = mesh_of(tool_, command_);
+  const ParsedScene view = scene_for(tool_, command_, std::move(parsed), file.mesh);
   if (view.annotation.draws())
-    tool.note("[annotation] is not drawn on the truth: where A has it, it differs");
-  const Scene scene =
-      view.scene.path ? scene_of_frame(view.scene, command.frame.value_or(0)) : view.scene;
-  PictureRequest request;
-  request.background = !command.no_background && !(has_alpha(picture) && has_integer_samples(path));
-  Session session(std::move(file.mesh), tool.monitor());
-  const auto check = [&] {
-    if (command.skip_invalid)
-      note_skipped(tool, session.skip_invalid_cells(scene), session.mesh().cell_count());
-    else
-      hint_at_skip_invalid(command, [&] { session.require_drawable(scene); });
+    tool_.note("[annotation] is not drawn on the truth: where A has it, it differs");
+  scene_ = view.scene.path ? scene_of_frame(view.scene, command_.frame.value_or(0)) : view.scene;
+  request_.background =
+      !command_.no_background && !(has_alpha(picture) && has_integer_samples(path));
+  Monitor monitor = tool_.monitor();
+  monitor.note = [this](const std::string& line) {
+    if (!is_silent_) tool_.note(line);
   };
-  with_names(command, check);
+  session_ = std::make_unique<Session>(std::move(file.mesh), std::move(monitor));
+  with_names(command_, [&] {
+    if (command_.skip_invalid)
+      note_skipped(tool_, session_->skip_invalid_cells(scene_), session_->mesh().cell_count());
+    else
+      hint_at_skip_invalid(command_, [&] { session_->require_drawable(scene_); });
+  });
+}
+
+Truth TruthRenderer::truth() {
   const Picture drawn =
-      with_names(command, [&] { return picture_with_bounds(tool, session, scene, request); });
+      with_names(command_, [&] { return picture_with_bounds(tool_, *session_, scene_, request_); });
   require_numbers(drawn.image);
   if (drawn.violations > 0)
-    tool.warn(fmt::format("the truth has {} ray segments out of order", drawn.violations));
-  Truth truth{with_channels(drawn.image, {picture.channels().begin(), picture.channels().end()}),
-              std::nullopt};
+    tool_.warn(fmt::format("the truth has {} ray segments out of order", drawn.violations));
+  Truth truth{with_channels(drawn.image, channels_), std::nullopt};
   if (drawn.image.channel_index("error")) {
     const double largest = largest_of(drawn.image, "error");
     if (std::isfinite(largest)) truth.error = largest;
   }
   return truth;
+}
+
+Image TruthRenderer::picture_of(const Camera& camera, ImageSize size, std::uint32_t samples) {
+  is_silent_ = true;
+  Scene scene = scene_;
+  scene.camera = camera;
+  scene.image = size;
+  PictureRequest request = request_;
+  if (samples > 1) request.sampling = Supersampling{samples, SampleFilter::box};
+  const Picture drawn = with_names(command_, [&] { return session_->picture(scene, request); });
+  return with_channels(drawn.image, channels_);
 }
 
 }  // namespace hiac::tools

@@ -298,7 +298,7 @@ std::optional<PlaceFit> fit_place(const Colors& picture, const Colors& reference
       std::hypot(static_cast<double>(picture.width), static_cast<double>(picture.height)) / 2;
   const double displacement = std::hypot(place.x, place.y) + diagonal * std::abs(place.scale - 1);
   if (displacement < kLeastDisplacement || after > kPlacedBetter * before) return std::nullopt;
-  return PlaceFit{{place.x, place.y}, place.scale, after};
+  return PlaceFit{{place.x, place.y}, place.scale, after, before};
 }
 
 }  // namespace

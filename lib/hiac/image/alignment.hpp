@@ -45,7 +45,8 @@ struct EncodingFit {
 struct PlaceFit {
   std::array<double, 2> shift;  ///< pixels, to the right and down
   double scale;
-  double rmse;
+  double rmse;         ///< of the luminance, in its place
+  double rmse_before;  ///< of the luminance, where it is
 };
 
 /// What is wrong with a picture as a whole, before any pixel of it is.

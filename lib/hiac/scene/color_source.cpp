@@ -1,7 +1,9 @@
 #include "hiac/scene/color_source.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -104,21 +106,37 @@ TransferPoints<3> preset_points(const SpecValue& table, const ColorSource& sourc
   return std::move(linear.points);
 }
 
-/// Points whose colours are display values become points whose colours are linear.
+/// The scalar of a logarithm between those of the points' scalars: a point's own, where it is that.
+double scalar_of(double logarithm, const TransferPoints<3>& points) {
+  const auto logarithm_of = [](const auto& point) { return std::log(point.scalar); };
+  const auto next = std::ranges::lower_bound(points, logarithm, {}, logarithm_of);
+  if (logarithm_of(*next) == logarithm) return next->scalar;
+  return std::clamp(std::exp(logarithm), std::prev(next)->scalar, next->scalar);
+}
+
+/// Points whose colours are display values become points whose colours are linear. Display values
+/// are even in the scalar or, on a logarithmic scale, in its logarithm: with a range the points lie
+/// evenly already, without one their logarithms do.
 TransferPoints<3> decoded_points(const SpecValue& table, const ColorSource& source) {
   const TransferPoints<3>& points = source.transfer.points;
+  const bool by_logarithm = source.range.scale == TransferScale::log && !source.range.is_given();
   ColormapPreset display;
   for (const auto& point : points) {
     for (const double channel : point.value)
       if (channel > 1)
         table.fail_at("points", fmt::format("a display value is at most 1 (found {})", channel));
-    display.nodes.push_back({point.scalar, point.value});
+    display.nodes.push_back({by_logarithm ? std::log(point.scalar) : point.scalar, point.value});
   }
-  const double first = points.front().scalar, last = points.back().scalar;
-  if (first < last)
-    return linearize(display, first, last, source.preset_tolerance.value_or(kDisplayTolerance),
-                     ColorEncoding::srgb)
-        .points;
+  const double first = display.nodes.front().scalar, last = display.nodes.back().scalar;
+  if (first < last) {
+    TransferPoints<3> linear =
+        linearize(display, first, last, source.preset_tolerance.value_or(kDisplayTolerance),
+                  ColorEncoding::srgb)
+            .points;
+    if (by_logarithm)
+      for (auto& point : linear) point.scalar = scalar_of(point.scalar, points);
+    return linear;
+  }
   TransferPoints<3> linear = points;
   for (auto& point : linear)
     point.value = preset_color({"", {}, {{0, point.value}}}, 0, ColorEncoding::srgb);

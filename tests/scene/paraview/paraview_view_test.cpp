@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <map>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -144,7 +145,8 @@ TEST(ParaviewView, DrawsContoursAndListsWhatHasNoEqual) {
   // the colour of its own value, halfway between the second and the third node
   EXPECT_EQ(scene.isosurfaces[2].value, 150);
   EXPECT_THAT(view.omitted, Contains(HasSubstr("Slice1 (Cut) as Surface")));
-  EXPECT_THAT(view.omitted, Contains(HasSubstr("light kit")));
+  EXPECT_THAT(view.omitted, Contains(HasSubstr("the shading of surfaces")));
+  EXPECT_THAT(view.notes, Contains(HasSubstr("the five of the light kit")));
   EXPECT_THAT(view.text, HasSubstr("# not as in ParaView: Slice1"));
 }
 
@@ -156,6 +158,30 @@ TEST(ParaviewView, TakesTheFirstViewOrTheOneThatIsNamed) {
 
 TEST(ParaviewView, FindsTheDataBesideTheState) {
   EXPECT_EQ(view_of("rgb.pvsm").data_file, state_file("block.vtu"));
+}
+
+// Every light of vtkLightKit (make_lights.py) is there once.
+void expect_lights(const Scene& scene, const std::string& kit, double tolerance) {
+  auto expected = truth<6>("lights", kit);
+  ASSERT_EQ(scene.lights.size(), expected.size());
+  for (const Light& light : scene.lights) {
+    ASSERT_TRUE(light.direction);
+    const auto found = std::ranges::find_if(expected, [&](const auto& e) {
+      double farthest = 0;
+      for (std::size_t c = 0; c < 3; ++c)
+        farthest = std::max({farthest, std::abs((*light.direction)[c] - e[c]),
+                             std::abs(light.color[c] - e[c + 3])});
+      return farthest <= tolerance;
+    });
+    ASSERT_NE(found, expected.end()) << (*light.direction)[0] << " " << light.color[0];
+    expected.erase(found);
+  }
+}
+
+TEST(ParaviewView, HasTheLightsOfTheLightKit) {
+  expect_lights(parsed("surfaces.pvsm").scene, "usual", 1e-8);
+  // lights shine on surfaces alone
+  EXPECT_EQ(parsed("rgb.pvsm").scene.lights, std::vector<Light>{Light{}});
 }
 
 // Changes -----------------------------------------------------------------------------------------
@@ -170,6 +196,20 @@ class ChangedState : public testing::Test {
     EXPECT_NE(at, std::string::npos) << from;
     text.replace(at, from.size(), to);
     return message_of(text);
+  }
+
+  /// surfaces.pvsm with other values of its properties.
+  std::string surfaces_with(const std::map<std::string, std::string>& values) {
+    std::ifstream file(state_file("surfaces.pvsm"));
+    std::string text((std::istreambuf_iterator<char>(file)), {});
+    for (const auto& [property, value] : values) {
+      const std::string begin = "value=\"";
+      std::size_t at = text.find("<Property name=\"" + property + "\"");
+      EXPECT_NE(at, std::string::npos) << property;
+      at = text.find(begin, at) + begin.size();
+      text.replace(at, text.find('"', at) - at, value);
+    }
+    return text;
   }
 
   std::string message_of(const std::string& text) {
@@ -224,6 +264,29 @@ TEST_F(ChangedState, MayShowTheDatasSurface) {
   EXPECT_EQ(scene.edges->show, EdgeChoice::boundary);
   EXPECT_EQ(scene.edges->width, 1);
   EXPECT_NEAR(color_space::gamma_encoded(scene.edges->color[2]), 0.5, 1e-12);
+}
+
+TEST_F(ChangedState, MayHaveOtherLights) {
+  const std::map<std::string, std::string> other{
+      {"KeyLightIntensity", "1.25"}, {"KeyLightWarmth", "0.9"},     {"KeyLightElevation", "20"},
+      {"KeyLightAzimuth", "-35"},    {"FillLightK:F Ratio", "2.5"}, {"FillLightWarmth", "0.07"},
+      {"FillLightElevation", "-60"}, {"FillLightAzimuth", "25"},    {"BackLightK:B Ratio", "6"},
+      {"BackLightWarmth", "0.31"},   {"BackLightElevation", "15"},  {"BackLightAzimuth", "140"},
+      {"HeadLightK:H Ratio", "4.5"}, {"HeadLightWarmth", "1"},      {"MaintainLuminance", "1"}};
+  const auto scene_of = [&](const std::map<std::string, std::string>& values) {
+    const std::string path = folder_.write("lights.pvsm", surfaces_with(values));
+    return parse_scene(view_from_state(path).text, "lights").scene;
+  };
+  // VTK tabulates roots of luminances, to 4 digits
+  expect_lights(scene_of(other), "other", 3e-4);
+  const Scene dark = scene_of({{"UseLight", "0"}});
+  ASSERT_EQ(dark.lights.size(), 1);
+  EXPECT_EQ(dark.lights[0].color, Color{});
+  EXPECT_THAT(message_of(surfaces_with({{"KeyLightWarmth", "1.5"}})),
+              HasSubstr("KeyLightWarmth: expected 0 to 1, found 1.5"));
+  EXPECT_THAT(message_of(surfaces_with({{"BackLightK:B Ratio", "0"}})), HasSubstr("BackLightK:B"));
+  EXPECT_THAT(message_of(surfaces_with({{"KeyLightIntensity", "-1"}})),
+              HasSubstr("KeyLightIntensity"));
 }
 
 TEST_F(ChangedState, MayBeACamera) {

@@ -66,6 +66,13 @@ TEST(TransferText, MakesPointsPlainWithoutAChangeOfTheScene) {
                     "\n[volume.extinction]\nfield = \"p\"\nrange = [1, 100]\n"
                     "scale = \"log\"\npoints = [[0, 1], [1, 3]]\n";
   EXPECT_EQ(scene_of(with_plain_points<1>(log, scene_of(log))), scene_of(log));
+  const std::string display = kHead +
+                              "\n[volume.color]\nfield = \"p\"\nscale = \"log\"\n"
+                              "color_space = \"srgb\"\npoints = [[1, 0, 0, 0], [100, 1, 1, 1]]\n";
+  const Scene shown = scene_of(display);
+  EXPECT_EQ(scene_of(with_plain_points<3>(display, shown)).volume, shown.volume);
+  // the strip below the curve: half grey on a display in the geometric middle
+  EXPECT_NEAR(shown.volume.color->function()(10)[0], 0.21404114, 2e-3);
 }
 
 TEST(TransferText, ScalesEveryExtinctionWhateverItsRange) {

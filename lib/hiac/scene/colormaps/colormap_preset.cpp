@@ -231,7 +231,9 @@ double append_chords(const ColorPath& path, const Chord& chord, double tolerance
                      std::vector<Point>& points) {
   const double bound = proven_bound(path, chord, chord.t0, chord.t1, tolerance);
   if (bound <= tolerance || chord.t1 - chord.t0 < kShortest) {
-    points.push_back({path.begin + chord.t1 * (path.end - path.begin), chord.to});
+    const bool at_end = chord.t1 == 1;  // exactly there, where a step may follow
+    points.push_back(
+        {at_end ? path.end : path.begin + chord.t1 * (path.end - path.begin), chord.to});
     return bound;
   }
   const double middle = 0.5 * (chord.t0 + chord.t1);
@@ -393,6 +395,7 @@ LinearizedPreset linearize(const ColormapPreset& preset, double low, double high
   if (decodes) thin_out(paths, tolerance, result);
   const double first = preset.nodes.front().scalar;
   const double extent = preset.nodes.back().scalar - first;
+  if (low == first && high == preset.nodes.back().scalar) return result;
   for (Point& point : points) {
     const double position = extent > 0 ? (point.scalar - first) / extent : 0;
     point.scalar = (1 - position) * low + position * high;

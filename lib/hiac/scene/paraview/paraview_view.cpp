@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/scene/paraview/light_kit.hpp"
 #include "hiac/scene/paraview/shown_data.hpp"
 #include "hiac/scene/paraview/state_document.hpp"
 #include "hiac/scene/paraview/surface_text.hpp"
@@ -70,12 +71,18 @@ std::string data_file_of(const StateDocument& state, const Proxy& source) {
   return "";
 }
 
-void describe_decoration(const Proxy& view, std::vector<std::string>& omitted) {
-  if (view.flag("StereoRender")) omitted.emplace_back("stereo: one picture is drawn");
+/// The lights of a view that shows surfaces: the light kit's, or none.
+std::string lights_text(const Proxy& view, ParaviewView& into) {
+  if (view.flag("StereoRender")) into.omitted.emplace_back("stereo: one picture is drawn");
   if (!view.references("AdditionalLights").empty())
-    omitted.emplace_back("additional lights: surfaces have a headlight here");
-  else if (view.flag("UseLight"))
-    omitted.emplace_back("the light kit: surfaces have a headlight here");
+    into.omitted.emplace_back("additional lights: have no equal here, and do not shine");
+  into.omitted.emplace_back(
+      "the shading of surfaces: is added up as display values in ParaView, as light here");
+  const std::string kit = light_kit_text(view);
+  into.notes.emplace_back(kit.empty()
+                              ? "lights: none, as the view has its light kit switched off"
+                              : "lights: the five of the light kit, as this camera has them");
+  return kit.empty() ? "[[light]]\ncolor = [0, 0, 0]\n" : kit;
 }
 
 std::string scene_text(const StateDocument& state, const Proxy& view, ParaviewView& into) {
@@ -95,7 +102,7 @@ std::string scene_text(const StateDocument& state, const Proxy& view, ParaviewVi
     require_in_place(*shown.skin);
     text += skin_text(state, *shown.skin, into.notes, into.omitted) + "\n";
   }
-  if (!shown.contours.empty() || shown.skin) describe_decoration(view, into.omitted);
+  if (!shown.contours.empty() || shown.skin) text += lights_text(view, into);
   if (!shown.source)
     throw InputError(state.subject(),
                      fmt::format("nothing that the view {} shows can be drawn (a volume, a "
