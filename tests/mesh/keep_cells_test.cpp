@@ -14,15 +14,7 @@ namespace {
 // A field of every location, whose values tell where they come from.
 ZooMesh sample() {
   ZooMesh mesh = test::structured(2, test::Cut::bricks);
-  const auto add = [&](const char* name, FieldLocation location, std::uint32_t components,
-                       std::size_t tuples) {
-    std::vector<double> values(tuples * components);
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<double>(i);
-    mesh.fields.push_back({name, "m", location, components, std::move(values)});
-  };
-  add("n", FieldLocation::node, 2, mesh.node_count());
-  add("c", FieldLocation::cell, 1, mesh.cell_count());
-  add("k", FieldLocation::corner, 1, mesh.nodes.size());
+  test::add_counted_fields(mesh);
   mesh.metadata = {{"source", "test"}};
   return mesh;
 }
@@ -39,7 +31,8 @@ TEST(KeepCells, KeepsWhatBelongsToThem) {
   EXPECT_EQ(part.metadata, mesh.metadata);
   EXPECT_FALSE(part.adjacency.has_value());
   for (CellId cell = 0; cell < 2; ++cell) {
-    EXPECT_EQ(part.fields[1].values[cell], chosen[cell]);
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_EQ(part.fields[1].values[3 * cell + c], mesh.fields[1].values[3 * chosen[cell] + c]);
     for (std::size_t k = 0; k < 8; ++k) {
       const NodeId now = part.cell_nodes(cell)[k], then = mesh.cell_nodes(chosen[cell])[k];
       for (std::size_t d = 0; d < 3; ++d) EXPECT_EQ(part.position(now)[d], mesh.position(then)[d]);

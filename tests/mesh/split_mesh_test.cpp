@@ -8,6 +8,7 @@
 
 #include "hiac/mesh/face_adjacency.hpp"
 #include "tests/mesh/sample_meshes.hpp"
+#include "tests/support/meshes.hpp"
 
 namespace hiac {
 namespace {
@@ -29,15 +30,7 @@ ZooMesh sample() {
   for (NodeId& node : nodes) ++node;
   mesh.xyz = std::move(xyz);
   mesh.nodes = std::move(nodes);
-  const auto add = [&](const char* name, FieldLocation location, std::uint32_t components,
-                       std::size_t tuples) {
-    std::vector<double> values(tuples * components);
-    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<double>(i);
-    mesh.fields.push_back({name, "m", location, components, std::move(values)});
-  };
-  add("n", FieldLocation::node, 2, mesh.node_count());
-  add("c", FieldLocation::cell, 3, mesh.cell_count());
-  add("k", FieldLocation::corner, 1, mesh.nodes.size());
+  test::add_counted_fields(mesh);
   mesh.metadata = {{"source", "a test"}};
   mesh.adjacency = build_face_adjacency(mesh);
   return mesh;

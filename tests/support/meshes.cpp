@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <random>
 #include <utility>
 
@@ -80,6 +81,18 @@ ZooMesh make_mesh(const std::vector<Position>& positions, const std::vector<Cell
   mesh.xyz = std::move(xyz);
   mesh.kinds = std::move(kinds);
   return mesh;
+}
+
+void add_counted_fields(ZooMesh& mesh) {
+  const auto add = [&](const char* name, FieldLocation location, std::uint32_t components,
+                       std::size_t tuples) {
+    std::vector<double> values(tuples * components);
+    std::iota(values.begin(), values.end(), 0.0);
+    mesh.fields.push_back({name, "m", location, components, std::move(values)});
+  };
+  add("n", FieldLocation::node, 2, mesh.node_count());
+  add("c", FieldLocation::cell, 3, mesh.cell_count());
+  add("k", FieldLocation::corner, 1, mesh.nodes.size());
 }
 
 void add_node_field(ZooMesh& mesh, const std::string& name, const ScalarFunction& function) {

@@ -25,6 +25,10 @@ ZooMesh make_mesh(const std::vector<Position>& positions, const std::vector<Cell
 std::vector<Position> positions_of(const ZooMesh& mesh);
 std::vector<Cell> cells_of(const ZooMesh& mesh);
 
+/// Adds fields of every location, "n", "c" and "k", of 2, 3 and 1 components, whose values count
+/// from 0 and so tell where they come from.
+void add_counted_fields(ZooMesh& mesh);
+
 /// Adds a scalar field at the nodes: the function's value there.
 void add_node_field(ZooMesh& mesh, const std::string& name, const ScalarFunction& function);
 

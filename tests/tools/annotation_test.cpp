@@ -7,6 +7,7 @@
 
 #include "hiac/image/image_io.hpp"
 #include "hiac/mesh/zoo_container.hpp"
+#include "tests/support/cube_view.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/tools/tool_folder.hpp"
 
@@ -16,21 +17,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string kView = R"([image]
-width = 240
-height = 180
-[camera]
-eye = [2.3, 1.9, 1.4]
-look_at = [0.5, 0.5, 0.5]
-up = [0.0, 0.0, 1.0]
-fov = 35.0
-[volume.color]
-field = "f"
-points = [[0.1, 0.1, 0.2, 0.9], [1.0, 0.9, 0.1, 0.1]]
-[volume.extinction]
-field = "f"
-points = [[0.0, 0.1], [1.0, 3.0]]
-)";
+const std::string kView = cube_view(240, 180);
 const std::string kAnnotation = R"([annotation.title]
 text = "A cube"
 [annotation.time]

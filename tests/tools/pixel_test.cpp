@@ -11,6 +11,7 @@
 
 #include "hiac/image/image_io.hpp"
 #include "hiac/mesh/zoo_container.hpp"
+#include "tests/support/cube_view.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/tools/tool_folder.hpp"
 
@@ -20,27 +21,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string kView = R"([image]
-width = 40
-height = 30
-[camera]
-eye = [2.3, 1.9, 1.4]
-look_at = [0.5, 0.5, 0.5]
-up = [0.0, 0.0, 1.0]
-fov = 35.0
-[volume.color]
-field = "f"
-points = [[0.0, 0.1, 0.2, 0.9], [1.0, 0.9, 0.1, 0.1]]
-[volume.extinction]
-field = "g"
-points = [[0.0, 0.1], [1.0, 3.0]]
-[[isosurface]]
-field = "f"
-value = 0.5
-opacity = 0.25
-[background]
-color = [0.25, 0.5, 0.75]
-)";
+const std::string kView = cube_view_with_surface(40, 30);
 
 class PixelOption : public ToolFolder {
  protected:

@@ -16,6 +16,8 @@
 #include "hiac/image/image_io.hpp"
 #include "hiac/mesh/parted/write_parts.hpp"
 #include "hiac/mesh/zoo_container.hpp"
+#include "hiac/scene/toml/edited_text.hpp"
+#include "tests/support/cube_view.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/tools/tool_folder.hpp"
 
@@ -24,30 +26,10 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string kView = R"([image]
-width = 150
-height = 90
-[camera]
-eye = [2.3, 1.9, 1.4]
-look_at = [0.5, 0.5, 0.5]
-up = [0.0, 0.0, 1.0]
-fov = 35.0
-[volume.color]
-field = "f"
-points = [[0.0, 0.1, 0.2, 0.9], [1.0, 0.9, 0.1, 0.1]]
-range = "auto"
-[volume.extinction]
-field = "g"
-points = [[0.0, 0.1], [1.0, 3.0]]
-[[isosurface]]
-field = "f"
-value = 0.5
-opacity = 0.25
-[background]
-color = [0.25, 0.5, 0.75]
-[render]
-tolerance = 1e-13
-)";
+std::string view() {
+  return with_key(cube_view_with_surface(150, 90), "volume.color.range", "\"auto\"") +
+         "[render]\ntolerance = 1e-13\n";
+}
 
 class RenderMpi : public ToolFolder {
  protected:
@@ -60,8 +42,8 @@ class RenderMpi : public ToolFolder {
     add_node_field(mesh_, "g", [](const Position& p) { return p[2]; });
     write_zoo_file(file("m.zoo"), {mesh_, {}});
     write_parts("m.zparts", mesh_);
-    std::ofstream(file("view.toml")) << kView;
-    std::ofstream(file("turn.toml")) << kView << "[turntable]\nframes = 3\n";
+    std::ofstream(file("view.toml")) << view();
+    std::ofstream(file("turn.toml")) << view() << "[turntable]\nframes = 3\n";
   }
 
   void write_parts(const std::string& name, const ZooMesh& mesh) const {

@@ -15,6 +15,7 @@
 #include "hiac/scene/camera_path.hpp"
 #include "hiac/scene/specification.hpp"
 #include "tests/order/order_meshes.hpp"
+#include "tests/support/cube_view.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/tools/tool_folder.hpp"
 
@@ -23,21 +24,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::string kView = R"([image]
-width = 40
-height = 30
-[camera]
-eye = [2.3, 1.9, 1.4]
-look_at = [0.5, 0.5, 0.5]
-up = [0.0, 0.0, 1.0]
-fov = 35.0
-[volume.color]
-field = "f"
-points = [[0.0, 0.1, 0.2, 0.9], [1.0, 0.9, 0.1, 0.1]]
-[volume.extinction]
-field = "f"
-points = [[0.0, 0.1], [1.0, 3.0]]
-)";
+const std::string kView = cube_view(40, 30);
 
 class SortTool : public ToolFolder {
  protected:

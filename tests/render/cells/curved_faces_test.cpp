@@ -1,4 +1,4 @@
-#include "hiac/render/cells/curved_faces.hpp"
+#include "hiac/render/cells/curved/curved_faces.hpp"
 
 #include <algorithm>
 #include <cmath>

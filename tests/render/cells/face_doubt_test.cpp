@@ -12,7 +12,7 @@
 
 #include "hiac/frame/frame.hpp"
 #include "hiac/mesh/shape_functions.hpp"
-#include "hiac/render/cells/curved_faces.hpp"
+#include "hiac/render/cells/curved/curved_faces.hpp"
 #include "tests/render/truth/general_meshes.hpp"
 
 namespace hiac {

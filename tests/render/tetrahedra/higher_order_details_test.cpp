@@ -9,6 +9,11 @@
 
 #include "hiac/frame/frame.hpp"
 #include "hiac/mesh/shape_functions.hpp"
+#include "hiac/optics/polynomial_piece.hpp"
+#include "hiac/render/bounds/cell_errors.hpp"
+#include "hiac/render/bounds/ray_displacement.hpp"
+#include "hiac/render/cells/planar_crossing.hpp"
+#include "hiac/render/cells/volume_along_ray.hpp"
 #include "tests/render/truth/general_meshes.hpp"
 
 namespace hiac {
@@ -38,17 +43,48 @@ class HigherOrderDetailsTest : public testing::Test {
   SegmentDetails details(double rgb, double transparency) {
     const Projector projector(scene_.camera, scene_.image);
     const Frame frame(mesh_, scene_, projector, Details::bounded);
-    HigherOrderDetails described(frame, {0, 0, 8, 8});
+    HigherOrderDetails described(frame, kTile);
     described.enter(0);
-    // ray parameters of the distances from the eye
-    const double start = projector.distance(0), scale = projector.distance(1) - start;
-    return described.describe({4, 3, (4 - kHeight - start) / scale, (4 - start) / scale, scale, 1,
-                               PlainRadiance{{rgb, rgb, rgb}, transparency}});
+    const auto [front, back, scale] = place(projector);
+    return described.describe(
+        {kX, kY, front, back, scale, visible_, PlainRadiance{{rgb, rgb, rgb}, transparency}});
+  }
+
+  // The bound of the segment's transparency, but for its quadrature.
+  double bound_beside_quadrature(double transparency) {
+    const Projector projector(scene_.camera, scene_.image);
+    const Frame frame(mesh_, scene_, projector, Details::bounded);
+    VolumeAlongRay volume(frame, kTile);
+    volume.enter(0);
+    const auto nodes = relative_positions(mesh_, 0, projector);
+    const CellMap map(CellKind::tetrahedron10, nodes, frame.straightness);
+    CellErrors errors(frame, volume.longest());
+    errors.enter(0, nodes, volume.color(), volume.extinction(), ray_displacement(frame, 0));
+    const auto [front, back, scale] = place(projector);
+    const CellCrossing crossing = planar_crossing(projector, kX, kY, front, back);
+    SegmentDetails details{.front = front, .back = back, .first = front};
+    details.transparency = transparency;
+    errors.add(crossing, stretch_of(projector, crossing), scale,
+               FieldAlongRay(CellKind::tetrahedron10, map, volume.fields()), {}, details);
+    return details.transparency_error;
   }
 
   static constexpr double kHeight = 0.75;
   ZooMesh mesh_;
+  double visible_ = 1;  // the transparency in front of the segment
   Scene scene_;
+
+ private:
+  static constexpr int kX = 4, kY = 3;
+  static constexpr TileRect kTile{0, 0, 8, 8};
+
+  struct Place {
+    double front, back, scale;  // ray parameters, and world length per unit of them
+  };
+  static Place place(const Projector& projector) {
+    const double start = projector.distance(0), scale = projector.distance(1) - start;
+    return {(4 - kHeight - start) / scale, (4 - start) / scale, scale};
+  }
 };
 
 // Simpson's rule on a thousand panels: to 1e-14.
@@ -78,6 +114,42 @@ TEST_F(HigherOrderDetailsTest, ClaimsHowFarDrawnAndBoundedLightAreApartAndTheBou
   EXPECT_LE(std::abs(integral_off), bound);
   EXPECT_GT(bound, 1e-7) << "a tolerance of 0.01 leaves a quadrature's error";
   EXPECT_LE(bound, 1e-2);
+}
+
+// In an opaque medium whose colour falls from the height at the front to 0, and behind so much that
+// the middle's colour is near enough: the light is that of the front, and the quadrature is wrong
+// by nearly all that it claims.
+TEST_F(HigherOrderDetailsTest, ClaimsWhatTheQuadratureIsWrongBy) {
+  constexpr double kOff = 1, kExtinction = 200;
+  mesh_.fields.clear();
+  test::add_node_field(mesh_, "f", [](const test::Position& p) { return p[2]; });
+  scene_.volume.extinction->points = {{0, {kExtinction}}};
+  visible_ = 1e-4;
+  // int_0^h (h - s) k exp(-k s) ds
+  const double truth = kHeight + std::expm1(-kExtinction * kHeight) / kExtinction;
+  const double above = details(truth + kOff, 0).radiance_error;
+  const double below = details(truth - kOff, 0).radiance_error;
+  const double bound = (above + below) / 2 - kOff, integral_off = (above - below) / 2;
+  EXPECT_NEAR(integral_off, kHeight / 2 - 1 / kExtinction, 1e-3);
+  EXPECT_LE(integral_off, bound);
+  EXPECT_GE(integral_off, 0.95 * bound);
+}
+
+// The bound of a transparency's quadrature is for rounding alone, of which no case needs all: it is
+// told by what integrate_segment claims of z^2, and by the other bounds.
+TEST_F(HigherOrderDetailsTest, AddsTheBoundOfTheTransparencysQuadrature) {
+  constexpr double kOff = 0x1p-40;  // drawn transparencies are exact
+  scene_.render.tolerance = 1e-9;
+  const SegmentRadiance alone = integrate_segment(
+      {BernsteinPolynomial(std::array{kHeight * kHeight, 0.0, 0.0}),
+       BernsteinPolynomial(std::array{kHeight * kHeight, 0.0, 0.0}), kHeight},
+      PiecewiseLinear<3>(scene_.volume.color->points),
+      PiecewiseLinear<1>(scene_.volume.extinction->points), Glow::chromaticity, 1e-9);
+  double sum = 0;
+  for (const double drawn : {alone.transparency - kOff, alone.transparency + kOff})
+    sum += details(0, drawn).transparency_error - bound_beside_quadrature(drawn);
+  EXPECT_GT(alone.transparency_error, 1e-17);
+  EXPECT_NEAR(sum / 2 - kOff, alone.transparency_error, 0.01 * alone.transparency_error);
 }
 
 // Of what is drawn as far above the truth as below it.

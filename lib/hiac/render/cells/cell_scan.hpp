@@ -8,7 +8,7 @@
 #include "hiac/element/cell_surface.hpp"
 #include "hiac/frame/frame.hpp"
 #include "hiac/frame/tiles/tile.hpp"
-#include "hiac/render/cells/curved_faces.hpp"
+#include "hiac/render/cells/curved/curved_faces.hpp"
 
 namespace hiac {
 

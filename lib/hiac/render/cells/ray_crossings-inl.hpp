@@ -17,7 +17,7 @@
 
 #  include "hiac/element/cell_surface.hpp"
 #  include "hiac/render/cells/cell_scan.hpp"
-#  include "hiac/render/cells/curved_faces.hpp"
+#  include "hiac/render/cells/curved/curved_faces.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {

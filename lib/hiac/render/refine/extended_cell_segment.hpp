@@ -1,16 +1,14 @@
 #pragma once
 
-#include <array>
-#include <optional>
 #include <vector>
 
-#include "hiac/element/gradient/gradient_bound.hpp"
 #include "hiac/frame/frame.hpp"
 #include "hiac/render/bounds/error_bound.hpp"
-#include "hiac/render/bounds/ray_displacement.hpp"
 #include "hiac/render/cells/cell_scalars.hpp"
 #include "hiac/render/cells/cell_scan.hpp"
 #include "hiac/render/refine/extended_cell.hpp"
+#include "hiac/render/refine/extended_cell_fields.hpp"
+#include "hiac/render/refine/extended_cell_surfaces.hpp"
 #include "hiac/render/refine/extended_segment.hpp"
 
 namespace hiac {
@@ -26,7 +24,11 @@ namespace hiac {
 class ExtendedCellSegments {
  public:
   /// Needs Frame::with_error.
-  explicit ExtendedCellSegments(const Frame& frame) : frame_(frame) {}
+  explicit ExtendedCellSegments(const Frame& frame)
+      : frame_(frame), fields_(frame), surfaces_(frame, fields_) {}
+  // surfaces_ refers to fields_
+  ExtendedCellSegments(const ExtendedCellSegments&) = delete;
+  ExtendedCellSegments& operator=(const ExtendedCellSegments&) = delete;
 
   using Met = ExtendedTetrahedron::Met;
   /// Finds the segment of pixel (x, y) in a cell, if there is one to draw. The result is doubtful
@@ -37,29 +39,7 @@ class ExtendedCellSegments {
  private:
   using Real = long double;
   using Field = ExtendedCell::Field;
-  using Roots = std::vector<BasicRootEnclosure<Real>>;
 
-  // A field in the cell and its errors.
-  struct Known {
-    Field field;
-    double error;     // inside the cell
-    double at_faces;  // in addition, at entry and exit points
-  };
-  // The part of the ray inside the cell, and how far its ends may be off, world units.
-  struct Stretch {
-    Real front, back;
-    bool front_clipped, back_clipped;
-    std::uint8_t front_face, back_face;
-    double length;
-    BasicEndDoubts<Real>::Doubts doubts;
-  };
-  struct Crossed {
-    const FrameIsosurface* surface;
-    Real t;
-    double moved;  // bound of the error of t
-    ExtendedLight light;
-    ErrorBound shade_error;
-  };
   // The light accumulated in front of a point in the cell, with the bounds of its integrals.
   struct Part {
     ExtendedLight light;
@@ -67,43 +47,29 @@ class ExtendedCellSegments {
   };
 
   void load(CellId cell, const ExtendedCell& geometry, const ExtendedRay& ray);
-  [[nodiscard]] std::array<double, 8> node_values(const FrameField& field) const;
-  [[nodiscard]] Known known(const CellField& nodes, const FrameField& field, double level) const;
   Met meet(CellId cell, int x, int y);
-  bool clip(const ExtendedCell& geometry, const ExtendedRay& ray, Stretch& stretch) const;
+  bool clip(const ExtendedCell& geometry, const ExtendedRay& ray, ExtendedStretch& stretch) const;
   bool find_fields(const ExtendedCell& geometry, const ExtendedRay& ray, Real front, Real back);
   bool add_volume(const ExtendedCell& geometry, const ExtendedRay& ray, Real front, Real back,
                   Part& sum);
-  void find_places(const IsosurfaceCut& cut, const CellField& offsets, const Known& known,
-                   const Stretch& stretch, std::vector<Real>& moved);
-  bool add_surface(const ExtendedCell& geometry, const ExtendedRay& ray, const Stretch& stretch,
-                   const IsosurfaceCut& cut);
-  bool shade(const ExtendedCell& geometry, const ExtendedRay& ray, const Stretch& stretch,
-             const Known& known, Crossed& crossed) const;
-  bool find_surfaces(const ExtendedCell& geometry, const ExtendedRay& ray, const Stretch& stretch);
-  [[nodiscard]] FieldDoubt with_ends(FieldDoubt doubt, const Known& known, double slope,
-                                     double jump, const Stretch& stretch) const;
-  bool describe(const ExtendedCell& geometry, const ExtendedRay& ray, const Stretch& stretch,
-                const Part& sum, SegmentDetails& details);
+  [[nodiscard]] FieldDoubt with_ends(FieldDoubt doubt, const ExtendedCellField& known, double slope,
+                                     double jump, const ExtendedStretch& stretch) const;
+  bool describe(const ExtendedCell& geometry, const ExtendedRay& ray,
+                const ExtendedStretch& stretch, const Part& sum, SegmentDetails& details);
 
   const Frame& frame_;
   // of the current cell
   CellId cell_ = 0;
   bool empty_ = false;  // neither absorbs nor shines
   CellScalars color_{}, extinction_{};
-  std::optional<GradientBound> gradient_;
-  double steepness_ = 0;         // CellMap::steepness
-  double reach_ = 0, bent_ = 0;  // ExtendedCell
-  RayDisplacement inside_;
-  Known known_color_{}, known_extinction_{};
+  ExtendedCellFields fields_;
+  ExtendedCellField known_color_, known_extinction_;
   CellOptics optics_;
   // of the current segment
-  std::vector<Crossed> crossed_;
-  bool doubtful_ = false;  // it is uncertain which surfaces are crossed
+  ExtendedCellSurfaces surfaces_;
   std::vector<ExtendedCell::Piece> pieces_;
-  Roots roots_;
+  std::vector<BasicRootEnclosure<Real>> roots_;
   std::vector<CellCrossing> crossings_;
-  std::vector<Real> places_;
 };
 
 }  // namespace hiac

@@ -1,4 +1,4 @@
-#include "hiac/render/cells/patch_curvature.hpp"
+#include "hiac/render/cells/curved/patch_curvature.hpp"
 
 #include <algorithm>
 #include <cmath>
