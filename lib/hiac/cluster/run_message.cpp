@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "hiac/cluster/edged_message.hpp"
+
 namespace hiac {
 namespace {
 
@@ -57,6 +59,12 @@ void put_runs(ByteWriter& to, const TileRuns& runs) {
   to.put_all(std::span<const std::uint16_t>(pixels));
   to.put_all(std::span<const double>(numbers));
   put_facts(to, runs.facts);
+  to.put(static_cast<std::uint32_t>(runs.covers.size()));
+  for (const SkinCover& cover : runs.covers) {
+    to.put(cover.pixel);
+    to.put(cover.transparency);
+  }
+  put_edged(to, runs.edged);
 }
 
 TileRuns get_runs(ByteReader& from) {
@@ -72,6 +80,12 @@ TileRuns get_runs(ByteReader& from) {
     runs.runs[k] = {n[0], n[1], {{n[2], n[3], n[4]}, n[5]}, pixels[k]};
   }
   runs.facts = get_facts(from, facts);
+  runs.covers.resize(from.get<std::uint32_t>());
+  for (SkinCover& cover : runs.covers) {
+    cover.pixel = from.get<std::uint32_t>();
+    cover.transparency = from.get<double>();
+  }
+  runs.edged = get_edged(from);
   return runs;
 }
 
