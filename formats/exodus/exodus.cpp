@@ -4,16 +4,23 @@
 #include <iterator>
 #include <limits>
 #include <memory>
+#include <string_view>
 
 #include <fmt/format.h>
 
 #include "formats/common/io/bytes_behind.hpp"
 #include "formats/common/io/isolated.hpp"
+#include "formats/common/io/one_line_errors.hpp"
 #include "formats/common/mesh/assemble.hpp"
 #include "formats/common/mesh/foreign_mesh.hpp"
+#include "formats/common/mesh/gate.hpp"
+#include "formats/common/pieces/complete_fields.hpp"
+#include "formats/common/pieces/merge_pieces.hpp"
+#include "formats/common/pieces/piece_field.hpp"
 #include "formats/exodus/classic_layout.hpp"
 #include "formats/exodus/element_types.hpp"
 #include "formats/exodus/netcdf_file.hpp"
+#include "formats/exodus/run_pieces.hpp"
 #include "formats/hdf5/external_files.hpp"
 #include "formats/hdf5/hdf5_model.hpp"
 #include "hiac/base/error.hpp"
@@ -31,6 +38,9 @@ struct Block {
   std::size_t cells;
 };
 
+/// The field with the nodes' numbers in the whole mesh, of the pieces of a run.
+constexpr std::string_view kNodeNumbers = "node_num_map";
+
 using Lists = std::vector<std::vector<std::int64_t>>;
 
 class Reader {
@@ -41,7 +51,8 @@ class Reader {
       throw InputError(path, "is a netCDF file without a mesh of the Exodus II model");
   }
 
-  ForeignMesh read() {
+  /// `of_run`: a piece of a parallel run, with the numbers that its nodes have in the whole mesh.
+  ForeignMesh read(bool of_run) {
     read_coordinates();
     read_blocks();
     if (file_->has("time_whole")) mesh_.times = file_->reals("time_whole");
@@ -49,6 +60,7 @@ class Reader {
     add_cell_fields();
     if (const auto title = file_->text_attribute("", "title"); title && !title->empty())
       mesh_.metadata.emplace_back("title", *title);
+    if (of_run) add_node_numbers();
     note_left_out();
     note_bytes_behind(file_->bytes_behind(), "the netCDF file's data", mesh_.notes);
     return std::move(mesh_);
@@ -198,6 +210,13 @@ class Reader {
     }
   }
 
+  /// Absent where the file has none.
+  void add_node_numbers() {
+    if (!file_->has("node_num_map")) return;
+    mesh_.fields.push_back(
+        field_of(std::string(kNodeNumbers), FieldLocation::node, 1, file_->reals("node_num_map")));
+  }
+
   void add_cell_fields() {
     const std::vector<std::string> names = file_->texts("name_elem_var");
     for (std::size_t v = 0; v < names.size(); ++v) {
@@ -251,13 +270,43 @@ class Reader {
   std::vector<std::uint8_t> uses_;  ///< of every face
 };
 
-ForeignMesh open_exodus(const std::string& path) {
-  hdf5::require_local_links(path);
-  return Reader(path).read();
+ForeignMesh foreign_mesh(const std::string& path, bool of_run) {
+  return read_isolated(path, "the netCDF library", [of_run](const std::string& file) {
+    hdf5::require_local_links(file);
+    return Reader(file).read(of_run);
+  });
 }
 
-ForeignMesh foreign_mesh(const std::string& path) {
-  return read_isolated(path, "the netCDF library", open_exodus);
+/// The pieces of a parallel run as one mesh.
+Reading read_run(const std::vector<std::string>& files, const ReadOptions& options,
+                 const std::string& path) {
+  std::vector<Reading> pieces;
+  for (const std::string& file : files) {
+    pieces.push_back(assemble_piece(foreign_mesh(file, true), options, file));
+    if (PieceMarking::is_on()) mark_piece(pieces.back().mesh, pieces.size() - 1);
+  }
+  complete_fields(pieces, path);  // of blocks that a piece has no cells of
+  Reading reading = merge_pieces(std::move(pieces), path, std::string(kNodeNumbers));
+  std::erase_if(reading.mesh.fields, [](const Field& field) { return field.name == kNodeNumbers; });
+  reading.mesh.metadata.emplace_back("pieces", fmt::format("{}", files.size()));
+  reading.notes.insert(reading.notes.begin(),
+                       fmt::format("read the {} pieces of a run", files.size()));
+  finish_reading(reading, path);
+  return reading;
+}
+
+Inventory inspect_run(const std::vector<std::string>& files) {
+  Inventory all;
+  for (const std::string& file : files) {
+    Inventory piece = inventory_of(foreign_mesh(file, true), "exodus", file);
+    std::erase_if(piece.fields,
+                  [](const FieldSummary& field) { return field.name == kNodeNumbers; });
+    if (file == files.front())
+      all = std::move(piece);
+    else
+      add_piece(all, piece);
+  }
+  return all;
 }
 
 }  // namespace
@@ -272,8 +321,19 @@ Format exodus_format() {
   format.recognizes = [](std::string_view head) { return exodus::is_classic_netcdf(head); };
   // netCDF-4 files are HDF5 files
   format.contains = [](const std::string& path) { return hdf5::model_of(path) == "exodus"; };
-  read_through(format,
-               [](const std::string& path, const ReadOptions&) { return foreign_mesh(path); });
+  read_through(format, [](const std::string& path, const ReadOptions&) {
+    return foreign_mesh(path, false);
+  });
+  format.read = [one = format.read](const std::string& path, const ReadOptions& options) {
+    const std::vector<std::string> files = exodus::run_pieces(path);
+    if (files.size() == 1) return one(path, options);
+    return with_errors_of_one_line([&] { return read_run(files, options, path); });
+  };
+  format.inspect = [one = format.inspect](const std::string& path) {
+    const std::vector<std::string> files = exodus::run_pieces(path);
+    if (files.size() == 1) return one(path);
+    return with_errors_of_one_line([&] { return inspect_run(files); });
+  };
   return format;
 }
 

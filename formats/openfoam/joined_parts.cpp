@@ -81,6 +81,7 @@ std::optional<JoinedParts> join_by_addresses(const std::vector<CasePart>& parts)
   }
   const auto known = places.begin() + static_cast<long>(joined.points);
   if (std::find(places.begin(), known, nullptr) != known) return std::nullopt;
+  joined.notes.emplace_back("joined the parts by pointProcAddressing and cellProcAddressing");
   return joined;
 }
 

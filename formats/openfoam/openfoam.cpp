@@ -14,6 +14,7 @@
 #include "formats/common/mesh/assemble.hpp"
 #include "formats/common/mesh/foreign_mesh.hpp"
 #include "formats/common/mesh/steps.hpp"
+#include "formats/common/pieces/piece_field.hpp"
 #include "formats/openfoam/case_part.hpp"
 #include "formats/openfoam/foam_file.hpp"
 #include "formats/openfoam/joined_parts.hpp"
@@ -82,6 +83,7 @@ class Reader {
     if (parts_.size() == 1) mesh_.xyz = std::move(parts_.front().xyz);
     add_cells();
     read_fields();
+    if (PieceMarking::is_on() && parts_.size() > 1) mark_parts();
     return std::move(mesh_);
   }
 
@@ -200,6 +202,13 @@ class Reader {
         }
       add_cell(faces);
     }
+  }
+
+  void mark_parts() {
+    std::vector<double> marks;
+    for (const auto& [p, cell] : joined_.cells) marks.push_back(static_cast<double>(p));
+    mesh_.fields.push_back(
+        field_of(std::string(kPieceField), FieldLocation::cell, 1, std::move(marks)));
   }
 
   void add_cell(const std::vector<std::vector<std::int64_t>>& outward) {

@@ -10,9 +10,10 @@
 #include "formats/common/io/isolated.hpp"
 #include "formats/common/mesh/assemble.hpp"
 #include "formats/common/mesh/foreign_mesh.hpp"
-#include "formats/common/mesh/merge_pieces.hpp"
 #include "formats/common/mesh/steps.hpp"
 #include "formats/common/mesh/structured.hpp"
+#include "formats/common/pieces/merge_pieces.hpp"
+#include "formats/common/pieces/piece_field.hpp"
 #include "formats/hdf5/hdf5_file.hpp"
 #include "formats/hdf5/hdf5_model.hpp"
 #include "formats/vtk/cell_types.hpp"
@@ -289,8 +290,10 @@ ForeignMesh outline(const std::string& path, const ReadOptions& options) {
 Reading read_mesh(const std::string& path, const ReadOptions& options) {
   const std::size_t parts = outline(path, options).blocks.size();
   std::vector<Reading> pieces;
-  for (std::size_t part = 0; part < parts; ++part)
+  for (std::size_t part = 0; part < parts; ++part) {
     pieces.push_back(assemble(foreign_part(path, options, part), options, path));
+    if (PieceMarking::is_on() && parts > 1) mark_piece(pieces.back().mesh, part);
+  }
   if (pieces.empty()) throw InputError(path, "holds no cells");
   return merge_pieces(std::move(pieces), path);
 }

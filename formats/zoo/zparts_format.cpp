@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "formats/common/io/named_file.hpp"
+#include "formats/common/pieces/piece_field.hpp"
 #include "formats/zoo/zoo_format.hpp"
 #include "hiac/mesh/parted/join_parts.hpp"
 #include "hiac/mesh/parted/parted_index.hpp"
@@ -23,9 +25,21 @@ PartedIndex read_index(const std::string& path) {
 
 ZooMesh read_whole(const PartedIndex& index) { return join_parts(index, read_all_parts(index)); }
 
+/// The whole mesh with marks of the parts that its cells come from.
+ZooMesh read_marked(const PartedIndex& index) {
+  std::vector<MeshPart> parts = read_all_parts(index);
+  ZooMesh whole = join_parts(index, parts);
+  std::vector<double> marks(whole.cell_count());
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    for (const std::uint64_t cell : parts[k].global_cells) marks[cell] = static_cast<double>(k);
+  mark_pieces(whole, std::move(marks));
+  return whole;
+}
+
 Reading read_parted(const std::string& path, const ReadOptions& options) {
   const PartedIndex index = read_index(path);
-  Reading reading = reading_of({read_whole(index), {}}, options, path);
+  Reading reading = reading_of({PieceMarking::is_on() ? read_marked(index) : read_whole(index), {}},
+                               options, path);
   reading.notes.push_back(fmt::format("joined {} parts", index.parts.size()));
   return reading;
 }

@@ -63,6 +63,22 @@ Scene scene_for(Projection projection, std::uint32_t side = 60) {
   return scene;
 }
 
+Skin skin_of(const Color& color, double opacity) {
+  Skin skin;
+  skin.color = color;
+  skin.opacity = opacity;
+  return skin;
+}
+
+Edges edges_of(EdgeChoice show, double width, double opacity) {
+  Edges edges;
+  edges.show = show;
+  edges.width = width;
+  edges.color = {0.9, 0.1, 0.3};
+  edges.opacity = opacity;
+  return edges;
+}
+
 RenderResult draw_parts(const test::Parts& parts, const Scene& scene,
                         std::span<const Channel> channels = {}, std::uint32_t ranks = 1,
                         bool reversed = false) {
@@ -208,6 +224,171 @@ TEST(PartedRenderer, IsosurfacesInFacesBetweenParts) {
   }
 }
 
+// Faces between parts are not skin, whatever their shape; those of the boundary are, once.
+TEST(PartedRenderer, SkinOfTetrahedra) {
+  const ZooMesh mesh = with_fields(test::random_delaunay(120, 5));
+  for (const double opacity : {0.3, 1.0}) {
+    Scene scene = scene_for(Projection::perspective);
+    scene.skin = skin_of({0.9, 0.5, 0.2}, opacity);
+    for (const std::uint32_t parts : {1U, 2U, 8U})
+      expect_whole(mesh, at_random(mesh, parts, parts), scene);
+    scene.skin->color_by = scene.volume.color;
+    expect_whole(mesh, by_place(mesh, slab), scene);
+    expect_whole(mesh, by_place(mesh, comb), scene);
+    scene.volume = {};  // the skin alone
+    expect_whole(mesh, by_place(mesh, comb), scene);
+    scene.isosurfaces = {{.field = "f", .value = 0.5, .opacity = 0.4}};
+    expect_whole(mesh, at_random(mesh, 5, 1), scene);
+  }
+}
+
+TEST(PartedRenderer, SkinOfEveryKind) {
+  const auto with_skin = [](Scene scene) {
+    scene.skin = skin_of({0.2, 0.5, 0.9}, 0.4);
+    return scene;
+  };
+  for (const CellKind kind : test::all_kinds()) {
+    SCOPED_TRACE(static_cast<int>(kind));
+    const ZooMesh mesh = with_fields(test::straight_mesh(kind, 2));
+    expect_whole(mesh, at_random(mesh, 3, 7), with_skin(scene_for(Projection::perspective, 40)));
+    const ZooMesh curved = with_fields(test::curved_mesh(kind));
+    expect_whole(curved, at_random(curved, 3, 8),
+                 with_skin(scene_for(Projection::orthographic, 40)));
+  }
+  const ZooMesh mixed = with_fields(test::mixed_columns(3));
+  expect_whole(mixed, at_random(mixed, 5, 9), with_skin(scene_for(Projection::perspective)));
+}
+
+// Skin on both sides of contacts and gaps, in cavities, and in cycles across parts.
+TEST(PartedRenderer, SkinOfSeveralBodies) {
+  Scene scene = scene_for(Projection::perspective);
+  scene.skin = skin_of({0.9, 0.5, 0.2}, 0.3);
+  const ZooMesh contact = with_fields(
+      test::side_by_side(test::moved(test::structured(3, Cut::prisms),
+                                     [](const Position& p) {
+                                       return Position{p[0], p[1], p[2] / 2};
+                                     }),
+                         test::moved(test::structured(4, Cut::bricks), [](const Position& p) {
+                           return Position{p[0], p[1], 0.5 + p[2] / 2 + (p[0] > 0.6 ? 0.01 : 0)};
+                         })));
+  expect_whole(contact, at_random(contact, 6, 4), scene);
+  expect_whole(contact, by_place(contact, [](const Position& p) { return p[2] > 0.5; }), scene);
+  const ZooMesh hollow = with_fields(
+      test::keep_cells(test::structured(6, Cut::tetrahedra), [](const Position& p, CellId) {
+        return std::hypot(p[0] - 0.5, p[1] - 0.5, p[2] - 0.5) > 0.3;
+      }));
+  expect_whole(hollow, at_random(hollow, 4, 3), scene);
+  const ZooMesh ring = with_fields(test::ring_of_sticks(5, 1));
+  scene.camera.eye = {0, 0, 12};
+  scene.camera.look_at = {0, 0, 0};
+  scene.camera.up = {0.137, 1, 0};
+  scene.camera.fov = 12;
+  scene.image = {120, 110};
+  Assignment parts(ring.cell_count());
+  std::iota(parts.begin(), parts.end(), 0U);
+  expect_whole(ring, parts, scene);
+}
+
+TEST(PartedRenderer, ChannelsAndStatisticsOfSkin) {
+  constexpr std::array kChannels{Channel::depth, Channel::mean_depth, Channel::transparency,
+                                 Channel::cells, Channel::witness};
+  const ZooMesh mesh = with_fields(test::random_delaunay(100, 9));
+  Scene scene = scene_for(Projection::perspective);
+  scene.skin = skin_of({0.2, 0.5, 0.9}, 0.4);
+  const RenderResult whole =
+      render(mesh, test::sorted(mesh, scene), scene, true, nullptr, kChannels);
+  const test::Parts parts(mesh, at_random(mesh, 5, 4), 5, scene);
+  const RenderResult alone = draw_parts(parts, scene, kChannels);
+  EXPECT_TRUE(same_bits(alone.image, draw_parts(parts, scene, kChannels, 3, true).image));
+  EXPECT_NEAR(alone.statistics.mean_optical_depth, whole.statistics.mean_optical_depth, 1e-12);
+  EXPECT_EQ(alone.statistics.depth_pixels, whole.statistics.depth_pixels);
+  for (std::size_t y = 0; y < scene.image.height; ++y)
+    for (std::size_t x = 0; x < scene.image.width; ++x) {
+      const auto p = alone.image.pixel(x, y), q = whole.image.pixel(x, y);
+      for (const std::size_t exact : {7, 8}) EXPECT_EQ(p[exact], q[exact]);
+      for (const std::size_t depth : {4, 5}) {
+        EXPECT_EQ(std::isfinite(p[depth]), std::isfinite(q[depth]));
+        if (std::isfinite(q[depth])) {
+          EXPECT_NEAR(p[depth], q[depth], 1e-11);
+        }
+      }
+    }
+}
+
+// Edges have faces of several parts beside them, and cover pixels whose rays meet others.
+TEST(PartedRenderer, EdgesOfTetrahedra) {
+  const ZooMesh mesh = with_fields(test::random_delaunay(120, 5));
+  for (const EdgeChoice show : {EdgeChoice::feature, EdgeChoice::boundary, EdgeChoice::all}) {
+    SCOPED_TRACE(static_cast<int>(show));
+    Scene scene = scene_for(Projection::perspective);
+    scene.edges = edges_of(show, 2.5, 0.7);
+    expect_whole(mesh, at_random(mesh, 8, 3), scene);
+    scene.skin = skin_of({0.9, 0.5, 0.2}, 0.4);
+    expect_whole(mesh, by_place(mesh, comb), scene);
+    expect_whole(mesh, at_random(mesh, 1, 3), scene);
+    scene.volume = {};  // skin and edges alone
+    expect_whole(mesh, at_random(mesh, 5, 3), scene);
+    scene.skin.reset();
+    expect_whole(mesh, by_place(mesh, slab), scene);
+  }
+}
+
+TEST(PartedRenderer, EdgesOfEveryKind) {
+  for (const CellKind kind : test::all_kinds()) {
+    SCOPED_TRACE(static_cast<int>(kind));
+    Scene scene = scene_for(Projection::perspective, 40);
+    scene.edges = edges_of(EdgeChoice::feature, 1.5, 0.8);
+    scene.edges->angle = 10;
+    scene.skin = skin_of({0.2, 0.5, 0.9}, 0.4);
+    const ZooMesh mesh = with_fields(test::straight_mesh(kind, 2));
+    expect_whole(mesh, at_random(mesh, 3, 7), scene);
+    const ZooMesh curved = with_fields(test::curved_mesh(kind));
+    if (test::sorted(curved, scene).groups.empty()) {
+      expect_whole(curved, at_random(curved, 3, 8), scene);
+      continue;
+    }
+    // in groups the whole takes edges in the order of its list; parts by depth, whatever they are
+    const test::Parts parts(curved, at_random(curved, 3, 8), 3, scene);
+    const test::Parts one(curved, at_random(curved, 1, 8), 1, scene);
+    const Image alone = draw_parts(parts, scene).image;
+    EXPECT_LE(largest_difference(alone, draw_parts(one, scene).image), kRounding);
+    EXPECT_TRUE(same_bits(alone, draw_parts(parts, scene, {}, 3, true).image));
+  }
+}
+
+TEST(PartedRenderer, EdgesOfSeveralBodies) {
+  const ZooMesh contact = with_fields(
+      test::side_by_side(test::moved(test::structured(3, Cut::prisms),
+                                     [](const Position& p) {
+                                       return Position{p[0], p[1], p[2] / 2};
+                                     }),
+                         test::moved(test::structured(4, Cut::bricks), [](const Position& p) {
+                           return Position{p[0], p[1], 0.5 + p[2] / 2 + (p[0] > 0.6 ? 0.01 : 0)};
+                         })));
+  Scene scene = scene_for(Projection::perspective);
+  scene.edges = edges_of(EdgeChoice::feature, 2, 0.5);
+  expect_whole(contact, at_random(contact, 6, 4), scene);
+  scene.skin = skin_of({0.7, 0.7, 0.7}, 0.3);
+  expect_whole(contact, by_place(contact, [](const Position& p) { return p[2] > 0.5; }), scene);
+  const ZooMesh mixed = with_fields(test::mixed_columns(3));
+  expect_whole(mixed, at_random(mixed, 5, 9), scene);
+}
+
+TEST(PartedRenderer, ChannelsOfEdges) {
+  constexpr std::array kChannels{Channel::depth, Channel::mean_depth, Channel::transparency,
+                                 Channel::cells, Channel::witness};
+  const ZooMesh mesh = with_fields(test::random_delaunay(100, 9));
+  Scene scene = scene_for(Projection::perspective);
+  scene.edges = edges_of(EdgeChoice::feature, 3, 0.5);
+  const RenderResult whole =
+      render(mesh, test::sorted(mesh, scene), scene, true, nullptr, kChannels);
+  const test::Parts parts(mesh, at_random(mesh, 5, 4), 5, scene);
+  const RenderResult alone = draw_parts(parts, scene, kChannels);
+  EXPECT_TRUE(same_bits(alone.image, draw_parts(parts, scene, kChannels, 3, true).image));
+  EXPECT_NEAR(alone.statistics.mean_optical_depth, whole.statistics.mean_optical_depth, 1e-12);
+  EXPECT_LE(largest_difference(alone.image, whole.image), 1e-11);
+}
+
 TEST(PartedRenderer, Splats) {
   const ZooMesh mesh = with_fields(test::random_delaunay(900, 7));
   Scene scene = scene_for(Projection::perspective, 60);
@@ -264,17 +445,9 @@ TEST(PartedRenderer, PartsOfThePicture) {
         EXPECT_EQ(some.at(x, y, c), all.image.at(x + rect.x, y + rect.y, c));
 }
 
-TEST(PartedRenderer, RefusesWhatPartsDoNotKnow) {
-  const ZooMesh mesh = with_fields(test::random_delaunay(20, 3));
-  Scene scene = scene_for(Projection::perspective);
-  scene.skin.emplace();
-  const test::Parts parts(mesh, Assignment(mesh.cell_count(), 0), 1, scene);
+TEST(PartedRenderer, RefusesAMeshWithoutParts) {
+  const Scene scene = scene_for(Projection::perspective);
   SoloCommunicator alone;
-  EXPECT_THROW(PartedRenderer(alone, parts.of_rank(0, 1), scene), UsageError);
-  scene.skin.reset();
-  scene.edges.emplace();
-  EXPECT_THROW(PartedRenderer(alone, parts.of_rank(0, 1), scene), UsageError);
-  scene.edges.reset();
   EXPECT_THROW(PartedRenderer(alone, {}, scene), InputError);
 }
 

@@ -180,6 +180,7 @@ TEST(OpenFoamParts, AreJoinedByPatchesOrByAddresses) {
   expect_two_tetrahedra(addresses.mesh);
   EXPECT_THAT(field_named(addresses.mesh, "p").values.view(), ElementsAre(18, 17));
   EXPECT_THAT(addresses.notes, testing::Not(Contains(HasSubstr("by their patches"))));
+  EXPECT_THAT(addresses.notes, Contains(HasSubstr("by pointProcAddressing")));
   // files that do not fit the parts, or each other
   for (const std::string stale :
        {"3(0 1 2)", "4(0 1 2 9)", "4(0 1 3 2)", "4(0 1 2 -1)", "4(5 1 2 3)"}) {

@@ -138,6 +138,24 @@ TEST_F(RenderMpi, PartsMakeOnePictureWhateverTheRanks) {
   }
 }
 
+TEST_F(RenderMpi, PartsHaveTheSkinTheEdgesAndThePercentilesOfTheWhole) {
+  const std::string options =
+      " --view view.toml --set skin.opacity=0.5 --set edges.width=2.5 --set edges.angle=10"
+      " --set 'volume.color.range=\"percentile:5,80\"'";
+  ASSERT_EQ(run("$RENDER -q m.zoo -o whole.npy" + options), 0) << complaint();
+  const Image whole = read_image(file("whole.npy"), {.width = 150}).image;
+  std::string first;
+  for (const int ranks : {1, 3}) {
+    ASSERT_EQ(render(ranks, "-q m.zparts -o parts.npy" + options), 0) << complaint();
+    const Image parts = read_image(file("parts.npy"), {.width = 150}).image;
+    ASSERT_EQ(parts.values().size(), whole.values().size());
+    for (std::size_t k = 0; k < whole.values().size(); ++k)
+      ASSERT_NEAR(parts.values()[k], whole.values()[k], 1e-13);
+    if (first.empty()) first = bytes_of(file("parts.npy"));
+    EXPECT_EQ(bytes_of(file("parts.npy")), first) << ranks;
+  }
+}
+
 TEST_F(RenderMpi, FramesOfPartsAndOfTheWhole) {
   ASSERT_EQ(run("$RENDER -q m.zoo --view turn.toml --frames -o one-%d.png"), 0);
   ASSERT_EQ(render(2, "-q m.zoo --view turn.toml --frames -o many-%d.png"), 0) << complaint();
@@ -171,7 +189,6 @@ TEST_F(RenderMpi, ErrorsEndAllProcessesWithOneLine) {
       {"m.zoo --view view.toml --engine preview -o x.npy", 2, "hiac-render expected"},
       {"m.zparts -o x.npy", 2, "--view is required"},
       {"m.zparts --view view.toml --overlap -o x.npy", 2, "--overlap: not for a mesh in parts"},
-      {"m.zparts --view view.toml --set skin.opacity=1 -o x.npy", 2, "`skin`"},
       {"m.zparts --view view.toml -o none/x.npy", 3, "none/x.npy"},
       {"less.zparts --view view.toml -o x.npy", 3, "no.3.zoo"},
       {"mixed.zparts --view view.toml -o x.npy", 3, "other.2.zoo"}};

@@ -15,6 +15,7 @@
 #include "formats/common/cells/keep_corners.hpp"
 #include "formats/common/io/named_file.hpp"
 #include "formats/common/mesh/select_fields.hpp"
+#include "formats/common/pieces/piece_field.hpp"
 #include "formats/registry.hpp"
 #include "formats/zoo/zoo_format.hpp"
 #include "hiac/base/error.hpp"
@@ -51,7 +52,8 @@ constexpr const char* kExamples =
     "  hiac-convert run.exo --steps all -o run-%04d.zoo\n"
     "  hiac-convert run.zoo -o run.vtu\n"
     "  hiac-convert run.zoo --levels 3 -o boundary.ply\n"
-    "  hiac-convert run.zoo --parts 8 -o run.zparts";
+    "  hiac-convert run.zoo --parts 8 -o run.zparts\n"
+    "  hiac-convert run.pvtu --keep-parts -o run.zparts";
 
 struct Options {
   std::string input;
@@ -193,6 +195,8 @@ FileDescriptor open_stream(const Options& options) {
 /// puts the pipe's name in place of the file's in a text. Errors do so, too.
 template <typename Work>
 auto with_input(const Options& options, const Work& work) {
+  std::optional<formats::PieceMarking> marking;
+  if (options.parting.keep) marking.emplace();
   const bool is_pipe = options.from_stdin() || is_stream(options.input);
   const auto folder = std::filesystem::path(options.input).parent_path();
   formats::set_named_files({folder.empty() ? "." : folder.string(), options.allow_external});
@@ -329,13 +333,13 @@ void report_mesh(Tool& tool, const ZooMesh& mesh) {
   tool.detail(fmt::format("{} nodes; {}; {} fields", mesh.node_count(), kinds, mesh.fields.size()));
 }
 
-void write_output(Tool& tool, const Options& options, const ZooMesh& mesh) {
+void write_output(Tool& tool, const Options& options, const ZooMesh& mesh, const Pieces& pieces) {
   if (options.to_stdout()) {
     write_zoo_stream(STDOUT_FILENO, {mesh, {}}, "stdout");
     return;
   }
   if (is_parted_output(options.output))
-    return write_parts(tool, options.parting, mesh, options.input, options.output);
+    return write_parts(tool, options.parting, mesh, pieces, options.input, options.output);
   const formats::Format& format = formats::format_to_write(options.output);
   if (!format.write_boundary) return note_all(tool, format.write(options.output, mesh));
   const unsigned levels = options.levels.value_or(default_boundary_levels(mesh));
@@ -355,6 +359,9 @@ void select(ZooMesh& mesh, const Options& options) {
       as_option("--", [&] { return formats::select_fields(mesh, options.fields); });
   const auto derived = std::span(mesh.fields).last(options.edits.derivations.size());
   fields.insert(fields.end(), derived.begin(), derived.end());
+  // the marks of pieces belong to the cells
+  const auto marks = std::ranges::find(mesh.fields, formats::kPieceField, &Field::name);
+  if (marks != mesh.fields.end()) fields.push_back(*marks);
   mesh.fields = std::move(fields);
 }
 
@@ -375,8 +382,9 @@ void finish(Tool& tool, const Options& options, formats::Reading reading, StepAd
     mesh.adjacency.reset();
   else if (to_zoo && !mesh.adjacency)
     mesh.adjacency = tool.timed("adjacency", [&] { return known.of(mesh); });
+  const Pieces pieces = formats::take_pieces(mesh);
   report_mesh(tool, mesh);
-  tool.timed("write", [&] { write_output(tool, options, mesh); });
+  tool.timed("write", [&] { write_output(tool, options, mesh, pieces); });
 }
 
 /// The options of every step: that step alone, into its file, whose name the pattern gives.

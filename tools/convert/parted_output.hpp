@@ -14,6 +14,7 @@ namespace hiac::tools {
 struct Parting {
   std::optional<std::uint32_t> parts;  ///< of equal weight, as the partitioner makes them
   std::string field;                   ///< of cells, whose values are numbers of parts
+  bool keep = false;                   ///< the pieces that the input is in
 
   void add_options(CLI::App& app);
   /// Throws UsageError where the output and these options do not belong together.
@@ -23,9 +24,12 @@ struct Parting {
 /// Whether an output is a parted mesh, as its extension says.
 bool is_parted_output(const std::string& output);
 
+/// For every cell the piece that it was read from, if these are known.
+using Pieces = std::optional<std::vector<std::uint32_t>>;
+
 /// Divides the mesh, claims the parts' files, writes them and the index, and tells how the parts
 /// are. `input` names the mesh in messages.
-void write_parts(Tool& tool, const Parting& parting, const ZooMesh& mesh, const std::string& input,
-                 const std::string& output);
+void write_parts(Tool& tool, const Parting& parting, const ZooMesh& mesh, const Pieces& pieces,
+                 const std::string& input, const std::string& output);
 
 }  // namespace hiac::tools

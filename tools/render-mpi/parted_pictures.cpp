@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
-#include "hiac/cluster/byte_stream.hpp"
 #include "hiac/cluster/parted_renderer.hpp"
+#include "hiac/cluster/whole_ranges.hpp"
 #include "hiac/frame/channels.hpp"
 #include "hiac/frame/renderable.hpp"
 #include "hiac/image/image_io.hpp"
@@ -21,7 +21,6 @@
 #include "hiac/render/runs/part_engine.hpp"
 #include "hiac/render/supersampling.hpp"
 #include "hiac/scene/camera_path.hpp"
-#include "hiac/session/field_range.hpp"
 #include "hiac/session/scene_orders.hpp"
 #include "tools/common/picture/frames.hpp"
 #include "tools/common/picture/picture_annotation.hpp"
@@ -97,29 +96,10 @@ class PartedPictures {
   // Transfer functions over the ranges of the whole mesh's fields.
   ParsedScene with_ranges(ParsedScene parsed) {
     parsed.notes.clear();  // they have been told
-    FieldRanges own(parsed), whole(parsed);
-    if (!own.are_open()) return parsed;
-    if (own.need_all_values())
-      throw UsageError(
-          "`range`: no percentiles of a mesh in parts (\"auto\" or two numbers expected)");
-    with_names(command_, [&] {
-      for (const OwnPart& part : parts_) own.add(part.part.mesh);
-    });
-    Bytes mine;
-    ByteWriter message(mine);
-    for (const Interval& extent : own.extents()) {
-      message.put(extent.low);
-      message.put(extent.high);
-    }
-    for (const Bytes& received : all_gather(all_, mine)) {
-      std::vector<Interval> extents;
-      for (ByteReader from(received); !from.at_end();) {
-        const auto low = from.get<double>();
-        extents.push_back({low, from.get<double>()});
-      }
-      whole.add_extents(extents);
-    }
-    parsed = with_names(command_, [&] { return whole.place(std::move(parsed)); });
+    std::vector<NumberedPart> own;
+    for (const OwnPart& part : parts_)
+      own.push_back({part.number, part.part.mesh, part.part.global_nodes.view()});
+    parsed = with_names(command_, [&] { return with_whole_ranges(all_, own, std::move(parsed)); });
     for (const std::string& line : parsed.notes) tool_.note(line);
     return parsed;
   }

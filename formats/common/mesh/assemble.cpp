@@ -11,7 +11,7 @@
 #include "formats/common/cells/cell_collector.hpp"
 #include "formats/common/cells/reduce_cells.hpp"
 #include "formats/common/io/bytes_behind.hpp"
-#include "formats/common/io/printable.hpp"
+#include "formats/common/io/one_line_errors.hpp"
 #include "formats/common/mesh/block_choice.hpp"
 #include "formats/common/mesh/gate.hpp"
 #include "formats/common/mesh/node_resolver.hpp"
@@ -335,20 +335,6 @@ Inventory inventory_of(const ForeignMesh& foreign, std::string_view format,
   note_bytes_behind_container(subject, inventory.notes);
   return inventory;
 }
-
-namespace {
-
-/// The result of `work`; names from the file in its errors are made printable on one line.
-template <typename Work>
-auto with_errors_of_one_line(const Work& work) {
-  try {
-    return work();
-  } catch (const InputError& error) {
-    throw InputError(printable(error.what()));
-  }
-}
-
-}  // namespace
 
 void read_through(
     Format& format,

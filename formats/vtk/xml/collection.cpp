@@ -2,7 +2,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 
@@ -14,8 +13,10 @@
 #include "formats/common/mesh/block_choice.hpp"
 #include "formats/common/mesh/field_steps.hpp"
 #include "formats/common/mesh/gate.hpp"
-#include "formats/common/mesh/merge_pieces.hpp"
 #include "formats/common/mesh/steps.hpp"
+#include "formats/common/pieces/complete_fields.hpp"
+#include "formats/common/pieces/merge_pieces.hpp"
+#include "formats/common/pieces/piece_field.hpp"
 #include "formats/registry.hpp"
 #include "formats/vtk/reading_process.hpp"
 #include "formats/vtk/vtk_formats.hpp"
@@ -67,8 +68,13 @@ class Members {
     options.block.reset();
     options.time.reset();
     options.step.reset();
-    for (const Member& member : members_) pieces.push_back(read_member(member, options));
-    complete_fields(pieces);
+    for (const Member& member : members_) {
+      pieces.push_back(read_member(member, options));
+      // one dataset may be in pieces itself, as a parallel run's at one step
+      if (PieceMarking::is_on() && members_.size() > 1)
+        mark_piece(pieces.back().mesh, pieces.size() - 1);
+    }
+    complete_fields(pieces, subject_);
     Reading reading = merge_pieces(std::move(pieces), subject_);
     reading.notes.insert(reading.notes.end(), notes_.begin(), notes_.end());
     finish_reading(reading, subject_);
@@ -125,52 +131,6 @@ class Members {
                                   : format_of(member).read(member.path, options);
     std::erase_if(reading.mesh.metadata, [](const auto& entry) { return entry.first == "source"; });
     return reading;
-  }
-
-  /// Gives every piece all fields that any piece has, in one order; NaN where the piece lacks a
-  /// field.
-  void complete_fields(std::vector<Reading>& pieces) const {
-    std::vector<Field> all;
-    const auto is = [](const Field& a) {
-      return [&a](const Field& b) { return a.name == b.name && a.location == b.location; };
-    };
-    for (Reading& piece : pieces) {
-      if (piece.mesh.cell_count() == 0) piece.mesh.fields.clear();
-      for (const Field& field : piece.mesh.fields) {
-        const auto known = std::find_if(all.begin(), all.end(), is(field));
-        if (known == all.end())
-          all.push_back({field.name, field.unit, field.location, field.components, {}});
-        else if (known->components != field.components)
-          throw InputError(subject_, fmt::format("field '{}' has {} components in one block and {} "
-                                                 "in another",
-                                                 field.name, known->components, field.components));
-      }
-    }
-    std::map<std::string, std::size_t> missing;
-    for (Reading& piece : pieces) {
-      if (piece.mesh.cell_count() == 0) continue;
-      std::vector<Field> fields;
-      for (const Field& wanted : all) {
-        const auto found =
-            std::find_if(piece.mesh.fields.begin(), piece.mesh.fields.end(), is(wanted));
-        fields.push_back(found != piece.mesh.fields.end() ? *found : not_known(wanted, piece.mesh));
-        if (found == piece.mesh.fields.end()) ++missing[wanted.name];
-      }
-      piece.mesh.fields = std::move(fields);
-    }
-    for (const auto& [name, count] : missing)
-      pieces.front().notes.push_back(
-          fmt::format("field '{}' is missing in {} files: NaN there", name, count));
-  }
-
-  static Field not_known(const Field& wanted, const ZooMesh& mesh) {
-    Field field = wanted;
-    std::size_t tuples = mesh.nodes.size();
-    if (wanted.location == FieldLocation::node) tuples = mesh.node_count();
-    if (wanted.location == FieldLocation::cell) tuples = mesh.cell_count();
-    field.values =
-        std::vector<double>(tuples * wanted.components, std::numeric_limits<double>::quiet_NaN());
-    return field;
   }
 
   std::vector<Member> members_;

@@ -3,7 +3,8 @@
 #include "formats/common/io/mapped_file.hpp"
 #include "formats/common/io/named_file.hpp"
 #include "formats/common/mesh/gate.hpp"
-#include "formats/common/mesh/merge_pieces.hpp"
+#include "formats/common/pieces/merge_pieces.hpp"
+#include "formats/common/pieces/piece_field.hpp"
 #include "formats/vtk/reading_process.hpp"
 #include "formats/vtk/vtk_formats.hpp"
 #include "formats/vtk/xml/vtk_xml.hpp"
@@ -42,8 +43,10 @@ Format parallel_format(Format piece, std::string_view name, std::string_view ext
   format.read = [reader, parallel_type](const std::string& path, const ReadOptions& options) {
     const auto process = vtk::reading_process();  // one for all pieces
     std::vector<Reading> pieces;
-    for (const std::string& file : piece_paths(path, parallel_type))
+    for (const std::string& file : piece_paths(path, parallel_type)) {
       pieces.push_back(reader.read(file, options));
+      if (PieceMarking::is_on()) mark_piece(pieces.back().mesh, pieces.size() - 1);
+    }
     const std::size_t count = pieces.size();
     Reading reading = merge_pieces(std::move(pieces), path);
     finish_reading(reading, path);

@@ -8,8 +8,9 @@
 
 #include "formats/common/mesh/field_steps.hpp"
 #include "formats/common/mesh/gate.hpp"
-#include "formats/common/mesh/merge_pieces.hpp"
 #include "formats/common/mesh/steps.hpp"
+#include "formats/common/pieces/merge_pieces.hpp"
+#include "formats/common/pieces/piece_field.hpp"
 #include "formats/vtk/from_vtk.hpp"
 #include "formats/vtk/packed_dataset.hpp"
 #include "formats/vtk/reading_process.hpp"
@@ -116,6 +117,7 @@ Reading read_vtu(const std::string& path, const ReadOptions& options) {
   for (std::size_t p = 0; p < count; ++p) {
     const std::string subject = count == 1 ? path : fmt::format("{}: piece {}", path, p);
     pieces.push_back(mesh_from_vtk(file.read_piece(p), file.dataset_options(), subject));
+    if (PieceMarking::is_on() && count > 1) mark_piece(pieces.back().mesh, p);
   }
   Reading reading = merge_pieces(std::move(pieces), path);
   file.complete(reading);

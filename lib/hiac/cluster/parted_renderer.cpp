@@ -47,9 +47,9 @@ struct PartedRenderer::State {
     std::vector<NumberedEngine> numbered;
     for (const DrawnPart& part : parts) {
       engines.push_back(std::make_unique<PartEngine>(part.mesh, scene, channels));
-      numbered.push_back({*engines.back(), part.global_nodes});
+      numbered.push_back({*engines.back(), part.number, part.global_nodes});
     }
-    constants = share_whole_facts(all, numbered);
+    constants = share_whole_facts(all, numbered, scene);
     prepare_seconds = seconds_now() - start;
   }
 
@@ -60,20 +60,56 @@ struct PartedRenderer::State {
     return bins;
   }
 
+  // The pixels of every tile through which edges of any part pass; which of this process's parts
+  // have some in a tile.
+  struct EdgedTiles {
+    std::vector<EdgedMask> masks;                    // empty where no edges are drawn
+    std::vector<std::vector<std::uint8_t>> has_own;  // by part and tile
+
+    [[nodiscard]] const EdgedMask* mask(std::uint32_t tile) const {
+      return masks.empty() ? nullptr : &masks[tile];
+    }
+    [[nodiscard]] bool has(std::size_t part, std::uint32_t tile) const {
+      return !masks.empty() && has_own[part][tile] != 0;
+    }
+  };
+  [[nodiscard]] EdgedTiles edged_tiles(std::span<const TileRect> tiles) const {
+    EdgedTiles edged;
+    if (!scene.edges) return edged;
+    edged.masks.resize(tiles.size());
+    edged.has_own.assign(parts.size(), std::vector<std::uint8_t>(tiles.size()));
+    parallel_for(tiles.size(), 1, [&](IndexRange range) {
+      for (std::size_t k = 0; k < parts.size(); ++k)
+        edged.has_own[k][range.begin] =
+            engines[k]->mark_edges(tiles[range.begin], edged.masks[range.begin]) ? 1 : 0;
+    });
+    Bytes mine;
+    ByteWriter message(mine);
+    for (const EdgedMask& mask : edged.masks)
+      message.put_all(std::span<const std::uint64_t>(mask.words()));
+    for (const Bytes& received : all_gather(all, mine)) {
+      ByteReader from(received);
+      for (EdgedMask& mask : edged.masks) mask.add(from.get_all<std::uint64_t>(EdgedMask::kWords));
+    }
+    return edged;
+  }
+
   // The runs of this process's parts in the tiles of a round, as messages to the tiles' owners.
   std::vector<Bytes> draw(std::span<const TileRect> tiles, std::span<const std::uint32_t> round,
-                          std::span<const TileBins> bins) {
+                          std::span<const TileBins> bins, const EdgedTiles& edged) {
     const double start = seconds_now();
     std::vector<std::pair<std::uint32_t, std::size_t>> tasks;  // the tile's place, and the part's
     for (std::uint32_t place = 0; place < round.size(); ++place)
       for (std::size_t k = 0; k < parts.size(); ++k)
-        if (!bins[k].cells_of(round[place]).empty()) tasks.emplace_back(place, k);
+        if (!bins[k].cells_of(round[place]).empty() || edged.has(k, round[place]))
+          tasks.emplace_back(place, k);
     std::vector<Bytes> drawn(tasks.size());
     std::vector<std::pair<std::size_t, std::size_t>> counts(tasks.size());  // runs and segments
     parallel_for(tasks.size(), 1, [&](IndexRange range) {
       const auto [place, k] = tasks[range.begin];
       const std::uint32_t tile = round[place];
-      const TileRuns runs = engines[k]->draw(parts[k].order, tiles[tile], bins[k].cells_of(tile));
+      const TileRuns runs =
+          engines[k]->draw(parts[k].order, tiles[tile], bins[k].cells_of(tile), edged.mask(tile));
       counts[range.begin] = {runs.runs.size(), runs.counts.segments};
       ByteWriter message(drawn[range.begin]);
       message.put(tile);
@@ -117,7 +153,8 @@ struct PartedRenderer::State {
       std::vector<TileRuns> of_tile;
       for (PartRuns& r : std::ranges::equal_range(runs, tile, {}, &PartRuns::tile))
         of_tile.push_back(std::move(r.runs));
-      const auto merged = std::make_unique<MergedTile>(constants, of_tile);
+      const auto merged =
+          std::make_unique<MergedTile>(constants, of_tile, scene.edges ? &*scene.edges : nullptr);
       ByteWriter message(finished[range.begin]);
       message.put(tile);
       put_finished(message, finish_tile(*merged, tiles[tile], projector, scene, wanted));
@@ -187,6 +224,7 @@ RenderResult PartedRenderer::render(const PixelRect& part, bool with_background,
   double start = seconds_now();
   const std::vector<TileRect> tiles = tiles_of(s.scene.image, part);
   const std::vector<TileBins> bins = s.bins_of(part);
+  const State::EdgedTiles edged = s.edged_tiles(tiles);
   const bool has_picture = s.all.rank() == 0;
   Image image = has_picture ? Image(part.width, part.height, image_channels(s.channels)) : Image();
   std::vector<TileSummary> summaries(has_picture ? tiles.size() : 0);
@@ -197,7 +235,7 @@ RenderResult PartedRenderer::render(const PixelRect& part, bool with_background,
   for (TileRounds rounds(tiles.size()); !rounds.at_end();) {
     check_cancelled();
     const std::vector<std::uint32_t> round = rounds.next();
-    std::vector<Bytes> messages = s.draw(tiles, round, bins);
+    std::vector<Bytes> messages = s.draw(tiles, round, bins, edged);
     const std::uint64_t bytes = total_size(messages);
     const std::vector<Bytes> received = s.all.exchange(std::move(messages));
     rounds.note_bytes(most_of_all(s.all, std::max(bytes, total_size(received))));

@@ -8,6 +8,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "hiac/cluster/edged_message.hpp"
+
 namespace hiac {
 namespace {
 
@@ -60,6 +62,12 @@ void put_runs(ByteWriter& to, const TileRuns& runs) {
     at += kRunBytes;
   }
   put_facts(to, runs.facts);
+  to.put(static_cast<std::uint32_t>(runs.covers.size()));
+  for (const SkinCover& cover : runs.covers) {
+    to.put(cover.pixel);
+    to.put(cover.transparency);
+  }
+  put_edged(to, runs.edged);
 }
 
 TileRuns get_runs(ByteReader& from) {
@@ -77,6 +85,12 @@ TileRuns get_runs(ByteReader& from) {
     at += kRunBytes;
   }
   runs.facts = get_facts(from, facts);
+  runs.covers.resize(from.get<std::uint32_t>());
+  for (SkinCover& cover : runs.covers) {
+    cover.pixel = from.get<std::uint32_t>();
+    cover.transparency = from.get<double>();
+  }
+  runs.edged = get_edged(from);
   return runs;
 }
 

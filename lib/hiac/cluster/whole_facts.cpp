@@ -4,10 +4,13 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "hiac/base/error.hpp"
 #include "hiac/cluster/byte_stream.hpp"
+#include "hiac/cluster/whole_boundary.hpp"
+#include "hiac/cluster/whole_edges.hpp"
 
 namespace hiac {
 namespace {
@@ -63,6 +66,19 @@ void share_touched_faces(Communicator& all, std::span<const NumberedEngine> own)
   }
 }
 
+void share_boundary(Communicator& all, std::span<const NumberedEngine> own, const Scene& scene) {
+  std::vector<NumberedPart> parts;
+  for (const NumberedEngine& part : own)
+    parts.push_back({part.number, part.engine.mesh(), part.global_nodes});
+  std::vector<std::vector<std::uint8_t>> boundary = whole_boundary(all, parts);
+  if (scene.skin)
+    for (std::size_t k = 0; k < own.size(); ++k) own[k].engine.set_skin(boundary[k]);
+  if (!scene.edges) return;
+  const auto edges = whole_edges(all, parts, *scene.edges, boundary);
+  for (std::size_t k = 0; k < own.size(); ++k)
+    own[k].engine.set_edges(edges[k], std::move(boundary[k]), own[k].global_nodes);
+}
+
 MergeConstants share_constants(Communicator& all, std::span<const NumberedEngine> own) {
   Bytes mine;
   ByteWriter message(mine);
@@ -84,7 +100,9 @@ MergeConstants share_constants(Communicator& all, std::span<const NumberedEngine
 
 }  // namespace
 
-MergeConstants share_whole_facts(Communicator& all, std::span<const NumberedEngine> own) {
+MergeConstants share_whole_facts(Communicator& all, std::span<const NumberedEngine> own,
+                                 const Scene& scene) {
+  if (scene.skin || scene.edges) share_boundary(all, own, scene);
   share_extremes(all, own);
   share_touched_faces(all, own);
   return share_constants(all, own);

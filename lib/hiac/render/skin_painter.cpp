@@ -50,12 +50,16 @@ void SkinPainter::draw(const TileTarget& to, CellId cell, bool with_inside) {
 
 // Where two entries have one place, the edge comes before the skin, as it is appended before it.
 void SkinPainter::draw_sorted(const TileTarget& to, CellId cell, bool with_inside) {
-  const std::size_t first = to.group->segments.size();
-  if (with_inside) draw_for(frame_, cell)(to, {&cell, 1});
-  note_ends(*to.group, first);
+  list_inside(to, cell, with_inside);
   add_edges(to, cell, Which::all);
   add_skin(to, Which::all);
   ends_.clear();
+}
+
+void SkinPainter::list_inside(const TileTarget& to, CellId cell, bool with_inside) {
+  const std::size_t first = to.group->segments.size();
+  if (with_inside) draw_for(frame_, cell)(to, {&cell, 1});
+  note_ends(*to.group, first);
 }
 
 void SkinPainter::note_ends(const SegmentList& list, std::size_t first) {

@@ -35,6 +35,30 @@ class SkinPainter {
   /// Draws one cell. `with_inside`: else only its skin and edges.
   void draw(const TileTarget& to, CellId cell, bool with_inside);
 
+  /// Where a cell's own segments end in a list, and the skin begins that rays enter the cell
+  /// through; where that begins that they leave it through, up to the end of the list.
+  struct ListedSkin {
+    std::size_t entered, left;
+  };
+  /// Appends a cell and its skin to the list of `to`, and calls on_crossing(ray, front, back) for
+  /// every ray through the cell with the places at which edges on it lie. No edges are drawn.
+  template <typename OnCrossing>
+  ListedSkin list(const TileTarget& to, CellId cell, bool with_inside,
+                  const OnCrossing& on_crossing) {
+    skin_.enter(cell, to.tile);
+    list_inside(to, cell, with_inside);
+    for (const CellCrossing& ray : skin_.rays()) {
+      const std::size_t at = to.tile.index(ray.x, ray.y);
+      on_crossing(ray, end_at(at, ray.front, true), end_at(at, ray.back, false));
+    }
+    ListedSkin listed{to.group->segments.size(), 0};
+    add_skin(to, Which::entered);
+    listed.left = to.group->segments.size();
+    add_skin(to, Which::left);
+    ends_.clear();
+    return listed;
+  }
+
   /// The transparency of all that has been composited of the skin in a pixel.
   [[nodiscard]] double transparency(std::size_t at) const {
     return transparency_.empty() ? 1 : transparency_[at];
@@ -43,6 +67,7 @@ class SkinPainter {
  private:
   enum class Which : std::uint8_t { entered, left, all };
   void draw_sorted(const TileTarget& to, CellId cell, bool with_inside);
+  void list_inside(const TileTarget& to, CellId cell, bool with_inside);
   void note_ends(const SegmentList& list, std::size_t first);
   [[nodiscard]] double end_at(std::size_t at, double t, bool enters) const;
   void add_skin(const TileTarget& to, Which which);

@@ -91,26 +91,21 @@ void FieldRanges::add(const ZooMesh& mesh) {
   if (skin_) skin_->add(mesh);
 }
 
-bool FieldRanges::need_all_values() const {
-  const auto needs = [](const std::optional<OpenRange>& range) {
-    return range && range->percents != std::array<double, 2>{0, 100};
-  };
-  return needs(color_) || needs(extinction_) || needs(skin_);
-}
-
-std::vector<Interval> FieldRanges::extents() const {
-  std::vector<Interval> all;
+std::vector<FieldRanges::Wanted> FieldRanges::wanted() const {
+  std::vector<Wanted> all;
   for (const auto* range : {&color_, &extinction_, &skin_})
-    if (*range) all.push_back((*range)->values.extent());
+    if (*range) all.push_back({(*range)->field, (*range)->percents, (*range)->logarithmic});
   return all;
 }
 
-void FieldRanges::add_extents(std::span<const Interval> extents) {
+void FieldRanges::set_ends(std::span<const Interval> ends) {
   std::size_t next = 0;
   for (auto* range : {&color_, &extinction_, &skin_}) {
     if (!*range) continue;
-    const Interval& extent = extents[next++];
-    if (!extent.empty()) (*range)->values.add({extent.low, extent.high});
+    const Interval& found = ends[next++];
+    (*range)->percents = {0, 100};
+    (*range)->values = PooledValues(true);
+    if (!found.empty()) (*range)->values.add({found.low, found.high});
   }
 }
 

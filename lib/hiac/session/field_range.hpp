@@ -28,12 +28,18 @@ class FieldRanges {
   /// Adds the values of one mesh. Throws UsageError if a field does not exist.
   void add(const ZooMesh& mesh);
 
-  /// Whether the smallest and the largest values are not all that is asked for.
-  [[nodiscard]] bool need_all_values() const;
-  /// The smallest and the largest value so far of every range that is open; and adds such of meshes
-  /// that are in another process, where all values are not needed.
-  [[nodiscard]] std::vector<Interval> extents() const;
-  void add_extents(std::span<const Interval> extents);
+  /// What an open range is of: percentiles of the finite values in cells of a field; on a
+  /// logarithmic scale of those that are positive.
+  struct Wanted {
+    std::string field;
+    std::array<double, 2> percents;
+    bool logarithmic;
+  };
+  /// The ranges that are open.
+  [[nodiscard]] std::vector<Wanted> wanted() const;
+  /// Puts these in the place of the fields' values, found elsewhere: for every range that is open
+  /// its ends, empty where there is no value. No mesh must be added.
+  void set_ends(std::span<const Interval> ends);
 
   /// Puts the points of the scene's transfer functions on the ranges of all meshes, and notes them.
   /// `parsed` is what the constructor saw. Throws InputError as with_field_ranges does.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <span>
 #include <utility>
 
@@ -10,26 +9,12 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/mesh/file_descriptor.hpp"
+#include "hiac/session/value_key.hpp"
 
 namespace hiac {
 namespace {
 
 constexpr const char* kSubject = "values of all steps";
-/// The digits of a value's key, the most significant first.
-constexpr unsigned kKeyBits = 64, kDigitBits = 16;
-
-/// A number that is ordered as the value is; both zeros have the same.
-std::uint64_t key_of(double value) {
-  constexpr std::uint64_t kSign = std::uint64_t{1} << (kKeyBits - 1);
-  const auto bits = std::bit_cast<std::uint64_t>(value + 0.0);
-  return (bits & kSign) != 0 ? ~bits : bits | kSign;
-}
-
-double value_of(std::uint64_t key) {
-  constexpr std::uint64_t kSign = std::uint64_t{1} << (kKeyBits - 1);
-  return std::bit_cast<double>((key & kSign) != 0 ? key & ~kSign : ~key);
-}
-
 FileDescriptor open_to_append(const std::string& path) {
   FileDescriptor file(open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC));
   if (file.number() < 0) throw InputError(path, "cannot be written");
@@ -79,22 +64,14 @@ void PooledValues::add(std::vector<double> values) {
   append(file_->path(), values);
 }
 
-// One digit of the value's key after the other: how many values share the digits found so far says
-// which digit the rank lies in.
 double PooledValues::value_at(std::uint64_t rank) const {
-  std::uint64_t prefix = 0;
-  for (unsigned found = 0; found < kKeyBits; found += kDigitBits) {
-    const unsigned below = kKeyBits - found - kDigitBits;
-    std::vector<std::uint64_t> counts(std::size_t{1} << kDigitBits);
-    for_each_value(file_->path(), [&](double value) {
-      const std::uint64_t digits = key_of(value) >> below;
-      if (digits >> kDigitBits == prefix) ++counts[digits & (counts.size() - 1)];
-    });
-    std::uint64_t digit = 0;
-    while (rank >= counts[digit]) rank -= counts[digit++];
-    prefix = prefix << kDigitBits | digit;
+  RankedKey ranked(rank);
+  while (!ranked.found()) {
+    std::vector<std::uint64_t> counts(RankedKey::kDigits);
+    for_each_value(file_->path(), [&](double value) { ranked.count(key_of(value), counts); });
+    ranked.take(counts);
   }
-  return value_of(prefix);
+  return value_of(ranked.key());
 }
 
 double PooledValues::percentile(double percent) {

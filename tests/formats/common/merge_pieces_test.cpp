@@ -1,4 +1,4 @@
-#include "formats/common/mesh/merge_pieces.hpp"
+#include "formats/common/pieces/merge_pieces.hpp"
 
 #include <algorithm>
 #include <array>
@@ -76,6 +76,60 @@ TEST(MergePieces, EmptyPiecesDoNotMatter) {
   const Reading whole = merge_pieces(pieces_of(std::move(empty), brick_at(0, 1)), "pieces");
   EXPECT_EQ(whole.mesh.cell_count(), 1U);
   EXPECT_THAT(whole.notes, testing::ElementsAre("nothing here"));
+}
+
+/// Gives a piece numbers of its nodes.
+Reading with_numbers(Reading piece, std::vector<double> numbers) {
+  piece.mesh.fields.push_back({"GlobalNodeId", "", FieldLocation::node, 1, std::move(numbers)});
+  return piece;
+}
+
+TEST(MergePieces, NumbersOfTheWholeMeshJoinRoundedNodes) {
+  // x = 1 + 1e-9, where the other piece has 1; the values of `f` follow
+  const auto pieces = [](double off, std::vector<double> numbers) {
+    return pieces_of(with_numbers(brick_at(0, 1), {0, 1, 2, 3, 4, 5, 6, 7}),
+                     with_numbers(brick_at(1 + off, 1), std::move(numbers)));
+  };
+  const Reading whole = merge_pieces(pieces(1e-9, {1, 11, 12, 2, 5, 15, 16, 6}), "pieces");
+  validate(whole.mesh, "whole");
+  EXPECT_EQ(whole.mesh.node_count(), 12U);
+  EXPECT_THAT(whole.notes, testing::Contains(testing::HasSubstr("by their 'GlobalNodeId'")));
+  EXPECT_THAT(whole.notes, testing::Contains(testing::HasSubstr("differ by up to")));
+  for (NodeId node = 0; node < 8; ++node)  // the first piece's count
+    EXPECT_EQ(whole.mesh.position(node)[0], node % 4 == 1 || node % 4 == 2 ? 1 : 0);
+  // a crack: other numbers at the same place
+  EXPECT_EQ(merge_pieces(pieces(0, {21, 11, 12, 22, 25, 15, 16, 26}), "pieces").mesh.node_count(),
+            16U);
+}
+
+TEST(MergePieces, NumbersThatAreNotThoseOfTheWholeMeshAreToldAndDoNotCount) {
+  const std::vector<double> own{0, 1, 2, 3, 4, 5, 6, 7};
+  for (const auto& [numbers, why] : std::vector<std::pair<std::vector<double>, std::string>>{
+           {own, "one stands for different places"},
+           {{8, 8, 9, 10, 11, 12, 13, 14}, "a piece has one twice"},
+           {{0.5, 8, 9, 10, 11, 12, 13, 14}, "not all are whole"}}) {
+    const Reading whole = merge_pieces(
+        pieces_of(with_numbers(brick_at(0, 1), own), with_numbers(brick_at(1, 1), numbers)),
+        "pieces");
+    EXPECT_THAT(whole.notes, testing::Contains(testing::HasSubstr(why)));
+  }
+}
+
+TEST(MergePieces, DifferentValuesOfOneNumberStayApart) {
+  const Reading whole =
+      merge_pieces(pieces_of(with_numbers(brick_at(0, 1), {0, 1, 2, 3, 4, 5, 6, 7}),
+                             with_numbers(brick_at(1, 2), {1, 11, 12, 2, 5, 15, 16, 6})),
+                   "pieces");
+  EXPECT_EQ(whole.mesh.node_count(), 16U);
+  EXPECT_THAT(whole.notes, testing::Contains(testing::HasSubstr("4 nodes of equal")));
+}
+
+TEST(MergePieces, CopiesOfCellsAreLeftOut) {
+  const Reading whole = merge_pieces(pieces_of(brick_at(0, 1), brick_at(0, 1)), "pieces");
+  validate(whole.mesh, "whole");
+  EXPECT_EQ(whole.mesh.cell_count(), 1U);
+  EXPECT_EQ(whole.mesh.node_count(), 8U);
+  EXPECT_THAT(whole.notes, testing::Contains(testing::HasSubstr("left out 1 cells")));
 }
 
 }  // namespace

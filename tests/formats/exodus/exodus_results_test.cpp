@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <netcdf.h>
 
+#include "formats/common/pieces/piece_field.hpp"
+#include "hiac/mesh/zoo_mesh.hpp"
 #include "tests/formats/cell_volumes.hpp"
 #include "tests/formats/damage.hpp"
 #include "tests/formats/field_named.hpp"
@@ -343,6 +345,61 @@ TEST(ExodusResults, FilesWithoutVolumeAreRefused) {
     file.integers("connect1", {"num_el_in_blk1", "num_nod_per_el1"}, {1, 2, 3}, "TRI");
   }
   EXPECT_THAT(refusal(path), HasSubstr("holds no volume cells"));
+}
+
+// Two tetrahedra on either side of a face, one in each piece of a run of two; the second block has
+// no cell in the first piece.
+void write_run_piece(const std::string& path, bool second, const std::vector<int>& numbers) {
+  ExodusFile file(path, 4, 2, 1);
+  const double top = second ? 1 : 0;
+  file.reals("coordx", {"num_nodes"}, {top, 1, 0, 0});
+  file.reals("coordy", {"num_nodes"}, {top, 0, 1, 0});
+  file.reals("coordz", {"num_nodes"}, {top, 0, 0, 1});
+  file.length("block", 1);
+  file.length("four", 4);
+  file.integers(second ? "connect2" : "connect1", {"block", "four"},
+                second ? std::vector{2, 3, 4, 1} : std::vector{1, 2, 3, 4}, "TET4");
+  if (!numbers.empty()) file.integers("node_num_map", {"num_nodes"}, numbers);
+  file.reals("time_whole", {"time_step"}, {2});
+  file.length("num_elem_var", 1);
+  file.names("name_elem_var", "num_elem_var", {"p"});
+  file.reals(second ? "vals_elem_var1eb2" : "vals_elem_var1eb1", {"time_step", "block"},
+             {second ? 7.0 : 6.0});
+}
+
+TEST(ExodusRuns, PiecesAreOneMesh) {
+  for (const bool mapped : {true, false}) {
+    const ScratchFolder folder;
+    write_run_piece(folder.file("a.e.2.0"), false,
+                    mapped ? std::vector{9, 1, 2, 3} : std::vector<int>{});
+    EXPECT_THAT(refusal(folder.file("a.e.2.0")), HasSubstr("a.e.2.1 is missing"));
+    write_run_piece(folder.file("a.e.2.1"), true,
+                    mapped ? std::vector{8, 1, 2, 3} : std::vector<int>{});
+    const std::string path = folder.file("a.e.2.1");  // any piece names the run
+    const Reading whole = read_any(path);
+    EXPECT_EQ(whole.mesh.cell_count(), 2U);
+    EXPECT_EQ(whole.mesh.node_count(), 5U);
+    EXPECT_NEAR(volume_of(whole.mesh), 1.0 / 6 + 1.0 / 3, 1e-15);
+    ASSERT_EQ(whole.mesh.fields.size(), 1U);
+    EXPECT_THAT(field_named(whole.mesh, "p").values.view(), ElementsAre(6, 7));
+    EXPECT_THAT(whole.notes,
+                Contains(HasSubstr(mapped ? "by their 'node_num_map'" : "by their equal")));
+    const PieceMarking marking;
+    ZooMesh marked = read_any(path).mesh;
+    EXPECT_THAT(*take_pieces(marked), ElementsAre(0, 1));
+    EXPECT_EQ(content_hash(marked), content_hash(whole.mesh));
+    const Inventory inventory = format_to_read(path).inspect(path);
+    EXPECT_EQ(inventory.points, 8U);
+    EXPECT_EQ(inventory.fields.size(), 1U);
+  }
+}
+
+TEST(ExodusRuns, OtherNamesAreReadAlone) {
+  const ScratchFolder folder;
+  for (const char* name : {"a.2.2", "b.02.1", "c.1.0", "d.10.1", "2.0"}) {
+    write_run_piece(folder.file(name), false, {1, 2, 3, 4});
+    EXPECT_EQ(read_any(folder.file(name)).mesh.cell_count(), 1U) << name;
+  }
 }
 
 }  // namespace

@@ -11,17 +11,6 @@
 namespace hiac {
 namespace {
 
-std::pair<NodeId, NodeId> ends_of(const EdgeNodes& edge) {
-  return {edge.nodes[0], edge.nodes[edge.count - 1]};
-}
-
-// An edge of a boundary face.
-struct Side {
-  EdgeNodes edge;
-  Vector normal;   // of the face, on either side
-  bool ascending;  // whether the face passes the edge from its lower end
-};
-
 // The normal of the plane through a face's corners: between two edges, or two diagonals.
 Vector face_normal(const ZooMesh& mesh, std::span<const NodeId> nodes, const ShapeFace& face) {
   const auto at = [&](std::size_t k) { return mesh.position(nodes[face.corners[k]]); };
@@ -40,7 +29,8 @@ std::size_t edge_between(CellKind kind, std::uint8_t a, std::uint8_t b) {
       edges.begin());
 }
 
-void add_sides(const ZooMesh& mesh, CellId cell, const ShapeFace& face, std::vector<Side>& sides) {
+void add_sides(const ZooMesh& mesh, CellId cell, const ShapeFace& face,
+               std::vector<EdgeSide>& sides) {
   const CellKind kind = mesh.kinds[cell];
   const auto nodes = mesh.cell_nodes(cell);
   const Vector normal = face_normal(mesh, nodes, face);
@@ -51,23 +41,10 @@ void add_sides(const ZooMesh& mesh, CellId cell, const ShapeFace& face, std::vec
   }
 }
 
-// Whether the boundary bends by more than an angle with this cosine between the sides of one edge.
-bool is_feature(std::span<const Side> sides, double cosine) {
-  if (sides.size() != 2) return true;
-  const double turned = sides[0].ascending == sides[1].ascending ? -1 : 1;
-  return turned * dot(sides[0].normal, sides[1].normal) < cosine;
-}
-
 std::vector<EdgeNodes> boundary_edges(const ZooMesh& mesh, const Edges& wanted,
                                       std::span<const std::uint8_t> boundary) {
-  std::vector<Side> sides;
-  for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {
-    const auto faces = topology_of(mesh.kinds[cell]).faces;
-    for (std::size_t f = 0; f < faces.size(); ++f)
-      if ((boundary[cell] >> f & 1U) != 0) add_sides(mesh, cell, faces[f], sides);
-  }
-  std::ranges::stable_sort(sides, {}, [](const Side& side) { return ends_of(side.edge); });
-  const double cosine = std::cos(wanted.angle * std::numbers::pi / 180);
+  const std::vector<EdgeSide> sides = boundary_sides(mesh, boundary);
+  const double cosine = cosine_of(wanted);
   std::vector<EdgeNodes> edges;
   for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
     while (end < sides.size() && ends_of(sides[end].edge) == ends_of(sides[begin].edge)) ++end;
@@ -77,6 +54,31 @@ std::vector<EdgeNodes> boundary_edges(const ZooMesh& mesh, const Edges& wanted,
   }
   return edges;
 }
+
+}  // namespace
+
+std::pair<NodeId, NodeId> ends_of(const EdgeNodes& edge) {
+  return {edge.nodes[0], edge.nodes[edge.count - 1]};
+}
+
+std::vector<EdgeSide> boundary_sides(const ZooMesh& mesh, std::span<const std::uint8_t> boundary) {
+  std::vector<EdgeSide> sides;
+  for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {
+    const auto faces = topology_of(mesh.kinds[cell]).faces;
+    for (std::size_t f = 0; f < faces.size(); ++f)
+      if ((boundary[cell] >> f & 1U) != 0) add_sides(mesh, cell, faces[f], sides);
+  }
+  std::ranges::stable_sort(sides, {}, [](const EdgeSide& side) { return ends_of(side.edge); });
+  return sides;
+}
+
+bool is_feature(std::span<const EdgeSide> sides, double cosine) {
+  if (sides.size() != 2) return true;
+  const double turned = sides[0].ascending == sides[1].ascending ? -1 : 1;
+  return turned * dot(sides[0].normal, sides[1].normal) < cosine;
+}
+
+double cosine_of(const Edges& wanted) { return std::cos(wanted.angle * std::numbers::pi / 180); }
 
 std::vector<EdgeNodes> all_edges(const ZooMesh& mesh) {
   std::vector<EdgeNodes> edges;
@@ -88,8 +90,6 @@ std::vector<EdgeNodes> all_edges(const ZooMesh& mesh) {
   edges.erase(repeated.begin(), repeated.end());
   return edges;
 }
-
-}  // namespace
 
 std::vector<EdgeNodes> chosen_edges(const ZooMesh& mesh, const Edges& wanted,
                                     std::span<const std::uint8_t> boundary) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "hiac/frame/surfaces/boundary_faces.hpp"
 #include "hiac/render/edges/chosen_edges.hpp"
@@ -61,7 +62,19 @@ ScreenEdges::ScreenEdges(const Frame& frame, const Scene& scene) {
   if (!scene.edges) return;
   look_ = *scene.edges;
   boundary_ = boundary_faces(frame.mesh);
-  for (const EdgeNodes& edge : chosen_edges(frame.mesh, look_, boundary_)) {
+  add_all(frame, chosen_edges(frame.mesh, look_, boundary_));
+  deal_out(scene.image);
+}
+
+ScreenEdges::ScreenEdges(const Frame& frame, const Scene& scene, std::vector<std::uint8_t> boundary,
+                         std::span<const EdgeNodes> edges)
+    : look_(*scene.edges), boundary_(std::move(boundary)) {
+  add_all(frame, edges);
+  deal_out(scene.image);
+}
+
+void ScreenEdges::add_all(const Frame& frame, std::span<const EdgeNodes> edges) {
+  for (const EdgeNodes& edge : edges) {
     std::array<Point, 4> nodes;
     for (std::size_t k = 0; k < edge.count; ++k)
       nodes[k] = frame.projector.camera_coordinates(frame.mesh.position(edge.nodes[k]));
@@ -76,7 +89,6 @@ ScreenEdges::ScreenEdges(const Frame& frame, const Scene& scene) {
           point_on(on_edge, static_cast<double>(k + 1) / kPieces), both,
           {k == 0 ? both[0] : kNoNode, k + 1 == kPieces ? both[1] : kNoNode});
   }
-  deal_out(scene.image);
 }
 
 // Adds a piece between two points in camera coordinates.

@@ -8,6 +8,7 @@
 
 #include "hiac/frame/frame.hpp"
 #include "hiac/frame/tiles/tile.hpp"
+#include "hiac/geometry/face_form.hpp"
 #include "hiac/scene/scene.hpp"
 
 namespace hiac {
@@ -28,7 +29,12 @@ struct EdgePiece {
 /// nearer to the eye plane than a millionth of the piece's farther end.
 class ScreenEdges {
  public:
+  /// No edges.
+  ScreenEdges() = default;
   ScreenEdges(const Frame& frame, const Scene& scene);
+  /// These edges alone, of a mesh with this boundary (boundary_faces.hpp). The scene draws edges.
+  ScreenEdges(const Frame& frame, const Scene& scene, std::vector<std::uint8_t> boundary,
+              std::span<const EdgeNodes> edges);
 
   [[nodiscard]] bool none() const { return pieces_.empty(); }
   /// Whether drawn edges may lie on a cell: on all cells, or on those of the boundary.
@@ -46,6 +52,7 @@ class ScreenEdges {
   }
 
  private:
+  void add_all(const Frame& frame, std::span<const EdgeNodes> edges);
   void add(const Frame& frame, const std::array<double, 3>& from, const std::array<double, 3>& to,
            const std::array<NodeId, 2>& edge, std::array<NodeId, 2> ends);
   void deal_out(ImageSize size);

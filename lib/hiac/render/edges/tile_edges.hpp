@@ -55,6 +55,13 @@ class TileEdges {
     if (share > 0) composite_share(to, at, at_parameter, share);
   }
 
+  /// Calls visit(at, share, place) for every fragment: the pixel's index in the tile's planes, and
+  /// the share of the pixel that the fragment covers.
+  template <typename Visit>
+  void visit_all(const Visit& visit) const {
+    for (const Fragment& fragment : fragments_) visit(fragment.at, fragment.share, fragment.place);
+  }
+
   /// Composites all fragments that are not taken yet: nothing lies between those of a pixel.
   void append_rest(const TileTarget& to);
 

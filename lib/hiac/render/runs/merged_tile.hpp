@@ -5,8 +5,10 @@
 
 #include "hiac/frame/frame.hpp"
 #include "hiac/frame/tiles/drawn_tile.hpp"
+#include "hiac/frame/tiles/surface_cover.hpp"
 #include "hiac/render/pixels/pixel_details.hpp"
 #include "hiac/render/runs/ray_runs.hpp"
+#include "hiac/scene/scene.hpp"
 
 namespace hiac {
 
@@ -24,23 +26,32 @@ MergeConstants merge_constants(const Frame& frame);
 /// ends in common, and the order of their entries is that of all they hold. Runs that begin at one
 /// depth are taken by their ends, then by part. The witness counts runs that begin before another
 /// one has ended.
-class MergedTile final : public DrawnTile {
+class MergedTile final : public DrawnTile, public SurfaceCover {
  public:
-  /// `parts`: by ascending number of the part. The result depends on nothing else.
-  MergedTile(const MergeConstants& constants, std::span<const TileRuns> parts);
+  /// `parts`: by ascending number of the part. `edges`: of the scene, or null. The result depends
+  /// on nothing else.
+  MergedTile(const MergeConstants& constants, std::span<const TileRuns> parts,
+             const Edges* edges = nullptr);
 
   [[nodiscard]] const TilePixels& pixels() const override { return pixels_; }
   [[nodiscard]] const TileCounts& counts() const override { return counts_; }
   [[nodiscard]] const PixelFacts& facts(std::size_t at) const override { return details_[at]; }
   [[nodiscard]] double error(std::size_t at, double background) override;
+  [[nodiscard]] double surface_transparency(std::size_t at) const override {
+    return covers_.empty() ? 1 : covers_[at];
+  }
 
  private:
   void composite(const RayRun& run, const RunFacts* facts);
+  bool composite(const EdgedSegment& segment);
+  bool note_place(std::size_t at, double front, double back);
+  void add_light(std::size_t at, const PlainRadiance& light);
 
   MergeConstants constants_;
   TilePixels pixels_;
   TileCounts counts_;
   std::vector<PixelDetails> details_;
+  std::vector<double> covers_;  // of skin and edges of all parts; empty where there are none
 };
 
 }  // namespace hiac

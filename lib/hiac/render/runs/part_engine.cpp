@@ -1,10 +1,11 @@
 #include "hiac/render/runs/part_engine.hpp"
 
-#include <algorithm>
+#include <utility>
 
 #include "hiac/base/error.hpp"
 #include "hiac/frame/tiles/picture.hpp"
 #include "hiac/render/bounds/bounded_scene.hpp"
+#include "hiac/render/edges/tile_edges.hpp"
 #include "hiac/render/runs/tile_runs.hpp"
 
 namespace hiac {
@@ -32,15 +33,43 @@ TileBins PartEngine::bins(const VisibilityOrder& order, const PixelRect& rect) c
 }
 
 TileRuns PartEngine::draw(const VisibilityOrder& order, const TileRect& tile,
-                          std::span<const std::uint32_t> ranks) const {
-  return draw_runs(frame_, *splatted_, order, tile, ranks);
+                          std::span<const std::uint32_t> ranks, const EdgedMask* mask) const {
+  const bool on_all_cells = scene_.edges && scene_.edges->show == EdgeChoice::all;
+  const bool any = mask != nullptr && mask->any();
+  const EdgesOfPart edges{any ? mask : nullptr, on_all_cells, boundary_, global_nodes_};
+  TileRuns runs = draw_runs(frame_, *splatted_, edges, order, tile, ranks);
+  if (any) add_fragments(tile, runs.edged.fragments);
+  return runs;
+}
+
+void PartEngine::set_edges(std::span<const EdgeNodes> edges, std::vector<std::uint8_t> boundary,
+                           std::span<const std::uint64_t> global_nodes) {
+  edges_ = ScreenEdges(frame_, scene_, boundary, edges);
+  boundary_ = std::move(boundary);
+  global_nodes_ = global_nodes;
+}
+
+bool PartEngine::mark_edges(const TileRect& tile, EdgedMask& mask) const {
+  const TileEdges edges(frame_, edges_, tile);
+  edges.visit_all([&](std::size_t at, double, const TileEdges::Place&) { mask.set(at); });
+  return !edges.empty();
+}
+
+void PartEngine::add_fragments(const TileRect& tile, std::vector<EdgeFragment>& fragments) const {
+  const auto global = [&](NodeId node) {
+    return node == kNoNode ? kNoGlobalNode : global_nodes_[node];
+  };
+  const TileEdges edges(frame_, edges_, tile);
+  edges.visit_all([&](std::size_t at, double share, const TileEdges::Place& place) {
+    fragments.push_back({static_cast<std::uint32_t>(at),
+                         share,
+                         place.t,
+                         {global(place.piece->edge[0]), global(place.piece->edge[1])},
+                         global(place.node)});
+  });
 }
 
 void require_parted_scene(const Scene& scene, std::span<const Channel> channels) {
-  if (scene.skin)
-    throw UsageError("`skin`: is not drawn of a mesh in parts, which do not know its boundary");
-  if (scene.edges)
-    throw UsageError("`edges`: are not drawn of a mesh in parts, which do not know its boundary");
   if (details_for(channels) == Details::bounded) require_bounded_scene(scene);
 }
 

@@ -5,6 +5,7 @@
 
 #include "hiac/frame/tiles/tile.hpp"
 #include "hiac/optics/piece_rule.hpp"
+#include "hiac/render/runs/edged_pixels.hpp"
 
 namespace hiac {
 
@@ -26,10 +27,18 @@ struct RunFacts {
   std::uint32_t cells = 0, violations = 0;
 };
 
+/// The transparency of all that a ray meets of the skin of a part.
+struct SkinCover {
+  std::uint32_t pixel;  ///< index into the tile's planes
+  double transparency;
+};
+
 /// What one part of a mesh contributes to a tile.
 struct TileRuns {
-  std::vector<RayRun> runs;     ///< by pixel; those of a pixel front to back
-  std::vector<RunFacts> facts;  ///< of each run; empty where no channel needs them
+  std::vector<RayRun> runs;       ///< by pixel; those of a pixel front to back
+  std::vector<RunFacts> facts;    ///< of each run; empty where no channel needs them
+  std::vector<SkinCover> covers;  ///< of the pixels in which the part has skin
+  EdgedTile edged;                ///< all of the pixels that have edges
   TileCounts counts;
 };
 

@@ -1,13 +1,20 @@
 #include "hiac/render/runs/tile_runs.hpp"
 
+#include <algorithm>
+#include <array>
+#include <limits>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "hiac/base/cancellation.hpp"
 #include "hiac/frame/cell_groups.hpp"
 #include "hiac/render/draw_cells.hpp"
+#include "hiac/render/edges/tile_edges.hpp"
 #include "hiac/render/pixels/sorted_segments.hpp"
 #include "hiac/render/runs/run_folder.hpp"
+#include "hiac/render/skin_painter.hpp"
 
 namespace hiac {
 namespace {
@@ -18,14 +25,17 @@ constexpr std::size_t kCellsPerList = 256;
 
 class RunPainter {
  public:
-  RunPainter(const Frame& frame, const SplattedCells& splatted, const VisibilityOrder& order,
-             const TileRect& tile)
+  RunPainter(const Frame& frame, const SplattedCells& splatted, const EdgesOfPart& edges,
+             const VisibilityOrder& order, const TileRect& tile)
       : frame_(frame),
         splatted_(splatted),
         order_(order),
         tile_(tile),
         buffer_(std::make_unique_for_overwrite<TileBuffer>()),
-        folder_(*buffer_, frame.witness_tolerance, frame.with_details, !splatted.none()) {
+        folder_(*buffer_, frame.witness_tolerance, frame.with_details, !splatted.none()),
+        edges_(edges),
+        none_(frame, no_edges_, tile),
+        skin_(frame, none_) {
     buffer_->reset(tile, frame.projector, false);
   }
 
@@ -38,7 +48,10 @@ class RunPainter {
       if (is_opaque()) break;
       ranks = ranks.subspan(run.ranks.size());
     }
-    return folder_.take(counts_);
+    TileRuns runs = folder_.take(counts_);
+    runs.edged = std::move(edged_);
+    add_covers(runs);
+    return runs;
   }
 
  private:
@@ -50,24 +63,109 @@ class RunPainter {
   }
 
   void draw_run(const CellRun& run) {
-    // kernels fold by themselves where nothing but the order of cells has to be known
-    if (!run.is_group && !frame_.with_details && splatted_.none())
-      return draw_cells(run.ranks, nullptr);
+    if (!run.is_group && is_folded_by_kernels()) return draw_cells(run.ranks, nullptr);
     list_.clear();
+    places_.clear();
     draw_cells(run.ranks, &list_);
     fold(run.is_group);
   }
 
+  // Where nothing but the order of cells has to be known.
+  [[nodiscard]] bool is_folded_by_kernels() const {
+    return !frame_.with_details && splatted_.none() && frame_.skin.faces.empty() &&
+           edges_.mask == nullptr;
+  }
+
+  // `list`: null where kernels fold by themselves.
   void draw_cells(std::span<const std::uint32_t> ranks, SegmentList* list) {
     const TileTarget to{frame_, tile_, *buffer_, list, counts_, &folder_.open()};
+    // null for cells with skin or edges on them, which are drawn one by one
+    const auto draw_of = [&](std::uint32_t rank) -> DrawCells {
+      const CellId cell = order_.cells[rank];
+      const bool alone = frame_.skin.on(cell) != 0 || edges_.may_touch(cell);
+      return alone ? nullptr : draw_for(frame_, cell);
+    };
     for (std::size_t i = 0; i < ranks.size();) {
-      const DrawCells draw = draw_for(frame_, order_.cells[ranks[i]]);
+      const DrawCells draw = draw_of(ranks[i]);
+      if (draw == nullptr) {
+        draw_alone(order_.cells[ranks[i++]]);
+        continue;
+      }
       cells_.clear();
-      for (; i < ranks.size() && draw_for(frame_, order_.cells[ranks[i]]) == draw; ++i)
+      for (; i < ranks.size() && draw_of(ranks[i]) == draw; ++i)
         if (const CellId cell = order_.cells[ranks[i]]; !splatted_.holds(cell))
           cells_.push_back(cell);
       draw(to, cells_);
     }
+  }
+
+  // The skin lies at the very ends of the cell's segments, so that these and it are one run.
+  void draw_alone(CellId cell) {
+    of_cell_.clear();
+    crossings_.clear();
+    const SkinPainter::ListedSkin skin =
+        skin_.list({frame_, tile_, *buffer_, &of_cell_, counts_}, cell, !splatted_.holds(cell),
+                   [&](const CellCrossing& ray, double front, double back) {
+                     if (is_edged(tile_.index(ray.x, ray.y))) add_stops(cell, ray, front, back);
+                   });
+    places_.resize(list_.segments.size());
+    for (const std::uint32_t k : sorted_segments(of_cell_)) {
+      const EdgedPhase phase = k < skin.entered ? EdgedPhase::inside
+                               : k < skin.left  ? EdgedPhase::skin_entered
+                                                : EdgedPhase::skin_left;
+      const ListedSegment& segment = of_cell_.segments[k];
+      places_.push_back({middle_of_ray(segment), phase});
+      list_.segments.push_back(segment);
+      if (!of_cell_.details.empty()) list_.details.push_back(of_cell_.details[k]);
+    }
+  }
+
+  [[nodiscard]] bool is_edged(std::size_t at) const {
+    return edges_.mask != nullptr && edges_.mask->test(at);
+  }
+
+  // The middle of the ray's way through the cell at hand on which a segment lies.
+  [[nodiscard]] std::optional<double> middle_of_ray(const ListedSegment& segment) const {
+    const double at = segment.front + (segment.back - segment.front) / 2;
+    std::optional<double> middle;
+    double off = std::numeric_limits<double>::infinity();
+    for (const Crossing& ray : crossings_) {
+      if (ray.pixel != segment.pixel) continue;
+      const double outside = std::max({ray.front - at, at - ray.back, 0.0});
+      if (!(outside < off)) continue;
+      off = outside;
+      middle = ray.middle;
+    }
+    return middle;
+  }
+
+  void add_stops(CellId cell, const CellCrossing& ray, double front, double back) {
+    const auto corners = [&](std::uint8_t f) {
+      std::array<std::uint64_t, 4> numbers;
+      numbers.fill(kNoCorner);
+      const ShapeFace& face = topology_of(frame_.mesh.kinds[cell]).faces[f];
+      for (std::size_t k = 0; k < face.corner_count; ++k)
+        numbers[k] = edges_.global_nodes[frame_.mesh.cell_nodes(cell)[face.corners[k]]];
+      return numbers;
+    };
+    const auto pixel = static_cast<std::uint32_t>(tile_.index(ray.x, ray.y));
+    const double middle = 0.5 * (ray.front + ray.back);
+    crossings_.push_back({pixel, front, back, middle});
+    EdgeStop stop{pixel, true, front, middle, corners(ray.front_face), corners(ray.back_face)};
+    edged_.stops.push_back(stop);
+    stop.enters = false;
+    stop.t = back;
+    edged_.stops.push_back(stop);
+  }
+
+  void add_covers(TileRuns& runs) const {
+    if (frame_.skin.faces.empty()) return;
+    for (int y = tile_.y0; y < tile_.y1; ++y)
+      for (int x = tile_.x0; x < tile_.x1; ++x) {
+        const std::size_t at = tile_.index(x, y);
+        if (const double transparency = skin_.transparency(at); transparency != 1)
+          runs.covers.push_back({static_cast<std::uint32_t>(at), transparency});
+      }
   }
 
   void fold(bool is_group) {
@@ -78,7 +176,20 @@ class RunPainter {
     }
   }
 
-  void fold_one(std::size_t k) { folder_.add(list_.segments[k], details_of(k)); }
+  void fold_one(std::size_t k) {
+    const ListedSegment& s = list_.segments[k];
+    if (!is_edged(s.pixel)) return folder_.add(s, details_of(k));
+    buffer_->transparency[s.pixel] *= s.light.transparency;
+    const EdgedPlace place = k < places_.size() ? places_[k] : EdgedPlace{};
+    edged_.segments.push_back(
+        {.pixel = static_cast<std::uint32_t>(s.pixel),
+         .phase = place.phase,
+         .middle = place.middle.value_or(s.front + (s.back - s.front) / 2),
+         .front = s.front,
+         .back = s.back,
+         .light = s.light,
+         .details = list_.details.empty() ? SegmentDetails{} : list_.details[k]});
+  }
 
   [[nodiscard]] const SegmentDetails* details_of(std::size_t k) const {
     return list_.details.empty() ? nullptr : &list_.details[k];
@@ -99,16 +210,35 @@ class RunPainter {
   TileRect tile_;
   std::unique_ptr<TileBuffer> buffer_;  // of the part alone: transparency, and where it ended
   RunFolder folder_;
+  const EdgesOfPart& edges_;
+  ScreenEdges no_edges_;
+  TileEdges none_;
+  SkinPainter skin_;
+  EdgedTile edged_;
   SegmentList list_;
+  // Of the list's segments: the middle of the ray in the cell, if another than that of the segment.
+  struct EdgedPlace {
+    std::optional<double> middle = {};
+    EdgedPhase phase = EdgedPhase::inside;
+  };
+  std::vector<EdgedPlace> places_;  // none for the segments at the end
+  // of the cell at hand, in pixels with edges
+  struct Crossing {
+    std::size_t pixel;
+    double front, back, middle;
+  };
+  std::vector<Crossing> crossings_;
+  SegmentList of_cell_;  // that is drawn alone
   std::vector<CellId> cells_;
   TileCounts counts_;
 };
 
 }  // namespace
 
-TileRuns draw_runs(const Frame& frame, const SplattedCells& splatted, const VisibilityOrder& order,
-                   const TileRect& tile, std::span<const std::uint32_t> ranks) {
-  return RunPainter(frame, splatted, order, tile).draw_all(ranks);
+TileRuns draw_runs(const Frame& frame, const SplattedCells& splatted, const EdgesOfPart& edges,
+                   const VisibilityOrder& order, const TileRect& tile,
+                   std::span<const std::uint32_t> ranks) {
+  return RunPainter(frame, splatted, edges, order, tile).draw_all(ranks);
 }
 
 }  // namespace hiac

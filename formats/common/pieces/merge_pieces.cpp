@@ -1,12 +1,16 @@
-#include "formats/common/mesh/merge_pieces.hpp"
+#include "formats/common/pieces/merge_pieces.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <numeric>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "formats/common/pieces/common_nodes.hpp"
 #include "hiac/base/error.hpp"
+#include "hiac/mesh/parts/keep_cells.hpp"
 
 namespace hiac::formats {
 namespace {
@@ -42,46 +46,6 @@ void require_same_fields(const ZooMesh& first, const ZooMesh& other, const std::
     throw InputError(subject, "its pieces do not carry the same fields");
 }
 
-bool equal_values(const ZooMesh& mesh, NodeId a, NodeId b) {
-  for (const Field& field : mesh.fields) {
-    if (field.location != FieldLocation::node) continue;
-    const std::size_t width = field.components;
-    for (std::size_t c = 0; c < width; ++c)
-      if (std::bit_cast<std::uint64_t>(field.values[a * width + c]) !=
-          std::bit_cast<std::uint64_t>(field.values[b * width + c]))
-        return false;
-  }
-  return true;
-}
-
-/// For every node its representative, which for most nodes is the node itself.
-std::vector<NodeId> representatives(const ZooMesh& mesh, const std::vector<std::size_t>& offsets) {
-  std::vector<NodeId> result(mesh.node_count());
-  std::iota(result.begin(), result.end(), NodeId{0});
-  std::vector<NodeId> order = result;
-  const auto compare = [&](NodeId a, NodeId b) {
-    const auto p = mesh.position(a);
-    const auto q = mesh.position(b);
-    return std::lexicographical_compare(p.begin(), p.end(), q.begin(), q.end());
-  };
-  std::stable_sort(order.begin(), order.end(), compare);
-  const auto piece_of = [&](NodeId node) {
-    return std::upper_bound(offsets.begin(), offsets.end(), node) - offsets.begin();
-  };
-  for (auto begin = order.begin(); begin != order.end();) {
-    auto end = begin + 1;
-    while (end != order.end() && !compare(*begin, *end)) ++end;
-    // node numbers ascend, so two nodes of one piece are neighbours here
-    const bool unique = std::adjacent_find(begin, end, [&](NodeId a, NodeId b) {
-                          return piece_of(a) == piece_of(b);
-                        }) == end;
-    for (auto other = begin + 1; unique && other != end; ++other)
-      if (equal_values(mesh, *begin, *other)) result[*other] = *begin;
-    begin = end;
-  }
-  return result;
-}
-
 std::vector<double> compacted(std::span<const double> values, std::size_t width,
                               const std::vector<NodeId>& kept) {
   std::vector<double> result;
@@ -91,12 +55,11 @@ std::vector<double> compacted(std::span<const double> values, std::size_t width,
   return result;
 }
 
-/// Merges the nodes that share a place; returns how many were removed.
-std::size_t merge_border_nodes(ZooMesh& mesh, const std::vector<std::size_t>& offsets) {
-  std::vector<NodeId> number = representatives(mesh, offsets);
+/// Merges the nodes that are one (CommonNodes::first); returns how many were removed.
+std::size_t merge_nodes(ZooMesh& mesh, std::vector<NodeId> number) {
   std::vector<NodeId> kept;
   for (NodeId node = 0; node < number.size(); ++node) {
-    // a representative precedes the nodes that it represents
+    // the first one precedes the others
     if (number[node] == node) {
       number[node] = static_cast<NodeId>(kept.size());
       kept.push_back(node);
@@ -114,6 +77,56 @@ std::size_t merge_border_nodes(ZooMesh& mesh, const std::vector<std::size_t>& of
       field.values = compacted(field.values.view(), field.components, kept);
   mesh.xyz = compacted(mesh.xyz.view(), 3, kept);
   return gone;
+}
+
+/// For every node whether cells of several pieces have it.
+std::vector<bool> nodes_of_several_pieces(const ZooMesh& mesh,
+                                          std::span<const std::size_t> piece_ends) {
+  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> piece_of(mesh.node_count(), kNone);
+  std::vector<bool> several(mesh.node_count(), false);
+  std::uint32_t piece = 0;
+  for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {
+    while (cell == piece_ends[piece]) ++piece;
+    for (std::uint64_t entry = mesh.elems[cell]; entry < mesh.elems[cell + 1]; ++entry) {
+      std::uint32_t& known = piece_of[mesh.nodes[entry]];
+      if (known != kNone && known != piece) several[mesh.nodes[entry]] = true;
+      known = piece;
+    }
+  }
+  return several;
+}
+
+/// Leaves out the cells that an earlier piece has, too: ghosts that the file does not mark.
+void leave_out_copies(ZooMesh& mesh, std::span<const std::size_t> piece_ends,
+                      std::vector<std::string>& notes) {
+  const auto nodes_of = [&](CellId cell) {
+    const auto all = mesh.nodes.view();
+    return all.subspan(mesh.elems[cell], mesh.elems[cell + 1] - mesh.elems[cell]);
+  };
+  std::vector<std::pair<std::vector<NodeId>, CellId>> candidates;
+  const std::vector<bool> shared = nodes_of_several_pieces(mesh, piece_ends);
+  for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {
+    const auto nodes = nodes_of(cell);
+    if (!std::ranges::all_of(nodes, [&](NodeId node) { return shared[node]; })) continue;
+    candidates.emplace_back(std::vector<NodeId>(nodes.begin(), nodes.end()), cell);
+    std::ranges::sort(candidates.back().first);
+  }
+  std::ranges::sort(candidates);
+  const auto piece_of = [&](CellId cell) {
+    return std::ranges::upper_bound(piece_ends, cell) - piece_ends.begin();
+  };
+  std::vector<bool> keep(mesh.cell_count(), true);
+  for (std::size_t i = 1, first = 0; i < candidates.size(); ++i) {
+    if (candidates[i].first != candidates[first].first) first = i;
+    if (piece_of(candidates[i].second) != piece_of(candidates[first].second))
+      keep[candidates[i].second] = false;
+  }
+  const auto copies = std::ranges::count(keep, false);
+  if (copies == 0) return;
+  notes.push_back(
+      fmt::format("left out {} cells that an earlier piece has, too (ghost cells)", copies));
+  mesh = keep_cells(mesh, keep);
 }
 
 void add_cells(Inventory& all, const Inventory& piece) {
@@ -148,7 +161,8 @@ void add_fields(Inventory& all, const Inventory& piece) {
 
 }  // namespace
 
-Reading merge_pieces(std::vector<Reading>&& pieces, const std::string& subject) {
+Reading merge_pieces(std::vector<Reading>&& pieces, const std::string& subject,
+                     const std::string& numbers) {
   if (pieces.size() == 1) return std::move(pieces.front());
   Reading result;
   for (Reading& piece : pieces)
@@ -162,6 +176,9 @@ Reading merge_pieces(std::vector<Reading>&& pieces, const std::string& subject) 
   if (offsets.back() >= kNoCell) throw InputError(subject, "has too many points");
 
   ZooMesh& mesh = result.mesh;
+  std::vector<std::size_t> piece_ends;  // of the pieces' cells
+  for (const Reading& piece : pieces)
+    piece_ends.push_back(piece.mesh.cell_count() + (piece_ends.empty() ? 0 : piece_ends.back()));
   mesh.metadata = pieces.front().mesh.metadata;
   mesh.kinds = joined<CellKind>(
       pieces, [](ZooMesh & m) -> auto& { return m.kinds; });
@@ -187,9 +204,13 @@ Reading merge_pieces(std::vector<Reading>&& pieces, const std::string& subject) 
         pieces, [f](ZooMesh & m) -> auto& { return m.fields[f].values; });
     mesh.fields.push_back(std::move(field));
   }
-  if (const std::size_t gone = merge_border_nodes(mesh, offsets); gone > 0)
-    result.notes.push_back(
-        fmt::format("joined the pieces at {} nodes that they had in common", gone));
+  CommonNodes common = common_nodes(mesh, offsets, numbers);
+  result.notes.insert(result.notes.end(), common.notes.begin(), common.notes.end());
+  const std::size_t gone = merge_nodes(mesh, std::move(common.first));
+  if (gone > 0)
+    result.notes.push_back(fmt::format(
+        "joined the pieces at {} nodes that they had in common, by {}", gone, common.by));
+  if (gone > 0) leave_out_copies(mesh, piece_ends, result.notes);
   return result;
 }
 
