@@ -10,6 +10,7 @@
 #include "hiac/base/error.hpp"
 #include "hiac/mesh/zoo_container.hpp"
 #include "python/core/arrays.hpp"
+#include "python/core/saving.hpp"
 
 namespace hiac::python {
 namespace {
@@ -168,6 +169,7 @@ void bind_mesh(py::module_& module) {
   module.def(
       "write_zoo",
       [](const MeshHandle& written, const std::string& path) {
+        require_same_kind(path, tools::FileKind::mesh);
         write_zoo_file(path, {written.mesh(), {}});
       },
       py::arg("mesh"), py::arg("path"), py::call_guard<py::gil_scoped_release>());

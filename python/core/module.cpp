@@ -8,6 +8,7 @@
 #include "python/core/mesh.hpp"
 #include "python/core/order.hpp"
 #include "python/core/picture.hpp"
+#include "python/core/saving.hpp"
 #include "python/core/scene.hpp"
 #include "python/core/tetrahedralize.hpp"
 #include "python/core/work.hpp"
@@ -19,6 +20,7 @@ PYBIND11_MODULE(_core, module) {
   bind_work(module);
   bind_mesh(module);
   bind_scene(module);
+  bind_saving(module);
   bind_order(module);
   bind_picture(module);
   bind_drawing(module);

@@ -12,6 +12,7 @@
 #include "hiac/session/ordering.hpp"
 #include "python/core/arrays.hpp"
 #include "python/core/mesh.hpp"
+#include "python/core/saving.hpp"
 
 namespace hiac::python {
 namespace {
@@ -37,6 +38,7 @@ Handle sort(std::shared_ptr<MeshHandle> mesh, const ParsedScene& parsed,
 }
 
 void save(const OrderHandle& order, const std::string& path) {
+  require_same_kind(path, tools::FileKind::order);
   write_extra_chunks(path, order.chunks);
 }
 

@@ -1,6 +1,8 @@
 #include "python/core/picture.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
@@ -14,6 +16,7 @@
 #include "hiac/scene/specification.hpp"
 #include "hiac/session/ordering.hpp"
 #include "python/core/arrays.hpp"
+#include "python/core/saving.hpp"
 
 namespace hiac::python {
 namespace {
@@ -22,7 +25,20 @@ void draw_annotation(const DrawnPicture& drawn, Image& image) {
   Annotator(drawn.annotation, drawn.scene, drawn.facts).draw(image, drawn.part, drawn.background);
 }
 
+// Throws where a file that the picture is written to is one of another kind.
+void require_replaceable(const Image& image, const std::string& path, int depth) {
+  require_known_image_extension(path, depth);
+  const std::vector<std::string> colors = rgba_channels();
+  std::vector<std::string> further;
+  std::ranges::copy_if(image.channels(), std::back_inserter(further), [&](const std::string& name) {
+    return std::ranges::find(colors, name) == colors.end();
+  });
+  for (const std::string& file : files_of_image(path, further))
+    require_same_kind(file, tools::FileKind::image);
+}
+
 void save(const DrawnPicture& drawn, const std::string& path, bool linear, int depth) {
+  require_replaceable(drawn.picture.image, path, depth);
   const WriteOptions options{
       .linear = linear,
       .background_included = drawn.background,

@@ -64,12 +64,7 @@ class View(MutableMapping[str, Any]):
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes the specification: as it was read, comments included, if it was not changed."""
-        name = os.fspath(path)
-        try:
-            with open(name, "w", encoding="utf-8") as file:
-                file.write(self.toml)
-        except OSError as error:
-            raise InputError(f"{name}: cannot be written ({error.strerror})") from None
+        _core.write_specification(os.fspath(path), self.toml)
 
     @property
     def toml(self) -> str:

@@ -13,8 +13,8 @@ seconds=${1:?SECONDS [READER ...]}
 shift
 cd "$(dirname "$0")/../.."
 readers=${*:-abaqus ansys classic-netcdf d3plot ensight frd gambit gmsh medit mfem nastran netgen \
-  obj off openfoam plot3d ply points poly pvd pvtu stl su2 tecplot tetgen ucd ugrid unv vti vtk vtm vtr vts vtu \
-  xdmf zoo zparts}
+  obj off openfoam plot3d ply points poly pvd pvti pvtr pvts pvtu stl su2 tecplot tetgen ucd \
+  ugrid unv vti vtk vtm vtp vtr vts vtu vtu-surface xdmf zoo zparts}
 
 [ -f build/fuzz/build.ninja ] || cmake --preset fuzz > /dev/null
 cmake --build build/fuzz --target fuzz_formats > /dev/null

@@ -10,6 +10,7 @@
 #include <random>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -18,7 +19,9 @@
 #include "hiac/mesh/shape_functions.hpp"
 #include "tests/formats/one_cell_files.hpp"
 #include "tests/formats/solver_files.hpp"
+#include "tests/fuzz/habit_seeds.hpp"
 #include "tests/fuzz/input_files.hpp"
+#include "tests/fuzz/other_targets.hpp"
 
 namespace hiac::fuzz {
 namespace {
@@ -199,40 +202,6 @@ Texts tetgen() {
           parcel("input.ele", "1 4 1\n1 1 2 3 4 9\n")};
 }
 
-/// What keywords make: two rows of bricks, their mirror image, an arc.
-Texts abaqus() {
-  return {
-      "*SYSTEM\n1,0,0,2,0,0\n*NODE,NSET=A\n1,0,0,0\n3,2,0,0\n*SYSTEM\n*NODE,SYSTEM=C\n"
-      "31,2,90,0\n33,2,45,0\n*NGEN,NSET=F\n1,3\n*NGEN,LINE=C,NSET=G\n31,33,1,,0,0,0,0,0,-1\n"
-      "*NGEN,LINE=P\n31,33,1,1\n*NFILL,NSET=L,BIAS=.5\nF,G,2,10\n*NSET,NSET=M,GENERATE\n"
-      "1,40,1\n*NSET,NSET=U,UNSORTED\n3,1,L\n*NCOPY,CHANGE NUMBER=100,OLD SET=M,SHIFT\n"
-      "0,0,1\n0,0,0,0,0,1,5\n*NCOPY,CHANGE NUMBER=200,OLD SET=M,REFLECT=MIRROR\n0,0,0,0,1,0\n"
-      "0,0,1\n*ELEMENT,TYPE=C3D8,ELSET=E\n1,1,2,12,11,101,102,112,111\n*ELGEN,ELSET=E\n"
-      "1,2,1,1,1,10,10,1,100,100\n*ELCOPY,OLD SET=E,ELEMENT SHIFT=10,SHIFT NODES=0,REFLECT\n"};
-}
-
-/// Decks without blocks: as Ansys writes them, and as users do.
-Texts ansys() {
-  return {
-      "/PREP7\nET,1,187\nET,2,185\nN,R5.3,LOC,1,0,0,0.,0.,0.\nN,R5.3,ANG,1,0,0,5.\n"
-      "N,R5.3,LOC,2,0,0,1.\nN,R5.3,LOC,3,0,0,0.,1.\nN,R5.3,LOC,4,0,0,0.,0.,1.\n"
-      "N,R5.3,LOC,-1,\nEN,R5.5,ATTR,10,1,1,1,0,0,7,0,0,0\nEN,R5.5,NODE,1,2,3,4,0,0,0,0,\n"
-      "EN,R5.5,NODE,0,0\nEN,R5.5,ATTR,8,1,2,1,0,0,8\nEN,R5.5,NODE,1,2,3,3,4,4,4,4\n",
-      "/PREP7\nET,3,SOLID185\nTYPE,3\nN,1 $ NGEN,2,1,1,,,1.\nNGEN,2,10,1,2,1,0,1 ! y\n"
-      "NGEN,2,100,ALL,,,0,0,1\nCSYS,1\nN,200,1,45,2\nCSYS,2\nN,,3,90,45\nE,1,2,12,11,101,102,"
-      "112,111\nEGEN,2,0,-1\nEN,9,1,2,12,11,101,102,112,200\nET,4,186\nTYPE,4\n"
-      "E,1,2,12,11,101,102,112,111\nEMORE,0,0\nEMORE,0\n"};
-}
-
-/// MSH of version 3.
-Texts gmsh() {
-  return {
-      "$MeshFormat\n3 0 8\n$EndMeshFormat\n$Entities\n1 0 1 1\n1 0 \n1 1 -2 0\n5 1 1 2 6 8\n"
-      "$EndEntities\n$Nodes\n4\n1 0 0 0 0\n2 1 0 0 1 1 .5\n3 0 1 0 1 2 .1 .2\n"
-      "4 0 0 1 5 3 0 0 1\n$EndNodes\n$Elements\n2\n1 4 5 6 1 2 3 4 1 2\n2 2 1 3 1 2 3\n"
-      "$EndElements\n"};
-}
-
 Texts xdmf() {
   return {
       "<Xdmf Version=\"3.0\"><Domain><Grid Name=\"g\"><Topology TopologyType=\"Hexahedron\" "
@@ -332,6 +301,20 @@ Texts pvtu() {
   return {vtk_file("PUnstructuredGrid", "", "<Piece Source=\"a.vtu\"/>") +
           parcel("a.vtu", vtu().front())};
 }
+
+/// A parallel file of one structured piece.
+Texts parallel(const char* type, const std::string& attributes, const char* piece,
+               const Texts& of) {
+  return {vtk_file(type, " GhostLevel=\"0\" WholeExtent=" + kExtent + attributes,
+                   fmt::format("<Piece Extent={} Source=\"{}\"/>", kExtent, piece)) +
+          parcel(piece, of.front())};
+}
+
+Texts pvti() {
+  return parallel("PImageData", " Origin=\"0 0 0\" Spacing=\"1 1 1\"", "a.vti", vti());
+}
+Texts pvtr() { return parallel("PRectilinearGrid", "", "a.vtr", vtr()); }
+Texts pvts() { return parallel("PStructuredGrid", "", "a.vts", vts()); }
 
 Texts pvd() {
   return {vtk_file("Collection", "",
@@ -497,18 +480,41 @@ Texts tecplot() {
 
 std::vector<std::string> seeds(const std::string& name) {
   static const std::map<std::string, std::function<Texts()>> known{
-      {"abaqus", abaqus}, {"ansys", ansys},     {"classic-netcdf", classic_netcdf},
-      {"d3plot", d3plot}, {"ensight", ensight}, {"gmsh", gmsh},
-      {"obj", obj},       {"off", off},         {"ply", ply},
-      {"stl", stl},       {"mfem", mfem},       {"openfoam", openfoam},
-      {"plot3d", plot3d}, {"points", points},   {"poly", poly},
-      {"pvd", pvd},       {"pvtu", pvtu},       {"tecplot", tecplot},
-      {"tetgen", tetgen}, {"vti", vti},         {"vtk", vtk},
-      {"vtm", vtm},       {"vtp", vtp},         {"vtu-surface", vtu_surface},
-      {"vtr", vtr},       {"vts", vts},         {"vtu", vtu},
-      {"xdmf", xdmf},     {"zparts", zparts}};
+      {"classic-netcdf", classic_netcdf},
+      {"d3plot", d3plot},
+      {"ensight", ensight},
+      {"obj", obj},
+      {"off", off},
+      {"ply", ply},
+      {"stl", stl},
+      {"mfem", mfem},
+      {"openfoam", openfoam},
+      {"plot3d", plot3d},
+      {"points", points},
+      {"poly", poly},
+      {"pvd", pvd},
+      {"pvti", pvti},
+      {"pvtr", pvtr},
+      {"pvts", pvts},
+      {"pvtu", pvtu},
+      {"tecplot", tecplot},
+      {"tetgen", tetgen},
+      {"vti", vti},
+      {"vtk", vtk},
+      {"vtm", vtm},
+      {"vtp", vtp},
+      {"vtu-surface", vtu_surface},
+      {"vtr", vtr},
+      {"vts", vts},
+      {"vtu", vtu},
+      {"xdmf", xdmf},
+      {"zparts", zparts}};
   Texts texts;
   if (known.contains(name)) texts = known.at(name)();
+  for (std::string& text : habit_seeds(name)) texts.push_back(std::move(text));
+#ifdef HIAC_WITH_OTHER_TARGETS
+  for (std::string& text : other_seeds(name)) texts.push_back(std::move(text));
+#endif
   for (const formats::OneCellFile& file : formats::one_cell_files())
     if (file.format == name) texts.push_back(file.text);
   for (const formats::Format& format : formats::all_formats())

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <optional>
 
 #include "formats/common/io/mapped_file.hpp"
 #include "formats/registry.hpp"
@@ -10,6 +11,7 @@
 #include "formats/surface/surface_file.hpp"
 #include "hiac/base/error.hpp"
 #include "tests/fuzz/input_files.hpp"
+#include "tests/fuzz/other_targets.hpp"
 
 #ifdef HIAC_WITH_NETCDF
 #  include "formats/exodus/classic_layout.hpp"
@@ -33,6 +35,9 @@ void read_format(const formats::Format& format, const std::string& path) {
 }  // namespace
 
 Target target_named(const std::string& name) {
+#ifdef HIAC_WITH_OTHER_TARGETS
+  if (const std::optional<Target> other = other_target(name)) return *other;
+#endif
   if (name == "points")
     return {name, ".csv", [](const std::string& path) { formats::read_points(path); }};
   if (formats::is_surface_file("input." + name))

@@ -22,7 +22,8 @@ struct Target {
 };
 
 /// The formats that are registered, and what reads files besides: "points" (.csv), "poly",
-/// "vtu-surface", "classic-netcdf". Throws UsageError for another name.
+/// "vtu-surface", "classic-netcdf"; under CTest those of other_targets.hpp. Throws UsageError for
+/// another name.
 Target target_named(const std::string& name);
 
 /// The target that HIAC_FUZZ_FORMAT names.

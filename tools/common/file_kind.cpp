@@ -45,6 +45,7 @@ constexpr std::array kBeginnings{
     Signature{"ply\n"sv, FileKind::mesh},
     Signature{"ply\r\n"sv, FileKind::mesh},
     Signature{"solid "sv, FileKind::mesh},  // STL
+    Signature{"binary STL by hiac"sv, FileKind::mesh},
     Signature{"OFF\n"sv, FileKind::mesh},
 };
 
@@ -52,13 +53,26 @@ constexpr std::array kBeginnings{
 constexpr std::array kWords{
     Signature{"<VTKFile"sv, FileKind::mesh},
     Signature{"<Xdmf"sv, FileKind::mesh},
+    Signature{"\"hiac parted mesh\""sv, FileKind::mesh},
     Signature{"\n[camera]"sv, FileKind::specification},
     Signature{"\n[[camera]]"sv, FileKind::specification},
     Signature{"\n[volume"sv, FileKind::specification},
     Signature{"<ColorMap"sv, FileKind::specification},
+    Signature{"<ServerManagerState"sv, FileKind::specification},
+    Signature{"<PVCameraConfiguration"sv, FileKind::specification},
     Signature{"\"RGBPoints\""sv, FileKind::specification},
     Signature{"\"tool\": \"hiac-"sv, FileKind::facts},
 };
+
+// Films (ISO base media): their first box has its length before its name.
+constexpr std::string_view kFilm = "ftyp"sv;
+constexpr std::size_t kFilmBegins = 4;
+
+// Formats whose first bytes prove nothing: those of surfaces and of solvers' decks and results.
+constexpr std::array kMeshExtensions{
+    ".stl"sv, ".ply"sv,   ".obj"sv,  ".off"sv,   ".poly"sv, ".smesh"sv, ".inp"sv, ".cdb"sv,
+    ".frd"sv, ".bdf"sv,   ".nas"sv,  ".unv"sv,   ".ucd"sv,  ".neu"sv,   ".vol"sv, ".su2"sv,
+    ".ele"sv, ".ugrid"sv, ".mesh"sv, ".meshb"sv, ".cgns"sv, ".med"sv};
 
 std::string first_bytes(const std::string& path) {
   std::error_code error;
@@ -80,6 +94,7 @@ std::optional<FileKind> kind_by_extension(const std::string& path) {
   for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (extension == ".toml") return FileKind::specification;
   if (extension == ".f32") return FileKind::image;
+  if (std::ranges::find(kMeshExtensions, extension) != kMeshExtensions.end()) return FileKind::mesh;
   return std::nullopt;
 }
 
@@ -92,7 +107,7 @@ std::string kind_phrase(FileKind kind) {
     case FileKind::order:
       return "a visibility order";
     case FileKind::specification:
-      return "an image specification or a colour map";
+      return "an image specification, a colour map or a state of ParaView";
     case FileKind::image:
       return "an image";
     case FileKind::facts:
@@ -107,6 +122,8 @@ std::optional<FileKind> kind_of_file(const std::string& path) {
   if (head.starts_with(kZoo)) return kind_of_zoo(head);
   for (const Signature& signature : kBeginnings)
     if (head.starts_with(signature.bytes)) return signature.kind;
+  if (std::string_view(head).substr(std::min(kFilmBegins, head.size())).starts_with(kFilm))
+    return FileKind::image;
   const std::string lines = "\n" + head;
   for (const Signature& signature : kWords)
     if (lines.find(signature.bytes) != std::string::npos) return signature.kind;

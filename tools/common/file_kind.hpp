@@ -9,8 +9,8 @@ namespace hiac::tools {
 enum class FileKind {
   mesh,           ///< a zoo mesh, or a mesh or surface in a foreign format
   order,          ///< visibility orders
-  specification,  ///< an image specification, or a colour map that one names
-  image,          ///< a picture of any format
+  specification,  ///< an image specification, a colour map that one names, or a state of ParaView
+  image,          ///< a picture of any format, or a film
   facts           ///< what --json writes, and other text for people and programs
 };
 
@@ -18,7 +18,8 @@ enum class FileKind {
 std::string kind_phrase(FileKind kind);
 
 /// The kind of a regular file by its first bytes, or, where these prove nothing, by the extensions
-/// .toml and .f32; none for files that are empty, cannot be opened, or are not of these kinds.
+/// .toml and .f32 and those of meshes and surfaces; none for files that are empty, cannot be
+/// opened, or are not of these kinds.
 std::optional<FileKind> kind_of_file(const std::string& path);
 
 }  // namespace hiac::tools

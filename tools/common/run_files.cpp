@@ -10,6 +10,7 @@
 #include "hiac/base/error.hpp"
 #include "hiac/base/output_file.hpp"
 #include "hiac/image/image_io.hpp"
+#include "hiac/scene/paraview/paraview_view.hpp"
 #include "tools/common/mesh_io.hpp"
 
 namespace hiac::tools {
@@ -26,12 +27,17 @@ std::string identity_of(const std::string& path) {
   return fs::weakly_canonical(fs::absolute(path), error).string();
 }
 
+// A state of ParaView may be named with a view of it behind its path.
+std::string file_of_input(const std::string& input) {
+  return is_paraview_file(input) ? paraview_file_of(input) : input;
+}
+
 // Refuses outputs that are inputs, or each other's files. There may be thousands, one for every
 // frame: their identities are looked up, not compared pair by pair.
 void require_own_files(const RunFiles& files) {
   std::map<std::string, const RunOutput*> seen;  // null: an input
   for (const std::string& input : files.inputs)
-    if (!is_stdout(input)) seen.emplace(identity_of(input), nullptr);
+    if (!is_stdout(input)) seen.emplace(identity_of(file_of_input(input)), nullptr);
   for (const RunOutput& output : files.outputs) {
     if (is_stdout(output.path) || is_stream(output.path)) continue;
     const auto [at, is_new] = seen.emplace(identity_of(output.path), &output);

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <csignal>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -37,6 +39,13 @@ std::string hint_for(const CLI::App& app, int argc, char** argv) {
       return fmt::format(" (did you mean {}?)", meant);
   }
   return "";
+}
+
+// Whether a path is that of a regular file with something in it that no run of ours has reported.
+bool is_no_report(const std::string& path) {
+  std::error_code error;
+  return std::filesystem::is_regular_file(path, error) &&
+         std::filesystem::file_size(path, error) > 0 && kind_of_file(path) != FileKind::facts;
 }
 
 /// The words of the command line, last one first, as CLI11 wants them. The value of --convert
@@ -177,13 +186,24 @@ void Tool::end_at_limit(std::uint64_t most) {
 }
 
 void Tool::claim(RunFiles files) {
-  if (!files.inputs.empty()) {
+  files_ = std::move(files);
+  files_.outputs.insert(files_.outputs.begin(), facts_output());
+  require_claims();
+}
+
+void Tool::claim_found(const std::string& mesh) {
+  files_.inputs.insert(files_.inputs.begin(), mesh);
+  require_claims();
+}
+
+void Tool::require_claims() {
+  has_claims_ = true;
+  if (!files_.inputs.empty()) {
     const std::lock_guard lock(told_);
-    subject_ = input_name(files.inputs.front());
+    subject_ = input_name(files_.inputs.front());
   }
-  files.outputs.insert(files.outputs.begin(), facts_output());
   try {
-    require_safe(files);
+    require_safe(files_);
     claimed_ = true;
   } catch (const UsageError&) {
     facts_refused_ = true;
@@ -249,6 +269,8 @@ Monitor Tool::monitor() {
 
 void Tool::write_facts(int exit_code, double seconds) {
   if (common_.json.empty() || facts_refused_) return;
+  // of a run that ends before its files are known, any file may be an input
+  if (!has_claims_ && is_no_report(common_.json)) return;
   facts_["warnings"] = warnings_;
   facts_["exit_code"] = exit_code;
   facts_["seconds"]["total"] = seconds;

@@ -56,6 +56,9 @@ class Tool {
   /// Tells which files the run reads and writes, before it does so: throws where an output would
   /// destroy something or cannot be written (require_safe). The file of --json is added.
   void claim(RunFiles files);
+  /// Tells of a mesh that is found later, named by another input: throws where an output that is
+  /// claimed would destroy it.
+  void claim_found(const std::string& mesh);
 
   /// For a process among several, another of which reports: no file of --json, and only errors on
   /// stderr.
@@ -108,6 +111,7 @@ class Tool {
 
   void watch_memory();
   [[noreturn]] void end_at_limit(std::uint64_t most);
+  void require_claims();
   void write_facts(int exit_code, double seconds);
   void write_report(const nlohmann::ordered_json& facts) const;
   [[nodiscard]] RunOutput facts_output() const { return {"--json", common_.json, FileKind::facts}; }
@@ -118,7 +122,9 @@ class Tool {
   nlohmann::ordered_json facts_;
   std::mutex told_;  // guards what the memory's watch reads: warnings_ and subject_
   std::vector<std::string> warnings_;
+  RunFiles files_;                     // what is claimed
   bool facts_refused_ = false;         // their file would destroy another
+  bool has_claims_ = false;            // the files are known, if not tried
   std::atomic<bool> claimed_ = false;  // the outputs have been tried
   double start_ = 0;
   Progress progress_, frames_;

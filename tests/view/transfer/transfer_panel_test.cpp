@@ -359,6 +359,19 @@ TEST_F(TransferPanelTest, SavesCurvesThatGiveTheSamePicture) {
   undo_all();
 }
 
+TEST_F(TransferPanelTest, SavesCurvesOverNothingElse) {
+  const hiac::test::ScratchFolder folder;
+  const std::string picture = folder.write("a.png", "\x89PNG\r\n\x1a\n and more");
+  const std::string own = folder.write("own.toml", kText);
+  document_.saved_as(own);
+  panel_.save_curves(QString::fromStdString(picture));
+  EXPECT_TRUE(messages_.last().contains(QStringLiteral("is a file of another kind")));
+  EXPECT_EQ(hiac::test::bytes_of(picture), "\x89PNG\r\n\x1a\n and more");
+  panel_.save_curves(QString::fromStdString(own));  // the specification has more than curves
+  EXPECT_TRUE(messages_.last().contains(QStringLiteral("is an input")));
+  EXPECT_EQ(hiac::test::bytes_of(own), kText);
+}
+
 TEST_F(TransferPanelTest, UndoesAnySequenceOfEdits) {
   std::mt19937 random(5);
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };

@@ -55,6 +55,7 @@ std::optional<ParsedScene> paraview_specification(Tool& tool, PictureCommand& co
   }
   if (command.input.empty() && !view.data_file.empty() && !has_piped_stdin()) {
     command.input = view.data_file;
+    tool.claim_found(command.input);
     tool.note(fmt::format("mesh: {}, which the state names", command.input));
   }
   return as_option("--set ",

@@ -19,6 +19,7 @@
 #include "hiac/scene/toml/spec_key.hpp"
 #include "hiac/scene/toml/spec_text.hpp"
 #include "hiac/session/starter/starter_camera.hpp"
+#include "tools/common/run_files.hpp"
 #include "tools/common/text_output.hpp"
 #include "tools/view/transfer/apply_edit.hpp"
 #include "tools/view/transfer/bump.hpp"
@@ -328,7 +329,10 @@ void TransferPanel::slide_density(int value) {
 
 void TransferPanel::save_curves(const QString& file) {
   try {
-    tools::write_text(file.toStdString(), saved_curves(document_.text(), document_.scene()));
+    const std::string path = file.toStdString();
+    tools::require_safe({{document_.mesh_file(), document_.file()},
+                         {{"save", path, tools::FileKind::specification}}});
+    tools::write_text(path, saved_curves(document_.text(), document_.scene()));
   } catch (const Error& error) {
     Q_EMIT document_.message(QString::fromStdString(error.what()));
   }

@@ -64,7 +64,7 @@ std::vector<NodeId> MeshSplitter::take_nodes(std::size_t part, std::span<NodeId>
   std::vector<NodeId> taken(nodes.begin(), nodes.end());
   if (part == 0) taken.insert(taken.end(), unused_.begin(), unused_.end());
   std::ranges::sort(taken);
-  taken.erase(std::ranges::unique(taken).begin(), taken.end());
+  taken.erase(std::unique(taken.begin(), taken.end()), taken.end());
   taken.shrink_to_fit();
   for (std::size_t i = 0; i < taken.size(); ++i) local_[taken[i]] = static_cast<NodeId>(i);
   for (NodeId& node : nodes) node = local_[node];

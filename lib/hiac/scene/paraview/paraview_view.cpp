@@ -131,6 +131,8 @@ bool is_paraview_file(const std::string& name) {
   });
 }
 
+std::string paraview_file_of(const std::string& name) { return split(name).path; }
+
 ParaviewView view_from_state(const std::string& name) {
   const StateName parts = split(name);
   const StateDocument state(parts.path);

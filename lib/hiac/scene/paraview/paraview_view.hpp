@@ -23,6 +23,9 @@ struct ParaviewView {
 /// it.
 bool is_paraview_file(const std::string& name);
 
+/// The path in such a name: without #VIEW, unless a file has the name as it is.
+std::string paraview_file_of(const std::string& name);
+
 /// Reads a state (.pvsm) or a camera (.pvcc) that ParaView saved; needs no ParaView. `name`: the
 /// path; of several render views the one called VIEW where it is `PATH#VIEW`, else the first.
 ///
