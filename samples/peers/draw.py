@@ -1,13 +1,15 @@
 #!/usr/bin/python3
 """Draws an image specification of hiac with one of VTK's mappers of unstructured volumes.
 
-    draw.py MESH.vtu SPECIFICATION.toml MAPPER PICTURE.npy [--first-frame]
+    draw.py MESH.vtu SPECIFICATION.toml MAPPER PICTURE.npy [--first-frame] [--floats]
 
 MAPPER: projected (vtkProjectedTetrahedraMapper), raycast (vtkUnstructuredGridVolumeRayCastMapper,
 Bunyk's algorithm), tuned (the same with the linear integrator in place of the default one, which
 looks segments up in a table, and with the picture moved by half a pixel, as it samples corners of
-pixels) or zsweep (vtkUnstructuredGridVolumeZSweepMapper). The picture is the window's: 8 bits a channel, as a user sees it; rows from the top, R G B from 0 to 1, linear as the
-specification's colours are. The second frame is kept; with --first-frame the first one.
+pixels) or zsweep (vtkUnstructuredGridVolumeZSweepMapper). The picture is the window's: 8 bits a channel, as a
+user sees it; rows from the top, R G B from 0 to 1, linear as the specification's colours are. The second frame is kept; with --first-frame the first one. With --floats,
+for projected alone, the picture is what the mapper blended before the window made bytes of it: R G B A in
+single precision, colours as weighed by alpha.
 
 What is read of the specification: image, camera, points of volume.color and volume.extinction. The
 background has to be black. Needs a display (xvfb-run) and python3-vtk9.
@@ -19,12 +21,14 @@ import numpy as np
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401, the factory of windows
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401, the factory of mappers
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import VTK_FLOAT, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkPiecewiseFunction
 from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 from vtkmodules.vtkRenderingCore import (vtkColorTransferFunction, vtkRenderer, vtkRenderWindow,
                                          vtkVolume, vtkVolumeProperty)
+from vtkmodules.vtkRenderingOpenGL2 import (vtkFramebufferPass, vtkRenderStepsPass,
+                                            vtkTextureObject)
 from vtkmodules.vtkRenderingVolume import (vtkProjectedTetrahedraMapper,
                                            vtkUnstructuredGridLinearRayIntegrator,
                                            vtkUnstructuredGridVolumeRayCastMapper,
@@ -97,7 +101,25 @@ def pixels(window, width, height):
     return vtk_to_numpy(bytes_of_window).reshape(height, width, 3)[::-1] / 255
 
 
-def draw(mesh, specification, mapper, first_frame=False, is_moved=False):
+def float_pass():
+    """Lets a renderer draw into floats. The projected tetrahedra copy their depths from it, which OpenGL
+    does between depths of one kind alone."""
+    to_floats = vtkFramebufferPass()
+    to_floats.SetDelegatePass(vtkRenderStepsPass())
+    to_floats.SetColorFormat(vtkTextureObject.Float32)
+    to_floats.SetDepthFormat(vtkTextureObject.Fixed24)
+    return to_floats
+
+
+def floats(drawn, width, height):
+    values = np.zeros((height, width, 4), np.float32)
+    if not drawn.GetColorTexture().Download().Download2D(VTK_FLOAT, values, [width, height], 4,
+                                                         [0, 0]):
+        sys.exit("draw.py: VTK does not hand over its floats")
+    return values[::-1]
+
+
+def draw(mesh, specification, mapper, first_frame=False, is_moved=False, as_floats=False):
     """The window's picture; moved, its mapper samples the middles of pixels."""
     with open(specification, "rb") as file:
         scene = tomllib.load(file)
@@ -111,6 +133,9 @@ def draw(mesh, specification, mapper, first_frame=False, is_moved=False):
     window.SetMultiSamples(0)
     window.SetSize(width, height)
     window.AddRenderer(renderer)
+    if as_floats:
+        renderer.SetBackgroundAlpha(0)
+        renderer.SetPass(float_pass())
     volume = vtkVolume()
     mapper.SetInputData(read_tetrahedra(mesh, scene["volume"]["color"]["field"]))
     volume.SetMapper(mapper)
@@ -119,16 +144,21 @@ def draw(mesh, specification, mapper, first_frame=False, is_moved=False):
     renderer.ResetCameraClippingRange()
     for _ in range(1 if first_frame else 2):
         window.Render()
+    if as_floats:
+        return floats(renderer.GetPass(), width, height)
     return pixels(window, width, height)
 
 
 def main():
-    arguments = [a for a in sys.argv[1:] if a != "--first-frame"]
+    arguments = [a for a in sys.argv[1:] if a not in ("--first-frame", "--floats")]
+    as_floats = "--floats" in sys.argv
     if len(arguments) != 4 or arguments[2] not in ("projected", "raycast", "tuned", "zsweep"):
         sys.exit(__doc__)
     mesh, specification, name, picture = arguments
+    if as_floats and name != "projected":
+        sys.exit(__doc__)
     np.save(picture, draw(mesh, specification, make_mapper(name), "--first-frame" in sys.argv,
-                          is_moved=name == "tuned"))
+                          is_moved=name == "tuned", as_floats=as_floats))
 
 
 if __name__ == "__main__":

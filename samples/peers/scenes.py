@@ -36,6 +36,14 @@ def moved(camera, by):
     return camera | {key: [x + by for x in camera[key]] for key in ("eye", "look_at")}
 
 
+def specification(camera, colors, extinction, name, side):
+    """Of a square picture of a field."""
+    of_camera = "\n".join(f"{key} = {value!r}".replace("'", '"') for key, value in camera.items())
+    return (f"[image]\nwidth = {side}\nheight = {side}\n\n[camera]\n{of_camera}\n\n"
+            f'[volume.color]\nfield = "{name}"\npoints = {colors}\n\n'
+            f'[volume.extinction]\nfield = "{name}"\npoints = {extinction}\n')
+
+
 @dataclass(frozen=True)
 class Scene:
     name: str
@@ -51,11 +59,7 @@ class Scene:
         meshes.write(path, *make(*arguments))
 
     def specification(self):
-        camera = "\n".join(f"{key} = {value!r}".replace("'", '"')
-                           for key, value in self.camera.items())
-        return (f"[image]\nwidth = {SIDE}\nheight = {SIDE}\n\n[camera]\n{camera}\n\n"
-                f'[volume.color]\nfield = "f"\npoints = {self.colors}\n\n'
-                f'[volume.extinction]\nfield = "f"\npoints = {self.extinction}\n')
+        return specification(self.camera, self.colors, self.extinction, "f", SIDE)
 
 
 COARSE = (meshes.tetrahedra, 8, 0.25)

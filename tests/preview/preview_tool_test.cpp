@@ -1,7 +1,9 @@
 // hiac-preview as a user meets it.
 #include <filesystem>
 #include <fstream>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -14,7 +16,9 @@
 namespace hiac {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 
 class PreviewTool : public test::ToolFolder {
  protected:
@@ -41,6 +45,16 @@ class PreviewTool : public test::ToolFolder {
   [[nodiscard]] int preview_with(const std::string& faults, const std::string& arguments) const {
     return run("ASAN_OPTIONS=$ASAN_OPTIONS:verify_asan_link_order=0 " + faults +
                " LD_PRELOAD='" HIAC_FAULTY_DRIVER "' '" HIAC_PREVIEW "' " + arguments);
+  }
+  // What was drawn, even if in part; other files of the folder are the tests'.
+  [[nodiscard]] std::vector<std::string> pictures() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path()))
+      if (const std::string name = entry.path().filename().string();
+          name.find(".npy") != std::string::npos)
+        names.push_back(name);
+    std::ranges::sort(names);
+    return names;
   }
   [[nodiscard]] double difference(const std::string& a, const std::string& b) const {
     const Image one = read_image(file(a)).image, two = read_image(file(b)).image;
@@ -108,24 +122,52 @@ TEST_F(PreviewTool, SaysWhatWasTriedWithoutADriver) {
   EXPECT_FALSE(std::filesystem::exists(file("a.npy")));
 }
 
-// Wherever in its work the tool first hears of it.
+// Wherever in its work the tool first hears of it, and whichever way the driver tells.
 TEST_F(PreviewTool, ALostContextLeavesNoPicture) {
-  for (const std::string method : {"exact", "M1"}) {
-    int losses = 0;
-    for (int after = 0; after < 20; ++after) {
-      const std::string arguments = "m.zoo --view v.toml -o a.npy --method " + method;
-      const int status = preview_with("FAULT_LOST_AFTER=" + std::to_string(after), arguments);
-      if (status == 0) break;
-      ++losses;
-      EXPECT_EQ(status, 4);
-      EXPECT_THAT(complaint(), HasSubstr(": the context was lost while "));
-      EXPECT_EQ(std::ranges::count(complaint(), '\n'), 1) << complaint();
-      EXPECT_FALSE(std::filesystem::exists(file("a.npy")));
+  for (const std::string fault : {"FAULT_LOST_AFTER=", "FAULT_ERROR_AFTER="})
+    for (const std::string method : {"exact", "M1"}) {
+      int losses = 0;
+      for (int after = 0; after < 20; ++after) {
+        const std::string arguments = "m.zoo --view v.toml -o a.npy --method " + method;
+        const int status = preview_with(fault + std::to_string(after), arguments);
+        if (status == 0) break;
+        ++losses;
+        EXPECT_EQ(status, 4);
+        EXPECT_THAT(complaint(), HasSubstr(": the context was lost while "));
+        EXPECT_EQ(std::ranges::count(complaint(), '\n'), 1) << complaint();
+        EXPECT_THAT(pictures(), IsEmpty());
+      }
+      EXPECT_GE(losses, 4) << method;  // making a target, drawing, waiting, reading
+      EXPECT_THAT(pictures(), ElementsAre("a.npy"));
+      std::filesystem::remove(file("a.npy"));
     }
-    EXPECT_GE(losses, 4) << method;  // making a target, drawing, waiting, reading
-    EXPECT_TRUE(std::filesystem::exists(file("a.npy")));
-    std::filesystem::remove(file("a.npy"));
+}
+
+// Frames before the loss are whole, and there are none after it.
+TEST_F(PreviewTool, AContextThatIsLostBetweenFramesLeavesThoseBefore) {
+  ASSERT_EQ(run("{ cat v.toml; echo '[turntable]'; echo 'frames = 3'; } > t.toml"), 0);
+  ASSERT_EQ(preview("m.zoo --view t.toml --frames -o whole.npy"), 0) << complaint();
+  ASSERT_THAT(pictures(), ElementsAre("whole-0000.npy", "whole-0001.npy", "whole-0002.npy"));
+  const std::string first = bytes_of(file("whole-0000.npy"));
+  ASSERT_EQ(run("rm whole-*.npy"), 0);
+  int losses = 0;
+  for (int after = 1; after < 40 && losses == 0; ++after) {
+    const int status = preview_with("FAULT_LOST_AFTER=" + std::to_string(after),
+                                    "m.zoo --view t.toml --frames -o f.npy");
+    EXPECT_EQ(status, 4);
+    if (pictures().empty()) continue;
+    ++losses;
+    EXPECT_THAT(pictures(), ElementsAre("f-0000.npy"));
+    EXPECT_EQ(bytes_of(file("f-0000.npy")), first);
   }
+  EXPECT_EQ(losses, 1);
+}
+
+TEST_F(PreviewTool, AContextThatCannotBeUsedLeavesNoPicture) {
+  EXPECT_EQ(preview_with("FAULT_NOT_CURRENT=1", "m.zoo --view v.toml -o a.npy"), 4);
+  EXPECT_THAT(complaint(), HasSubstr(": its context cannot be used"));
+  EXPECT_EQ(std::ranges::count(complaint(), '\n'), 1) << complaint();
+  EXPECT_THAT(pictures(), IsEmpty());
 }
 
 TEST_F(PreviewTool, TooSmallALimitLeavesNoPicture) {
@@ -153,6 +195,20 @@ TEST_F(PreviewTool, TwoProcessesAtOnceDrawTheSame) {
             0)
       << complaint();
   EXPECT_EQ(bytes_of(file("a.npy")), bytes_of(file("b.npy")));
+}
+
+// Without a home folder, and without a screen as everywhere here.
+TEST_F(PreviewTool, DrawsForAUserWithoutRights) {
+  const std::string user = "setpriv --reuid 65534 --regid 65534 --clear-groups ";
+  if (run(user + "test -x '" HIAC_PREVIEW "'") != 0)
+    GTEST_SKIP() << "the tests run without the rights to become another user";
+  ASSERT_EQ(preview("m.zoo --view v.toml -o a.npy"), 0) << complaint();
+  ASSERT_EQ(run("chmod a+rx . && mkdir -m 777 theirs"), 0);
+  ASSERT_EQ(run(user + "env -u DISPLAY HOME=/nonexistent '" HIAC_PREVIEW
+                       "' m.zoo --view v.toml -o theirs/a.npy"),
+            0)
+      << complaint();
+  EXPECT_EQ(bytes_of(file("a.npy")), bytes_of(file("theirs/a.npy")));
 }
 
 TEST_F(PreviewTool, OrdersAsHiacSort) {

@@ -8,6 +8,9 @@
 namespace hiac::preview {
 namespace {
 
+// Rows are read in bands of about so many pixels, which the processor's caches hold.
+constexpr std::uint32_t kBandPixels = 1U << 15;
+
 TextureName new_texture() {
   GLuint name = 0;
   glCreateTextures(GL_TEXTURE_2D, 1, &name);
@@ -48,19 +51,20 @@ void FloatTarget::begin(const PixelRect& part) {
 }
 
 void FloatTarget::read(const PixelRect& part, const PixelRect& whole, Image& image) const {
-  const std::size_t width = part.width;
-  std::vector<float> values(4 * width * part.height);
+  const std::uint32_t rows = std::clamp(kBandPixels / part.width, 1U, part.height);
+  std::vector<float> values(std::size_t{4} * part.width * rows);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, static_cast<GLsizei>(part.width), static_cast<GLsizei>(part.height), GL_RGBA,
-               GL_FLOAT, values.data());
+  for (std::uint32_t first = 0; first < part.height; first += rows) {
+    const std::uint32_t count = std::min(rows, part.height - first);
+    glReadPixels(0, static_cast<GLint>(first), static_cast<GLsizei>(part.width),
+                 static_cast<GLsizei>(count), GL_RGBA, GL_FLOAT, values.data());
+    auto value = values.begin();
+    for (std::uint32_t y = first; y < first + count; ++y)
+      for (std::uint32_t x = 0; x < part.width; ++x, value += 4)
+        std::copy_n(value, 4, image.pixel(x + part.x - whole.x, y + part.y - whole.y).begin());
+  }
   context_.check("drawing");
-  for (std::uint32_t y = 0; y < part.height; ++y)
-    for (std::uint32_t x = 0; x < part.width; ++x) {
-      const auto pixel = image.pixel(x + part.x - whole.x, y + part.y - whole.y);
-      std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(4 * (y * width + x)), 4,
-                  pixel.begin());
-    }
 }
 
 std::vector<PixelRect> parts_of(const PixelRect& whole, std::uint32_t side) {
