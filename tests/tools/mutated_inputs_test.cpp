@@ -193,8 +193,8 @@ std::vector<std::string> readable_formats() {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, MutatedFormats, testing::ValuesIn(readable_formats()),
-                         [](const testing::TestParamInfo<std::string>& info) {
-                           std::string name = info.param;
+                         [](const testing::TestParamInfo<std::string>& kind) {
+                           std::string name = kind.param;
                            std::erase(name, '-');
                            return name;
                          });
