@@ -7,6 +7,7 @@
 
 #include "hiac/image/image_io.hpp"
 #include "hiac/mesh/zoo_container.hpp"
+#include "hiac/scene/toml/edited_text.hpp"
 #include "tests/support/cube_view.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/tools/tool_folder.hpp"
@@ -17,7 +18,9 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-const std::string kView = cube_view(240, 180);
+// colours over positive values: a logarithmic scale takes no others
+const std::string kView = with_key(cube_view(240, 180), "volume.color.points",
+                                   "[[0.1, 0.1, 0.2, 0.9], [1.0, 0.9, 0.1, 0.1]]");
 const std::string kAnnotation = R"([annotation.title]
 text = "A cube"
 [annotation.time]

@@ -55,9 +55,16 @@ std::string with_name(std::string command, const std::string& name) {
   return at == std::string::npos ? command : command.replace(at, 2, name);
 }
 
+// But for lines of the launcher of MPI, which begin with the computer's name in brackets.
 std::string last_line(std::string text) {
-  while (text.ends_with('\n')) text.pop_back();
-  return text.substr(text.rfind('\n') + 1);
+  std::string line;
+  do {
+    while (text.ends_with('\n')) text.pop_back();
+    const std::size_t begin = text.rfind('\n') + 1;
+    line = text.substr(begin);
+    text.resize(begin);
+  } while (line.starts_with('[') && !text.empty());
+  return line;
 }
 
 /// Runs commands in a folder, and judges how they end.
