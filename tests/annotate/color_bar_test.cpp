@@ -58,8 +58,8 @@ TEST(ColorBar, ShowsDisplayValuesEvenlyOnALogarithmicScale) {
       "color_space = 'srgb'\npoints = [[0.01, 0, 0, 0.5], [100, 1, 0, 0.5]]\n"
       "[volume.extinction]\nfield = 'p'\npoints = [[0, 1]]\n",
       "view.toml");
-  const Image bar = draw_color_bar(parsed.scene.volume, {"t", "p"}, 0.5,
-                                   parsed.annotation.bar_is_logarithmic);
+  const Image bar =
+      draw_color_bar(parsed.scene.volume, {"t", "p"}, 0.5, parsed.annotation.bar_is_logarithmic);
   for (int i = 0; i < Layout::kPlotWidth; ++i) {
     const auto found = pixel(bar, Layout::kLeft + i, kBarTop);
     EXPECT_NEAR(color_space::gamma_encoded(found[0]), (i + 0.5) / Layout::kPlotWidth, 0.006) << i;

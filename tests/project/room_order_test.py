@@ -14,8 +14,8 @@ FLOORS = {
     "optics": 3, "scene": 3, "image": 3,
     "element": 4, "order": 4, "tetrahedralize": 4,
     "check": 5, "frame": 5,
-    "render": 6, "preview": 6, "annotate": 6, "cluster": 6,
-    "formats": 7, "session": 7, "tools": 8, "python": 8,
+    "render": 6, "preview": 6, "annotate": 6,
+    "formats": 7, "session": 7, "cluster": 8, "tools": 9, "python": 10,
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]((?:hiac|formats|tools|python|tests)/[^">]+)[">]')
 
@@ -33,8 +33,6 @@ def allowed(path, included):
     if own == other == "tools":  # executables share tools/common alone
         folder = pathlib.PurePath(included).parts[1]
         return folder in ("common", pathlib.PurePath(path).parts[1])
-    if own == "cluster" and other == "render":  # many processes share the accurate engine's work
-        return True
     return own == other or (other in FLOORS and FLOORS[other] < FLOORS[own])
 
 
