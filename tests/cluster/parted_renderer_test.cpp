@@ -152,20 +152,28 @@ TEST(PartedRenderer, CellsOfEveryKind) {
   expect_whole(mixed, at_random(mixed, 5, 9), scene_for(Projection::perspective));
 }
 
-TEST(PartedRenderer, CavitiesSlidingInterfacesAndGaps) {
-  const ZooMesh cube = test::structured(6, Cut::tetrahedra);
-  const ZooMesh hollow = with_fields(test::keep_cells(cube, [](const Position& p, CellId) {
-    return std::hypot(p[0] - 0.5, p[1] - 0.5, p[2] - 0.5) > 0.3;
-  }));
-  expect_whole(hollow, at_random(hollow, 4, 3), scene_for(Projection::perspective));
-  // blocks of other cells on either side of a plane, with a gap beside it
+// Blocks of other cells on either side of a plane, with a gap beside it.
+ZooMesh sliding_blocks() {
   const ZooMesh below = test::moved(test::structured(3, Cut::prisms), [](const Position& p) {
     return Position{p[0], p[1], p[2] / 2};
   });
   const ZooMesh above = test::moved(test::structured(4, Cut::bricks), [](const Position& p) {
     return Position{p[0], p[1], 0.5 + p[2] / 2 + (p[0] > 0.6 ? 0.01 : 0)};
   });
-  const ZooMesh contact = with_fields(test::side_by_side(below, above));
+  return with_fields(test::side_by_side(below, above));
+}
+
+ZooMesh hollow_cube() {
+  const ZooMesh cube = test::structured(6, Cut::tetrahedra);
+  return with_fields(test::keep_cells(cube, [](const Position& p, CellId) {
+    return std::hypot(p[0] - 0.5, p[1] - 0.5, p[2] - 0.5) > 0.3;
+  }));
+}
+
+TEST(PartedRenderer, CavitiesSlidingInterfacesAndGaps) {
+  const ZooMesh hollow = hollow_cube();
+  expect_whole(hollow, at_random(hollow, 4, 3), scene_for(Projection::perspective));
+  const ZooMesh contact = sliding_blocks();
   expect_whole(contact, at_random(contact, 6, 4), scene_for(Projection::orthographic));
   expect_whole(contact, by_place(contact, [](const Position& p) { return p[2] > 0.5; }),
                scene_for(Projection::perspective));
@@ -263,20 +271,10 @@ TEST(PartedRenderer, SkinOfEveryKind) {
 TEST(PartedRenderer, SkinOfSeveralBodies) {
   Scene scene = scene_for(Projection::perspective);
   scene.skin = skin_of({0.9, 0.5, 0.2}, 0.3);
-  const ZooMesh contact = with_fields(
-      test::side_by_side(test::moved(test::structured(3, Cut::prisms),
-                                     [](const Position& p) {
-                                       return Position{p[0], p[1], p[2] / 2};
-                                     }),
-                         test::moved(test::structured(4, Cut::bricks), [](const Position& p) {
-                           return Position{p[0], p[1], 0.5 + p[2] / 2 + (p[0] > 0.6 ? 0.01 : 0)};
-                         })));
+  const ZooMesh contact = sliding_blocks();
   expect_whole(contact, at_random(contact, 6, 4), scene);
   expect_whole(contact, by_place(contact, [](const Position& p) { return p[2] > 0.5; }), scene);
-  const ZooMesh hollow = with_fields(
-      test::keep_cells(test::structured(6, Cut::tetrahedra), [](const Position& p, CellId) {
-        return std::hypot(p[0] - 0.5, p[1] - 0.5, p[2] - 0.5) > 0.3;
-      }));
+  const ZooMesh hollow = hollow_cube();
   expect_whole(hollow, at_random(hollow, 4, 3), scene);
   const ZooMesh ring = with_fields(test::ring_of_sticks(5, 1));
   scene.camera.eye = {0, 0, 12};
@@ -357,14 +355,7 @@ TEST(PartedRenderer, EdgesOfEveryKind) {
 }
 
 TEST(PartedRenderer, EdgesOfSeveralBodies) {
-  const ZooMesh contact = with_fields(
-      test::side_by_side(test::moved(test::structured(3, Cut::prisms),
-                                     [](const Position& p) {
-                                       return Position{p[0], p[1], p[2] / 2};
-                                     }),
-                         test::moved(test::structured(4, Cut::bricks), [](const Position& p) {
-                           return Position{p[0], p[1], 0.5 + p[2] / 2 + (p[0] > 0.6 ? 0.01 : 0)};
-                         })));
+  const ZooMesh contact = sliding_blocks();
   Scene scene = scene_for(Projection::perspective);
   scene.edges = edges_of(EdgeChoice::feature, 2, 0.5);
   expect_whole(contact, at_random(contact, 6, 4), scene);
