@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "hiac/geometry/vector.hpp"
 #include "hiac/scene/scene.hpp"
 
 namespace hiac::tools {
@@ -31,13 +32,12 @@ constexpr std::array kSizes{0.25, 0.35, 0.5, 0.6,  0.7, 0.8, 0.9,
 constexpr double kNarrow = 1e-3;
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
-double length_of(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
 double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
 // Half the height of what is seen at look_at, as a share of the eye's distance from there.
 double half_height(const Camera& camera) {
   if (camera.projection == Projection::perspective) return std::tan(radians(camera.fov) / 2);
-  return camera.height / 2 / length_of(view_direction(camera));
+  return camera.height / 2 / length(view_direction(camera));
 }
 
 void set_angle(Camera& camera, double angle) {
@@ -63,14 +63,14 @@ Camera framed(Camera camera, double angle) {
   const double share = half_height(camera);  // of the distance
   if (angle == 0) {
     camera.projection = Projection::orthographic;
-    camera.height = 2 * share * length_of(ahead);
+    camera.height = 2 * share * length(ahead);
     camera.fov = 0;
     return camera;
   }
   const double farther = share / std::tan(radians(angle) / 2);
   for (std::size_t c = 0; c < 3; ++c) camera.eye[c] = camera.look_at[c] - farther * ahead[c];
   if (camera.clip) {
-    for (double& plane : *camera.clip) plane += (farther - 1) * length_of(ahead);
+    for (double& plane : *camera.clip) plane += (farther - 1) * length(ahead);
     (*camera.clip)[0] = std::max((*camera.clip)[0], 0.0);
   }
   set_angle(camera, angle);
@@ -243,7 +243,7 @@ std::optional<ProjectionFit> find_projection(const Camera& view, const Image& pi
 std::string line_of(const Camera& view, const ProjectionFit& fit, double rmse) {
   const Camera& found = fit.camera;
   const bool is_parallel = found.projection == Projection::orthographic;
-  const double distance = length_of(view_direction(found));
+  const double distance = length(view_direction(found));
   std::string what;
   if (is_parallel)
     what = fmt::format("in parallel projection, {:.4g} high", found.height);
@@ -252,10 +252,10 @@ std::string line_of(const Camera& view, const ProjectionFit& fit, double rmse) {
         "in perspective with a view angle of {:.1f} degrees, the eye {:.4g} from "
         "look_at",
         found.fov, distance);
-  const std::string there = view.projection == Projection::orthographic
-                                ? fmt::format("parallel, {:.4g} high", view.height)
-                                : fmt::format("of {:.1f} degrees, from {:.4g}", view.fov,
-                                              length_of(view_direction(view)));
+  const std::string there =
+      view.projection == Projection::orthographic
+          ? fmt::format("parallel, {:.4g} high", view.height)
+          : fmt::format("of {:.1f} degrees, from {:.4g}", view.fov, length(view_direction(view)));
   return fmt::format(
       "the picture is {} (the view is {}): RMSE {:.3g} as it is, {:.3g} against that", what, there,
       rmse, fit.misfit.rmse);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -11,12 +10,12 @@
 #include "hiac/cluster/chosen_rank.hpp"
 #include "hiac/mesh/cell_kind.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
+#include "hiac/mesh/parted/whole_corners.hpp"
 
 namespace hiac {
 namespace {
 
-// A face in the whole mesh: its corners, ascending, then the part that tells of it. The last corner
-// of a triangle is the largest number.
+// A face in the whole mesh: its corners, ascending (whole_corners), then the part that tells of it.
 using FaceRecord = std::array<std::uint64_t, 5>;
 using FaceKey = std::array<std::uint64_t, 4>;
 
@@ -47,25 +46,15 @@ void tell_faces(const NumberedPart& part, std::size_t place, const Tell& tell) {
   std::optional<FaceAdjacency> built;
   if (!mesh.adjacency) built = build_face_adjacency(mesh);
   const FaceAdjacency& adjacency = mesh.adjacency ? *mesh.adjacency : *built;
-  const auto for_each_corner = [&](CellId cell, const ShapeFace& face, const auto& visit) {
-    for (std::size_t k = 0; k < face.corner_count; ++k)
-      visit(mesh.cell_nodes(cell)[face.corners[k]]);
-  };
   const std::vector<bool> on_boundary = nodes_on_boundary(mesh);
   for_each_face(mesh, adjacency,
                 [&](CellId cell, std::uint8_t f, const ShapeFace& face, bool matched) {
-                  FaceRecord record;
-                  record.fill(std::numeric_limits<std::uint64_t>::max());
-                  bool inner = false;
-                  std::size_t k = 0;
-                  for_each_corner(cell, face, [&](NodeId node) {
-                    inner = inner || !on_boundary[node];
-                    record[k++] = part.global_nodes[node];
-                  });
-                  if (inner) return;
-                  std::sort(record.begin(), record.begin() + 4);
-                  record[4] = part.number;
-                  tell(ToldFace{place, cell, f, matched}, record);
+                  for (std::size_t k = 0; k < face.corner_count; ++k)
+                    if (!on_boundary[mesh.cell_nodes(cell)[face.corners[k]]]) return;
+                  FaceKey key = whole_corners(mesh, part.global_nodes, cell, f);
+                  std::ranges::sort(key);
+                  tell(ToldFace{place, cell, f, matched},
+                       FaceRecord{key[0], key[1], key[2], key[3], part.number});
                 });
 }
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <utility>
 
 #include "hiac/mesh/face_adjacency.hpp"
+#include "hiac/mesh/parted/whole_corners.hpp"
 
 namespace hiac {
 namespace {
@@ -18,22 +18,15 @@ struct CutFace {
   std::uint32_t part;
 };
 
-/// In place of the fourth corner of a triangle.
-constexpr std::uint64_t kNoCorner = std::numeric_limits<std::uint64_t>::max();
-
 void append_boundary(const MeshPart& part, std::uint32_t number, std::vector<CutFace>& faces) {
   const ZooMesh& mesh = part.mesh;
   const FaceAdjacency adjacency = mesh.adjacency ? *mesh.adjacency : build_face_adjacency(mesh);
   std::size_t place = 0;
   for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {
-    const ShapeTopology& shape = topology_of(mesh.kinds[cell]);
-    const auto nodes = mesh.cell_nodes(cell);
-    for (std::size_t face = 0; face < shape.faces.size(); ++face, ++place) {
+    const std::size_t count = topology_of(mesh.kinds[cell]).faces.size();
+    for (std::size_t face = 0; face < count; ++face, ++place) {
       if (adjacency.neighbors[place] != kNoCell) continue;
-      CutFace cut{{}, number};
-      cut.corners.fill(kNoCorner);
-      for (std::size_t k = 0; k < shape.faces[face].corner_count; ++k)
-        cut.corners[k] = part.global_nodes[nodes[shape.faces[face].corners[k]]];
+      CutFace cut{whole_corners(mesh, part.global_nodes.view(), cell, face), number};
       std::ranges::sort(cut.corners);
       faces.push_back(cut);
     }

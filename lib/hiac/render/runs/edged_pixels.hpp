@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <span>
 #include <vector>
 
 #include "hiac/frame/tiles/tile.hpp"
+#include "hiac/mesh/parted/whole_corners.hpp"
 #include "hiac/optics/piece_rule.hpp"
 #include "hiac/render/pixels/pixel_details.hpp"
 #include "hiac/scene/scene.hpp"
@@ -52,10 +52,6 @@ struct EdgedSegment {
   PlainRadiance light;
   SegmentDetails details;  ///< where a channel needs them
 };
-
-/// No node, and no corner of a face, which are different.
-inline constexpr std::uint64_t kNoGlobalNode = std::numeric_limits<std::uint64_t>::max();
-inline constexpr std::uint64_t kNoCorner = kNoGlobalNode - 1;
 
 /// Where a ray enters or leaves a cell on which edges may lie. Nodes are those of the whole mesh.
 struct EdgeStop {

@@ -1,7 +1,6 @@
 #include "hiac/render/runs/tile_runs.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -10,6 +9,7 @@
 
 #include "hiac/base/cancellation.hpp"
 #include "hiac/frame/cell_groups.hpp"
+#include "hiac/mesh/parted/whole_corners.hpp"
 #include "hiac/render/draw_cells.hpp"
 #include "hiac/render/edges/tile_edges.hpp"
 #include "hiac/render/pixels/sorted_segments.hpp"
@@ -140,13 +140,8 @@ class RunPainter {
   }
 
   void add_stops(CellId cell, const CellCrossing& ray, double front, double back) {
-    const auto corners = [&](std::uint8_t f) {
-      std::array<std::uint64_t, 4> numbers;
-      numbers.fill(kNoCorner);
-      const ShapeFace& face = topology_of(frame_.mesh.kinds[cell]).faces[f];
-      for (std::size_t k = 0; k < face.corner_count; ++k)
-        numbers[k] = edges_.global_nodes[frame_.mesh.cell_nodes(cell)[face.corners[k]]];
-      return numbers;
+    const auto corners = [&](std::uint8_t face) {
+      return whole_corners(frame_.mesh, edges_.global_nodes, cell, face);
     };
     const auto pixel = static_cast<std::uint32_t>(tile_.index(ray.x, ray.y));
     const double middle = 0.5 * (ray.front + ray.back);
