@@ -40,6 +40,16 @@ std::vector<std::string> picture_programs() {
   return programs;
 }
 
+/// Whether each start of an output's program costs what ten others do: MPI starts processes of its
+/// own.
+bool starts_slowly([[maybe_unused]] const Output& output) {
+#ifdef HIAC_RENDER_MPI
+  return output.command.starts_with(HIAC_RENDER_MPI);
+#else
+  return false;
+#endif
+}
+
 void add_pictures(std::vector<Output>& all) {
   for (const std::string& extension : words(image_extensions())) {
     for (const std::string& program : picture_programs())
@@ -97,6 +107,17 @@ std::vector<Output> all_outputs() {
   add_pictures(all);
   add_views(all);
   add_reports(all);
+  // an option's further extensions are left out where starts are slow, as all are when sanitized
+#ifdef __SANITIZE_ADDRESS__
+  constexpr bool kAllStartSlowly = true;
+#else
+  constexpr bool kAllStartSlowly = false;
+#endif
+  std::set<std::string> seen;
+  std::erase_if(all, [&](const Output& output) {
+    return !seen.insert(output.command + output.option).second &&
+           (kAllStartSlowly || starts_slowly(output));
+  });
   return all;
 }
 
@@ -223,12 +244,15 @@ TEST_F(Outputs, FilesOfAnotherKindAreNotOverwritten) {
   constexpr std::size_t kOfEachKind = 6;
   const std::vector<std::string> all = make_one_of_each();
   std::set<std::string> seen;  // every file is tried once with every option of every tool
+  std::size_t turn = 0;        // and one of each kind, in turns, with each further extension
   for (const Output& output : all_outputs()) {
+    std::vector<std::string> others = all;
     const bool is_new = seen.insert(output.command + output.option).second;
-    for (std::size_t k = 0; k < (is_new ? all.size() : kOfEachKind); ++k) {
-      const std::string& kept = all[k];
-      const bool same = kind_of(kept) == kind_of(written(output));
-      if (same) continue;
+    if (!is_new || starts_slowly(output)) others.resize(kOfEachKind);
+    std::erase_if(
+        others, [&](const std::string& kept) { return kind_of(kept) == kind_of(written(output)); });
+    if (!is_new) others = {others[turn++ % others.size()]};
+    for (const std::string& kept : others) {
       SCOPED_TRACE(output.command + " " + output.option + " " + output.extension + " on " + kept);
       remove_outputs();
       fs::copy_file(path(kept), path(written(output)));
