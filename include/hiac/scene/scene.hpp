@@ -9,8 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "hiac/base/glow.hpp"
-#include "hiac/base/piecewise_linear.hpp"
+#include "hiac/base/transfer_function.hpp"
 
 namespace hiac {
 

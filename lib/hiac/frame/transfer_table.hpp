@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "hiac/base/piecewise_linear.hpp"
+#include "hiac/base/transfer_function.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/optics/piece_rule.hpp"
 #include "hiac/scene/scene.hpp"

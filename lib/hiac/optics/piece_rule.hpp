@@ -3,8 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "hiac/base/glow.hpp"
-#include "hiac/base/piecewise_linear.hpp"
+#include "hiac/base/transfer_function.hpp"
 #include "hiac/optics/linear_piece.hpp"
 #include "hiac/optics/polynomial_piece.hpp"
 

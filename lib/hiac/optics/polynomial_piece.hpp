@@ -2,8 +2,7 @@
 
 #include <array>
 
-#include "hiac/base/glow.hpp"
-#include "hiac/base/piecewise_linear.hpp"
+#include "hiac/base/transfer_function.hpp"
 #include "hiac/optics/bernstein.hpp"
 
 namespace hiac {

@@ -8,8 +8,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "hiac/base/piecewise_linear.hpp"
 #include "hiac/base/rounding.hpp"
+#include "hiac/base/transfer_function.hpp"
 #include "hiac/optics/bernstein.hpp"
 #include "hiac/optics/polynomial_roots.hpp"
 

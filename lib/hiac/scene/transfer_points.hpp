@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "hiac/base/piecewise_linear.hpp"
+#include "hiac/base/transfer_function.hpp"
 #include "hiac/scene/scene.hpp"
 #include "hiac/scene/toml/spec_key.hpp"
 #include "hiac/scene/toml/spec_value.hpp"

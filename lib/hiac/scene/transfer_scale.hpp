@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "hiac/base/piecewise_linear.hpp"
+#include "hiac/base/transfer_function.hpp"
 
 namespace hiac {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "hiac/base/piecewise_linear.hpp"
+#include "hiac/base/transfer_function.hpp"
 #include "hiac/frame/frame_field.hpp"
 #include "hiac/frame/surfaces/surface_look.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"

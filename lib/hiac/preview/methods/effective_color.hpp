@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-#include "hiac/base/glow.hpp"
+#include "hiac/base/transfer_function.hpp"
 #include "hiac/preview/methods/gaussian_tables.hpp"
 #include "hiac/preview/methods/method.hpp"
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-#include "hiac/base/glow.hpp"
+#include "hiac/base/transfer_function.hpp"
 #include "hiac/preview/methods/method.hpp"
 #include "hiac/preview/methods/triangle_buffer.hpp"
 

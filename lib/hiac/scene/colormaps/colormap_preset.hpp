@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "hiac/base/piecewise_linear.hpp"
+#include "hiac/base/transfer_function.hpp"
 
 namespace hiac {
 

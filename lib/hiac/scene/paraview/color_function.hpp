@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "hiac/base/piecewise_linear.hpp"
+#include "hiac/base/transfer_function.hpp"
 #include "hiac/scene/paraview/scalar_axis.hpp"
 #include "hiac/scene/paraview/state_document.hpp"
 

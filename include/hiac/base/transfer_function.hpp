@@ -4,12 +4,19 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <stdexcept>
 #include <vector>
 
 namespace hiac {
+
+/// The meaning of a volume's colour function; I is the radiance, t the distance from the eye.
+enum class Glow : std::uint8_t {
+  chromaticity,  ///< kappa: dI/dt = kappa tau - tau I (Williams and Max)
+  emission       ///< g: dI/dt = g - tau I (Wilhelms and Van Gelder)
+};
 
 /// A piecewise-linear function of a scalar with `N` channels, constant outside its points: the form
 /// of every transfer function (Williams, Max, Stein 1998, section 4).
