@@ -113,7 +113,7 @@ TEST_F(PreviewTool, ThatIsMissingIsSaidInOneLine) {
 }
 
 TEST_F(PreviewTool, SaysWhatWasTriedWithoutADriver) {
-  EXPECT_EQ(run("LIBGL_DRIVERS_PATH=/nowhere __EGL_VENDOR_LIBRARY_DIRS=/nowhere '" HIAC_PREVIEW
+  EXPECT_EQ(run("LIBGL_DRIVERS_PATH=/nowhere __EGL_VENDOR_LIBRARY_FILENAMES=/nowhere '" HIAC_PREVIEW
                 "' m.zoo --view v.toml -o a.npy"),
             4);
   EXPECT_THAT(complaint(), HasSubstr("no OpenGL 4.5 driver was found (tried"));

@@ -68,7 +68,8 @@ TEST(HardwarePreview, GoesOnExactlyWhereThereIsNoGraphicsDriver) {
   // EGL looks for drivers once a process: this one has not begun to
   if (std::getenv("HIAC_WITHOUT_DRIVER") == nullptr) {
     const std::string again =
-        "HIAC_WITHOUT_DRIVER=1 LIBGL_DRIVERS_PATH=/nowhere __EGL_VENDOR_LIBRARY_DIRS=/nowhere '" +
+        "HIAC_WITHOUT_DRIVER=1 LIBGL_DRIVERS_PATH=/nowhere __EGL_VENDOR_LIBRARY_FILENAMES=/nowhere "
+        "'" +
         QCoreApplication::applicationFilePath().toStdString() +
         "' --gtest_filter=HardwarePreview.GoesOnExactlyWhereThereIsNoGraphicsDriver";
     ASSERT_EQ(std::system(again.c_str()), 0);

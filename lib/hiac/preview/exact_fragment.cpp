@@ -4,7 +4,7 @@ namespace hiac::preview {
 namespace {
 
 // Where the ray enters and leaves the cell, and the fields there.
-constexpr const char* kMeet = R"(
+constexpr const char* kFaces = R"(
 uniform ivec4 part;
 uniform vec4 rays;  // center_x, center_y, 1 / pixels per unit
 #if STORED
@@ -19,20 +19,21 @@ const float kFarAlong = 1e30;
 
 struct Segment {
   real length;  // world units
-  real front[FIELDS], back[FIELDS];
+  real extinction_front, extinction_back;  // the fields' values
+  real color_front, color_back;
 };
 
 // d of the four faces at the pixel: entered ones, less those that are left.
-void meet_faces(vec2 at, out real v[4]) {
+real4 meet_faces(vec2 at) {
   precise vec4 coarse = DATA(4) + DATA(5) * at.x + DATA(6) * at.y;
 #if DOUBLE
-  dvec4 all = dvec4(coarse) + (dvec4(DATA(7)) + dvec4(DATA(8)) * double(at.x) +
+  return dvec4(coarse) + (dvec4(DATA(7)) + dvec4(DATA(8)) * double(at.x) +
                                dvec4(DATA(9)) * double(at.y));
 #else
   precise vec4 rest = DATA(7) + DATA(8) * at.x + DATA(9) * at.y;
   precise vec4 all = coarse + rest;
+  return all;
 #endif
-  for (int k = 0; k < 4; ++k) v[k] = all[k];
 }
 
 // Limits the segment by a face that may be of any kind: 0 entered, 1 left, 2 beside the ray.
@@ -45,21 +46,39 @@ void limit(int kind, real v, inout real entry, inout real exit) {
 )";
 
 constexpr const char* kMeetSegment = R"(
+// A field where the ray enters and leaves; `front` and `back` are t / t_ref there in perspective.
+void ends_of(int f, vec2 at, real entry, real exit, real front, real back, out real first,
+             out real last) {
+  vec4 q = DATA(FIELD_AT(f));
+#if DOUBLE
+  dvec4 p = dvec4(q) + dvec4(DATA(FIELD_AT(f) + 1));
+  double base = p.x + p.y * double(at.x) + p.z * double(at.y);
+  first = base + p.w * entry;
+  last = base + p.w * exit;
+#else
+  float base = q.x + q.y * at.x + q.z * at.y;
+  first = base + q.w * entry;
+  last = base + q.w * exit;
+#endif
+  vec2 range = f == 0 ? DATA(3).zw : DATA(FIELD_AT(f) + (DOUBLE == 1 ? 2 : 1)).xy;
+  first = clamp(first * front, real(range.x), real(range.y));
+  last = clamp(last * back, real(range.x), real(range.y));
+}
+
 bool meet(out Segment segment) {
   vec2 at = gl_FragCoord.xy - 0.5 + (vec2(part.xy) - DATA(2).xy);
-  real v[4];
-  meet_faces(at, v);
+  real4 v = meet_faces(at);
   int kinds = int(DATA(2).w);
-  real exit = -v[3];
+  real exit = -v.w;
 #if NEAR
   real entry = -real(kFarAlong);
-  limit(kinds / 9, v[0], entry, exit);
+  limit(kinds / 9, v.x, entry, exit);
   kinds %= 9;
 #else
-  real entry = v[0];
+  real entry = v.x;
 #endif
-  limit(kinds % 3, v[1], entry, exit);
-  limit(kinds / 3, v[2], entry, exit);
+  limit(kinds % 3, v.y, entry, exit);
+  limit(kinds / 3, v.z, entry, exit);
 #if SURFACE_FIELDS > 0
   real whole_entry = entry, whole_exit = exit;
   int all = int(DATA(2).w);
@@ -78,27 +97,14 @@ bool meet(out Segment segment) {
   real front = real(1) / (real(1) - entry), back = real(1) / (real(1) - exit);
   vec2 slopes = (gl_FragCoord.xy + vec2(part.xy) - rays.xy) * rays.z;
   segment.length *= real(DATA(2).z * sqrt(1.0 + dot(slopes, slopes))) * front * back;
-#endif
-  for (int f = 0; f < FIELDS; ++f) {
-    vec4 q = DATA(FIELD_AT(f));
-#if DOUBLE
-    dvec4 p = dvec4(q) + dvec4(DATA(FIELD_AT(f) + 1));
-    double base = p.x + p.y * double(at.x) + p.z * double(at.y);
-    segment.front[f] = base + p.w * entry;
-    segment.back[f] = base + p.w * exit;
 #else
-    float base = q.x + q.y * at.x + q.z * at.y;
-    segment.front[f] = base + q.w * entry;
-    segment.back[f] = base + q.w * exit;
+  const real front = real(1), back = real(1);
 #endif
-#if PERSPECTIVE
-    segment.front[f] *= front;
-    segment.back[f] *= back;
+  ends_of(EXTINCTION, at, entry, exit, front, back, segment.extinction_front,
+          segment.extinction_back);
+#if COLOR != EXTINCTION
+  ends_of(COLOR, at, entry, exit, front, back, segment.color_front, segment.color_back);
 #endif
-    vec2 range = f == 0 ? DATA(3).zw : DATA(FIELD_AT(f) + (DOUBLE == 1 ? 2 : 1)).xy;
-    segment.front[f] = clamp(segment.front[f], real(range.x), real(range.y));
-    segment.back[f] = clamp(segment.back[f], real(range.x), real(range.y));
-  }
   return true;
 }
 )";
@@ -139,16 +145,16 @@ void advance(inout Walk w, real share) {
 }
 )";
 
-constexpr const char* kMain = R"(
+constexpr const char* kFragmentMain = R"(
 void main() {
   Segment segment;
   if (!meet(segment)) discard;
   Walk w;
-  begin(w, segment.front[EXTINCTION], segment.back[EXTINCTION]);
+  begin(w, segment.extinction_front, segment.extinction_back);
   w.interval = extinction_interval(w.from, w.up);
 #if SEPARATE
   Walk c;
-  begin(c, segment.front[COLOR], segment.back[COLOR]);
+  begin(c, segment.color_front, segment.color_back);
   c.interval = color_interval(c.from, c.up);
 #endif
   vec3 sum = vec3(0.0);
@@ -228,11 +234,13 @@ void main() {
 
 std::string exact_fragment_source(const ExactVariant& variant, const DrawnScene& scene) {
   return "#version 450 core\n" + defines_of(variant) +
-         (variant.fine ? "#define real double\n" : "#define real float\n") +
+         (variant.fine ? "#define real double\n#define real4 dvec4\n"
+                       : "#define real float\n#define real4 vec4\n") +
          (scene.optics.emission ? "#define EMISSION 1\n" : "#define EMISSION 0\n") +
          "#define EXTINCTION " + std::to_string(scene.extinction) + "\n#define COLOR " +
-         std::to_string(scene.color) + "\n" + kMeet + surface_fragment_source(variant, scene) +
-         kMeetSegment + exact_integral_source() + transfer_source(variant, scene) + kWalk + kMain;
+         std::to_string(scene.color) + "\n" + kFaces + surface_fragment_source(variant, scene) +
+         kMeetSegment + exact_integral_source() + transfer_source(variant, scene) + kWalk +
+         kFragmentMain;
 }
 
 }  // namespace hiac::preview

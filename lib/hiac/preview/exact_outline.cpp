@@ -11,7 +11,7 @@ constexpr const char* kOutline = R"(
 // that a pixel is the same in all parts.
 double reach_of() {
   if (!whole) return max(center.x, center.y) + 2.0lf;
-  dvec2 most = max(max(abs(at[0]), abs(at[1])), max(abs(at[2]), abs(at[3])));
+  dvec2 most = max(max(abs(at(0)), abs(at(1))), max(abs(at(2)), abs(at(3))));
   return max(most.x, most.y) + 2.0lf;
 }
 
@@ -34,7 +34,7 @@ bool outline_of_near(out vec2 corner[4]) {
   dvec2 high = (dvec2(part.xy + part.zw) + 1.0lf - center.xy) / center.z;
   bvec4 beside = bvec4(true);
   for (int k = 0; k < 4; ++k) {
-    dvec3 p = camera[k];
+    dvec3 p = camera(k);
     if (p.x >= low.x * p.z) beside.x = false;
     if (p.x <= high.x * p.z) beside.y = false;
     if (-p.y >= low.y * p.z) beside.z = false;
@@ -106,7 +106,7 @@ bool outline_of(out vec2 corner[4]) {
   vec2 p[4];
   vec2 low = vec2(1e30), high = vec2(-1e30);
   for (int k = 0; k < 4; ++k) {
-    p[k] = vec2(at[k]);
+    p[k] = vec2(at(k));
     low = min(low, p[k]);
     high = max(high, p[k]);
   }
@@ -115,12 +115,12 @@ bool outline_of(out vec2 corner[4]) {
   if (max(max(-low.x, -low.y), max(high.x, high.y)) > kFar)
     return rectangle(low - 1.0, high + 1.0, corner);
   int positive = 0;
-  for (int k = 0; k < 4; ++k) positive += lambda[k] >= 0.0lf ? 1 : 0;
+  for (int k = 0; k < 4; ++k) positive += lambda(k) >= 0.0lf ? 1 : 0;
   vec2 polygon[4];
   if (positive == 2) {
     int up = 0, down = 1;  // corners of either sign alternate around the outline
     for (int k = 0; k < 4; ++k) {
-      if (lambda[k] >= 0.0lf) {
+      if (lambda(k) >= 0.0lf) {
         polygon[up] = p[k];
         up += 2;
       } else {
@@ -131,7 +131,7 @@ bool outline_of(out vec2 corner[4]) {
   } else {
     int n = 0;  // the one corner of its sign lies inside
     for (int k = 0; k < 4; ++k)
-      if ((lambda[k] >= 0.0lf) == (positive == 3) && n < 3) polygon[n++] = p[k];
+      if ((lambda(k) >= 0.0lf) == (positive == 3) && n < 3) polygon[n++] = p[k];
     if (n < 3) return false;
     polygon[3] = polygon[2];
   }

@@ -12,7 +12,7 @@ namespace {
 
 std::string number(double v) { return fmt::format("{:.9e}", std::clamp(v, -1e30, 1e30)); }
 
-std::string vec3(const std::array<double, 3>& v) {
+std::string exact_vec3(const std::array<double, 3>& v) {
   return fmt::format("vec3({}, {}, {})", number(v[0]), number(v[1]), number(v[2]));
 }
 
@@ -28,7 +28,7 @@ struct Surface {
 layout(std430, binding = 6) readonly buffer Surfaces { Surface surfaces[]; };
 )";
 
-constexpr const char* kSetup = R"(
+constexpr const char* kSurfaceSetup = R"(
 layout(std430, binding = 5) readonly buffer Closed { uint closed[]; };
 
 // How many surfaces of a field have values below v, or, with `equal`, at most v.
@@ -49,21 +49,23 @@ float rank_of(int f, double v, bool equal) {
 // both cells at a face say the same of it: of how many surfaces a whole face is not below, and of
 // how many it is not below everywhere. And the surfaces' normals in camera coordinates.
 void set_surfaces(uint i, uint base, int slots[4]) {
-  dvec3 e1 = camera[1] - camera[0], e2 = camera[2] - camera[0], e3 = camera[3] - camera[0];
+  dvec3 e1 = camera(1) - camera(0), e2 = camera(2) - camera(0), e3 = camera(3) - camera(0);
   dvec3 n1 = cross(e2, e3), n2 = cross(e3, e1), n3 = cross(e1, e2);
   for (int f = 0; f < SURFACE_FIELDS; ++f) {
-    double v[4];
-    for (int k = 0; k < 4; ++k) v[k] = value_of(kSurfaceField[f], i, k);
+    uvec2 v[4];
+    for (int k = 0; k < 4; ++k) v[k] = bits_of(value_of(kSurfaceField[f], i, k));
     uint shut = closed[i * uint(CLOSED_WORDS) + uint(f / 8)] >> (4 * (f % 8));
     vec4 above, reached;
     for (int k = 0; k < 4; ++k) {
       ivec3 c = kFace[k];
-      reached[slots[k]] = rank_of(f, max(max(v[c.x], v[c.y]), v[c.z]), false);
+      double a = of_bits(v[c.x]), b = of_bits(v[c.y]), d = of_bits(v[c.z]);
+      reached[slots[k]] = rank_of(f, max(max(a, b), d), false);
       // a face on which a surface lies whole, touched from below on both sides, counts as below it
       bool is_shut = (shut & (1u << entry[k])) != 0u;
-      above[slots[k]] = rank_of(f, min(min(v[c.x], v[c.y]), v[c.z]), !is_shut);
+      above[slots[k]] = rank_of(f, min(min(a, b), d), !is_shut);
     }
-    dvec3 g = (v[1] - v[0]) * n1 + (v[2] - v[0]) * n2 + (v[3] - v[0]) * n3;
+    double v0 = of_bits(v[0]);
+    dvec3 g = (of_bits(v[1]) - v0) * n1 + (of_bits(v[2]) - v0) * n2 + (of_bits(v[3]) - v0) * n3;
     double l = length(g);
     uint to = base + uint(SURFACE_AT(f));
     dvec3 normal = l > 0.0lf ? g / l : dvec3(0.0lf, 0.0lf, 1.0lf);
@@ -87,13 +89,13 @@ float power(double x, float exponent) {
 }
 )";
 
-constexpr const char* kMeet = R"(
+constexpr const char* kCrossings = R"(
 // The slot of the face of a kind whose limit is v.
-int slot_of(real v[4], int kinds, real limit, int wanted) {
-  int kind[4] = int[](kinds / 9, kinds % 3, (kinds / 3) % 3, 1);
-  for (int k = 0; k < 4; ++k)
-    if (kind[k] == wanted && v[k] == limit) return k;
-  return -1;  // the eye's own plane
+int slot_of(real4 v, int kinds, real limit, int wanted) {
+  if (kinds / 9 == wanted && v.x == limit) return 0;
+  if (kinds % 3 == wanted && v.y == limit) return 1;
+  if ((kinds / 3) % 3 == wanted && v.z == limit) return 2;
+  return wanted == 1 && v.w == limit ? 3 : -1;  // -1: the eye's own plane
 }
 
 real on_side(real offset, int side) {
@@ -233,7 +235,7 @@ std::string light_source(const FrameLight& light, std::size_t index) {
                     "          ? phong.z * power(mirrored, phong.w) : 0.0;\n"
                     "      sum += {} * (phong.y * float(to_light) * color + shine);\n"
                     "    }}\n  }}\n",
-                    vec3(light.color));
+                    exact_vec3(light.color));
 }
 
 // Which fields have surfaces, and where these begin among all.
@@ -273,7 +275,7 @@ std::vector<DeviceSurface> device_surfaces(const DrawnScene& scene) {
 }
 
 std::string surface_setup_source(const ExactVariant& variant, const DrawnScene& scene) {
-  return variant.surface_fields == 0 ? "" : constants(scene) + kSurfaces + kSetup;
+  return variant.surface_fields == 0 ? "" : constants(scene) + kSurfaces + kSurfaceSetup;
 }
 
 std::string surface_fragment_source(const ExactVariant& variant, const DrawnScene& scene) {
@@ -285,7 +287,7 @@ std::string surface_fragment_source(const ExactVariant& variant, const DrawnScen
       "vec3 lights_on(dvec3 normal, dvec3 ray, double away, vec3 color, vec4 phong) {\n"
       "  vec3 sum = vec3(0.0);\n";
   for (std::size_t k = 0; k < lights.size(); ++k) text += light_source(lights[k], k);
-  text += std::string("  return sum;\n}\n") + kMeet +
+  text += std::string("  return sum;\n}\n") + kCrossings +
           "vec4 surface_light(Crossing at) {\n  dvec3 normal;\n";
   for (std::size_t f = 0; f < scene.surface_fields.size(); ++f)
     text += fmt::format(
