@@ -13,7 +13,7 @@ sample=$root/samples/reactor-pool
 mkdir -p "$build"
 log=$build/samples-build.log
 echo "building hiac in $build (log: $log)"
-if ! { cmake -S "$root" --preset release -B "$build" &&
+if ! { cmake -S "$root" --preset release -B "$build" -D HIAC_UNITY=ON &&
        cmake --build "$build" -j "$(nproc)" --target hiac-convert hiac-sort hiac-render; } >"$log" 2>&1
 then
   tail -n 40 "$log" >&2

@@ -24,7 +24,7 @@ quietly() {
 "$root/.ci/install"
 mkdir -p "$build"
 began=$SECONDS
-quietly "$build/configure.log" cmake -S "$root" --preset "$preset" -B "$build" \
+quietly "$build/configure.log" cmake -S "$root" --preset "$preset" -B "$build" -D HIAC_UNITY=ON \
   ${HIAC_STRICT:+-D HIAC_STRICT="$HIAC_STRICT"}
 quietly "$build/build.log" cmake --build "$build" -j "$(nproc)"
 built=$SECONDS

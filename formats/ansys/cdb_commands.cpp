@@ -15,7 +15,6 @@
 namespace hiac::formats::ansys {
 namespace {
 
-constexpr std::size_t kMostNodes = 64;
 /// The number of nodes in one command.
 constexpr std::size_t kInLine = 8;
 

@@ -8,6 +8,9 @@
 
 namespace hiac::formats::ansys {
 
+/// The most nodes that a command may give an element; elements have 20.
+inline constexpr std::size_t kMostNodes = 64;
+
 /// The number of nodes of an element of the library type, with all mid-edge nodes; 0 when it is not
 /// a known solid. `mesh200_shape` is key option 1 of MESH200.
 std::size_t library_nodes(std::int64_t routine, std::int64_t mesh200_shape);

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "formats/ansys/cdb_commands.hpp"
+#include "formats/ansys/cdb_elements.hpp"
 #include "formats/ansys/cdb_model.hpp"
 #include "formats/common/io/comma_fields.hpp"
 #include "formats/common/io/number_index.hpp"
@@ -22,7 +23,6 @@ namespace {
 
 /// Fields of an element's first line before its nodes.
 constexpr std::size_t kHeadFields = 11;
-constexpr std::size_t kMostNodes = 64;
 
 /// The widths of "(3i8,6e20.13)": how many integers of which width, then reals of which width.
 struct Layout {

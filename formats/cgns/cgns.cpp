@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <memory>
 
 #include <fmt/format.h>
@@ -17,6 +16,7 @@
 #include "formats/common/mesh/structured.hpp"
 #include "formats/hdf5/hdf5_model.hpp"
 #include "hiac/base/error.hpp"
+#include "hiac/base/special_values.hpp"
 
 namespace hiac::formats {
 namespace {
@@ -27,11 +27,9 @@ using cgns::FieldPart;
 using cgns::Node;
 using cgns::Zone;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-class Reader {
+class CgnsReader {
  public:
-  explicit Reader(const std::string& path) : file_(std::make_shared<CgnsFile>(path)) {}
+  explicit CgnsReader(const std::string& path) : file_(std::make_shared<CgnsFile>(path)) {}
 
   ForeignMesh read() {
     const std::vector<Node> bases = file_->children(file_->root(), "CGNSBase_t");
@@ -133,7 +131,7 @@ class Reader {
 
 ForeignMesh foreign_mesh(const std::string& path) {
   return read_isolated(path, "the CGNS library",
-                       [](const std::string& file) { return Reader(file).read(); });
+                       [](const std::string& file) { return CgnsReader(file).read(); });
 }
 
 }  // namespace

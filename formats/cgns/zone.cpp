@@ -1,14 +1,13 @@
 #include "formats/cgns/zone.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include <fmt/format.h>
 
+#include "hiac/base/special_values.hpp"
+
 namespace hiac::formats::cgns {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// The interior values of an array of a structured zone that has extra layers (rind) around it.
 std::vector<double> inner(const std::vector<double>& all, const std::array<std::size_t, 3>& extents,

@@ -4,7 +4,6 @@
 #include <array>
 #include <filesystem>
 #include <functional>
-#include <limits>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -24,6 +23,7 @@
 #include "formats/ensight/gold_file.hpp"
 #include "formats/ensight/six_file.hpp"
 #include "hiac/base/error.hpp"
+#include "hiac/base/special_values.hpp"
 
 namespace hiac::formats {
 namespace {
@@ -31,8 +31,6 @@ namespace {
 using ensight::Element;
 using ensight::elements;
 using ensight::GoldFile;
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// The cells of one part that are listed under one element name.
 struct Section {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <limits>
 #include <memory>
 #include <string_view>
 
@@ -24,13 +23,12 @@
 #include "formats/hdf5/external_files.hpp"
 #include "formats/hdf5/hdf5_model.hpp"
 #include "hiac/base/error.hpp"
+#include "hiac/base/special_values.hpp"
 
 namespace hiac::formats {
 namespace {
 
 using exodus::NetcdfFile;
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// An element block's cells.
 struct Block {
@@ -43,9 +41,9 @@ constexpr std::string_view kNodeNumbers = "node_num_map";
 
 using Lists = std::vector<std::vector<std::int64_t>>;
 
-class Reader {
+class ExodusReader {
  public:
-  explicit Reader(const std::string& path) : file_(std::make_shared<NetcdfFile>(path)) {
+  explicit ExodusReader(const std::string& path) : file_(std::make_shared<NetcdfFile>(path)) {
     if (!file_->has("connect1") && file_->dimension("num_nodes") == 0 &&
         file_->dimension("num_dim") == 0)
       throw InputError(path, "is a netCDF file without a mesh of the Exodus II model");
@@ -273,7 +271,7 @@ class Reader {
 ForeignMesh foreign_mesh(const std::string& path, bool of_run) {
   return read_isolated(path, "the netCDF library", [of_run](const std::string& file) {
     hdf5::require_local_links(file);
-    return Reader(file).read(of_run);
+    return ExodusReader(file).read(of_run);
   });
 }
 

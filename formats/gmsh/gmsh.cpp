@@ -9,7 +9,7 @@
 namespace hiac::formats {
 namespace {
 
-ForeignMesh read_file(const std::string& path) {
+ForeignMesh read_gmsh(const std::string& path) {
   const auto text = std::make_shared<InputText>(path);
   gmsh::MshContents contents = gmsh::read_sections(gmsh::MshStream(TextCursor(text->text(), path)));
   ForeignMesh& mesh = contents.mesh;
@@ -43,7 +43,7 @@ Format gmsh_format() {
     return false;
   };
   format.gzip = true;
-  read_through(format, [](const std::string& path, const ReadOptions&) { return read_file(path); });
+  read_through(format, [](const std::string& path, const ReadOptions&) { return read_gmsh(path); });
   format.write = gmsh::write_msh;
   return format;
 }

@@ -83,9 +83,9 @@ std::shared_ptr<Family> family_of(const std::string& path) {
   return family;
 }
 
-class Reader {
+class D3plotReader {
  public:
-  Reader(const std::string& path, const ReadOptions& options)
+  D3plotReader(const std::string& path, const ReadOptions& options)
       : subject_(path), family_(family_of(path)), layout_(family_->layout) {
     mesh_.times = family_->times;
     const auto step = requested_step(options, mesh_.times, path);
@@ -258,7 +258,7 @@ Format d3plot_format() {
   format.time_steps = "many";
   format.recognizes = [](std::string_view head) { return lsdyna::word_kind(head).has_value(); };
   read_through(format, [](const std::string& path, const ReadOptions& options) {
-    return Reader(path, options).read();
+    return D3plotReader(path, options).read();
   });
   return format;
 }

@@ -1,7 +1,6 @@
 #include "formats/med/med.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <memory>
 #include <set>
@@ -16,11 +15,11 @@
 #include "formats/hdf5/hdf5_model.hpp"
 #include "formats/med/element_types.hpp"
 #include "hiac/base/error.hpp"
+#include "hiac/base/special_values.hpp"
 
 namespace hiac::formats {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::int64_t kNoTime = -1;
 constexpr std::size_t kNameWidth = 16;
 const std::string kMeshes = "/ENS_MAA";
@@ -135,9 +134,9 @@ std::string common_unit(const std::string& units, std::size_t components) {
   return name_at(units, 0);
 }
 
-class Reader {
+class MedReader {
  public:
-  explicit Reader(const std::string& path) : file_(std::make_shared<hdf5::File>(path)) {}
+  explicit MedReader(const std::string& path) : file_(std::make_shared<hdf5::File>(path)) {}
 
   ForeignMesh read() {
     check_version();
@@ -411,7 +410,7 @@ class Reader {
 
 ForeignMesh foreign_mesh(const std::string& path) {
   return read_isolated(path, "the HDF5 library",
-                       [](const std::string& file) { return Reader(file).read(); });
+                       [](const std::string& file) { return MedReader(file).read(); });
 }
 
 }  // namespace

@@ -53,9 +53,9 @@ struct NamedFunction {
   GridFunction values;
 };
 
-class Reader {
+class MfemReader {
  public:
-  explicit Reader(const std::string& path) : path_(path) {
+  explicit MfemReader(const std::string& path) : path_(path) {
     const InputText input(path);
     TextCursor text(input.text(), path);
     file_ = mfem::read_mesh_file(text);
@@ -318,7 +318,7 @@ Format mfem_format() {
            head.substr(0, head.find('\n')).find(" mesh v") < head.size();
   };
   read_through(format,
-               [](const std::string& path, const ReadOptions&) { return Reader(path).read(); });
+               [](const std::string& path, const ReadOptions&) { return MfemReader(path).read(); });
   return format;
 }
 

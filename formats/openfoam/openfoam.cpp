@@ -57,9 +57,9 @@ std::vector<std::string> files_in(const fs::path& folder) {
   return names;
 }
 
-class Reader {
+class OpenFoamReader {
  public:
-  Reader(const std::string& path, const ReadOptions& options)
+  OpenFoamReader(const std::string& path, const ReadOptions& options)
       : subject_(path), options_(options), root_(fs::path(path).parent_path()) {
     if (root_.empty()) root_ = ".";
     // the given file may be in a subfolder of the case
@@ -344,7 +344,7 @@ Format openfoam_format() {
     return extension == ".foam" || extension == ".OpenFOAM";
   };
   read_through(format, [](const std::string& path, const ReadOptions& options) {
-    return Reader(path, options).read();
+    return OpenFoamReader(path, options).read();
   });
   return format;
 }

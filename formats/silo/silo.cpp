@@ -23,9 +23,9 @@ using silo::Owned;
 using silo::Place;
 using silo::Variable;
 
-class Reader {
+class SiloReader {
  public:
-  explicit Reader(const std::string& path)
+  explicit SiloReader(const std::string& path)
       : subject_(path), files_(std::make_shared<silo::SiloFiles>(path)) {}
 
   ForeignMesh read() {
@@ -112,7 +112,8 @@ Format silo_format() {
   };
   format.contains = [](const std::string& path) { return hdf5::model_of(path) == "silo"; };
   read_through(format, [](const std::string& path, const ReadOptions&) {
-    return read_isolated(path, "Silo", [](const std::string& file) { return Reader(file).read(); });
+    return read_isolated(path, "Silo",
+                         [](const std::string& file) { return SiloReader(file).read(); });
   });
   return format;
 }

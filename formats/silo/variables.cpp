@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 
 #include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/base/special_values.hpp"
 
 namespace hiac::formats::silo {
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// A variable of a block, on either kind of mesh.
 struct Values {

@@ -47,9 +47,9 @@ Slab rows(const File& file, const std::string& dataset, const Run& run) {
   return slab;
 }
 
-class Reader {
+class HdfReader {
  public:
-  Reader(const std::string& path, const ReadOptions& options)
+  HdfReader(const std::string& path, const ReadOptions& options)
       : file_(std::make_shared<File>(path)), options_(options) {
     type_ = file_->text_attribute(kRoot, "Type").value_or(type_by_contents());
     if (file_->is_group(kSteps)) times_ = file_->reals(kSteps + "/Values");
@@ -278,13 +278,14 @@ class Reader {
 };
 
 ForeignMesh foreign_part(const std::string& path, const ReadOptions& options, std::size_t part) {
-  return read_isolated(path, "the HDF5 library",
-                       [&](const std::string& file) { return Reader(file, options).part(part); });
+  return read_isolated(path, "the HDF5 library", [&](const std::string& file) {
+    return HdfReader(file, options).part(part);
+  });
 }
 
 ForeignMesh outline(const std::string& path, const ReadOptions& options) {
   return read_isolated(path, "the HDF5 library",
-                       [&](const std::string& file) { return Reader(file, options).outline(); });
+                       [&](const std::string& file) { return HdfReader(file, options).outline(); });
 }
 
 Reading read_mesh(const std::string& path, const ReadOptions& options) {

@@ -17,7 +17,7 @@
 namespace hiac::formats {
 namespace {
 
-constexpr const char* kRoot = "/VTKHDF";
+constexpr const char* kWrittenRoot = "/VTKHDF";
 
 /// The library could not do what was requested.
 struct Refused : std::runtime_error {
@@ -81,7 +81,7 @@ class Writer {
     check(H5Tset_size(type.get(), text.size()));
     check(H5Tset_strpad(type.get(), H5T_STR_NULLPAD));
     const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-    write_attribute(kRoot, "Type", type.get(), space, text.data());
+    write_attribute(kWrittenRoot, "Type", type.get(), space, text.data());
   }
 
   void finish() const { check(H5Fflush(file_.get(), H5F_SCOPE_GLOBAL)); }
@@ -116,7 +116,7 @@ void write_cells(const Writer& writer, const ZooMesh& mesh, const vtk::WrittenCe
     for (const std::uint8_t n : written.nodes) connectivity.push_back(nodes[n]);
     offsets.push_back(static_cast<std::int64_t>(connectivity.size()));
   }
-  const std::string root = std::string(kRoot) + "/";
+  const std::string root = std::string(kWrittenRoot) + "/";
   writer.count(root + "NumberOfCells", static_cast<std::int64_t>(types.size()));
   writer.count(root + "NumberOfConnectivityIds", static_cast<std::int64_t>(connectivity.size()));
   writer.dataset(root + "Types", {types.size()}, H5T_NATIVE_UINT8, types.data());
@@ -157,15 +157,15 @@ StoredFields write_fields(const Writer& writer, const ZooMesh& mesh, const std::
     const std::span<const double> values = field.values.view();
     std::vector<hsize_t> shape{values.size() / field.components};
     if (field.components > 1) shape.push_back(field.components);
-    writer.dataset(fmt::format("{}/{}/{}", kRoot, on_nodes ? "PointData" : "CellData", name), shape,
-                   H5T_NATIVE_DOUBLE, values.data());
+    writer.dataset(fmt::format("{}/{}/{}", kWrittenRoot, on_nodes ? "PointData" : "CellData", name),
+                   shape, H5T_NATIVE_DOUBLE, values.data());
   }
   return stored;
 }
 
 /// Writes the one step: all lists begin at 0.
 void write_step(const Writer& writer, double time, const StoredFields& fields) {
-  const std::string steps = std::string(kRoot) + "/Steps";
+  const std::string steps = std::string(kWrittenRoot) + "/Steps";
   writer.group(steps);
   writer.attribute("NSteps", {1}, steps);
   writer.dataset(steps + "/Values", {1}, H5T_NATIVE_DOUBLE, &time);
@@ -207,7 +207,7 @@ std::vector<std::string> write_vtkhdf(const std::string& path, const ZooMesh& me
   OutputFile file(path);
   try {
     const Writer writer(file.temporary_path());
-    const std::string root = kRoot;
+    const std::string root = kWrittenRoot;
     for (const std::string& group : {root, root + "/PointData", root + "/CellData"})
       writer.group(group);
     // older readers know only version 1, which has no steps

@@ -1,6 +1,5 @@
 #include "formats/xdmf/xdmf.hpp"
 
-#include <limits>
 #include <memory>
 
 #include <fmt/format.h>
@@ -16,6 +15,7 @@
 #include "formats/xdmf/grid_mesh.hpp"
 #include "formats/xdmf/grids.hpp"
 #include "hiac/base/error.hpp"
+#include "hiac/base/special_values.hpp"
 
 namespace hiac::formats {
 namespace {
@@ -26,17 +26,15 @@ using xdmf::FieldParts;
 using xdmf::Grids;
 using xdmf::UniformGrid;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 /// The document and its numbers; every field keeps them alive.
 struct Document {
   pugi::xml_document xml;
   std::unique_ptr<DataItems> items;
 };
 
-class Reader {
+class XdmfReader {
  public:
-  Reader(const std::string& path, const ReadOptions& options)
+  XdmfReader(const std::string& path, const ReadOptions& options)
       : document_(std::make_shared<Document>()), options_(options) {
     const MappedFile file(path);
     const std::string text = xdmf::with_entities(file.text(), path);
@@ -102,7 +100,7 @@ class Reader {
 
 ForeignMesh foreign_mesh(const std::string& path, const ReadOptions& options) {
   return read_isolated(path, "the HDF5 library",
-                       [&](const std::string& file) { return Reader(file, options).read(); });
+                       [&](const std::string& file) { return XdmfReader(file, options).read(); });
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ Reading read_parted(const std::string& path, const ReadOptions& options) {
   return reading;
 }
 
-Inventory inspect(const std::string& path) {
+Inventory inspect_parts(const std::string& path) {
   const PartedIndex index = read_index(path);
   Inventory inventory = inventory_of(read_whole(index));
   inventory.format = "zparts";
@@ -75,7 +75,7 @@ Format zparts_format() {
   format.time_steps = "one";
   format.recognizes = [](std::string_view head) { return is_parted_index(head); };
   format.read = read_parted;
-  format.inspect = inspect;
+  format.inspect = inspect_parts;
   format.write = write_parted;
   return format;
 }

@@ -14,7 +14,6 @@ using namespace std::string_view_literals;
 
 // The zoo container's header is followed by the header of its first chunk, which begins with its
 // type (lib/hiac/mesh/zoo-container.md).
-constexpr std::string_view kZoo = "\x89ZOO\r\n\x1a\n"sv;
 constexpr std::size_t kFirstChunk = 64;
 
 struct Signature {
@@ -119,7 +118,7 @@ std::string kind_phrase(FileKind kind) {
 std::optional<FileKind> kind_of_file(const std::string& path) {
   const std::string head = first_bytes(path);
   if (head.empty()) return std::nullopt;
-  if (head.starts_with(kZoo)) return kind_of_zoo(head);
+  if (head.starts_with(kZooMagic)) return kind_of_zoo(head);
   for (const Signature& signature : kBeginnings)
     if (head.starts_with(signature.bytes)) return signature.kind;
   if (std::string_view(head).substr(std::min(kFilmBegins, head.size())).starts_with(kFilm))

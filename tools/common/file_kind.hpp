@@ -2,8 +2,12 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace hiac::tools {
+
+/// The first bytes of a zoo container (mesh/zoo-container.md).
+inline constexpr std::string_view kZooMagic = "\x89ZOO\r\n\x1a\n";
 
 /// The kinds of files that the tools read and write.
 enum class FileKind {

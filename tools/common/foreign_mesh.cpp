@@ -27,8 +27,6 @@ namespace {
 
 constexpr const char* kConverter = "hiac-convert";
 constexpr const char* kApproximate = "--approximate";
-constexpr std::string_view kZoo = "\x89ZOO\r\n\x1a\n";
-
 ChildProgram start(const std::vector<std::string>& arguments) {
   return start_program(places_of(kConverter), arguments, ChildPipe::output);
 }
@@ -100,14 +98,14 @@ bool is_foreign_mesh(const std::string& path) {
   if (path.empty() || path == "-") return false;
   if (std::filesystem::is_directory(path, error)) return true;
   if (!std::filesystem::is_regular_file(path, error)) return false;
-  std::string head(kZoo.size(), '\0');
+  std::string head(kZooMagic.size(), '\0');
   std::ifstream file(path, std::ios::binary);
   if (!file) return false;  // whoever reads it says why
   file.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
   // the beginning of a zoo mesh is one, too; files of other formats may be empty (OpenFOAM's .foam)
   const bool named_zoo = std::filesystem::path(path).extension() == ".zoo";
-  if (kZoo.starts_with(head) && (named_zoo || !head.empty())) return false;
+  if (kZooMagic.starts_with(head) && (named_zoo || !head.empty())) return false;
   const auto kind = kind_of_file(path);
   if (kind && *kind != FileKind::mesh)
     throw InputError(path, fmt::format("is {} (a mesh expected)", kind_phrase(*kind)));

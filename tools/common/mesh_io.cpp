@@ -15,8 +15,6 @@
 namespace hiac::tools {
 namespace {
 
-constexpr std::string_view kZoo = "\x89ZOO\r\n\x1a\n";
-
 // Told of what begins as gzip's files do.
 std::string packing_of(std::string_view head) {
   return head.starts_with("\x1f\x8b") ? ", packed by gzip" : "";
@@ -27,9 +25,10 @@ std::string packing_of(std::string_view head) {
 std::string foreign_file(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return {};
-  std::string head(kZoo.size(), '\0');
+  std::string head(kZooMagic.size(), '\0');
   std::ifstream file(path, std::ios::binary);
-  if (!file.read(head.data(), static_cast<std::streamsize>(head.size())) || head == kZoo) return {};
+  if (!file.read(head.data(), static_cast<std::streamsize>(head.size())) || head == kZooMagic)
+    return {};
   const auto kind = kind_of_file(path);
   if (kind && *kind != FileKind::mesh)
     return fmt::format("is {} (a zoo mesh expected)", kind_phrase(*kind));

@@ -1,12 +1,12 @@
 #include "tools/common/threshold.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/base/special_values.hpp"
 #include "hiac/mesh/parts/keep_cells.hpp"
 #include "tools/common/number_text.hpp"
 
@@ -32,7 +32,6 @@ bool apply_threshold(Tool& tool, ZooMesh& mesh, const std::string& request) {
     if (!number) throw UsageError(fmt::format("{}: '{}' is no number", option, text));
     return *number;
   };
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const std::string_view text(request);
   const double low = bound(text.substr(equals + 1, comma - equals - 1), -kInfinity);
   const double high = bound(text.substr(comma + 1), kInfinity);

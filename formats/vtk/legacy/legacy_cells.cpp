@@ -6,7 +6,7 @@
 namespace hiac::formats::vtk {
 namespace {
 
-constexpr NumberType kInt{NumberType::Family::signed_integer, 4};
+constexpr NumberType kTypeNumber{NumberType::Family::signed_integer, 4};
 
 /// Walks through the cells in step with their types.
 class CellWalk {
@@ -15,7 +15,7 @@ class CellWalk {
       : words_(words),
         cells_(cells),
         points_(points),
-        types_(words.text(), cells.types_at, kInt, words.binary()),
+        types_(words.text(), cells.types_at, kTypeNumber, words.binary()),
         offsets_(words.text(), cells.offsets_at, cells.offset_type, words.binary()),
         entries_(words.text(), cells.entries_at, cells.entry_type, words.binary()) {}
 

@@ -14,12 +14,12 @@ namespace {
 constexpr std::string_view kAppended = "<AppendedData";
 constexpr std::string_view kAppendedEnd = "</AppendedData>";
 constexpr std::string_view kFileEnd = "</VTKFile>";
-constexpr std::string_view kBlanks = " \t\r\n";
+constexpr std::string_view kXmlBlanks = " \t\r\n";
 
 std::string_view trimmed(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(kBlanks);
+  const std::size_t begin = text.find_first_not_of(kXmlBlanks);
   if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+  return text.substr(begin, text.find_last_not_of(kXmlBlanks) - begin + 1);
 }
 
 /// VTK's reader and ours follow nested elements by recursion.
@@ -111,7 +111,7 @@ void XmlText::find_appended_data(pugi::xml_node root) {
       appended_.substr(end).find(kFileEnd) == std::string_view::npos)
     fail(fmt::format("ends too soon ({} and {} expected)", kAppendedEnd, kFileEnd));
   appended_ = appended_.substr(0, end);
-  const std::size_t mark = appended_.find_first_not_of(kBlanks);
+  const std::size_t mark = appended_.find_first_not_of(kXmlBlanks);
   if (mark == std::string_view::npos || appended_[mark] != '_')
     fail("has no '_' before its appended data");
   appended_ = appended_.substr(mark + 1);

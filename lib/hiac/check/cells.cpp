@@ -18,7 +18,7 @@
 namespace hiac {
 namespace {
 
-constexpr std::size_t kGrain = 1 << 13;
+constexpr std::size_t kCellsGrain = 1 << 13;
 
 // One cell's node positions, by node number within the cell.
 class Nodes {
@@ -162,7 +162,7 @@ bool outside_of_face(const Nodes& n, const ShapeTopology& shape, const ShapeFace
 // Returns the orientation of most cells; right if there are as many of either.
 Turn hand_of(const std::vector<Turn>& turns) {
   std::atomic<std::int64_t> right_over_left{0};
-  parallel_for(turns.size(), kGrain, [&](IndexRange range) {
+  parallel_for(turns.size(), kCellsGrain, [&](IndexRange range) {
     std::int64_t sum = 0;
     for (std::size_t i = range.begin; i < range.end; ++i)
       sum += (turns[i] == Turn::right ? 1 : 0) - (turns[i] == Turn::left ? 1 : 0);
@@ -173,7 +173,7 @@ Turn hand_of(const std::vector<Turn>& turns) {
 
 template <typename Which>
 std::vector<Offender> cells_that(const std::vector<Turn>& turns, const Which& which) {
-  return collect<Offender>(turns.size(), kGrain, [&](std::size_t cell, auto& found) {
+  return collect<Offender>(turns.size(), kCellsGrain, [&](std::size_t cell, auto& found) {
     if (which(turns[cell])) found.push_back({cell});
   });
 }
@@ -217,14 +217,14 @@ bool is_convex(const ZooMesh& mesh, CellId cell, Turn turn, double planarity) {
 CellShapes judge_cells(const ZooMesh& mesh, double planarity) {
   CellShapes shapes;
   shapes.turns.resize(mesh.cell_count());
-  parallel_for(mesh.cell_count(), kGrain, [&](IndexRange range) {
+  parallel_for(mesh.cell_count(), kCellsGrain, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i)
       shapes.turns[i] = turn_of(mesh, static_cast<CellId>(i));
   });
   shapes.hand = hand_of(shapes.turns);
   judge_turns(shapes);
   const auto over_other_cells = [&](const auto& visit) {
-    return collect<Offender>(mesh.cell_count(), kGrain, [&](std::size_t i, auto& found) {
+    return collect<Offender>(mesh.cell_count(), kCellsGrain, [&](std::size_t i, auto& found) {
       if (mesh.kinds[i] != CellKind::tetrahedron4) visit(static_cast<CellId>(i), found);
     });
   };

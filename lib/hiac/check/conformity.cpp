@@ -12,12 +12,12 @@
 namespace hiac {
 namespace {
 
-constexpr std::size_t kGrain = 1 << 13;
+constexpr std::size_t kConformityGrain = 1 << 13;
 
 std::vector<Offender> wrong_neighbors(const ZooMesh& mesh, const FaceAdjacency& right,
                                       const FaceNumbering& numbering) {
   if (!mesh.adjacency) return {};
-  return collect<Offender>(mesh.cell_count(), kGrain, [&](std::size_t cell, auto& found) {
+  return collect<Offender>(mesh.cell_count(), kConformityGrain, [&](std::size_t cell, auto& found) {
     for (std::uint64_t f = 0; f < numbering.count(cell); ++f) {
       const std::uint64_t slot = numbering.first(cell) + f;
       if (mesh.adjacency->neighbors[slot] != right.neighbors[slot]) found.push_back({cell, f});
@@ -87,7 +87,7 @@ int sign_of(Turn turn) { return turn == Turn::right ? 1 : turn == Turn::left ? -
 
 std::vector<Offender> folded(const ZooMesh& mesh, const FaceAdjacency& adjacency,
                              const FaceNumbering& numbering, const CellShapes& shapes) {
-  return collect<Offender>(mesh.cell_count(), kGrain, [&](std::size_t i, auto& found) {
+  return collect<Offender>(mesh.cell_count(), kConformityGrain, [&](std::size_t i, auto& found) {
     const auto cell = static_cast<CellId>(i);
     for (std::size_t f = 0; f < numbering.count(cell); ++f) {
       const CellId other = adjacency.neighbors[numbering.first(cell) + f];
@@ -118,7 +118,7 @@ bool is_folded(const ZooMesh& mesh, const CellShapes& shapes, CellId cell, std::
 
 std::vector<FreeFace> free_faces(const ZooMesh& mesh, const FaceAdjacency& adjacency,
                                  const FaceNumbering& numbering, const CellShapes& shapes) {
-  return collect<FreeFace>(mesh.cell_count(), kGrain, [&](std::size_t i, auto& found) {
+  return collect<FreeFace>(mesh.cell_count(), kConformityGrain, [&](std::size_t i, auto& found) {
     const auto cell = static_cast<CellId>(i);
     for (std::size_t f = 0; f < numbering.count(cell); ++f) {
       if (adjacency.neighbors[numbering.first(cell) + f] != kNoCell) continue;

@@ -16,7 +16,7 @@
 namespace hiac {
 namespace {
 
-constexpr std::size_t kGrain = 1 << 9;
+constexpr std::size_t kInterfacesGrain = 1 << 9;
 
 // How a face lies on another, the closest fit first.
 enum class Fit : std::uint8_t { torn, hanging, sliding, none };
@@ -168,7 +168,7 @@ std::vector<Fit> fits_of(const std::vector<FreeFace>& faces,
   for (std::size_t i = 0; i < faces.size(); ++i) boxes[i] = box_of(polygons[i], planarity);
   const BoxTree tree(std::move(boxes));
   std::vector<Fit> fits(faces.size(), Fit::none);
-  parallel_for(faces.size(), kGrain, [&](IndexRange range) {
+  parallel_for(faces.size(), kInterfacesGrain, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i) {
       if (!polygons[i]) continue;
       tree.for_each_meeting(tree.box(static_cast<std::uint32_t>(i)), [&](std::uint32_t j) {
@@ -186,7 +186,7 @@ std::vector<Fit> fits_of(const std::vector<FreeFace>& faces,
 std::vector<Finding> find_interfaces(const ZooMesh& mesh, const std::vector<FreeFace>& faces,
                                      double planarity) {
   std::vector<std::optional<Polygon>> polygons(faces.size());
-  parallel_for(faces.size(), kGrain, [&](IndexRange range) {
+  parallel_for(faces.size(), kInterfacesGrain, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i) polygons[i] = polygon_of(mesh, faces[i]);
   });
   const std::vector<Fit> fits = fits_of(faces, polygons, planarity);

@@ -16,7 +16,7 @@
 namespace hiac {
 namespace {
 
-constexpr std::size_t kGrain = 1 << 14;
+constexpr std::size_t kNumbersGrain = 1 << 14;
 
 // A node with a fingerprint of its position.
 struct Placed {
@@ -46,7 +46,7 @@ bool has_repeated_node(std::span<const NodeId> nodes) {
 
 std::vector<Offender> unused_nodes(const ZooMesh& mesh) {
   const auto used = mark_used_nodes(mesh.nodes.view(), mesh.node_count());
-  return collect<Offender>(used.size(), kGrain, [&](std::size_t node, auto& found) {
+  return collect<Offender>(used.size(), kNumbersGrain, [&](std::size_t node, auto& found) {
     if (used[node] == 0) found.push_back({node});
   });
 }
@@ -56,14 +56,15 @@ std::vector<Offender> unused_nodes(const ZooMesh& mesh) {
 std::vector<Finding> judge_numbers(const ZooMesh& mesh) {
   std::vector<Finding> findings;
   const std::size_t nodes = mesh.node_count();
-  add_finding(findings, Defect::node_index,
-              collect<Offender>(mesh.cell_count(), kGrain, [&](std::size_t cell, auto& found) {
-                const auto of_cell = mesh.cell_nodes(static_cast<CellId>(cell));
-                if (std::ranges::any_of(of_cell, [&](NodeId node) { return node >= nodes; }))
-                  found.push_back({cell});
-              }));
+  add_finding(
+      findings, Defect::node_index,
+      collect<Offender>(mesh.cell_count(), kNumbersGrain, [&](std::size_t cell, auto& found) {
+        const auto of_cell = mesh.cell_nodes(static_cast<CellId>(cell));
+        if (std::ranges::any_of(of_cell, [&](NodeId node) { return node >= nodes; }))
+          found.push_back({cell});
+      }));
   add_finding(findings, Defect::coordinate,
-              collect<Offender>(nodes, kGrain, [&](std::size_t node, auto& found) {
+              collect<Offender>(nodes, kNumbersGrain, [&](std::size_t node, auto& found) {
                 const auto at = mesh.position(static_cast<NodeId>(node));
                 if (!std::ranges::all_of(at, [](double x) { return std::isfinite(x); }))
                   found.push_back({node});
@@ -74,7 +75,7 @@ std::vector<Finding> judge_numbers(const ZooMesh& mesh) {
 std::vector<NodeId> first_at_place(const ZooMesh& mesh) {
   std::vector<Placed> placed(mesh.node_count());
   std::vector<NodeId> first(mesh.node_count());
-  parallel_for(placed.size(), kGrain, [&](IndexRange range) {
+  parallel_for(placed.size(), kNumbersGrain, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i) {
       const auto node = static_cast<NodeId>(i);
       placed[i] = {hash_of(mesh.position(node)), node};
@@ -99,13 +100,13 @@ std::vector<NodeId> first_at_place(const ZooMesh& mesh) {
 std::vector<Finding> judge_nodes(const ZooMesh& mesh) {
   std::vector<Finding> findings;
   const std::vector<NodeId> first = first_at_place(mesh);
-  add_finding(findings, Defect::repeated_node,
-              collect<Offender>(mesh.cell_count(), kGrain, [&](std::size_t cell, auto& found) {
-                if (has_repeated_node(mesh.cell_nodes(static_cast<CellId>(cell))))
-                  found.push_back({cell});
-              }));
+  add_finding(
+      findings, Defect::repeated_node,
+      collect<Offender>(mesh.cell_count(), kNumbersGrain, [&](std::size_t cell, auto& found) {
+        if (has_repeated_node(mesh.cell_nodes(static_cast<CellId>(cell)))) found.push_back({cell});
+      }));
   add_finding(findings, Defect::duplicate_node,
-              collect<Offender>(first.size(), kGrain, [&](std::size_t node, auto& found) {
+              collect<Offender>(first.size(), kNumbersGrain, [&](std::size_t node, auto& found) {
                 if (first[node] != node) found.push_back({node, first[node]});
               }));
   add_finding(findings, Defect::unused_node, unused_nodes(mesh));

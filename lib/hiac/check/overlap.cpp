@@ -16,7 +16,7 @@
 namespace hiac {
 namespace {
 
-constexpr std::size_t kGrain = 1 << 10;
+constexpr std::size_t kOverlapGrain = 1 << 10;
 
 // Bounds of the sums of the absolute values of the shape functions of the nodes between corners
 // (tests sample them): tetrahedra attain them at their middle, and so do bricks; the other shapes
@@ -192,24 +192,25 @@ void keep(const Question& question, CellId a, CellId b, std::vector<Pair>& found
 std::vector<Pair> overlaps_at_boundary(const ZooMesh& mesh, const std::vector<FreeFace>& faces,
                                        const Question& question, std::uint64_t& asked) {
   std::vector<Box> boxes(faces.size());
-  parallel_for(faces.size(), kGrain, [&](IndexRange range) {
+  parallel_for(faces.size(), kOverlapGrain, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i)
       boxes[i] =
           box_of(mesh, faces[i].cell, std::span(faces[i].nodes).first(faces[i].corner_count));
   });
   const BoxTree tree(std::move(boxes));
-  using Candidate = std::pair<CellId, CellId>;
-  auto candidates = collect<Candidate>(mesh.cell_count(), kGrain, [&](std::size_t i, auto& found) {
-    const auto cell = static_cast<CellId>(i);
-    tree.for_each_meeting(box_of_cell(mesh, cell), [&](std::uint32_t f) {
-      const CellId other = faces[f].cell;
-      if (other != cell) found.emplace_back(std::min(cell, other), std::max(cell, other));
-    });
-  });
+  using CellPair = std::pair<CellId, CellId>;
+  auto candidates =
+      collect<CellPair>(mesh.cell_count(), kOverlapGrain, [&](std::size_t i, auto& found) {
+        const auto cell = static_cast<CellId>(i);
+        tree.for_each_meeting(box_of_cell(mesh, cell), [&](std::uint32_t f) {
+          const CellId other = faces[f].cell;
+          if (other != cell) found.emplace_back(std::min(cell, other), std::max(cell, other));
+        });
+      });
   parallel_sort(candidates, std::less<>());
   candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
   asked = candidates.size();
-  return collect<Pair>(candidates.size(), kGrain, [&](std::size_t i, auto& found) {
+  return collect<Pair>(candidates.size(), kOverlapGrain, [&](std::size_t i, auto& found) {
     keep(question, candidates[i].first, candidates[i].second, found);
   });
 }
@@ -217,13 +218,13 @@ std::vector<Pair> overlaps_at_boundary(const ZooMesh& mesh, const std::vector<Fr
 std::vector<Pair> overlaps_everywhere(const ZooMesh& mesh, const Question& question,
                                       std::uint64_t& asked) {
   std::vector<Box> boxes(mesh.cell_count());
-  parallel_for(boxes.size(), kGrain, [&](IndexRange range) {
+  parallel_for(boxes.size(), kOverlapGrain, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i)
       boxes[i] = box_of_cell(mesh, static_cast<CellId>(i));
   });
   const BoxTree tree(std::move(boxes));
   std::atomic<std::uint64_t> count{0};
-  auto pairs = collect<Pair>(mesh.cell_count(), kGrain, [&](std::size_t i, auto& found) {
+  auto pairs = collect<Pair>(mesh.cell_count(), kOverlapGrain, [&](std::size_t i, auto& found) {
     const auto cell = static_cast<CellId>(i);
     std::uint64_t here = 0;
     tree.for_each_meeting(tree.box(cell), [&](std::uint32_t other) {

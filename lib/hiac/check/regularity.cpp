@@ -15,11 +15,11 @@
 namespace hiac {
 namespace {
 
-constexpr std::size_t kGrain = 1 << 12;
+constexpr std::size_t kRegularityGrain = 1 << 12;
 
 bool all_cells(const ZooMesh& mesh, const auto& holds) {
   std::atomic<bool> all{true};
-  parallel_for(mesh.cell_count(), kGrain, [&](IndexRange range) {
+  parallel_for(mesh.cell_count(), kRegularityGrain, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i) {
       if (!all.load(std::memory_order_relaxed)) return;
       if (!holds(static_cast<CellId>(i))) all.store(false, std::memory_order_relaxed);
@@ -98,7 +98,7 @@ using Hinge = std::array<NodeId, 5>;
 // With `weak`, only those whose five nodes are on one sphere.
 std::vector<Hinge> hinges_of(const OrderBasis& basis, bool weak) {
   const ZooMesh& mesh = *basis.mesh;
-  return collect<Hinge>(mesh.cell_count(), kGrain, [&](std::size_t i, auto& found) {
+  return collect<Hinge>(mesh.cell_count(), kRegularityGrain, [&](std::size_t i, auto& found) {
     const auto cell = static_cast<CellId>(i);
     const Simplex simplex = simplex_of(mesh, cell);
     for (std::uint32_t f = 0; f < 4; ++f) {

@@ -19,7 +19,9 @@ namespace {
 using FaceRecord = std::array<std::uint64_t, 5>;
 using FaceKey = std::array<std::uint64_t, 4>;
 
-FaceKey key_of(const FaceRecord& record) { return {record[0], record[1], record[2], record[3]}; }
+FaceKey record_key(const FaceRecord& record) {
+  return {record[0], record[1], record[2], record[3]};
+}
 
 // A face that is told of: the place of its part, and its place there.
 struct ToldFace {
@@ -80,7 +82,8 @@ std::vector<std::vector<std::uint8_t>> judged(
   }
   std::ranges::sort(entries, {}, &Entry::record);
   for (std::size_t begin = 0, end = 0; begin < entries.size(); begin = end) {
-    while (end < entries.size() && key_of(entries[end].record) == key_of(entries[begin].record))
+    while (end < entries.size() &&
+           record_key(entries[end].record) == record_key(entries[begin].record))
       ++end;
     const bool one_part = entries[begin].record[4] == entries[end - 1].record[4];
     const Fate fate = one_part           ? Fate::as_in_part
@@ -106,7 +109,7 @@ std::vector<std::vector<std::uint8_t>> whole_boundary(Communicator& all,
   for (std::size_t k = 0; k < own.size(); ++k) {
     boundary.emplace_back(own[k].mesh.cell_count());
     tell_faces(own[k], k, [&](const ToldFace& face, const FaceRecord& record) {
-      const std::uint32_t rank = chosen_rank(key_of(record), all.size());
+      const std::uint32_t rank = chosen_rank(record_key(record), all.size());
       told[rank].push_back(face);
       ByteWriter(to[rank]).put(record);
     });

@@ -16,10 +16,10 @@ namespace hiac {
 namespace {
 
 // A touched face in the whole mesh: the surface and the nodes, ascending.
-using FaceKey = std::array<std::uint64_t, 5>;
+using TouchedKey = std::array<std::uint64_t, 5>;
 
-FaceKey key_of(const TouchedFace& face, std::span<const std::uint64_t> global_nodes) {
-  FaceKey key{face.surface};
+TouchedKey touched_key(const TouchedFace& face, std::span<const std::uint64_t> global_nodes) {
+  TouchedKey key{face.surface};
   for (std::size_t k = 0; k < face.nodes.size(); ++k)
     key[k + 1] = face.nodes[k] < global_nodes.size() ? global_nodes[face.nodes[k]]
                                                      : std::numeric_limits<std::uint64_t>::max();
@@ -52,15 +52,15 @@ void share_touched_faces(Communicator& all, std::span<const NumberedEngine> own)
   for (const NumberedEngine& part : own) {
     touched.push_back(part.engine.touched_faces());
     for (const TouchedFace& face : touched.back())
-      for (const std::uint64_t number : key_of(face, part.global_nodes)) message.put(number);
+      for (const std::uint64_t number : touched_key(face, part.global_nodes)) message.put(number);
   }
-  std::vector<FaceKey> keys;
+  std::vector<TouchedKey> keys;
   for (const Bytes& received : all_gather(all, mine))
-    for (ByteReader from(received); !from.at_end();) keys.push_back(from.get<FaceKey>());
+    for (ByteReader from(received); !from.at_end();) keys.push_back(from.get<TouchedKey>());
   std::ranges::sort(keys);
   for (std::size_t k = 0; k < own.size(); ++k) {
     std::erase_if(touched[k], [&](const TouchedFace& face) {
-      return std::ranges::equal_range(keys, key_of(face, own[k].global_nodes)).size() < 2;
+      return std::ranges::equal_range(keys, touched_key(face, own[k].global_nodes)).size() < 2;
     });
     own[k].engine.close_faces(touched[k]);
   }

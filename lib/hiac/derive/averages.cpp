@@ -13,7 +13,7 @@
 namespace hiac {
 namespace {
 
-constexpr std::size_t kGrain = 1 << 12;  // cells a thread takes at a time
+constexpr std::size_t kAveragesGrain = 1 << 12;  // cells a thread takes at a time
 
 Field at_location(const Field& like, FieldLocation location, std::vector<double> values) {
   return {like.name, like.unit, location, like.components, SharedArray<double>(std::move(values))};
@@ -25,7 +25,7 @@ SharedArray<double> values_at_corners(const ZooMesh& mesh, const Field& field) {
   if (field.location == FieldLocation::corner) return field.values;
   const std::size_t width = field.components;
   std::vector<double> values(mesh.nodes.size() * width);
-  parallel_for(mesh.cell_count(), kGrain, [&](IndexRange cells) {
+  parallel_for(mesh.cell_count(), kAveragesGrain, [&](IndexRange cells) {
     for (std::size_t cell = cells.begin; cell < cells.end; ++cell)
       for (std::uint64_t entry = mesh.elems[cell]; entry < mesh.elems[cell + 1]; ++entry) {
         const std::size_t tuple = field.location == FieldLocation::cell ? cell : mesh.nodes[entry];
@@ -61,7 +61,7 @@ Field cell_average(const ZooMesh& mesh, const Field& field) {
   const bool of_nodes = field.location == FieldLocation::node;
   const std::size_t width = field.components;
   std::vector<double> means(mesh.cell_count() * width, 0.0);
-  parallel_for(mesh.cell_count(), kGrain, [&](IndexRange cells) {
+  parallel_for(mesh.cell_count(), kAveragesGrain, [&](IndexRange cells) {
     for (std::size_t cell = cells.begin; cell < cells.end; ++cell) {
       const std::uint64_t first = mesh.elems[cell], end = mesh.elems[cell + 1];
       for (std::size_t c = 0; c < width; ++c) {

@@ -20,7 +20,7 @@
 namespace hiac {
 namespace {
 
-constexpr std::size_t kGrain = 1 << 14;
+constexpr std::size_t kDeriveFieldGrain = 1 << 14;
 
 // FUNCTION(ARGUMENT), if that is all of the text.
 struct Call {
@@ -71,7 +71,7 @@ Field of_tensor(const Field& field, const Of& of) {
                                  field.name, width));
   const std::size_t count = field.values.size() / width;
   std::vector<double> values(count * kWidth);
-  parallel_for(count, kGrain, [&](IndexRange range) {
+  parallel_for(count, kDeriveFieldGrain, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i) {
       const auto result = of(*symmetric_tensor(field.values.view().subspan(i * width, width)));
       std::ranges::copy(result, values.begin() + static_cast<std::ptrdiff_t>(i * kWidth));

@@ -19,7 +19,7 @@
 namespace hiac {
 namespace {
 
-constexpr std::size_t kGrain = 1 << 14;  // values a thread computes at a time
+constexpr std::size_t kScalarExpressionGrain = 1 << 14;  // values a thread computes at a time
 
 constexpr std::array<std::string_view, 7> kScalarsOfFields{
     "magnitude", "von_mises", "tresca", "trace", "principal_1", "principal_2", "principal_3"};
@@ -241,7 +241,7 @@ std::vector<double> ScalarExpression::values(const ZooMesh& mesh, FieldLocation 
     columns.push_back(location == FieldLocation::corner ? values_at_corners(mesh, field)
                                                         : field.values);
   std::vector<double> result(tuple_count(mesh, location));
-  parallel_for(result.size(), kGrain, [&](IndexRange range) {
+  parallel_for(result.size(), kScalarExpressionGrain, [&](IndexRange range) {
     // a parser of each range's own: it keeps the operands
     std::vector<double> operands(fields_.size() + 3);
     const mu::Parser parser = parser_of(text_, operands);

@@ -18,7 +18,7 @@ struct Planar {
 Planar operator+(const Planar& a, const Planar& b) { return {a.x + b.x, a.y + b.y}; }
 Planar operator-(const Planar& a, const Planar& b) { return {a.x - b.x, a.y - b.y}; }
 Planar operator*(double s, const Planar& a) { return {s * a.x, s * a.y}; }
-double cross(const Planar& a, const Planar& b) { return a.x * b.y - a.y * b.x; }
+double planar_cross(const Planar& a, const Planar& b) { return a.x * b.y - a.y * b.x; }
 
 // A kind whose face z = 0 has the face's interpolant, and its nodes there.
 struct Carrier {
@@ -38,7 +38,8 @@ struct Carrier {
 };
 
 double on_triangle(std::span<const Planar> p, std::span<const double> g) {
-  const double a = cross(p[1], p[2]), b = cross(p[2], p[0]), c = cross(p[0], p[1]);
+  const double a = planar_cross(p[1], p[2]), b = planar_cross(p[2], p[0]),
+               c = planar_cross(p[0], p[1]);
   const double sum = a + b + c;
   return sum == 0 ? g[0] : (a * g[0] + b * g[1] + c * g[2]) / sum;
 }
@@ -52,10 +53,10 @@ double on_quadrilateral(std::span<const Planar> p, std::span<const double> g) {
   for (int step = 0; step < kSteps; ++step) {
     const Planar residual = p[0] + u * pu + v * pv + (u * v) * puv;
     const Planar du = pu + v * puv, dv = pv + u * puv;
-    const double determinant = cross(du, dv);
+    const double determinant = planar_cross(du, dv);
     if (determinant == 0) break;
-    u = std::clamp(u - cross(residual, dv) / determinant, 0.0, 1.0);
-    v = std::clamp(v - cross(du, residual) / determinant, 0.0, 1.0);
+    u = std::clamp(u - planar_cross(residual, dv) / determinant, 0.0, 1.0);
+    v = std::clamp(v - planar_cross(du, residual) / determinant, 0.0, 1.0);
   }
   return (1 - v) * ((1 - u) * g[0] + u * g[1]) + v * ((1 - u) * g[3] + u * g[2]);
 }
@@ -80,10 +81,10 @@ double on_higher_order(const FaceOffsets& face,
     const Planar residual = sum([&](std::size_t k) { return shape[k]; });
     const Planar du = sum([&](std::size_t k) { return gradient[k][0]; });
     const Planar dv = sum([&](std::size_t k) { return gradient[k][1]; });
-    const double determinant = cross(du, dv);
+    const double determinant = planar_cross(du, dv);
     if (determinant == 0) break;
-    xi[0] = std::clamp(xi[0] - cross(residual, dv) / determinant, 0.0, 1.0);
-    xi[1] = std::clamp(xi[1] - cross(du, residual) / determinant, 0.0, 1.0);
+    xi[0] = std::clamp(xi[0] - planar_cross(residual, dv) / determinant, 0.0, 1.0);
+    xi[1] = std::clamp(xi[1] - planar_cross(du, residual) / determinant, 0.0, 1.0);
   }
   shape_functions<double>(carrier.kind, xi, shape);
   double value = 0;
@@ -193,7 +194,7 @@ double face_value_at(const FaceOffsets& canonical, std::span<const std::array<do
     std::array<Planar, FaceOffsets::kMostNodes> points{};
     for (std::size_t k = 0; k < count; ++k)
       points[k] = {from[k][(axis + 1) % 3], from[k][(axis + 2) % 3]};
-    const double width = std::abs(cross(points[1] - points[0], points[2] - points[0]));
+    const double width = std::abs(planar_cross(points[1] - points[0], points[2] - points[0]));
     if (!(width > widest)) continue;
     widest = width;
     best = points;

@@ -22,7 +22,7 @@ static_assert(kMostDegree <= kMaxFieldDegree && kMostDegree <= kMostChebyshevDeg
 constexpr int kMostBisections = 40;
 constexpr std::size_t kMostPieces = 96;
 
-double largest(const std::array<double, 3>& v) {
+double largest_component(const std::array<double, 3>& v) {
   return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
 }
 
@@ -77,9 +77,9 @@ FieldAlongRay::FieldAlongRay(CellKind kind, const CellMap& map, std::span<const 
                                    : 0) {}
 
 double FieldAlongRay::rounding(const RayStretch& stretch, const CellField& field) const {
-  const double point =
-      largest(stretch.origin) +
-      std::max(std::abs(stretch.front), std::abs(stretch.back)) * largest(stretch.direction);
+  const double point = largest_component(stretch.origin) +
+                       std::max(std::abs(stretch.front), std::abs(stretch.back)) *
+                           largest_component(stretch.direction);
   return kUnit * (kRayValueRounding * std::max(std::abs(field.least), std::abs(field.most)) +
                   kRayPointRounding * point * map_.steepness() * (field.most - field.least));
 }

@@ -12,7 +12,7 @@
 namespace hiac {
 namespace {
 
-constexpr double kLeastPivot = 1e-10;
+constexpr double kLeastRelativePivot = 1e-10;
 // the number of nodes of a 20-node brick
 constexpr std::size_t kMostEquations = 20;
 
@@ -95,7 +95,7 @@ bool WorldPolynomial::set_paper(CellKind kind, std::span<const Vector> nodes,
       matrix(static_cast<Index>(k), static_cast<Index>(i)) = monomial(terms_[i]);
   }
   const Eigen::FullPivLU<decltype(matrix)> lu(matrix);
-  if (!(lu.matrixLU().diagonal().cwiseAbs().minCoeff() > kLeastPivot)) return false;
+  if (!(lu.matrixLU().diagonal().cwiseAbs().minCoeff() > kLeastRelativePivot)) return false;
   const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostEquations, 1> solution =
       lu.solve(Eigen::Map<const Eigen::VectorXd>(values.data(), count));
   std::ranges::copy(solution, c_.begin());

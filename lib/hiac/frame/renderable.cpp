@@ -28,7 +28,7 @@
 namespace hiac {
 namespace {
 
-constexpr std::size_t kGrain = std::size_t{1} << 14;
+constexpr std::size_t kRenderableGrain = std::size_t{1} << 14;
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 // How many items fail a test, and the first of them.
@@ -40,7 +40,7 @@ template <typename Fails>
 Failures count_failures(std::size_t count, const Fails& fails) {
   Failures all;
   std::mutex mutex;
-  parallel_for(count, kGrain, [&](IndexRange range) {
+  parallel_for(count, kRenderableGrain, [&](IndexRange range) {
     Failures some;
     for (std::size_t i = range.begin; i < range.end; ++i) {
       if (!fails(i)) continue;
@@ -220,7 +220,7 @@ void check_brightness(const ZooMesh& mesh, const Scene& scene) {
 }  // namespace
 
 std::vector<CellId> invalid_cells(const ZooMesh& mesh, double planarity) {
-  return collect<CellId>(mesh.cell_count(), kGrain, [&](std::size_t cell, auto& found) {
+  return collect<CellId>(mesh.cell_count(), kRenderableGrain, [&](std::size_t cell, auto& found) {
     if (fault_of(mesh, cell, planarity) != nullptr) found.push_back(static_cast<CellId>(cell));
   });
 }

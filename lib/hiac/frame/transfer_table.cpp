@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "hiac/base/error.hpp"
 #include "hiac/base/large_pages.hpp"
 #include "hiac/base/parallel.hpp"
+#include "hiac/base/special_values.hpp"
 
 namespace hiac {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMostBreakpoints = 65535;
 
 std::vector<double> merged(std::span<const double> a, std::span<const double> b) {

@@ -1,11 +1,10 @@
 #include "hiac/geometry/box.hpp"
 
-#include <limits>
+#include "hiac/base/special_values.hpp"
 
 namespace hiac {
 
 Box Box::empty() {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   return {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
 }
 

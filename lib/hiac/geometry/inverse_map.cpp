@@ -12,7 +12,7 @@ namespace hiac {
 namespace {
 
 using Point = CellMap::Point;
-using Matrix = std::array<Point, 3>;  // rows
+using InverseRows = std::array<Point, 3>;  // rows
 
 // A corner's deviation from the affine map, relative to the cell's size, that changes a field no
 // more than rounding does.
@@ -34,13 +34,13 @@ Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[
 Point operator+(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 Point operator*(double s, const Point& a) { return {s * a[0], s * a[1], s * a[2]}; }
 // The inverse of the matrix with these columns, as rows.
-Matrix inverse_of_columns(const Point& a, const Point& b, const Point& c) {
+InverseRows inverse_of_columns(const Point& a, const Point& b, const Point& c) {
   const Point bc = cross(b, c);
   const double scale = 1 / dot(a, bc);
   return {scale * bc, scale * cross(c, a), scale * cross(a, b)};
 }
 
-Point times(const Matrix& rows, const Point& v) {
+Point times(const InverseRows& rows, const Point& v) {
   return {dot(rows[0], v), dot(rows[1], v), dot(rows[2], v)};
 }
 

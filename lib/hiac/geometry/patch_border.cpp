@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+
+#include "hiac/base/special_values.hpp"
 
 namespace hiac {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The distance of a curved edge from the ray is sampled at the ends of this many intervals.
 constexpr std::size_t kIntervals = 8;

@@ -6,13 +6,13 @@
 #include <limits>
 #include <utility>
 
+#include "hiac/base/special_values.hpp"
 #include "hiac/geometry/patch_border.hpp"
 
 namespace hiac {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The search covers the domain with this margin, as rounding may move zeros out of the domain.
 constexpr double kMargin = 1e-3;

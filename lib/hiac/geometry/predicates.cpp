@@ -30,8 +30,7 @@ Filtered determinant(const std::array<double, 3>& u, const std::array<double, 3>
 }
 
 // Shewchuk's bound A for a determinant of rounded differences; eps is half an ulp of 1.
-constexpr double kEpsilon = kUnit;
-constexpr double kErrorBound = (7.0 + 56.0 * kEpsilon) * kEpsilon;
+constexpr double kErrorBound = (7.0 + 56.0 * kUnit) * kUnit;
 // That bound neglects underflow. Each product of components of v and w is then off by up to half a
 // denormal number, which a component of u multiplies, and so is each outer product. The smallest
 // normal number is a generous bound.

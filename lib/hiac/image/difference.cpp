@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
+#include "hiac/base/special_values.hpp"
+
 namespace hiac {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 void require_one_size(const Image& image, const Image& reference) {
   if (image.width() != reference.width() || image.height() != reference.height())

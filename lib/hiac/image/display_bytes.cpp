@@ -24,10 +24,11 @@ class ByteTable {
  public:
   ByteTable() {
     // more than the encoding's rounding, and far less than a step of the bytes
-    constexpr double kMargin = 1e-9;
+    constexpr double kScaledMargin = 1e-9;
     for (std::size_t k = 0; k < kIntervals; ++k) {
-      const double low = std::floor(scaled(static_cast<double>(k) / kIntervals) - kMargin);
-      const double high = std::floor(scaled(static_cast<double>(k + 1) / kIntervals) + kMargin);
+      const double low = std::floor(scaled(static_cast<double>(k) / kIntervals) - kScaledMargin);
+      const double high =
+          std::floor(scaled(static_cast<double>(k + 1) / kIntervals) + kScaledMargin);
       bytes_[k] = low == high ? static_cast<std::int16_t>(low) : kMixed;
     }
   }

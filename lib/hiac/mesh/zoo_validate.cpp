@@ -13,7 +13,7 @@
 namespace hiac {
 namespace {
 
-constexpr std::size_t kGrain = 1 << 16;
+constexpr std::size_t kZooValidateGrain = 1 << 16;
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 /// Returns the smallest index below `count` for which `is_broken(index)` holds, or kNone, whatever
@@ -22,7 +22,7 @@ template <typename AnyBroken, typename IsBroken>
 std::size_t first_broken(std::size_t count, const AnyBroken& any_broken,
                          const IsBroken& is_broken) {
   std::atomic<std::size_t> first = kNone;
-  parallel_for(count, kGrain, [&](IndexRange range) {
+  parallel_for(count, kZooValidateGrain, [&](IndexRange range) {
     if (range.begin > first.load(std::memory_order_relaxed) || !any_broken(range)) return;
     std::size_t i = range.begin;
     while (!is_broken(i)) ++i;

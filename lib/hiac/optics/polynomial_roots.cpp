@@ -12,9 +12,9 @@ namespace hiac {
 namespace {
 
 template <class Real>
-constexpr Real kUnit = std::numeric_limits<Real>::epsilon() / 2;
+constexpr Real kRootUnit = std::numeric_limits<Real>::epsilon() / 2;
 template <class Real>
-constexpr Real kSmallestWidth = 8 * kUnit<Real>;
+constexpr Real kSmallestWidth = 8 * kRootUnit<Real>;
 // Fractions of a part's width. An enclosure of a simple root that is wider than the first is
 // improved with the slope near the root; if it is wider than the second, the part is halved.
 template <class Real>
@@ -42,7 +42,7 @@ Real largest_magnitude(const BasicBernstein<Real>& f) {
 /// largest.
 template <class Real>
 Real evaluation_error(const BasicBernstein<Real>& f) {
-  return 4 * static_cast<Real>(f.degree) * kUnit<Real> * largest_magnitude(f);
+  return 4 * static_cast<Real>(f.degree) * kRootUnit<Real> * largest_magnitude(f);
 }
 
 template <class Real>
@@ -66,7 +66,7 @@ Real monotone_root(const BasicBernstein<Real>& f, const BasicBernstein<Real>& sl
     if (!(next > low && next < high)) next = static_cast<Real>(0.5) * (low + high);
     const Real change = std::abs(next - x);
     x = next;
-    if (change <= 2 * kUnit<Real> || high - low <= 2 * kUnit<Real>) break;
+    if (change <= 2 * kRootUnit<Real> || high - low <= 2 * kRootUnit<Real>) break;
   }
   return x;
 }
@@ -95,7 +95,7 @@ BasicRootEnclosure<Real> enclosed_simple_root(const Part<Real>& part,
     if (nearby > flattest) reach = residual / nearby;
   }
   const Real t = part.low + part.width * x;
-  const Real half = part.width * reach + 2 * kUnit<Real> * t;
+  const Real half = part.width * reach + 2 * kRootUnit<Real> * t;
   const Real low = std::max(t - half, part.low);
   const Real high = std::min(t + half, part.low + part.width);
   return {low, std::max(low, high), doubt + steepest * 2 * half / part.width};
@@ -111,7 +111,7 @@ void isolate(const Part<Real>& part, std::vector<BasicRootEnclosure<Real>>& root
   }
   const auto n = static_cast<Real>(part.f.degree);
   const BasicBernstein<Real> slope = derivative(part.f);
-  const Real slope_margin = 2 * n * part.margin + 4 * n * kUnit<Real> * largest;
+  const Real slope_margin = 2 * n * part.margin + 4 * n * kRootUnit<Real> * largest;
   if (certainly_nonzero(slope, slope_margin)) {
     const BasicRootEnclosure<Real> root = enclosed_simple_root(part, slope, slope_margin);
     // the flattest slope may lie far from the root and be unrelated to it
@@ -120,9 +120,9 @@ void isolate(const Part<Real>& part, std::vector<BasicRootEnclosure<Real>>& root
       return;
     }
   }
-  // n levels of averages, each with an error of up to kUnit<Real> of the largest coefficient
+  // n levels of averages, each with an error of up to kRootUnit<Real> of the largest coefficient
   const Real margin =
-      part.margin + n * kUnit<Real> * largest + std::numeric_limits<Real>::denorm_min();
+      part.margin + n * kRootUnit<Real> * largest + std::numeric_limits<Real>::denorm_min();
   const BernsteinHalves<Real> h = halves(part.f);
   const Real half = static_cast<Real>(0.5) * part.width;
   isolate(Part<Real>{h.front, part.low, half, margin}, roots);
@@ -138,7 +138,7 @@ void append_roots(const BasicBernstein<Real>& f, std::type_identity_t<Real> s,
   if (smallest == largest || smallest > s || largest < s) return;
   Part<Real> whole{f, 0, 1, 0};
   for (std::size_t i = 0; i <= f.degree; ++i) whole.f.c[i] -= s;
-  whole.margin = kUnit<Real> * largest_magnitude(whole.f);
+  whole.margin = kRootUnit<Real> * largest_magnitude(whole.f);
   isolate(whole, roots);
 }
 

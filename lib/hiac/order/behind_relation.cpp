@@ -14,7 +14,7 @@
 namespace hiac {
 namespace {
 
-constexpr std::size_t kGrain = 1 << 13;
+constexpr std::size_t kBehindRelationGrain = 1 << 13;
 
 unsigned arrows_of_sides(int eye, int cell) {
   if (eye == 0 || cell == 0) return kNoArrow;
@@ -135,7 +135,7 @@ BehindRelation shared_face_relation(const OrderBasis& basis, const View& view, d
   const ZooMesh& mesh = *basis.mesh;
   BehindRelation relation;
   relation.of_cell = large_vector<CellArrows>(basis.sides.size());
-  parallel_for(relation.of_cell.size(), kGrain, [&](IndexRange range) {
+  parallel_for(relation.of_cell.size(), kBehindRelationGrain, [&](IndexRange range) {
     for (std::size_t cell = range.begin; cell < range.end; ++cell) {
       if (cell + kFetchAhead < range.end)
         fetch_corners(mesh, static_cast<CellId>(cell + kFetchAhead));
@@ -144,7 +144,7 @@ BehindRelation shared_face_relation(const OrderBasis& basis, const View& view, d
   });
   join_unsettled(q, relation.of_cell);
   std::atomic<std::uint64_t> arrows{0}, both_ways{0};
-  parallel_for(relation.of_cell.size(), kGrain, [&](IndexRange range) {
+  parallel_for(relation.of_cell.size(), kBehindRelationGrain, [&](IndexRange range) {
     std::uint64_t some = 0, both = 0;
     for (std::size_t cell = range.begin; cell < range.end; ++cell) {
       const auto [first, behind] = relation.of_cell[cell];

@@ -13,7 +13,7 @@
 namespace hiac {
 namespace {
 
-constexpr std::size_t kGrain = std::size_t{1} << 16;
+constexpr std::size_t kComponentsGrain = std::size_t{1} << 16;
 
 // The relation as a graph: arrows run from a cell to the cells behind it, across its faces and
 // across gaps.
@@ -80,7 +80,7 @@ struct Waiting {
 // cell; empty if there are none.
 std::vector<Waiting> all_waiting(const Graph& graph, std::span<const std::uint32_t> gaps) {
   auto waiting = large_vector<Waiting>(graph.cell_count());
-  parallel_for(waiting.size(), kGrain, [&](IndexRange range) {
+  parallel_for(waiting.size(), kComponentsGrain, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i) {
       const auto cell = static_cast<CellId>(i);
       const unsigned cells =

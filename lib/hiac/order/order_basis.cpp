@@ -15,7 +15,7 @@
 namespace hiac {
 namespace {
 
-constexpr std::size_t kGrain = 1 << 13;
+constexpr std::size_t kOrderBasisGrain = 1 << 13;
 
 // `plane`: the face's plane_corners; `side`: the side of their plane on which the cell lies.
 UnmatchedFace unmatched_face(const ZooMesh& mesh, CellId cell, std::size_t f,
@@ -155,21 +155,23 @@ OrderBasis order_basis(const ZooMesh& mesh, FaceAdjacency adjacency) {
                      fmt::format("wrong size ({} faces expected, {} found)",
                                  basis.faces.first(cells), basis.adjacency.neighbors.size()));
   basis.sides.resize(cells);
-  basis.unmatched = collect<UnmatchedFace>(cells, kGrain, [&](std::size_t i, auto& unmatched) {
-    const auto cell = static_cast<CellId>(i);
-    basis.sides[i] = sides_of(mesh, cell, neighbors_of(basis, cell), unmatched);
-  });
+  basis.unmatched =
+      collect<UnmatchedFace>(cells, kOrderBasisGrain, [&](std::size_t i, auto& unmatched) {
+        const auto cell = static_cast<CellId>(i);
+        basis.sides[i] = sides_of(mesh, cell, neighbors_of(basis, cell), unmatched);
+      });
   basis.shared_faces = (basis.adjacency.neighbors.size() - basis.unmatched.size()) / 2;
   // a face is settled if it is the only face that its cells share and they lie on different sides
   // of it: then one cell and the eye's side decide its arrows
-  basis.unsettled = collect<UnsettledFace>(cells, kGrain, [&](std::size_t i, auto& unsettled) {
-    const auto cell = static_cast<CellId>(i);
-    const auto neighbors = neighbors_of(basis, cell);
-    for (std::size_t f = 0; f < neighbors.size(); ++f)
-      if (neighbors[f] != kNoCell &&
-          (shared_faces(basis, cell, neighbors[f]) != 1 || sides_across(basis, cell, f) >= 0))
-        unsettled.push_back({cell, static_cast<std::uint32_t>(f)});
-  });
+  basis.unsettled =
+      collect<UnsettledFace>(cells, kOrderBasisGrain, [&](std::size_t i, auto& unsettled) {
+        const auto cell = static_cast<CellId>(i);
+        const auto neighbors = neighbors_of(basis, cell);
+        for (std::size_t f = 0; f < neighbors.size(); ++f)
+          if (neighbors[f] != kNoCell &&
+              (shared_faces(basis, cell, neighbors[f]) != 1 || sides_across(basis, cell, f) >= 0))
+            unsettled.push_back({cell, static_cast<std::uint32_t>(f)});
+      });
   for (const auto& [cell, face] : basis.unsettled)
     basis.sides[cell].unsettled |= static_cast<std::uint8_t>(1U << face);
   const bool folded = add_folded_faces(basis);

@@ -9,7 +9,7 @@ namespace {
 // The number of cells between two tests whether a tile's pixels are all opaque.
 constexpr std::size_t kCellsPerLook = 256;
 // The order accesses the arrays of cells at random: kernels are prefetched this many cells ahead.
-constexpr std::size_t kFetchAhead = 16;
+constexpr std::size_t kCellsAhead = 16;
 
 }  // namespace
 
@@ -69,8 +69,8 @@ void AccurateTile::draw_cells(std::span<const std::uint32_t> ranks, SegmentList*
     }
     cells_.clear();
     for (; i < ranks.size() && draw_of(ranks[i]) == draw; ++i) {
-      if (i + kFetchAhead < ranks.size())
-        __builtin_prefetch(&frame_.kernel_cells[order_.cells[ranks[i + kFetchAhead]]]);
+      if (i + kCellsAhead < ranks.size())
+        __builtin_prefetch(&frame_.kernel_cells[order_.cells[ranks[i + kCellsAhead]]]);
       if (const CellId cell = order_.cells[ranks[i]]; !splatted_.holds(cell))
         cells_.push_back(cell);
     }

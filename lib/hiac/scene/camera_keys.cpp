@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "hiac/geometry/vector.hpp"
 #include "hiac/scene/camera_path.hpp"
 
 namespace hiac {
@@ -108,8 +109,6 @@ std::array<double, 3> scaled(std::array<double, 3> v) {
   for (double& component : v) component /= largest;
   return v;
 }
-
-double length(const std::array<double, 3>& v) { return std::hypot(v[0], v[1], v[2]); }
 
 /// Why a camera is unusable, and the key that causes it.
 struct CameraFault {

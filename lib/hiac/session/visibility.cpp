@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include <fmt/format.h>
 
 #include "hiac/base/parallel.hpp"
+#include "hiac/base/special_values.hpp"
 #include "hiac/geometry/interval.hpp"
 #include "hiac/mesh/interpolant_range.hpp"
 #include "hiac/mesh/shape_functions.hpp"
@@ -17,8 +17,6 @@ namespace hiac {
 namespace {
 
 using Vec = std::array<double, 3>;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The values of fields
 

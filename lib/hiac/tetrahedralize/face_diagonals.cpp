@@ -10,7 +10,7 @@
 namespace hiac {
 namespace {
 
-constexpr std::size_t kGrain = 1 << 12;
+constexpr std::size_t kFaceDiagonalsGrain = 1 << 12;
 // Limits the search for one bad cell, in cells; chains of changes are rarely longer than a few.
 constexpr std::size_t kMostAsked = 2000;
 
@@ -91,10 +91,11 @@ class Mender {
 }  // namespace
 
 std::vector<OtherDiagonals> choose_diagonals(const ZooMesh& mesh) {
-  const auto bad = collect<CellId>(mesh.cell_count(), kGrain, [&](std::size_t i, auto& found) {
-    const auto cell = static_cast<CellId>(i);
-    if (!is_sound(mesh, cell, {})) found.push_back(cell);
-  });
+  const auto bad =
+      collect<CellId>(mesh.cell_count(), kFaceDiagonalsGrain, [&](std::size_t i, auto& found) {
+        const auto cell = static_cast<CellId>(i);
+        if (!is_sound(mesh, cell, {})) found.push_back(cell);
+      });
   if (bad.empty()) return {};
   Mender mender(mesh);
   for (const CellId cell : bad) mender.mend(cell);

@@ -19,7 +19,7 @@ namespace hiac::view {
 namespace {
 
 constexpr double kReach = 9;  // pixels
-constexpr double kLeft = 52, kTop = 26, kRight = 12, kStrip = 18, kGap = 8;
+constexpr double kLeft = 52, kTop = 26, kRight = 12, kGap = 8;
 
 Place place_of_event(const QMouseEvent& event) {
   return {event.position().x(), event.position().y()};

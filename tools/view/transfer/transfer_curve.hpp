@@ -93,6 +93,7 @@ class TransferCurve : public QWidget {
   [[nodiscard]] std::vector<ChosenHandle> handles() const;
   [[nodiscard]] std::optional<ChosenHandle> handle_at(const Place& place) const;
   [[nodiscard]] bool is_on_strip(const Place& place) const;
+  static constexpr double kStrip = 18;  // pixels, the height of the strip of colours
   [[nodiscard]] double strip_middle() const;
 
   void drag_to(const Place& place, bool one_axis);

@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hiac/base/piecewise_linear.hpp"
+#include "hiac/base/transfer_function.hpp"
 #include "tools/view/transfer/display_color.hpp"
 #include "tools/view/transfer/transfer_curve.hpp"
 
 namespace hiac::view {
 namespace {
 
-constexpr double kStrip = 18, kPoint = 4.5;
+constexpr double kPoint = 4.5;
 
 QString number(double value, int digits = 4) { return QString::number(value, 'g', digits); }
 

@@ -17,12 +17,12 @@
 namespace hiac {
 namespace {
 
-constexpr std::size_t kGrain = 1 << 13;
+constexpr std::size_t kMeshPartsGrain = 1 << 13;
 
 std::uint64_t count_components(const ZooMesh& mesh, const FaceAdjacency& adjacency,
                                const FaceNumbering& numbering) {
   DisjointSets sets(mesh.cell_count());
-  parallel_for(mesh.cell_count(), kGrain, [&](IndexRange range) {
+  parallel_for(mesh.cell_count(), kMeshPartsGrain, [&](IndexRange range) {
     for (std::size_t cell = range.begin; cell < range.end; ++cell)
       for (std::uint32_t f = 0; f < numbering.count(cell); ++f) {
         const CellId other = adjacency.neighbors[numbering.first(cell) + f];

@@ -9,7 +9,7 @@
 namespace hiac {
 namespace {
 
-constexpr std::size_t kGrain = 1 << 12;
+constexpr std::size_t kMeshQualityGrain = 1 << 12;
 
 std::vector<double> every(double step, double from, double to) {
   std::vector<double> edges;
@@ -55,7 +55,7 @@ std::vector<CellId> cells_of(const ZooMesh& mesh, CellKind kind) {
 Distribution figure_of(const ZooMesh& mesh, std::span<const CellId> cells, QualityFigure figure,
                        int hand, double& sum) {
   std::vector<double> values(cells.size());
-  parallel_for(cells.size(), kGrain, [&](IndexRange range) {
+  parallel_for(cells.size(), kMeshQualityGrain, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i)
       values[i] = quality_of(mesh, cells[i], figure, hand);
   });

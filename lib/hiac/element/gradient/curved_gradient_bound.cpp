@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "hiac/base/binomial.hpp"
 #include "hiac/base/rounding.hpp"
+#include "hiac/base/special_values.hpp"
 #include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/interpolant_range.hpp"
 #include "hiac/mesh/shape_functions.hpp"
@@ -14,7 +14,6 @@
 namespace hiac {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // The number of parts of a cell that are examined before giving up.
 constexpr std::size_t kMostParts = 73;
 // Rounding of a product of three derivatives, relative to the product of their largest

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "hiac/base/rounding.hpp"
+#include "hiac/base/special_values.hpp"
 #include "hiac/element/gradient/curved_gradient_bound.hpp"
 #include "hiac/geometry/interval.hpp"
 #include "hiac/geometry/inverse_map.hpp"
@@ -13,8 +13,6 @@
 
 namespace hiac {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The difference of a cell's corners `to` and `from`.
 struct Edge {

@@ -16,7 +16,7 @@
 namespace hiac {
 namespace {
 
-constexpr std::size_t kGrain = std::size_t{1} << 14;
+constexpr std::size_t kIsosurfacesGrain = std::size_t{1} << 14;
 
 // The cuts of some consecutive cells.
 struct CellCuts {
@@ -98,9 +98,9 @@ void close_faces(std::vector<TouchedFace>& touched, Isosurfaces& all) {
 
 void find_cuts(const ZooMesh& mesh, Isosurfaces& all) {
   const std::size_t cells = mesh.cell_count();
-  std::vector<CellCuts> parts((cells + kGrain - 1) / kGrain);
-  parallel_for(cells, kGrain, [&](IndexRange range) {
-    parts[range.begin / kGrain] = CutFinder(mesh, all).find(range);
+  std::vector<CellCuts> parts((cells + kIsosurfacesGrain - 1) / kIsosurfacesGrain);
+  parallel_for(cells, kIsosurfacesGrain, [&](IndexRange range) {
+    parts[range.begin / kIsosurfacesGrain] = CutFinder(mesh, all).find(range);
   });
   all.first.reserve(cells + 1);
   all.first.push_back(0);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hiac/base/special_values.hpp"
 #include "hiac/frame/background.hpp"
 #include "hiac/frame/tiles/surface_cover.hpp"
 
@@ -14,7 +15,6 @@ namespace {
 double channel_value(Channel channel, const Projector& projector, DrawnTile& tile, std::size_t at,
                      double background) {
   const PixelFacts& pixel = tile.facts(at);
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   switch (channel) {
     case Channel::depth:
       return projector.distance(pixel.first);

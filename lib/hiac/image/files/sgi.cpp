@@ -14,7 +14,7 @@
 namespace hiac::image_files {
 namespace {
 
-constexpr std::uint16_t kMagic = 474;
+constexpr std::uint16_t kSgiMagic = 474;
 constexpr std::size_t kHeaderBytes = 512;
 constexpr std::size_t kLongestRun = 127;
 constexpr std::size_t kMaxSide = 65535;
@@ -65,7 +65,7 @@ void append_row(std::vector<std::uint8_t>& bytes, std::span<const std::uint16_t>
 
 std::vector<std::uint8_t> header_of(const IntegerPixels& pixels) {
   std::vector<std::uint8_t> header;
-  append(header, kMagic);
+  append(header, kSgiMagic);
   header.push_back(1);  // run-length encoded
   header.push_back(pixels.depth == 16 ? 2 : 1);
   append(header, static_cast<std::uint16_t>(pixels.channels == 1 ? 2 : 3));  // axes
@@ -111,7 +111,7 @@ struct SgiHeader {
 };
 
 SgiHeader read_header(const SgiBytes& bytes, const std::string& path) {
-  if (bytes.size() < kHeaderBytes || bytes.number(0, 2) != kMagic)
+  if (bytes.size() < kHeaderBytes || bytes.number(0, 2) != kSgiMagic)
     throw InputError(path, "not an SGI image (wrong magic number, or shorter than its header)");
   const std::uint32_t storage = bytes.number(2, 1), sample_bytes = bytes.number(3, 1);
   const std::uint32_t axes = bytes.number(4, 2), color_map = bytes.number(104, 4);

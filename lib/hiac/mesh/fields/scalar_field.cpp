@@ -13,7 +13,7 @@
 namespace hiac {
 namespace {
 
-constexpr std::size_t kGrain = 1 << 14;
+constexpr std::size_t kScalarFieldGrain = 1 << 14;
 constexpr std::string_view kMagnitude = "magnitude", kValue = "value";
 
 /// Returns the names of a vector's or a tensor's components; none for other counts.
@@ -65,7 +65,7 @@ Field reduced(const Field& field, const std::string& name, const Reduce& reduce)
   const auto values = field.values.view();
   const std::size_t width = field.components;
   std::vector<double> result(values.size() / width);
-  parallel_for(result.size(), kGrain, [&](IndexRange range) {
+  parallel_for(result.size(), kScalarFieldGrain, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i)
       result[i] = reduce(values.subspan(i * width, width));
   });

@@ -11,7 +11,9 @@
 namespace hiac {
 namespace {
 
-Vector minus(const double* a, const double* b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Vector difference(const double* a, const double* b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 // Values whose signs are the sides of the eye, and a bound of their rounding errors. A determinant
 // of three vectors has six products of three factors; every product is subject to at most three
 // rounded differences, two multiplications and three additions, that is 8 eps of it to first order
@@ -27,8 +29,8 @@ constexpr double kUnderflow = 8 * std::numeric_limits<double>::min();
 
 // eye_side(a, b, c) = -sign det[a - e, b - e, c - e].
 Filtered from_eye(const std::array<const double*, 4>& p, const double* eye) {
-  const Vector r0 = minus(p[0], eye), r1 = minus(p[1], eye), r2 = minus(p[2], eye),
-               r3 = minus(p[3], eye);
+  const Vector r0 = difference(p[0], eye), r1 = difference(p[1], eye), r2 = difference(p[2], eye),
+               r3 = difference(p[3], eye);
   const Vector r01 = cross(r0, r1), r23 = cross(r2, r3);
   const double size = std::max({largest(r0), largest(r1), largest(r2), largest(r3)});
   return {{-dot(r01, r3), -dot(r23, r1), dot(r23, r0), dot(r01, r2)},
@@ -38,7 +40,8 @@ Filtered from_eye(const std::array<const double*, 4>& p, const double* eye) {
 // eye_side(a, b, c) = -sign det[b - a, c - a, v]; as seen along v, the three faces around the last
 // corner cover what the first one covers the other way round.
 Filtered along(const std::array<const double*, 4>& p, const Vector& v) {
-  const Vector u0 = minus(p[0], p[3]), u1 = minus(p[1], p[3]), u2 = minus(p[2], p[3]);
+  const Vector u0 = difference(p[0], p[3]), u1 = difference(p[1], p[3]),
+               u2 = difference(p[2], p[3]);
   const double t01 = dot(u0, cross(u1, v)), t12 = dot(u1, cross(u2, v)),
                t20 = dot(u2, cross(u0, v));
   const double size = std::max({largest(u0), largest(u1), largest(u2)}), speed = largest(v);

@@ -10,6 +10,7 @@
 
 // CGAL's kernel and number types are LGPL; nothing of its GPL parts is used here.
 
+#include "hiac/base/special_values.hpp"
 #include "hiac/geometry/face_form.hpp"
 #include "hiac/geometry/predicates.hpp"
 
@@ -353,8 +354,6 @@ class Separation {
     const Exact along = dot(n, exact({0, kRays}));
     return separates(p, q, {along, along}, zero, zero);
   }
-
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
   const HullCell& p_;
   const HullCell& q_;

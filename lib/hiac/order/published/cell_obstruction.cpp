@@ -14,7 +14,7 @@
 namespace hiac {
 namespace {
 
-constexpr std::size_t kGrain = 1 << 13;
+constexpr std::size_t kCellObstructionGrain = 1 << 13;
 
 // How the eye sees a face. A face whose plane contains the eye is both front and back: no ray goes
 // from one of its sides to the other.
@@ -137,7 +137,7 @@ CellObstruction::CellObstruction(const ZooMesh& mesh, const View& view, double p
       scale_(mesh),
       face_offset_(face_offsets(mesh)) {
   facing_.resize(face_offset_.back());
-  parallel_for(mesh.cell_count(), kGrain, [&](IndexRange range) {
+  parallel_for(mesh.cell_count(), kCellObstructionGrain, [&](IndexRange range) {
     for (std::size_t cell = range.begin; cell < range.end; ++cell)
       find_facing(mesh, static_cast<CellId>(cell), view_, scale_, planarity_,
                   std::span(facing_).subspan(face_offset_[cell],

@@ -12,14 +12,14 @@
 namespace hiac {
 namespace {
 
-constexpr std::size_t kGrain = 1 << 14;
+constexpr std::size_t kCentroidGrain = 1 << 14;
 
 }  // namespace
 
 VisibilityOrder centroid_order(const ZooMesh& mesh, const View& view) {
   const Depth depth(view);
   std::vector<std::pair<double, CellId>> by_depth(mesh.cell_count());
-  parallel_for(by_depth.size(), kGrain, [&](IndexRange range) {
+  parallel_for(by_depth.size(), kCentroidGrain, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i) {
       const auto cell = static_cast<CellId>(i);
       by_depth[i] = {centroid_depth(mesh, cell, depth), cell};

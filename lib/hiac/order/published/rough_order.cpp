@@ -12,7 +12,7 @@
 namespace hiac {
 namespace {
 
-constexpr std::size_t kGrain = 1 << 13;
+constexpr std::size_t kRoughOrderGrain = 1 << 13;
 // A bound of a depth's rounding error, relative to the depths and lengths from which it is
 // computed.
 constexpr double kRounding = 1e-13;
@@ -58,7 +58,7 @@ RoughOrder rough_order(const ZooMesh& mesh, const View& view) {
   const auto corners_of = [&](CellId cell) {
     return mesh.cell_nodes(cell).first(corner_count(mesh.kinds[cell]));
   };
-  parallel_for(entries.size(), kGrain, [&](IndexRange range) {
+  parallel_for(entries.size(), kRoughOrderGrain, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i) {
       entries[i] = {-std::numeric_limits<double>::infinity(), static_cast<CellId>(i)};
       for (const NodeId node : corners_of(entries[i].cell))
@@ -70,7 +70,7 @@ RoughOrder rough_order(const ZooMesh& mesh, const View& view) {
   });
   RoughOrder order{std::vector<CellId>(entries.size()), std::vector<double>(entries.size()),
                    std::vector<double>(entries.size())};
-  parallel_for(entries.size(), kGrain, [&](IndexRange range) {
+  parallel_for(entries.size(), kRoughOrderGrain, [&](IndexRange range) {
     for (std::size_t rank = range.begin; rank < range.end; ++rank) {
       order.cells[rank] = entries[rank].cell;
       order.rearmost[rank] = entries[rank].rearmost;

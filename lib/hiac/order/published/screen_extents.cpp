@@ -13,7 +13,7 @@
 namespace hiac {
 namespace {
 
-constexpr std::size_t kGrain = 1 << 13;
+constexpr std::size_t kScreenExtentsGrain = 1 << 13;
 // A bound of the rounding of window coordinates to float, including their computation.
 constexpr float kWidening = 4e-7F;
 // One window suffices if every node's depth exceeds this fraction of its distance from the axis.
@@ -168,13 +168,13 @@ bool find_extent(std::span<const NodeId> corners, std::span<const SeenNode> node
 
 WindowCells cells_in(const Window& window, const ZooMesh& mesh, std::span<const CellId> cells) {
   std::vector<SeenNode> nodes(mesh.node_count());
-  parallel_for(nodes.size(), kGrain, [&](IndexRange range) {
+  parallel_for(nodes.size(), kScreenExtentsGrain, [&](IndexRange range) {
     for (std::size_t node = range.begin; node < range.end; ++node)
       nodes[node] = window.place(mesh.position(static_cast<NodeId>(node)));
   });
   std::vector<ScreenExtent> extents(cells.size());
   std::vector<std::uint8_t> seen(cells.size());
-  parallel_for(cells.size(), kGrain, [&](IndexRange range) {
+  parallel_for(cells.size(), kScreenExtentsGrain, [&](IndexRange range) {
     for (std::size_t rank = range.begin; rank < range.end; ++rank) {
       const CellId cell = cells[rank];
       const auto corners = mesh.cell_nodes(cell).first(corner_count(mesh.kinds[cell]));

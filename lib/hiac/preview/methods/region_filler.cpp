@@ -13,7 +13,7 @@ namespace hiac::preview {
 namespace {
 
 // Cells a thread takes at a time.
-constexpr std::size_t kGrain = 2048;
+constexpr std::size_t kRegionFillerGrain = 2048;
 // Coordinates beyond which cells are clipped at the picture's border, pixels: floats know others to
 // a thousandth of a pixel.
 constexpr double kReach = 16384;
@@ -130,16 +130,16 @@ void RegionFiller::fill(std::span<const CellId> back_to_front, TriangleBuffer& t
 
 void RegionFiller::fill(std::span<const CellId> back_to_front, std::vector<TriangleBuffer>& buffers,
                         RegionCounts& counts) {
-  const std::size_t parts = (back_to_front.size() + kGrain - 1) / kGrain;
+  const std::size_t parts = (back_to_front.size() + kRegionFillerGrain - 1) / kRegionFillerGrain;
   while (buffers.size() < parts) buffers.emplace_back(shape_);
   for (TriangleBuffer& buffer : buffers) buffer.clear();
   std::mutex joining;
-  parallel_for(back_to_front.size(), kGrain, [&](IndexRange range) {
+  parallel_for(back_to_front.size(), kRegionFillerGrain, [&](IndexRange range) {
     RegionCounts here;
     // a range may be several grains long
-    for (std::size_t first = range.begin; first < range.end; first += kGrain)
-      fill(back_to_front.subspan(first, std::min(kGrain, range.end - first)),
-           buffers[first / kGrain], here);
+    for (std::size_t first = range.begin; first < range.end; first += kRegionFillerGrain)
+      fill(back_to_front.subspan(first, std::min(kRegionFillerGrain, range.end - first)),
+           buffers[first / kRegionFillerGrain], here);
     const std::scoped_lock lock(joining);
     counts.add(here);
   });

@@ -15,8 +15,6 @@ constexpr double kLeastProduct = 0x1p-900;
 // Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997, section 4.2).
 constexpr double kErrorBound = (3.0 + 16.0 * kUnit) * kUnit;
 
-int sign_of(double number) { return number > 0 ? 1 : number < 0 ? -1 : 0; }
-
 // A number with a bound of its error.
 struct Rounded {
   double value, error;

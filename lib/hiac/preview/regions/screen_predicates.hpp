@@ -11,6 +11,8 @@ struct ScreenPoint {
   bool operator==(const ScreenPoint&) const = default;
 };
 
+inline int sign_of(double number) { return number > 0 ? 1 : number < 0 ? -1 : 0; }
+
 // Exact signs (-1, 0, 1) for the coordinates as given (finite, magnitudes below 1e60 and, where not
 // zero, differences above 1e-60). A floating-point filter decides almost always; then arithmetic
 // without rounding in doubles where the numbers allow it (points of lattices); then CGAL's ring.

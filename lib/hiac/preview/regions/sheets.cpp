@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "hiac/base/special_values.hpp"
 
 namespace hiac::preview {
 namespace {
@@ -85,7 +86,6 @@ void Sheets::add_faces(const Polyhedron& polyhedron, const Subdivision& subdivis
 
 void Sheets::find(const Polyhedron& polyhedron, std::span<const PolyhedronEdge> edges,
                   const Subdivision& subdivision, std::vector<RayThrough>& rays) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   rays_ = &rays;
   rays.clear();
   for (const Subdivision::Vertex& vertex : subdivision.vertices())

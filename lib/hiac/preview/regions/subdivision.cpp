@@ -5,11 +5,6 @@
 #include <stdexcept>
 
 namespace hiac::preview {
-namespace {
-
-int sign_of(double number) { return number > 0 ? 1 : number < 0 ? -1 : 0; }
-
-}  // namespace
 
 // ---- predicates ----
 

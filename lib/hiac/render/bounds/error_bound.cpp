@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "hiac/base/rounding.hpp"
+#include "hiac/base/special_values.hpp"
 #include "hiac/geometry/vector.hpp"
 #include "hiac/render/bounds/pixel_error.hpp"
 
 namespace hiac {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // J^-T g without the determinant, and the sum of the magnitudes of its terms.
 struct Cofactors {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "hiac/base/rounding.hpp"
+#include "hiac/base/special_values.hpp"
 #include "hiac/element/cell_field.hpp"
 #include "hiac/geometry/extended_vector.hpp"
 #include "hiac/geometry/face_form.hpp"
@@ -15,8 +16,6 @@
 
 namespace hiac {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 template <class Real>
 std::array<Real, 3> middle_of(const ShapeFace& face, std::span<const std::array<Real, 3>> corners) {

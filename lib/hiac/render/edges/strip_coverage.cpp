@@ -8,14 +8,14 @@
 namespace hiac {
 namespace {
 
-using Point = std::array<double, 2>;
+using PlanePoint = std::array<double, 2>;
 
 // A convex polygon: a rectangle has four corners, and each of four cuts adds at most one.
 struct Polygon {
-  std::array<Point, 8> corners;
+  std::array<PlanePoint, 8> corners;
   std::size_t count = 0;
 
-  void add(const Point& corner) { corners[count++] = corner; }
+  void add(const PlanePoint& corner) { corners[count++] = corner; }
 };
 
 // The part in which `sign` times the coordinate is at most one half (Sutherland and Hodgman, CACM
@@ -23,7 +23,7 @@ struct Polygon {
 Polygon cut(const Polygon& polygon, std::size_t coordinate, double sign) {
   Polygon result;
   for (std::size_t k = 0; k < polygon.count; ++k) {
-    const Point &a = polygon.corners[k], &b = polygon.corners[(k + 1) % polygon.count];
+    const PlanePoint &a = polygon.corners[k], &b = polygon.corners[(k + 1) % polygon.count];
     const double out_a = sign * a[coordinate] - 0.5, out_b = sign * b[coordinate] - 0.5;
     if (out_a <= 0) result.add(a);
     if ((out_a <= 0) == (out_b <= 0)) continue;
@@ -36,7 +36,7 @@ Polygon cut(const Polygon& polygon, std::size_t coordinate, double sign) {
 double area(const Polygon& polygon) {
   double twice = 0;
   for (std::size_t k = 0; k < polygon.count; ++k) {
-    const Point &a = polygon.corners[k], &b = polygon.corners[(k + 1) % polygon.count];
+    const PlanePoint &a = polygon.corners[k], &b = polygon.corners[(k + 1) % polygon.count];
     twice += a[0] * b[1] - a[1] * b[0];
   }
   return std::abs(twice) / 2;
@@ -58,8 +58,8 @@ double strip_coverage(const Strip& strip, double x, double y) {
   const double from = std::max(0.0, along - 1), to = std::min(length, along + 1);
   const double ux = dx / length, uy = dy / length;
   Polygon polygon;
-  for (const auto& [s, side] :
-       {Point{from, half}, Point{to, half}, Point{to, -half}, Point{from, -half}})
+  for (const auto& [s, side] : {PlanePoint{from, half}, PlanePoint{to, half}, PlanePoint{to, -half},
+                                PlanePoint{from, -half}})
     polygon.add({x0 + s * ux + side * nx, y0 + s * uy + side * ny});
   for (const std::size_t coordinate : {0U, 1U})
     for (const double sign : {1.0, -1.0}) polygon = cut(polygon, coordinate, sign);

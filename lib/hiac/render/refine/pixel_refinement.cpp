@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "hiac/base/cancellation.hpp"
 #include "hiac/base/rounding.hpp"
+#include "hiac/base/special_values.hpp"
 #include "hiac/frame/cell_groups.hpp"
 #include "hiac/render/bounds/error_bound.hpp"
 
@@ -14,8 +14,6 @@ namespace hiac {
 namespace {
 
 using Real = long double;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Relative to the tolerance: pixels with larger bounds are recomputed.
 constexpr double kLargeBound = 0.1;

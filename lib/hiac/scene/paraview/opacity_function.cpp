@@ -18,7 +18,7 @@
 namespace hiac::paraview {
 namespace {
 
-struct Node {
+struct OpacityNode {
   double position;
   double opacity;
   double midpoint;
@@ -109,13 +109,13 @@ class Follower {
   double bound_ = 0;
 };
 
-std::vector<Node> nodes_of(const Proxy& function) {
+std::vector<OpacityNode> opacity_nodes(const Proxy& function) {
   const std::vector<double> numbers = function.numbers("Points");
   if (numbers.empty() || numbers.size() % 4 != 0)
     function.fail("Points", fmt::format("expected scalar, opacity, midpoint and sharpness for "
                                         "every point, found {} numbers",
                                         numbers.size()));
-  std::vector<Node> nodes;
+  std::vector<OpacityNode> nodes;
   for (std::size_t i = 0; i < numbers.size(); i += 4) {
     for (std::size_t c = 1; c < 4; ++c)
       if (!(numbers[i + c] >= 0 && numbers[i + c] <= 1))
@@ -123,14 +123,14 @@ std::vector<Node> nodes_of(const Proxy& function) {
                                             numbers[i + c]));
     nodes.push_back({numbers[i], numbers[i + 1], numbers[i + 2], numbers[i + 3]});
   }
-  std::ranges::stable_sort(nodes, {}, &Node::position);
+  std::ranges::stable_sort(nodes, {}, &OpacityNode::position);
   if (!std::isfinite(nodes.back().position - nodes.front().position))
     function.fail("Points", "the scalars' range is not finite");
   return nodes;
 }
 
 /// Appends the points after `a` up to and including `b`.
-void append_curve(const Node& a, const Node& b, Follower& follower,
+void append_curve(const OpacityNode& a, const OpacityNode& b, Follower& follower,
                   std::vector<PiecewiseLinear<1>::Point>& points) {
   const double share = std::clamp(a.midpoint, kMidpointMargin, 1 - kMidpointMargin);
   const double middle =
@@ -164,11 +164,11 @@ double extinction(double opacity, double unit, ExtinctionLaw law) {
 }
 
 OpacityFunction read_opacity_function(const Proxy& function, double unit, ExtinctionLaw law) {
-  std::vector<Node> nodes = nodes_of(function);
+  std::vector<OpacityNode> nodes = opacity_nodes(function);
   OpacityFunction found;
   found.axis = axis_of(function, nodes.front().position, nodes.back().position);
-  for (Node& node : nodes) node.position = found.axis.position(node.position);
-  const double largest = std::ranges::max_element(nodes, {}, &Node::opacity)->opacity;
+  for (OpacityNode& node : nodes) node.position = found.axis.position(node.position);
+  const double largest = std::ranges::max_element(nodes, {}, &OpacityNode::opacity)->opacity;
   found.is_opaque = largest == 1;
   Follower follower(unit, law, kExtinctionShare * extinction(largest, unit, law));
   found.points.push_back({nodes.front().position, {extinction(nodes.front().opacity, unit, law)}});

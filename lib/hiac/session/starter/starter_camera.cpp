@@ -1,11 +1,12 @@
 #include "hiac/session/starter/starter_camera.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numbers>
 #include <string>
 
 #include <fmt/format.h>
+
+#include "hiac/base/special_values.hpp"
 
 namespace hiac::starter {
 namespace {
@@ -15,7 +16,6 @@ constexpr double kFov = 30;
 /// nodes.
 constexpr double kFilled = 0.94;
 constexpr Vec kUp{0, 0, 1};
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Vec rounded(const Vec& v, double scale) {
   return {starter::rounded(v[0], scale), starter::rounded(v[1], scale),

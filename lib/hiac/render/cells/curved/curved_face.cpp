@@ -2,16 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "hiac/base/special_values.hpp"
 #include "hiac/render/cells/curved/patch_curvature.hpp"
 
 namespace hiac {
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 PatchZeros CurvedFace::crossings(double center, int winding) {
   PatchNet<double> aside;

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "hiac/base/special_values.hpp"
 #include "hiac/frame/screen_rounding.hpp"
 #include "hiac/frame/tiles/curved_outline.hpp"
 #include "hiac/geometry/patch_facing.hpp"
@@ -11,11 +11,7 @@
 #include "hiac/render/bounds/ray_displacement.hpp"
 
 namespace hiac {
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
+namespace {}  // namespace
 
 CurvedFaces::CurvedFaces(const Frame& frame, CellId cell, const CellSurface& surface)
     : surface_(surface),
