@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 namespace hiac {
@@ -49,60 +50,98 @@ EdgedSegment get_segment(ByteReader& from) {
   return s;
 }
 
-void put_stop(ByteWriter& to, const EdgeStop& stop) {
-  to.put(stop.pixel);
-  to.put(static_cast<std::uint8_t>(stop.enters));
+void put_stop(ByteWriter& to, const EdgeStop& stop, bool with_reference) {
   to.put(stop.t);
-  to.put(stop.middle);
-  to.put(stop.front_face);
-  to.put(stop.back_face);
+  to.put(stop.face);
+  to.put(stop.corners);
+  if (with_reference) to.put_all(std::span<const double>(stop.reference));
 }
 
-EdgeStop get_stop(ByteReader& from) {
+EdgeStop get_stop(ByteReader& from, bool with_reference) {
   EdgeStop stop{};
-  stop.pixel = from.get<std::uint32_t>();
-  stop.enters = from.get<std::uint8_t>() != 0;
   stop.t = from.get<double>();
-  stop.middle = from.get<double>();
-  stop.front_face = from.get<std::array<std::uint64_t, 4>>();
-  stop.back_face = from.get<std::array<std::uint64_t, 4>>();
+  stop.face = from.get<std::uint8_t>();
+  stop.corners = from.get<std::array<std::uint64_t, 4>>();
+  stop.reference.fill(std::numeric_limits<double>::quiet_NaN());
+  if (with_reference) stop.reference = from.get<std::array<double, 3>>();
   return stop;
 }
 
-void put_fragment(ByteWriter& to, const EdgeFragment& fragment) {
-  to.put(fragment.pixel);
-  to.put(fragment.share);
-  to.put(fragment.t);
-  to.put(fragment.edge);
-  to.put(fragment.node);
+void put_crossing(ByteWriter& to, const EdgedCrossing& crossing) {
+  const bool is_curved = crossing.shape != EdgedCrossing::kPlanar;
+  to.put(crossing.pixel);
+  to.put(crossing.shape);
+  to.put(static_cast<std::uint8_t>(crossing.kind));
+  to.put(crossing.middle);
+  put_stop(to, crossing.front, is_curved);
+  put_stop(to, crossing.back, is_curved);
+}
+
+EdgedCrossing get_crossing(ByteReader& from) {
+  EdgedCrossing crossing{};
+  crossing.pixel = from.get<std::uint32_t>();
+  crossing.shape = from.get<std::uint32_t>();
+  crossing.kind = static_cast<CellKind>(from.get<std::uint8_t>());
+  crossing.middle = from.get<double>();
+  const bool is_curved = crossing.shape != EdgedCrossing::kPlanar;
+  crossing.front = get_stop(from, is_curved);
+  crossing.back = get_stop(from, is_curved);
+  return crossing;
+}
+
+void put_mapped(ByteWriter& to, const MappedCell& shape) {
+  to.put(static_cast<std::uint8_t>(shape.kind));
+  for (const CellMap::Point& node : std::span(shape.nodes).first(node_count(shape.kind)))
+    to.put_all(std::span<const double>(node));
+}
+
+MappedCell get_mapped(ByteReader& from) {
+  MappedCell shape{static_cast<CellKind>(from.get<std::uint8_t>()), {}};
+  for (CellMap::Point& node : std::span(shape.nodes).first(node_count(shape.kind)))
+    node = from.get<CellMap::Point>();
+  return shape;
+}
+
+void put_fragment(ByteWriter& to, const EdgeFragment& f) {
+  to.put(f.pixel);
+  to.put_all(std::span<const double>(std::array{f.share, f.t, f.strip.x0, f.strip.y0, f.strip.x1,
+                                                f.strip.y1, f.strip.width, f.place.along}));
+  to.put(f.place.edge);
+  to.put(f.place.node);
 }
 
 EdgeFragment get_fragment(ByteReader& from) {
   EdgeFragment fragment{};
   fragment.pixel = from.get<std::uint32_t>();
-  fragment.share = from.get<double>();
-  fragment.t = from.get<double>();
-  fragment.edge = from.get<std::array<std::uint64_t, 2>>();
-  fragment.node = from.get<std::uint64_t>();
+  const auto n = from.get<std::array<double, 8>>();
+  fragment.share = n[0];
+  fragment.t = n[1];
+  fragment.strip = {n[2], n[3], n[4], n[5], n[6]};
+  fragment.place.along = n[7];
+  fragment.place.edge = from.get<std::array<std::uint64_t, 2>>();
+  fragment.place.node = from.get<std::uint64_t>();
   return fragment;
 }
 
 }  // namespace
 
 void put_edged(ByteWriter& to, const EdgedTile& tile) {
-  for (const std::size_t count : {tile.segments.size(), tile.stops.size(), tile.fragments.size()})
+  for (const std::size_t count : {tile.segments.size(), tile.crossings.rays.size(),
+                                  tile.crossings.shapes.size(), tile.fragments.size()})
     to.put(static_cast<std::uint32_t>(count));
   for (const EdgedSegment& segment : tile.segments) put_segment(to, segment);
-  for (const EdgeStop& stop : tile.stops) put_stop(to, stop);
+  for (const EdgedCrossing& crossing : tile.crossings.rays) put_crossing(to, crossing);
+  for (const MappedCell& shape : tile.crossings.shapes) put_mapped(to, shape);
   for (const EdgeFragment& fragment : tile.fragments) put_fragment(to, fragment);
 }
 
 EdgedTile get_edged(ByteReader& from) {
-  const auto counts = from.get_all<std::uint32_t>(3);
+  const auto counts = from.get_all<std::uint32_t>(4);
   EdgedTile tile;
   for (std::uint32_t k = 0; k < counts[0]; ++k) tile.segments.push_back(get_segment(from));
-  for (std::uint32_t k = 0; k < counts[1]; ++k) tile.stops.push_back(get_stop(from));
-  for (std::uint32_t k = 0; k < counts[2]; ++k) tile.fragments.push_back(get_fragment(from));
+  for (std::uint32_t k = 0; k < counts[1]; ++k) tile.crossings.rays.push_back(get_crossing(from));
+  for (std::uint32_t k = 0; k < counts[2]; ++k) tile.crossings.shapes.push_back(get_mapped(from));
+  for (std::uint32_t k = 0; k < counts[3]; ++k) tile.fragments.push_back(get_fragment(from));
   return tile;
 }
 

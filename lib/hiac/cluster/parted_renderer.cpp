@@ -63,10 +63,10 @@ struct PartedRenderer::State {
   // The pixels of every tile through which edges of any part pass; which of this process's parts
   // have some in a tile.
   struct EdgedTiles {
-    std::vector<EdgedMask> masks;                    // empty where no edges are drawn
+    std::vector<PixelMask> masks;                    // empty where no edges are drawn
     std::vector<std::vector<std::uint8_t>> has_own;  // by part and tile
 
-    [[nodiscard]] const EdgedMask* mask(std::uint32_t tile) const {
+    [[nodiscard]] const PixelMask* mask(std::uint32_t tile) const {
       return masks.empty() ? nullptr : &masks[tile];
     }
     [[nodiscard]] bool has(std::size_t part, std::uint32_t tile) const {
@@ -85,11 +85,11 @@ struct PartedRenderer::State {
     });
     Bytes mine;
     ByteWriter message(mine);
-    for (const EdgedMask& mask : edged.masks)
-      message.put_all(std::span<const std::uint64_t>(mask.words()));
+    for (const PixelMask& mask : edged.masks)
+      message.put_all(std::span<const std::uint64_t>(mask.rows()));
     for (const Bytes& received : all_gather(all, mine)) {
       ByteReader from(received);
-      for (EdgedMask& mask : edged.masks) mask.add(from.get_all<std::uint64_t>(EdgedMask::kWords));
+      for (PixelMask& mask : edged.masks) mask.add_rows(from.get_all<std::uint64_t>(kTileHeight));
     }
     return edged;
   }
@@ -153,8 +153,11 @@ struct PartedRenderer::State {
       std::vector<TileRuns> of_tile;
       for (PartRuns& r : std::ranges::equal_range(runs, tile, {}, &PartRuns::tile))
         of_tile.push_back(std::move(r.runs));
+      const auto edges = scene.edges
+                             ? std::optional(EdgedView{*scene.edges, projector, tiles[tile]})
+                             : std::nullopt;
       const auto merged =
-          std::make_unique<MergedTile>(constants, of_tile, scene.edges ? &*scene.edges : nullptr);
+          std::make_unique<MergedTile>(constants, of_tile, edges ? &*edges : nullptr);
       ByteWriter message(finished[range.begin]);
       message.put(tile);
       put_finished(message, finish_tile(*merged, tiles[tile], projector, scene, wanted));

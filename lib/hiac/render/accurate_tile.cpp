@@ -18,13 +18,12 @@ AccurateTile::AccurateTile(const Frame& frame, const SplattedCells& splatted,
                            const TileRect& tile, std::span<const std::uint32_t> ranks)
     : frame_(frame),
       splatted_(splatted),
-      edges_(edges),
       order_(order),
       tile_(tile),
       splats_(frame, splatted, order.cells, ranks, tile),
       refinement_(frame, order, tile, ranks),
       tile_edges_(frame, edges, tile),
-      skin_(frame, tile_edges_) {
+      skin_(frame, edges, tile_edges_) {
   buffer_.reset(tile, frame.projector, frame.with_details);
   draw_all(ranks);
 }
@@ -48,6 +47,7 @@ void AccurateTile::draw_run(const CellRun& run) {
   if (!run.is_group && splats_.empty()) return draw_cells(run.ranks, nullptr);
   segments_.clear();
   draw_cells(run.ranks, &segments_);
+  skin_.settle({frame_, tile_, buffer_, &segments_, counts_});
   splats_.append_before(buffer_, segments_);
   composite_sorted(segments_, frame_.witness_tolerance, buffer_, counts_);
 }
@@ -57,8 +57,7 @@ void AccurateTile::draw_cells(std::span<const std::uint32_t> ranks, SegmentList*
   // null for cells with skin or edges on them, which are drawn one by one
   const auto draw_of = [&](std::uint32_t rank) -> DrawCells {
     const CellId cell = order_.cells[rank];
-    const bool alone = frame_.skin.on(cell) != 0 || edges_.may_touch(cell);
-    return alone ? nullptr : draw_for(frame_, cell);
+    return skin_.concerns(cell) ? nullptr : draw_for(frame_, cell);
   };
   for (std::size_t i = 0; i < ranks.size();) {
     const DrawCells draw = draw_of(ranks[i]);

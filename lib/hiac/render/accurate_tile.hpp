@@ -46,7 +46,6 @@ class AccurateTile final : public DrawnTile, public SurfaceCover {
 
   const Frame& frame_;
   const SplattedCells& splatted_;
-  const ScreenEdges& edges_;
   const VisibilityOrder& order_;
   TileRect tile_;
   TileSplats splats_;

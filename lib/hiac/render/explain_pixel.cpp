@@ -80,7 +80,7 @@ class RayFollower {
         edges_(edges),
         tile_(tile),
         tile_edges_(frame, edges, tile),
-        painter_(frame, tile_edges_),
+        painter_(frame, edges, tile_edges_),
         x_(x),
         y_(y),
         at_(tile.index(x, y)),
@@ -93,8 +93,13 @@ class RayFollower {
   void follow(CellId cell) {
     SegmentList found, others;
     TileEdges left = tile_edges_;  // looking takes no edge away
-    SkinPainter looking(frame_, left);
-    collect(cell, looking, found, others);
+    SkinPainter looking(frame_, edges_, left);
+    deal_out(
+        [&](const TileTarget& to) {
+          draw(cell, looking, to.group);
+          looking.settle(to);
+        },
+        found, others);
     if (found.segments.empty()) return draw(cell, painter_, nullptr);
     const std::vector<std::uint32_t> sorted = sorted_along_ray(found);
     TileBuffer so_far = buffer_;
@@ -106,11 +111,19 @@ class RayFollower {
 
   // Follows cells that the engine sorts along the ray.
   void follow_group(std::span<const CellId> cells) {
-    SegmentList found, others;
-    std::vector<CellId> owners;
+    SegmentList all, found, others;
+    const TileTarget to{frame_, tile_, buffer_, &all, counts_};
+    std::vector<CellId> owners_of_all, owners;
     for (const CellId cell : cells) {
-      collect(cell, painter_, found, others);
-      owners.resize(found.segments.size(), cell);
+      draw(cell, painter_, &all);
+      owners_of_all.resize(all.segments.size(), cell);
+    }
+    const std::vector<CellId> met_at = painter_.settle(to);
+    owners_of_all.insert(owners_of_all.begin(), met_at.begin(), met_at.end());
+    for (std::size_t i = 0; i < all.segments.size(); ++i) {
+      const bool here = all.segments[i].pixel == at_;
+      append(all, i, here ? found : others);
+      if (here) owners.push_back(owners_of_all[i]);
     }
     for (const std::uint32_t i : sorted_along_ray(found)) {
       composite(owners[i], found, i, buffer_);
@@ -139,15 +152,10 @@ class RayFollower {
   // In the whole tile, as the engine does: what the tile's pixels share is the same, too.
   void draw(CellId cell, SkinPainter& painter, SegmentList* group) {
     const TileTarget to{frame_, tile_, buffer_, group, counts_};
-    if (frame_.skin.on(cell) != 0 || edges_.may_touch(cell))
+    if (painter.concerns(cell))
       painter.draw(to, cell, true);
     else
       draw_for(frame_, cell)(to, {&cell, 1});
-  }
-
-  // Appends a cell's segments in the pixel, and those in the tile's other pixels.
-  void collect(CellId cell, SkinPainter& painter, SegmentList& found, SegmentList& others) {
-    deal_out([&](const TileTarget& to) { draw(cell, painter, to.group); }, found, others);
   }
 
   // Appends what is drawn in the pixel, and what is in the tile's other pixels.

@@ -1,40 +1,46 @@
 #include "hiac/render/skin_painter.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <span>
+#include <tuple>
 
 #include "hiac/render/draw_cells.hpp"
+#include "hiac/render/edges/edge_place.hpp"
 #include "hiac/render/pixels/compositor.hpp"
 
 namespace hiac {
 
 namespace {
 
-// Whether a place on an edge lies on a face of a cell: the face has both ends of the edge, or the
-// place is an end that it has.
-bool lies_on(const ZooMesh& mesh, CellId cell, std::size_t face, const TileEdges::Place& place) {
-  const ShapeFace& shape = topology_of(mesh.kinds[cell]).faces[face];
+// The corners of a cell's faces, in their order; those of triangles end with the first again.
+std::array<std::array<NodeId, 4>, 6> corners_of_faces(const ZooMesh& mesh, CellId cell) {
+  std::array<std::array<NodeId, 4>, 6> corners{};
   const auto nodes = mesh.cell_nodes(cell);
-  const auto has = [&](NodeId node) {
-    for (std::size_t k = 0; k < shape.corner_count; ++k)
-      if (nodes[shape.corners[k]] == node) return true;
-    return false;
-  };
-  return has(place.node) || (has(place.piece->edge[0]) && has(place.piece->edge[1]));
+  const auto faces = topology_of(mesh.kinds[cell]).faces;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    for (std::size_t k = 0; k < 4; ++k)
+      corners[f][k] = nodes[faces[f].corners[k < faces[f].corner_count ? k : 0]];
+  return corners;
 }
 
 }  // namespace
 
-SkinPainter::SkinPainter(const Frame& frame, TileEdges& edges)
-    : frame_(frame), edges_(edges), skin_(frame) {
+SkinPainter::SkinPainter(const Frame& frame, const ScreenEdges& drawn, TileEdges& edges)
+    : frame_(frame), drawn_(drawn), edges_(edges), skin_(frame) {
   if (!frame.skin.faces.empty()) transparency_.assign(kTileStride * kTileHeight, 1);
 }
 
 void SkinPainter::draw(const TileTarget& to, CellId cell, bool with_inside) {
-  skin_.enter(cell, to.tile);
+  // without skin only rays with edges to draw count
+  skin_.enter(cell, to.tile, frame_.skin.on(cell) == 0 ? &edges_.left() : nullptr);
   if (to.group != nullptr) {
-    draw_sorted(to, cell, with_inside);
+    list_inside(to, cell, with_inside);
+    note_crossings(to.tile, cell);
+    add_skin(to, Which::all);
+    ends_.clear();
   } else if (skin_.is_met_once()) {
     add_edges(to, cell, Which::entered);
     add_skin(to, Which::entered);
@@ -42,18 +48,20 @@ void SkinPainter::draw(const TileTarget& to, CellId cell, bool with_inside) {
     add_edges(to, cell, Which::left);
     add_skin(to, Which::left);
   } else {
-    list_.clear();
-    draw_sorted({to.frame, to.tile, to.buffer, &list_, to.counts}, cell, with_inside);
-    composite_sorted(list_, frame_.witness_tolerance, to.buffer, to.counts);
+    draw_sorted(to, cell, with_inside);
   }
 }
 
 // Where two entries have one place, the edge comes before the skin, as it is appended before it.
 void SkinPainter::draw_sorted(const TileTarget& to, CellId cell, bool with_inside) {
-  list_inside(to, cell, with_inside);
-  add_edges(to, cell, Which::all);
-  add_skin(to, Which::all);
+  list_.clear();
+  const TileTarget listed{to.frame, to.tile, to.buffer, &list_, to.counts};
+  list_inside(listed, cell, with_inside);
+  add_edges(listed, cell, Which::all);
+  add_skin(listed, Which::all);
   ends_.clear();
+  edges_.settle(listed);
+  composite_sorted(list_, frame_.witness_tolerance, to.buffer, to.counts);
 }
 
 void SkinPainter::list_inside(const TileTarget& to, CellId cell, bool with_inside) {
@@ -78,21 +86,74 @@ double SkinPainter::end_at(std::size_t at, double t, bool enters) const {
 
 void SkinPainter::add_edges(const TileTarget& to, CellId cell, Which which) {
   if (edges_.empty()) return;
+  const CellKind kind = frame_.mesh.kinds[cell];
+  const auto corners = corners_of_faces(frame_.mesh, cell);
   for (const CellCrossing& ray : skin_.rays()) {
     const std::size_t at = to.tile.index(ray.x, ray.y);
+    if (!edges_.left().holds(at)) continue;
+    // whether a place on an edge is met where the ray enters or leaves the cell
+    const auto lies_on = [&](std::uint8_t face, const std::array<double, 3>& crossed,
+                             const TileEdges::Place& on_edge) {
+      const EdgePlace<NodeId> place{on_edge.piece->edge, on_edge.along, on_edge.node};
+      if (!lies_on_face(corners[face], place)) return false;
+      return std::isnan(crossed[0]) ||
+             skin_.is_one_side(face, crossed, reference_on(kind, face, corners[face], place), ray.x,
+                               ray.y);
+    };
     const auto is_left_with = [&](const TileEdges::Place& place) {
-      return lies_on(frame_.mesh, cell, ray.back_face, place);
+      return lies_on(ray.back_face, ray.back_reference, place);
     };
     const double middle = 0.5 * (ray.front + ray.back);
     if (which != Which::left)
       edges_.take(to, at, end_at(at, ray.front, true), true, [&](const TileEdges::Place& place) {
-        return lies_on(frame_.mesh, cell, ray.front_face, place) ||
+        return lies_on(ray.front_face, ray.front_reference, place) ||
                (place.t < middle && !is_left_with(place));
       });
     if (which != Which::entered)
-      edges_.take(to, at, end_at(at, ray.back, false), false,
-                  [&](const TileEdges::Place& place) { return is_left_with(place); });
+      edges_.take(to, at, end_at(at, ray.back, false), false, is_left_with);
   }
+}
+
+void SkinPainter::note_crossings(const TileRect& tile, CellId cell) {
+  if (edges_.empty()) return;
+  for (const CellCrossing& ray : skin_.rays()) {
+    const std::size_t at = tile.index(ray.x, ray.y);
+    if (!edges_.left().holds(at)) continue;
+    crossings_.add(frame_, cell, ray, tile, end_at(at, ray.front, true),
+                   end_at(at, ray.back, false), {});
+    crossed_.push_back(cell);
+  }
+}
+
+std::vector<CellId> SkinPainter::settle(const TileTarget& to) {
+  std::vector<CellId> met_at;
+  if (crossed_.empty()) return met_at;
+  std::vector<std::uint32_t> order(crossed_.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::sort(order, {}, [&](std::uint32_t k) {
+    return std::tuple(crossings_.rays[k].pixel, crossings_.rays[k].middle, crossed_[k]);
+  });
+  list_.clear();
+  const TileTarget listed{to.frame, to.tile, to.buffer, &list_, to.counts};
+  for (const std::uint32_t k : order) {
+    const EdgedCrossing& ray = crossings_.rays[k];
+    const auto is_met_at = [&](const EdgeStop& stop, const TileEdges::Place& place) {
+      return hiac::lies_on(crossings_, ray, stop,
+                           {{place.piece->edge[0], place.piece->edge[1]}, place.along, place.node},
+                           frame_.projector, to.tile);
+    };
+    edges_.take(listed, ray.pixel, ray.front.t, true, [&](const TileEdges::Place& place) {
+      return is_met_at(ray.front, place) || (place.t < ray.middle && !is_met_at(ray.back, place));
+    });
+    edges_.take(listed, ray.pixel, ray.back.t, false,
+                [&](const TileEdges::Place& place) { return is_met_at(ray.back, place); });
+    met_at.resize(list_.segments.size(), crossed_[k]);
+  }
+  edges_.settle(listed);
+  to.group->prepend(list_);
+  crossings_ = {};
+  crossed_.clear();
+  return met_at;
 }
 
 void SkinPainter::add_skin(const TileTarget& to, Which which) {

@@ -6,6 +6,7 @@
 
 #include "hiac/frame/frame.hpp"
 #include "hiac/render/cells/cell_skin.hpp"
+#include "hiac/render/edges/edged_crossings.hpp"
 #include "hiac/render/edges/tile_edges.hpp"
 #include "hiac/render/pixels/tile.hpp"
 
@@ -25,15 +26,28 @@ namespace hiac {
 /// a face of the edge meets the edge first, then the skin on that face; one that leaves through a
 /// face of the edge meets it directly before the skin on that one. Near an edge's end, as
 /// near as half the line's width and half a pixel, a face that has the end is enough: lines run on
-/// from edge to edge. A ray that passes no face of the
+/// from edge to edge. A curved face may bend back, so that a ray meets it twice: an edge is met
+/// where the face does not turn its other side to the eye on the way to it. A ray that passes no
+/// face of the
 /// edge meets it in front of the first cell whose middle is farther than the edge.
 class SkinPainter {
  public:
-  /// `edges`: those of the tile. Both must outlive this object.
-  SkinPainter(const Frame& frame, TileEdges& edges);
+  /// `edges`: those of the tile, `drawn` for the whole picture. All must outlive this object.
+  SkinPainter(const Frame& frame, const ScreenEdges& drawn, TileEdges& edges);
 
-  /// Draws one cell. `with_inside`: else only its skin and edges.
+  /// Whether a cell has skin, or edges that are yet to be drawn may lie on it.
+  [[nodiscard]] bool concerns(CellId cell) const {
+    return frame_.skin.on(cell) != 0 || (drawn_.may_touch(cell) && edges_.may_meet(cell));
+  }
+
+  /// Draws one cell. `with_inside`: else only its skin and edges. In a group the edges wait for
+  /// settle().
   void draw(const TileTarget& to, CellId cell, bool with_inside);
+
+  /// Draws the edges on the cells of a group, once all of these are drawn: which cell an edge is
+  /// met at depends on the order of all. They become the first entries of the group's list, so that
+  /// an edge comes before the skin that it lies on. Returns the cells at which each is met.
+  std::vector<CellId> settle(const TileTarget& to);
 
   /// Where a cell's own segments end in a list, and the skin begins that rays enter the cell
   /// through; where that begins that they leave it through, up to the end of the list.
@@ -72,8 +86,10 @@ class SkinPainter {
   [[nodiscard]] double end_at(std::size_t at, double t, bool enters) const;
   void add_skin(const TileTarget& to, Which which);
   void add_edges(const TileTarget& to, CellId cell, Which which);
+  void note_crossings(const TileRect& tile, CellId cell);
 
   const Frame& frame_;
+  const ScreenEdges& drawn_;
   TileEdges& edges_;
   CellSkin skin_;
   std::vector<double> transparency_;
@@ -84,6 +100,9 @@ class SkinPainter {
     std::size_t count;  // of the pixel's segments
   };
   std::vector<Ends> ends_;
+  // Of the group at hand, in pixels with edges that are yet to be drawn.
+  EdgedCrossings crossings_;
+  std::vector<CellId> crossed_;  // by each of the rays
 };
 
 }  // namespace hiac

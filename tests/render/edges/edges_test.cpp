@@ -17,40 +17,14 @@
 #include "hiac/render/engine.hpp"
 #include "hiac/render/supersampling.hpp"
 #include "tests/render/truth/general_meshes.hpp"
+#include "tests/render/truth/sampled_strips.hpp"
 
 namespace hiac {
 namespace {
 
 using test::Cut;
 using test::Position;
-
-// How far along a strip, and aside from its line, a point is.
-std::array<double, 2> place_on(const Strip& s, double x, double y) {
-  const double dx = s.x1 - s.x0, dy = s.y1 - s.y0, length = std::hypot(dx, dy);
-  return {((x - s.x0) * dx + (y - s.y0) * dy) / length,
-          ((x - s.x0) * dy - (y - s.y0) * dx) / length};
-}
-
-bool holds(const Strip& s, double x, double y) {
-  const auto [along, aside] = place_on(s, x, y);
-  return along >= 0 && along <= std::hypot(s.x1 - s.x0, s.y1 - s.y0) &&
-         std::abs(aside) <= s.width / 2;
-}
-
-// The share of 64 x 64 samples of a pixel that lie in any of the strips.
-double sampled_coverage(std::vector<Strip> strips, double x, double y) {
-  std::erase_if(strips,
-                [&](const Strip& s) { return std::abs(place_on(s, x, y)[1]) > s.width / 2 + 1; });
-  if (strips.empty()) return 0;
-  constexpr int kSamples = 64;
-  int inside = 0;
-  for (int i = 0; i < kSamples; ++i)
-    for (int j = 0; j < kSamples; ++j) {
-      const double px = x + (i + 0.5) / kSamples - 0.5, py = y + (j + 0.5) / kSamples - 0.5;
-      inside += std::ranges::any_of(strips, [&](const Strip& s) { return holds(s, px, py); });
-    }
-  return inside / static_cast<double>(kSamples * kSamples);
-}
+using test::sampled_coverage;
 
 TEST(StripCoverage, AgreesWithSamples) {
   std::mt19937 random(1);
@@ -62,6 +36,21 @@ TEST(StripCoverage, AgreesWithSamples) {
     largest = std::max(largest, std::abs(found - sampled_coverage({strip}, 0.25, -0.5)));
   }
   EXPECT_LE(largest, 0.02);
+}
+
+TEST(StripCoverage, IsTheSameOfALineAndOfItsParts) {
+  // the parts end inside the pixel, where polygons are cut; the whole passes it
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> angle(0, 7), aside(-1.5, 1.5), width(0.01, 2.5);
+  for (int trial = 0; trial < 2000; ++trial) {
+    const double a = trial < 8 ? trial * 0.78539816339744831 : angle(random);
+    const double ux = std::cos(a), uy = std::sin(a), d = aside(random), w = width(random);
+    const auto part = [&](double from, double to) {
+      return strip_coverage(
+          {from * ux - d * uy, from * uy + d * ux, to * ux - d * uy, to * uy + d * ux, w}, 0, 0);
+    };
+    EXPECT_NEAR(part(-9, 9), part(-9, 0.1) + part(0.1, 9), 1e-14) << a << ' ' << d << ' ' << w;
+  }
 }
 
 TEST(StripCoverage, OfLongLinesKeepsItsDigits) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <numeric>
 #include <random>
 
@@ -209,6 +210,13 @@ ZooMesh curved_mesh(CellKind kind) {
     ZooMesh mesh = moved(straight, [by](const Position& p) { return rippled(p, by); });
     if (invalid_cells(mesh, 1e-10).empty()) return mesh;
   }
+}
+
+ZooMesh arch(CellKind kind, double degrees, std::size_t per_edge) {
+  return moved(straight_mesh(kind, per_edge), [&](const Position& p) -> Position {
+    const double angle = (p[0] - 0.5) * degrees * std::numbers::pi / 180, radius = 0.5 + p[2];
+    return {radius * std::sin(angle), p[1], radius * std::cos(angle)};
+  });
 }
 
 void add_random_field(ZooMesh& mesh, const std::string& name, FieldLocation location,

@@ -57,6 +57,10 @@ ZooMesh straight_mesh(CellKind kind, std::size_t per_edge = 1);
 /// straight_mesh(kind) rippled by as much as keeps its cells valid, 0.06 at most.
 ZooMesh curved_mesh(CellKind kind);
 
+/// straight_mesh() bent to an arch of so many degrees around the y axis, with the inner radius 0.5:
+/// faces across it that a ray meets twice.
+ZooMesh arch(CellKind kind, double degrees, std::size_t per_edge = 1);
+
 /// A field of random numbers in [0, 1].
 void add_random_field(ZooMesh& mesh, const std::string& name, FieldLocation location,
                       std::uint64_t seed);

@@ -19,14 +19,15 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 
 void scan_projected(const Frame& frame, const CellSurface& surface, CurvedFaces* curved,
-                    const TileRect& tile, CrossingRuns* runs,
-                    std::vector<CellCrossing>& crossings) {
-  ScreenScan(frame, surface, curved, tile, runs).scan(crossings);
+                    const TileRect& tile, CrossingRuns* runs, std::vector<CellCrossing>& crossings,
+                    const PixelMask* only) {
+  ScreenScan(frame, surface, curved, tile, runs, only).scan(crossings);
 }
 
 void scan_beside_eye(const Frame& frame, const CellSurface& surface, CurvedFaces* curved,
-                     const TileRect& tile, std::vector<CellCrossing>& crossings) {
-  LineScan(frame, surface, curved, tile).scan(crossings);
+                     const TileRect& tile, std::vector<CellCrossing>& crossings,
+                     const PixelMask* only) {
+  LineScan(frame, surface, curved, tile, only).scan(crossings);
 }
 
 }  // namespace hiac::HWY_NAMESPACE
@@ -39,18 +40,20 @@ HWY_EXPORT(scan_projected);
 HWY_EXPORT(scan_beside_eye);
 
 void scan_projected_cell(const Frame& frame, const CellSurface& surface, CurvedFaces* curved,
-                         const TileRect& tile, std::vector<CellCrossing>& crossings) {
-  HWY_DYNAMIC_DISPATCH(scan_projected)(frame, surface, curved, tile, nullptr, crossings);
+                         const TileRect& tile, std::vector<CellCrossing>& crossings,
+                         const PixelMask* only) {
+  HWY_DYNAMIC_DISPATCH(scan_projected)(frame, surface, curved, tile, nullptr, crossings, only);
 }
 
 void scan_projected_runs(const Frame& frame, const CellSurface& surface, const TileRect& tile,
                          CrossingRuns& runs, std::vector<CellCrossing>& others) {
-  HWY_DYNAMIC_DISPATCH(scan_projected)(frame, surface, nullptr, tile, &runs, others);
+  HWY_DYNAMIC_DISPATCH(scan_projected)(frame, surface, nullptr, tile, &runs, others, nullptr);
 }
 
 void scan_cell_beside_eye(const Frame& frame, const CellSurface& surface, CurvedFaces* curved,
-                          const TileRect& tile, std::vector<CellCrossing>& crossings) {
-  HWY_DYNAMIC_DISPATCH(scan_beside_eye)(frame, surface, curved, tile, crossings);
+                          const TileRect& tile, std::vector<CellCrossing>& crossings,
+                          const PixelMask* only) {
+  HWY_DYNAMIC_DISPATCH(scan_beside_eye)(frame, surface, curved, tile, crossings, only);
 }
 
 bool is_projectable(const Frame& frame, const CellSurface& surface) {
@@ -60,12 +63,12 @@ bool is_projectable(const Frame& frame, const CellSurface& surface) {
 }
 
 void scan_cell(const Frame& frame, CellId cell, const TileRect& tile,
-               std::vector<CellCrossing>& crossings) {
+               std::vector<CellCrossing>& crossings, const PixelMask* only) {
   const CellSurface surface = cell_surface(frame.mesh.kinds[cell], frame.mesh.cell_nodes(cell));
   const auto scan = is_projectable(frame, surface) ? scan_projected_cell : scan_cell_beside_eye;
-  if (!frame.is_curved(cell)) return scan(frame, surface, nullptr, tile, crossings);
+  if (!frame.is_curved(cell)) return scan(frame, surface, nullptr, tile, crossings, only);
   CurvedFaces curved(frame, cell, surface);
-  scan(frame, surface, &curved, tile, crossings);
+  scan(frame, surface, &curved, tile, crossings, only);
 }
 
 }  // namespace hiac

@@ -7,6 +7,7 @@
 
 #include "hiac/element/cell_surface.hpp"
 #include "hiac/frame/frame.hpp"
+#include "hiac/frame/tiles/pixel_mask.hpp"
 #include "hiac/frame/tiles/tile.hpp"
 #include "hiac/render/cells/curved/curved_faces.hpp"
 
@@ -43,7 +44,8 @@ inline std::array<double, 3> place_of(const CellCrossing& crossing) {
 /// (kernel_cells.hpp). A ray that lies in faces to within rounding may cross a cell several times;
 /// neighbouring cells divide such a ray without gap or overlap.
 void scan_projected_cell(const Frame& frame, const CellSurface& surface, CurvedFaces* curved,
-                         const TileRect& tile, std::vector<CellCrossing>& crossings);
+                         const TileRect& tile, std::vector<CellCrossing>& crossings,
+                         const PixelMask* only = nullptr);
 
 /// Crossings of a cell without curved faces by the rays of rows of pixels, where each ray enters
 /// and leaves once. Structure of arrays: a run owns `count` entries from `first` on.
@@ -81,14 +83,16 @@ void scan_projected_runs(const Frame& frame, const CellSurface& surface, const T
 /// rounding does, and the tie break is the same: the pixel is moved right, and then down, by
 /// infinitesimal amounts.
 void scan_cell_beside_eye(const Frame& frame, const CellSurface& surface, CurvedFaces* curved,
-                          const TileRect& tile, std::vector<CellCrossing>& crossings);
+                          const TileRect& tile, std::vector<CellCrossing>& crossings,
+                          const PixelMask* only = nullptr);
 
 /// Whether all corners are projectable (ProjectedNode).
 bool is_projectable(const Frame& frame, const CellSurface& surface);
 
 /// Appends the crossings of a cell of the frame's mesh, by scan_projected_cell or
-/// scan_cell_beside_eye, whichever applies.
+/// scan_cell_beside_eye, whichever applies. `only`, if it is not null, limits the work to rays of
+/// these pixels; others may be appended all the same.
 void scan_cell(const Frame& frame, CellId cell, const TileRect& tile,
-               std::vector<CellCrossing>& crossings);
+               std::vector<CellCrossing>& crossings, const PixelMask* only = nullptr);
 
 }  // namespace hiac

@@ -9,9 +9,11 @@
 
 #include "hiac/element/cell_field.hpp"
 #include "hiac/frame/frame.hpp"
+#include "hiac/frame/tiles/pixel_mask.hpp"
 #include "hiac/frame/tiles/tile.hpp"
 #include "hiac/geometry/inverse_map.hpp"
 #include "hiac/render/cells/cell_scan.hpp"
+#include "hiac/render/cells/face_normals.hpp"
 #include "hiac/render/integrate/isosurface_shading.hpp"
 
 namespace hiac {
@@ -38,36 +40,39 @@ class CellSkin {
  public:
   explicit CellSkin(const Frame& frame) : frame_(frame) {}
 
-  /// Selects a cell and finds the crossings with rays of the tile that z-clipping leaves.
-  void enter(CellId cell, const TileRect& tile);
+  /// Selects a cell and finds the crossings with rays of the tile that z-clipping leaves; `only`
+  /// with rays of these pixels, if it is not null.
+  void enter(CellId cell, const TileRect& tile, const PixelMask* only = nullptr);
 
-  /// The crossings of the selected cell with all rays of the tile, whatever faces they pass.
+  /// The crossings of the selected cell with these rays, whatever faces they pass.
   [[nodiscard]] std::span<const CellCrossing> rays() const { return scanned_; }
   /// The crossings of the selected cell's skin: ray by ray, front to back.
   [[nodiscard]] std::span<const SkinCrossing> crossings() const { return crossings_; }
   /// Whether no ray crosses the selected cell several times.
   [[nodiscard]] bool is_met_once() const { return is_met_once_; }
 
+  /// Whether a curved face of the selected cell turns one side to the ray of pixel (x, y) all the
+  /// way between two of its points (reference coordinates).
+  [[nodiscard]] bool is_one_side(std::size_t face, const std::array<double, 3>& from,
+                                 const std::array<double, 3>& to, int x, int y);
+
   /// What a ray sees at one of the crossings.
   [[nodiscard]] IsosurfaceShade shade(const SkinCrossing& crossing);
 
  private:
   [[nodiscard]] std::array<double, 3> normal_of(std::size_t face);
-  [[nodiscard]] std::array<double, 3> normal_at(std::size_t face,
-                                                const std::array<double, 3>& reference);
   [[nodiscard]] double value_at(const SkinCrossing& crossing);
-  const std::array<CellMap::Point, CellMap::kMostNodes>& nodes();
+  const MappedCell& shape();
 
   const Frame& frame_;
   // of the selected cell
   CellId cell_ = 0;
-  CellKind kind_{};
   bool is_met_once_ = true;
   std::vector<CellCrossing> scanned_;
   std::vector<SkinCrossing> crossings_;
   // of the selected cell, once they are needed
   std::array<std::optional<std::array<double, 3>>, 6> normals_;  // of planar faces
-  std::optional<std::array<CellMap::Point, CellMap::kMostNodes>> nodes_;
+  std::optional<MappedCell> shape_;
   std::optional<CellMap> map_;
   std::optional<CellField> field_;
 };

@@ -17,6 +17,7 @@
 
 #  include <hwy/highway.h>
 
+#  include "hiac/frame/tiles/pixel_mask.hpp"
 #  include "hiac/render/cells/edge_crossings-inl.hpp"
 #  include "hiac/render/cells/ray_crossings-inl.hpp"
 #  include "hiac/render/cells/surface_depth-inl.hpp"
@@ -43,11 +44,12 @@ using Vector = std::array<double, 3>;
 class LineScan {
  public:
   LineScan(const Frame& frame, const CellSurface& surface, CurvedFaces* curved,
-           const TileRect& tile)
+           const TileRect& tile, const PixelMask* only)
       : frame_(frame),
         surface_(surface),
         curved_(curved),
         tile_(tile),
+        only_(only),
         nodes_(projected_nodes(frame, surface)),
         depth_(surface, nodes_) {
     for (std::size_t k = 0; k < surface.corner_count; ++k) {
@@ -59,7 +61,8 @@ class LineScan {
   void scan(std::vector<CellCrossing>& crossings) {
     const bool in_corners_hull = curved_ == nullptr || !curved_->has_curved_edges();
     if (in_corners_hull && outside_tile()) return;
-    for (int y = tile_.y0; y < tile_.y1; ++y) scan_row(y, crossings);
+    for (int y = tile_.y0; y < tile_.y1; ++y)
+      if (only_ == nullptr || only_->row(y - tile_.y0) != 0) scan_row(y, crossings);
   }
 
  private:
@@ -167,6 +170,7 @@ class LineScan {
   const CellSurface& surface_;
   CurvedFaces* curved_;
   const TileRect& tile_;
+  const PixelMask* only_;  // the pixels in whose rows crossings are wanted; null for all
   Nodes nodes_;
   SurfaceDepth depth_;
   std::array<Vector, CellSurface::kMostCorners> camera_;

@@ -17,6 +17,7 @@
 
 #  include <hwy/highway.h>
 
+#  include "hiac/frame/tiles/pixel_mask.hpp"
 #  include "hiac/render/cells/edge_crossings-inl.hpp"
 #  include "hiac/render/cells/ray_crossings-inl.hpp"
 #  include "hiac/render/cells/surface_depth-inl.hpp"
@@ -29,12 +30,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 class ScreenScan {
  public:
   ScreenScan(const Frame& frame, const CellSurface& surface, CurvedFaces* curved,
-             const TileRect& tile, CrossingRuns* runs)
+             const TileRect& tile, CrossingRuns* runs, const PixelMask* only)
       : perspective_(frame.projector.perspective()),
         surface_(surface),
         curved_(curved),
         tile_(tile),
         runs_(runs),
+        only_(only),
         nodes_(projected_nodes(frame, surface)),
         on_screen_(surface, nodes_),
         depth_(surface, nodes_) {}
@@ -51,7 +53,8 @@ class ScreenScan {
       bottom = bounds.in_front ? std::max(bottom, bounds.y1) : tile_.y1;
     }
     const int row_end = first_center(bottom, tile_.y0, tile_.y1);
-    for (int y = first_center(top, tile_.y0, tile_.y1); y < row_end; ++y) scan_row(y, crossings);
+    for (int y = first_center(top, tile_.y0, tile_.y1); y < row_end; ++y)
+      if (only_ == nullptr || only_->row(y - tile_.y0) != 0) scan_row(y, crossings);
   }
 
  private:
@@ -77,6 +80,7 @@ class ScreenScan {
     if (first < last && runs_ != nullptr && add_run(section, edges, first, last, y)) return;
     if (curved_ == nullptr) return meet_row(section, edges, first, last, y, crossings);
     for (int x = first; x < last; ++x) {
+      if (!is_wanted(x, y)) continue;
       RayCrossings ray;
       for (std::size_t i = 0; i < section.triangle_count; ++i) {
         const auto& [k, e, f] = section.triangles[i];
@@ -89,6 +93,10 @@ class ScreenScan {
           [&](double t, std::uint8_t face, double u, double v) { ray.add(t, face, u, v); });
       ray.append_to(crossings, curved_, x, y);
     }
+  }
+
+  [[nodiscard]] bool is_wanted(int x, int y) const {
+    return only_ == nullptr || (only_->row(y - tile_.y0) >> (x - tile_.x0) & 1U) != 0;
   }
 
   // Whether the triangles that a row crosses cover every pixel of [first, last) twice.
@@ -192,6 +200,7 @@ class ScreenScan {
     constexpr CellCrossing kPlain{
         0, 0, 0, 0, 0, 0, {kNone, kNone, kNone}, {kNone, kNone, kNone}, kNone, kNone};
     for (int x = first; x < last; ++x) {
+      if (!is_wanted(x, y)) continue;
       const auto at = static_cast<std::size_t>(x - first);
       if (count[at] == 2) {  // the usual case
         const std::size_t front = places[1][at] < places[0][at] ? 1 : 0, back = 1 - front;
@@ -214,7 +223,8 @@ class ScreenScan {
   const CellSurface& surface_;
   CurvedFaces* curved_;
   const TileRect& tile_;
-  CrossingRuns* runs_;  // for rows that form one run; may be null
+  CrossingRuns* runs_;     // for rows that form one run; may be null
+  const PixelMask* only_;  // the pixels whose crossings are wanted; null for all
   Nodes nodes_;
   EdgesOnScreen on_screen_;
   SurfaceDepth depth_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "hiac/frame/surfaces/boundary_faces.hpp"
@@ -35,17 +36,17 @@ Point between(const Point& a, const Point& b, double s) {
   return {a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1]), a[2] + s * (b[2] - a[2])};
 }
 
-// Shortens a piece, in camera coordinates, to the range of depths; false if nothing is left.
-bool clip(Point& a, Point& b, double near, double far) {
-  if (a[2] > b[2]) return clip(b, a, near, far);
-  if (b[2] < near || a[2] > far) return false;
-  const Point from = a, to = b;
-  const auto at = [&](double depth) {
-    return between(from, to, (depth - from[2]) / (to[2] - from[2]));
-  };
-  if (a[2] < near) a = at(near);
-  if (b[2] > far) b = at(far);
-  return true;
+// The part of a piece within the range of depths, as shares of its length: from one depth to
+// another. None if nothing is left.
+std::optional<std::array<double, 2>> clip(double from, double to, double near, double far) {
+  if (std::max(from, to) < near || std::min(from, to) > far) return std::nullopt;
+  const auto at = [&](double depth) { return (depth - from) / (to - from); };
+  std::array<double, 2> kept{0, 1};
+  if (from < near) kept[0] = at(near);
+  if (from > far) kept[0] = at(far);
+  if (to < near) kept[1] = at(near);
+  if (to > far) kept[1] = at(far);
+  return kept;
 }
 
 ProjectedNode on_screen(const Projector& projector, const Point& p) {
@@ -80,30 +81,43 @@ void ScreenEdges::add_all(const Frame& frame, std::span<const EdgeNodes> edges) 
       nodes[k] = frame.projector.camera_coordinates(frame.mesh.position(edge.nodes[k]));
     const std::array<NodeId, 2> both{edge.nodes[0], edge.nodes[edge.count - 1]};
     if (!is_curved(frame.mesh, edge, frame.straightness)) {
-      add(frame, nodes[0], nodes[edge.count - 1], both, both);
+      add(frame, std::array{nodes[0], nodes[edge.count - 1]}, 0, 1, both);
       continue;
     }
-    const auto on_edge = std::span(nodes).first(edge.count);
     for (std::size_t k = 0; k < kPieces; ++k)
-      add(frame, point_on(on_edge, static_cast<double>(k) / kPieces),
-          point_on(on_edge, static_cast<double>(k + 1) / kPieces), both,
-          {k == 0 ? both[0] : kNoNode, k + 1 == kPieces ? both[1] : kNoNode});
+      add(frame, std::span(nodes).first(edge.count), static_cast<double>(k) / kPieces,
+          static_cast<double>(k + 1) / kPieces, both);
   }
 }
 
-// Adds a piece between two points in camera coordinates.
-void ScreenEdges::add(const Frame& frame, const Point& from, const Point& to,
-                      const std::array<NodeId, 2>& edge, std::array<NodeId, 2> ends) {
+// Adds the piece of an edge between two places along it, by the edge's nodes in camera coordinates.
+void ScreenEdges::add(const Frame& frame, std::span<const Point> nodes, double from, double to,
+                      const std::array<NodeId, 2>& edge) {
   const Projector& projector = frame.projector;
+  Point a = point_on(nodes, from), b = point_on(nodes, to);
   double near = projector.near();
-  if (projector.perspective()) near = std::max(near, kNearest * std::max(from[2], to[2]));
-  Point a = from, b = to;
+  if (projector.perspective()) near = std::max(near, kNearest * std::max(a[2], b[2]));
   if (projector.perspective() && !(std::max(a[2], b[2]) > 0)) return;
-  if (!clip(a, b, near, projector.far())) return;
+  const auto kept = clip(a[2], b[2], near, projector.far());
+  if (!kept) return;
+  const auto [low, high] = *kept;
+  const Point whole_a = a, whole_b = b;
+  if (low > 0) a = between(whole_a, whole_b, low);
+  if (high < 1) b = between(whole_a, whole_b, high);
   const ProjectedNode p = on_screen(projector, a), q = on_screen(projector, b);
-  if (a != from) ends[0] = kNoNode;
-  if (b != to) ends[1] = kNoNode;
-  pieces_.push_back({p.x, p.y, p.depth, q.x, q.y, q.depth, edge, ends});
+  const double length = to - from;
+  from += low * length;
+  to -= (1 - high) * length;
+  pieces_.push_back({p.x,
+                     p.y,
+                     p.depth,
+                     q.x,
+                     q.y,
+                     q.depth,
+                     from,
+                     to,
+                     edge,
+                     {from == 0 ? edge[0] : kNoNode, to == 1 ? edge[1] : kNoNode}});
 }
 
 // Calls visit(tile) for the tiles that the box around a piece meets.

@@ -20,6 +20,7 @@ inline constexpr NodeId kNoNode = std::numeric_limits<NodeId>::max();
 struct EdgePiece {
   double x0, y0, depth0;  ///< ProjectedNode
   double x1, y1, depth1;
+  double from, to;             ///< where it begins and ends along the whole edge, from 0 to 1
   std::array<NodeId, 2> edge;  ///< the edge's ends
   std::array<NodeId, 2> ends;  ///< the piece's ends; kNoNode where these are no ends of the edge
 };
@@ -53,8 +54,8 @@ class ScreenEdges {
 
  private:
   void add_all(const Frame& frame, std::span<const EdgeNodes> edges);
-  void add(const Frame& frame, const std::array<double, 3>& from, const std::array<double, 3>& to,
-           const std::array<NodeId, 2>& edge, std::array<NodeId, 2> ends);
+  void add(const Frame& frame, std::span<const std::array<double, 3>> nodes, double from, double to,
+           const std::array<NodeId, 2>& edge);
   void deal_out(ImageSize size);
   template <typename Visit>
   void visit_tiles(const EdgePiece& piece, ImageSize size, const Visit& visit) const;

@@ -42,6 +42,17 @@ double area(const Polygon& polygon) {
   return std::abs(twice) / 2;
 }
 
+// The share of the square around the origin in which a x + b y <= distance, of a unit vector (a,
+// b): a trapezoid in the middle, triangles at the ends.
+double half_plane_coverage(double a, double b, double distance) {
+  const double least = std::min(std::abs(a), std::abs(b)),
+               most = std::max(std::abs(a), std::abs(b));
+  const double away = std::abs(distance), corner = (most + least) / 2 - away;
+  if (away <= (most - least) / 2) return 0.5 + distance / most;
+  const double cut = corner > 0 ? corner * corner / (2 * least * most) : 0;
+  return distance < 0 ? cut : 1 - cut;
+}
+
 }  // namespace
 
 double strip_coverage(const Strip& strip, double x, double y) {
@@ -54,6 +65,9 @@ double strip_coverage(const Strip& strip, double x, double y) {
   constexpr double kReach = 0.7071067811865476;  // of the pixel's corners
   const double aside = nx * x0 + ny * y0, along = -(dx * x0 + dy * y0) / length;
   if (std::abs(aside) > half + kReach || along < -kReach || along > length + kReach) return 0;
+  // between the strip's ends only its two sides count
+  if (along >= kReach && along <= length - kReach)
+    return half_plane_coverage(nx, ny, half - aside) - half_plane_coverage(nx, ny, -half - aside);
   // a strip far longer than the pixel keeps its digits: only its part near the pixel counts
   const double from = std::max(0.0, along - 1), to = std::min(length, along + 1);
   const double ux = dx / length, uy = dy / length;

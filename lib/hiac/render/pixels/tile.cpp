@@ -22,6 +22,11 @@ void TileBuffer::reset(const TileRect& tile, const Projector& projector, bool wi
       ray_scale[tile.index(x, y)] = projector.ray_scale(pixel_center(x), pixel_center(y));
 }
 
+void SegmentList::prepend(const SegmentList& other) {
+  segments.insert(segments.begin(), other.segments.begin(), other.segments.end());
+  details.insert(details.begin(), other.details.begin(), other.details.end());
+}
+
 bool SegmentList::nearer(std::uint32_t a, std::uint32_t b) const {
   const ListedSegment &p = segments[a], &q = segments[b];
   if (p.front != q.front) return p.front < q.front;

@@ -36,6 +36,8 @@ struct SegmentList {
     segments.clear();
     details.clear();
   }
+  /// Puts another list before this one.
+  void prepend(const SegmentList& other);
   /// The order of one pixel's segments: by depth.
   [[nodiscard]] bool nearer(std::uint32_t a, std::uint32_t b) const;
 };

@@ -47,7 +47,7 @@ MergeConstants merge_constants(const Frame& frame) {
 }
 
 MergedTile::MergedTile(const MergeConstants& constants, std::span<const TileRuns> parts,
-                       const Edges* edges)
+                       const EdgedView* edges)
     : constants_(constants), details_(constants.with_details ? kPixels : 0) {
   pixels_.red.fill(0);
   pixels_.green.fill(0);

@@ -28,10 +28,10 @@ MergeConstants merge_constants(const Frame& frame);
 /// one has ended.
 class MergedTile final : public DrawnTile, public SurfaceCover {
  public:
-  /// `parts`: by ascending number of the part. `edges`: of the scene, or null. The result depends
-  /// on nothing else.
+  /// `parts`: by ascending number of the part. `edges`: null if the scene has none. The result
+  /// depends on nothing else.
   MergedTile(const MergeConstants& constants, std::span<const TileRuns> parts,
-             const Edges* edges = nullptr);
+             const EdgedView* edges = nullptr);
 
   [[nodiscard]] const TilePixels& pixels() const override { return pixels_; }
   [[nodiscard]] const TileCounts& counts() const override { return counts_; }

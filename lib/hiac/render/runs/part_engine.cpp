@@ -33,7 +33,7 @@ TileBins PartEngine::bins(const VisibilityOrder& order, const PixelRect& rect) c
 }
 
 TileRuns PartEngine::draw(const VisibilityOrder& order, const TileRect& tile,
-                          std::span<const std::uint32_t> ranks, const EdgedMask* mask) const {
+                          std::span<const std::uint32_t> ranks, const PixelMask* mask) const {
   const bool on_all_cells = scene_.edges && scene_.edges->show == EdgeChoice::all;
   const bool any = mask != nullptr && mask->any();
   const EdgesOfPart edges{any ? mask : nullptr, on_all_cells, boundary_, global_nodes_};
@@ -49,9 +49,9 @@ void PartEngine::set_edges(std::span<const EdgeNodes> edges, std::vector<std::ui
   global_nodes_ = global_nodes;
 }
 
-bool PartEngine::mark_edges(const TileRect& tile, EdgedMask& mask) const {
+bool PartEngine::mark_edges(const TileRect& tile, PixelMask& mask) const {
   const TileEdges edges(frame_, edges_, tile);
-  edges.visit_all([&](std::size_t at, double, const TileEdges::Place&) { mask.set(at); });
+  edges.visit_all([&](std::size_t at, double, const TileEdges::Place&) { mask.add(at); });
   return !edges.empty();
 }
 
@@ -61,11 +61,13 @@ void PartEngine::add_fragments(const TileRect& tile, std::vector<EdgeFragment>& 
   };
   const TileEdges edges(frame_, edges_, tile);
   edges.visit_all([&](std::size_t at, double share, const TileEdges::Place& place) {
-    fragments.push_back({static_cast<std::uint32_t>(at),
-                         share,
-                         place.t,
-                         {global(place.piece->edge[0]), global(place.piece->edge[1])},
-                         global(place.node)});
+    const EdgePiece& piece = *place.piece;
+    fragments.push_back(
+        {static_cast<std::uint32_t>(at),
+         share,
+         place.t,
+         {piece.x0, piece.y0, piece.x1, piece.y1, scene_.edges->width},
+         {{global(piece.edge[0]), global(piece.edge[1])}, place.along, global(place.node)}});
   });
 }
 

@@ -11,6 +11,7 @@
 #include "hiac/frame/frame.hpp"
 #include "hiac/frame/frame_constants.hpp"
 #include "hiac/frame/surfaces/touched_faces.hpp"
+#include "hiac/frame/tiles/pixel_mask.hpp"
 #include "hiac/frame/tiles/tile_bins.hpp"
 #include "hiac/render/edges/screen_edges.hpp"
 #include "hiac/render/runs/merged_tile.hpp"
@@ -54,11 +55,11 @@ class PartEngine {
   /// The cells of the part's own order in each tile of a part of the picture.
   [[nodiscard]] TileBins bins(const VisibilityOrder& order, const PixelRect& rect) const;
   /// Marks the pixels of a tile through which the part's edges pass; whether there are any.
-  bool mark_edges(const TileRect& tile, EdgedMask& mask) const;
+  bool mark_edges(const TileRect& tile, PixelMask& mask) const;
   /// `mask`: the pixels of the tile through which edges of any part pass; null: there are no edges.
   [[nodiscard]] TileRuns draw(const VisibilityOrder& order, const TileRect& tile,
                               std::span<const std::uint32_t> ranks,
-                              const EdgedMask* mask = nullptr) const;
+                              const PixelMask* mask = nullptr) const;
 
  private:
   void add_fragments(const TileRect& tile, std::vector<EdgeFragment>& fragments) const;

@@ -9,7 +9,6 @@
 
 #include "hiac/base/cancellation.hpp"
 #include "hiac/frame/cell_groups.hpp"
-#include "hiac/mesh/parted/whole_corners.hpp"
 #include "hiac/render/draw_cells.hpp"
 #include "hiac/render/edges/tile_edges.hpp"
 #include "hiac/render/pixels/sorted_segments.hpp"
@@ -35,7 +34,7 @@ class RunPainter {
         folder_(*buffer_, frame.witness_tolerance, frame.with_details, !splatted.none()),
         edges_(edges),
         none_(frame, no_edges_, tile),
-        skin_(frame, none_) {
+        skin_(frame, no_edges_, none_) {
     buffer_->reset(tile, frame.projector, false);
   }
 
@@ -106,7 +105,7 @@ class RunPainter {
     const SkinPainter::ListedSkin skin =
         skin_.list({frame_, tile_, *buffer_, &of_cell_, counts_}, cell, !splatted_.holds(cell),
                    [&](const CellCrossing& ray, double front, double back) {
-                     if (is_edged(tile_.index(ray.x, ray.y))) add_stops(cell, ray, front, back);
+                     if (is_edged(tile_.index(ray.x, ray.y))) add_crossing(cell, ray, front, back);
                    });
     places_.resize(list_.segments.size());
     for (const std::uint32_t k : sorted_segments(of_cell_)) {
@@ -121,7 +120,7 @@ class RunPainter {
   }
 
   [[nodiscard]] bool is_edged(std::size_t at) const {
-    return edges_.mask != nullptr && edges_.mask->test(at);
+    return edges_.mask != nullptr && edges_.mask->holds(at);
   }
 
   // The middle of the ray's way through the cell at hand on which a segment lies.
@@ -139,18 +138,10 @@ class RunPainter {
     return middle;
   }
 
-  void add_stops(CellId cell, const CellCrossing& ray, double front, double back) {
-    const auto corners = [&](std::uint8_t face) {
-      return whole_corners(frame_.mesh, edges_.global_nodes, cell, face);
-    };
-    const auto pixel = static_cast<std::uint32_t>(tile_.index(ray.x, ray.y));
-    const double middle = 0.5 * (ray.front + ray.back);
-    crossings_.push_back({pixel, front, back, middle});
-    EdgeStop stop{pixel, true, front, middle, corners(ray.front_face), corners(ray.back_face)};
-    edged_.stops.push_back(stop);
-    stop.enters = false;
-    stop.t = back;
-    edged_.stops.push_back(stop);
+  void add_crossing(CellId cell, const CellCrossing& ray, double front, double back) {
+    edged_.crossings.add(frame_, cell, ray, tile_, front, back, edges_.global_nodes);
+    const EdgedCrossing& way = edged_.crossings.rays.back();
+    crossings_.push_back({way.pixel, front, back, way.middle});
   }
 
   void add_covers(TileRuns& runs) const {

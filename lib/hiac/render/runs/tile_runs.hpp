@@ -4,6 +4,7 @@
 #include <span>
 
 #include "hiac/frame/frame.hpp"
+#include "hiac/frame/tiles/pixel_mask.hpp"
 #include "hiac/order/visibility_order.hpp"
 #include "hiac/render/runs/ray_runs.hpp"
 #include "hiac/render/splatting.hpp"
@@ -12,7 +13,7 @@ namespace hiac {
 
 /// What a part needs where edges are drawn.
 struct EdgesOfPart {
-  const EdgedMask* mask = nullptr;  ///< of the tile; null: there are none in it
+  const PixelMask* mask = nullptr;  ///< of the tile; null: there are none in it
   bool on_all_cells = false;        ///< edges may lie on all cells, otherwise on the boundary's
   std::span<const std::uint8_t> boundary;  ///< of the whole mesh (whole_boundary)
   std::span<const std::uint64_t> global_nodes;
