@@ -26,6 +26,9 @@ APPROXIMATE, UNSLICED = "approximate", "approximate-unsliced"
 SPLATTED = "render.splat_below=2"
 
 BESIDE = "camera.eye=[-2.4, -3.2, 2.0]"
+ANNOTATED = ['annotation.title.text="Coolant in a hot pool"', 'annotation.colorbar.label="speed (m/s)"',
+             "annotation.axes.show=true", 'annotation.scale.unit="m"', "annotation.text_size=0.045",
+             "annotation.title.size=0.06"]
 
 # figure of the paper, or another picture: mesh, specification, settings that change the specification
 FIGURES = {
@@ -37,6 +40,7 @@ FIGURES = {
     "figure-13": ("pool", "pool-surfaces", [f"render.integration={EXACT}", BESIDE]),
     "figure-14": ("pool-corners", "pool-surfaces", [f"render.integration={EXACT}"]),
     "skin": ("pool", "pool-skin", []),
+    "annotated": ("pool", "pool", [f"render.integration={EXACT}", *ANNOTATED]),
     "figure-15": ("vortices", "vortices", [f"render.integration={EXACT}", SPLATTED]),
     "figure-16": ("vortices", "vortices", [f"render.integration={APPROXIMATE}"]),
 }
