@@ -349,12 +349,14 @@ TEST(ExplainPixel, NamesTheSkinAndTheEdgesThatTheRayMeets) {
     scene.edges = Edges{EdgeChoice::feature, 30, 0.5, {1, 0, 0}, 0.8};
     pixel = explain_pixel(mesh, order_of(mesh, scene), scene, 1, 2, false);
     ASSERT_EQ(pixel.segments.size(), 2U);  // of the top and of the bottom
+    // both cover the left half of the pixel: of the bottom's line a fifth is seen through the top's
     double transparency = 1;
-    for (const PixelSegment& s : pixel.segments) {
+    for (const double taken : {0.5 * 0.8, 0.5 * 0.2 * 0.8}) {
+      const PixelSegment& s = pixel.segments[transparency < 1 ? 1 : 0];
       EXPECT_EQ(s.part, RayPart::edge);
-      EXPECT_NEAR(s.opacity, 0.5 * 0.8, 1e-9);
-      EXPECT_NEAR(s.light[0], 0.5 * 0.8, 1e-9);
-      transparency *= 0.6;
+      EXPECT_NEAR(s.opacity, taken / transparency, 1e-9);
+      EXPECT_NEAR(s.light[0], taken / transparency, 1e-9);
+      transparency -= taken;
     }
     EXPECT_NEAR(pixel.segments[0].front.depth, 3, 1e-12);
     // it is drawn where the segment beside it ends, which may be a face inside
