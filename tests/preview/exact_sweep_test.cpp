@@ -105,7 +105,7 @@ bool jumps(const std::optional<TransferFunction<N>>& function) {
 }
 
 TEST_F(ExactSweep, RandomScenes) {
-  for (std::uint64_t seed = 0; seed < (takes_all() ? 200U : takes_few() ? 3U : 20U); ++seed) {
+  for (std::uint64_t seed = 0; seed < (takes_all() ? 200U : takes_few() ? 3U : 10U); ++seed) {
     test::RandomScene random = test::random_scene(test::SceneCells::tetrahedra, 9000 + seed, 60);
     random.scene.render.tolerance = 1e-9;
     expect(
