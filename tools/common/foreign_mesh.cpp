@@ -27,6 +27,7 @@ namespace {
 
 constexpr const char* kConverter = "hiac-convert";
 constexpr const char* kApproximate = "--approximate";
+
 ChildProgram start(const std::vector<std::string>& arguments) {
   return start_program(places_of(kConverter), arguments, ChildPipe::output);
 }

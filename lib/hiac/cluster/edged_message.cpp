@@ -3,8 +3,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <span>
+
+#include "hiac/base/special_values.hpp"
 
 namespace hiac {
 namespace {
@@ -62,7 +63,7 @@ EdgeStop get_stop(ByteReader& from, bool with_reference) {
   stop.t = from.get<double>();
   stop.face = from.get<std::uint8_t>();
   stop.corners = from.get<std::array<std::uint64_t, 4>>();
-  stop.reference.fill(std::numeric_limits<double>::quiet_NaN());
+  stop.reference.fill(kNaN);
   if (with_reference) stop.reference = from.get<std::array<double, 3>>();
   return stop;
 }
