@@ -8,6 +8,7 @@
 #include "hiac/render/supersampling.hpp"
 #include "tests/cluster/parts_of.hpp"
 #include "tests/render/truth/general_meshes.hpp"
+#include "tests/support/instrumented.hpp"
 
 namespace hiac {
 namespace {
@@ -34,7 +35,7 @@ class SharedTilesTest : public testing::Test {
   template <typename Render>
   static void expect_alone(const Render& render) {
     const RenderResult alone = render(nullptr);
-    for (const std::uint32_t ranks : {1U, 2U, 5U}) {
+    for (const std::uint32_t ranks : test::tried(std::vector{5U, 1U, 2U})) {
       const auto results = of_ranks(ranks, render);
       const auto values = results[0].image.values(), expected = alone.image.values();
       ASSERT_EQ(values.size(), expected.size());

@@ -12,6 +12,7 @@
 #include "hiac/session/session.hpp"
 #include "tests/cluster/parts_of.hpp"
 #include "tests/render/truth/general_meshes.hpp"
+#include "tests/support/instrumented.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace hiac {
@@ -35,7 +36,7 @@ void expect_whole(const ZooMesh& mesh, std::uint32_t parts, const ParsedScene& p
   std::vector<std::uint32_t> part_of_cell(mesh.cell_count());
   for (std::uint32_t& part : part_of_cell) part = static_cast<std::uint32_t>(random() % parts);
   const std::vector<MeshPart> split = split_mesh(mesh, part_of_cell, parts);
-  for (const std::uint32_t ranks : {1U, 3U})
+  for (const std::uint32_t ranks : test::tried(std::vector{3U, 1U}))
     test::run_ranks(ranks, [&](Communicator& all) {
       std::vector<NumberedPart> own;
       for (std::uint32_t part = all.rank(); part < parts; part += ranks)
@@ -62,7 +63,7 @@ TEST(WholeRanges, AreThoseOfTheWholeMesh) {
   for (const char* range : {"range = \"auto\"\n", "range = \"percentile:1,99\"\n",
                             "range = \"percentile:0,37.5\"\n", "range = \"percentile:50,100\"\n"})
     for (const std::string scale : {"", "scale = \"log\"\n"})
-      for (const std::uint32_t parts : {1U, 2U, 5U}) {
+      for (const std::uint32_t parts : test::tried(std::vector{5U, 1U, 2U})) {
         SCOPED_TRACE(range + scale);
         expect_whole(mesh, parts, specification("n", "c", range + scale));
         expect_whole(mesh, parts, specification("k", "n", range + scale));

@@ -14,6 +14,7 @@
 #include "hiac/render/edges/chosen_edges.hpp"
 #include "tests/render/truth/general_meshes.hpp"
 #include "tests/render/truth/sampled_strips.hpp"
+#include "tests/support/instrumented.hpp"
 
 namespace hiac {
 namespace {
@@ -107,7 +108,7 @@ Judged judge(const ZooMesh& mesh, const Scene& scene) {
 
 TEST(EdgeCoverage, IsThatOfAllLinesWhereManyMeet) {
   for (const Cut cut : {Cut::bricks, Cut::tetrahedra, Cut::prisms})
-    for (const double width : {0.4, 1.0, 2.5})
+    for (const double width : test::tried(std::vector{1.0, 0.4, 2.5}))
       for (const std::size_t per_edge : {3U, 12U}) {
         ZooMesh mesh = test::structured(per_edge, cut);
         const Judged found = judge(mesh, cube_lines(width, 1));

@@ -14,6 +14,7 @@
 #include "hiac/base/error.hpp"
 #include "hiac/scene/starter_text.hpp"
 #include "hiac/scene/toml/spec_override.hpp"
+#include "tests/support/instrumented.hpp"
 
 namespace hiac {
 namespace {
@@ -261,7 +262,7 @@ std::size_t kept_comments(const RandomText& random, const std::string& text) {
 TEST(EditedText, SetsWhatTheOverrideSetsAndKeepsEveryComment) {
   RandomText random(1);
   int replaced = 0, added = 0;
-  for (int round = 0; round < 40000; ++round) {
+  for (int round = 0; round < static_cast<int>(test::tried(40000)); ++round) {
     const std::string text = random.text();
     const toml::table before = toml::parse(text);
     const std::string key = random_key(random, before);
@@ -325,7 +326,7 @@ toml::table without_empty(toml::table table) {
 TEST(EditedText, RemovesWhatTheOverrideRemoves) {
   RandomText random(2);
   int removed = 0;
-  for (int round = 0; round < 40000; ++round) {
+  for (int round = 0; round < static_cast<int>(test::tried(40000)); ++round) {
     const std::string text = random.text();
     const std::string key = random_key(random, toml::parse(text));
     const bool tables_too = random.below(2) == 0;
@@ -362,7 +363,7 @@ toml::array* list_at(toml::table& document, const std::string& key) {
 TEST(EditedText, InsertsElementsBetweenOthers) {
   RandomText random(3);
   int inserted = 0;
-  for (int round = 0; round < 40000; ++round) {
+  for (int round = 0; round < static_cast<int>(test::tried(40000)); ++round) {
     const std::string text = random.text();
     toml::table truth = toml::parse(text);
     const std::string key = random_key(random, truth);

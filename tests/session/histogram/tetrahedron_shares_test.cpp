@@ -9,6 +9,8 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
+#include "tests/support/instrumented.hpp"
+
 namespace hiac {
 namespace {
 
@@ -59,7 +61,7 @@ void expect_exact(const std::array<double, 4>& values, const std::vector<double>
 TEST(TetrahedronShares, AgreeWithRationalNumbers) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> uniform(0, 1);
-  for (int round = 0; round < 3000; ++round) {
+  for (int round = 0; round < static_cast<int>(test::tried(3000)); ++round) {
     std::array<double, 4> values;
     for (double& v : values) v = uniform(random);
     // equal values, values an ulp apart, and values very close to one another
