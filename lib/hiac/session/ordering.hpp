@@ -50,6 +50,10 @@ class Ordering {
   /// The part of the order that all views share. Uses the adjacency stored with the mesh, or
   /// computes it.
   const OrderBasis& basis();
+  /// The adjacency of the basis; null before that is computed.
+  [[nodiscard]] const FaceAdjacency* adjacency() const {
+    return basis_ ? &basis_->adjacency : nullptr;
+  }
   /// The hash of the mesh's geometry (geometry_hash), which orders of this mesh refer to.
   const std::string& mesh_hash();
 

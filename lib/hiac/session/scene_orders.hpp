@@ -35,6 +35,9 @@ class SceneOrders {
   /// The order for a scene. Throws as `require` and Ordering::made_by do.
   MeshOrder of(const Scene& scene);
 
+  /// The mesh's adjacency, if an order needed it.
+  [[nodiscard]] const FaceAdjacency* adjacency() const { return ordering_.adjacency(); }
+
  private:
   MeshOrder of_all_cells(const Scene& scene);
 

@@ -9,6 +9,7 @@
 #include "hiac/frame/crop.hpp"
 #include "hiac/frame/renderable.hpp"
 #include "hiac/image/composite.hpp"
+#include "hiac/mesh/face_adjacency.hpp"
 #include "hiac/mesh/mesh_hash.hpp"
 #include "hiac/render/engine.hpp"
 #include "hiac/render/explain_pixel.hpp"
@@ -46,6 +47,7 @@ struct Session::State {
   std::shared_ptr<const MeshOrder> last_order;  // for last_view, if there is one
   std::string last_view;                        // its hash
   std::vector<CellId> left_out;                 // of all orders
+  bool has_boundary = false;                    // the mesh has the adjacency that pictures need
 
   State(ZooMesh drawn, Monitor watching)
       : mesh(std::move(drawn)), monitor(std::move(watching)), orders(mesh, monitor) {}
@@ -53,6 +55,18 @@ struct Session::State {
   const std::string& content_hash_of_mesh() {
     if (content.empty()) content = content_hash(mesh);
     return content;
+  }
+
+  // Skin and edges lie on the boundary. Gives the mesh its adjacency, so that not every picture
+  // computes it, and not each of the two.
+  void prepare_boundary(const Scene& scene) {
+    if (has_boundary || !(scene.skin || scene.edges)) return;
+    const FaceAdjacency* const known = orders.adjacency();
+    if (known != nullptr)
+      mesh.adjacency = *known;
+    else if (!mesh.adjacency)
+      mesh.adjacency = build_face_adjacency(mesh);
+    has_boundary = true;
   }
 
   const std::string& hash_of_geometry() {
@@ -70,6 +84,7 @@ const ZooMesh& Session::mesh() const { return state_->mesh; }
 
 bool Session::take_step(ZooMesh& mesh) {
   if (geometry_hash(mesh) != state_->hash_of_geometry()) return false;
+  if (state_->has_boundary) mesh.adjacency = state_->mesh.adjacency;
   state_->mesh = std::move(mesh);
   state_->content.clear();
   return true;
@@ -118,6 +133,7 @@ Picture Session::picture(const Scene& scene, const PictureRequest& request) {
   State& s = *state_;
   const PixelRect part = require_possible(request, scene.image);
   const std::shared_ptr<const MeshOrder> made = order(scene);
+  s.prepare_boundary(scene);
   RenderResult result = run_stage(s.monitor, "render", [&] {
     return draw(s.mesh, made->record.order, scene, request, part, s.monitor.progress);
   });
@@ -137,6 +153,7 @@ Picture Session::picture(const Scene& scene, const PictureRequest& request) {
 Explanation Session::explain(const Scene& scene, std::uint32_t x, std::uint32_t y,
                              bool background) {
   const std::shared_ptr<const MeshOrder> made = order(scene);
+  state_->prepare_boundary(scene);
   return {run_stage(state_->monitor, "explain",
                     [&] {
                       return std::make_shared<const PixelExplanation>(
