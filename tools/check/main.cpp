@@ -1,7 +1,6 @@
 // hiac-check: whether a mesh is valid, and what is wrong with it.
 
 #include <cstdint>
-#include <cstdio>
 #include <optional>
 #include <set>
 #include <string>
@@ -30,6 +29,7 @@
 #include "tools/check/report.hpp"
 #include "tools/common/foreign_mesh.hpp"
 #include "tools/common/mesh_io.hpp"
+#include "tools/common/picture/picture_size.hpp"
 #include "tools/common/picture/specification.hpp"
 #include "tools/common/tool.hpp"
 
@@ -182,21 +182,8 @@ void repair_file(Tool& tool, ZooFile& file, Judge& judge) {
   if (orders > 0) tool.note("the file's orders do not fit the repaired mesh and are left out");
 }
 
-// WxH, or the size that is usual.
 ImageSize picture_size(const Options& options) {
-  if (options.size.empty()) return {1024, 768};
-  unsigned width = 0, height = 0;
-  int length = 0;
-  constexpr unsigned kMost = 16384;
-  // NOLINTNEXTLINE(cert-err34-c): what does not fit is out of range below
-  if (std::sscanf(options.size.c_str(), "%5ux%5u%n", &width, &height, &length) != 2 ||
-      static_cast<std::size_t>(length) != options.size.size() || width < 1 || height < 1 ||
-      width > kMost || height > kMost)
-    throw UsageError(
-        fmt::format("--size: expected WIDTHxHEIGHT of 1 to {} each, as 1024x768 "
-                    "(found {})",
-                    kMost, options.size));
-  return {width, height};
+  return options.size.empty() ? ImageSize{1024, 768} : parse_size(options.size);
 }
 
 void check_options(const Options& options) {

@@ -10,11 +10,13 @@
 
 namespace hiac::tools {
 
-/// Draws a mesh with the cells of its findings, through the renderer: its boundary as a thin skin,
-/// darker where it turns away from the eye; the edges at which that bends in dark; cells that make
-/// the mesh invalid in red, cells of warnings in orange, all with their edges, so that those
-/// without volume are seen as well. Curved cells are drawn straight between their corners.
-/// `path`: as write_image takes it.
+/// Draws a mesh with the cells of its findings by the accurate engine: the boundary as a skin of
+/// glass with its feature edges, and over it the cells that make the mesh invalid in red, or else
+/// those of warnings in orange, as opaque solids with all of their edges, so that those without
+/// volume are seen as well, and what hides them does not. `path`: as write_image takes it.
+///
+/// Both are groups of cells that the engine sorts along every ray: tangled cells have no order. The
+/// cells of findings are drawn straight between their corners.
 void write_defect_picture(Tool& tool, const ZooMesh& mesh, const FaceAdjacency& adjacency,
                           const std::vector<Finding>& findings, ImageSize size,
                           const std::string& path);

@@ -22,6 +22,7 @@
 #include "tools/common/picture/frames.hpp"
 #include "tools/common/picture/order_facts.hpp"
 #include "tools/common/picture/paraview_input.hpp"
+#include "tools/common/picture/picture_size.hpp"
 #include "tools/common/picture/specification.hpp"
 #include "tools/common/text_output.hpp"
 #include "tools/common/threshold.hpp"
@@ -39,22 +40,6 @@ bool parse_pixels(const std::string& text, std::span<std::uint32_t> numbers) {
     at = last ? next : next + 1;
   }
   return true;
-}
-
-// WxH, as --size has it; each within what an image may have.
-ImageSize parse_size(const std::string& text) {
-  ImageSize size;
-  const char *at = text.data(), *end = text.data() + text.size();
-  const auto [cross, first] = std::from_chars(at, end, size.width);
-  const bool has_cross = first == std::errc() && cross != end && *cross == 'x';
-  const auto [last, second] = std::from_chars(has_cross ? cross + 1 : end, end, size.height);
-  if (!has_cross || second != std::errc() || last != end)
-    throw UsageError("--size: expected WIDTHxHEIGHT, as 1024x768 (found " + text + ")");
-  for (const std::uint32_t side : {size.width, size.height})
-    if (side < 1 || side > kMaxImageSide)
-      throw UsageError(
-          fmt::format("--size: expected 1 to {} pixels (found {})", kMaxImageSide, side));
-  return size;
 }
 
 // A picture on stdout needs a format, and stdout for itself.
