@@ -5,6 +5,7 @@
 #include <cstring>
 #include <numeric>
 #include <random>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -14,6 +15,7 @@
 #include "tests/cluster/parts_of.hpp"
 #include "tests/order/hard_meshes.hpp"
 #include "tests/render/truth/general_meshes.hpp"
+#include "tests/support/instrumented.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace hiac {
@@ -117,7 +119,7 @@ void expect_whole(const ZooMesh& mesh, const Assignment& part_of_cell, const Sce
   EXPECT_LE(largest_difference(alone.image, whole.image), kRounding);
   EXPECT_EQ(alone.statistics.violations, 0U);
   EXPECT_EQ(alone.statistics.covered_pixels, whole.statistics.covered_pixels);
-  for (const std::uint32_t ranks : {2U, 3U, 8U})
+  for (const std::uint32_t ranks : test::tried(std::vector{3U, 2U, 8U}))
     EXPECT_TRUE(same_bits(alone.image, draw_parts(parts, scene, {}, ranks, ranks == 3).image))
         << ranks;
 }
@@ -141,7 +143,7 @@ TEST(PartedRenderer, AnyPartsOfTetrahedraMakeTheWhole) {
 }
 
 TEST(PartedRenderer, CellsOfEveryKind) {
-  for (const CellKind kind : test::all_kinds()) {
+  for (const CellKind kind : test::tried(test::all_kinds())) {
     SCOPED_TRACE(static_cast<int>(kind));
     const ZooMesh mesh = with_fields(test::straight_mesh(kind, 2));
     expect_whole(mesh, at_random(mesh, 3, 7), scene_for(Projection::perspective, 40));
@@ -255,7 +257,7 @@ TEST(PartedRenderer, SkinOfEveryKind) {
     scene.skin = skin_of({0.2, 0.5, 0.9}, 0.4);
     return scene;
   };
-  for (const CellKind kind : test::all_kinds()) {
+  for (const CellKind kind : test::tried(test::all_kinds())) {
     SCOPED_TRACE(static_cast<int>(kind));
     const ZooMesh mesh = with_fields(test::straight_mesh(kind, 2));
     expect_whole(mesh, at_random(mesh, 3, 7), with_skin(scene_for(Projection::perspective, 40)));
@@ -332,7 +334,7 @@ TEST(PartedRenderer, EdgesOfTetrahedra) {
 }
 
 TEST(PartedRenderer, EdgesOfEveryKind) {
-  for (const CellKind kind : test::all_kinds()) {
+  for (const CellKind kind : test::tried(test::all_kinds())) {
     SCOPED_TRACE(static_cast<int>(kind));
     Scene scene = scene_for(Projection::perspective, 40);
     scene.edges = edges_of(EdgeChoice::feature, 1.5, 0.8);
@@ -347,7 +349,8 @@ TEST(PartedRenderer, EdgesOfEveryKind) {
 
 // Rays meet faces twice, and edges at one of the places.
 TEST(PartedRenderer, EdgesOfFacesThatBendBack) {
-  for (const CellKind kind : {CellKind::brick20, CellKind::prism15, CellKind::brick32}) {
+  for (const CellKind kind :
+       test::tried(std::vector{CellKind::brick20, CellKind::prism15, CellKind::brick32})) {
     SCOPED_TRACE(static_cast<int>(kind));
     const ZooMesh mesh = with_fields(test::arch(kind, 150, 2));
     Scene scene = scene_for(Projection::perspective, 90);
@@ -449,6 +452,17 @@ TEST(PartedRenderer, RefusesAMeshWithoutParts) {
   const Scene scene = scene_for(Projection::perspective);
   SoloCommunicator alone;
   EXPECT_THROW(PartedRenderer(alone, {}, scene), InputError);
+}
+
+TEST(PartedRenderer, RefusesTheErrorOfASkin) {
+  const ZooMesh mesh = with_fields(test::structured(2, Cut::tetrahedra));
+  Scene scene = scene_for(Projection::perspective);
+  const test::Parts parts(mesh, at_random(mesh, 2, 1), 2, scene);
+  constexpr std::array kError{Channel::error};
+  SoloCommunicator alone;
+  EXPECT_NO_THROW(PartedRenderer(alone, parts.of_rank(0, 1, false), scene, kError));
+  scene.skin.emplace();
+  EXPECT_THROW(PartedRenderer(alone, parts.of_rank(0, 1, false), scene, kError), UsageError);
 }
 
 }  // namespace

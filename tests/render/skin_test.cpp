@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "hiac/base/error.hpp"
 #include "hiac/frame/renderable.hpp"
 #include "hiac/render/engine.hpp"
 #include "tests/render/truth/general_meshes.hpp"
@@ -200,15 +199,6 @@ TEST(Skin, IsNoCellOfAPixelAndHasADepth) {
       // the medium begins where the skin is
       for (std::size_t c = 4; c < 7; ++c) EXPECT_EQ(with.at(x, y, c), without.at(x, y, c));
     }
-}
-
-TEST(Skin, ClaimsNoErrorBound) {
-  ZooMesh mesh = test::structured(1, Cut::bricks);
-  test::add_random_field(mesh, "f", FieldLocation::node, 19);
-  const Scene scene = skin_scene(Projection::perspective, 4, 4);
-  const std::vector<Channel> channels{Channel::error};
-  EXPECT_THROW(render(mesh, test::sorted(mesh, scene), scene, false, nullptr, channels),
-               UsageError);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "tools/compare/truth.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -9,7 +8,9 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/image/image_io.hpp"
+#include "hiac/render/bounds/bounded_scene.hpp"
 #include "hiac/scene/camera_path.hpp"
+#include "hiac/session/error_bounds.hpp"
 #include "hiac/session/session.hpp"
 #include "tools/common/foreign_mesh.hpp"
 #include "tools/common/picture/frames.hpp"
@@ -52,26 +53,14 @@ Image without_opaque_alpha(Tool& tool, Image picture, const std::string& path) {
 
 bool has_alpha(const Image& image) { return image.channel_index("A").has_value(); }
 
-double largest_of(const Image& image, const std::string& channel) {
-  const std::size_t at = image.channel_index(channel).value();
-  double largest = 0;
-  for (std::size_t y = 0; y < image.height(); ++y)
-    for (std::size_t x = 0; x < image.width(); ++x) largest = std::max(largest, image.at(x, y, at));
-  return largest;
-}
-
 // With the channel of error bounds, where bounds are claimed.
 Picture picture_with_bounds(Tool& tool, Session& session, const Scene& scene,
                             PictureRequest request) {
-  request.channels = {"error"};
-  try {
-    return session.picture(scene, request);
-  } catch (const UsageError& error) {
-    request.channels.clear();
-    Picture picture = session.picture(scene, request);  // throws again what is not of the channel
-    tool.note(fmt::format("the truth has no error bound: {}", error.what()));
-    return picture;
-  }
+  const auto reason = reason_unbounded(scene);
+  if (!reason) request.channels = {"error"};
+  Picture picture = session.picture(scene, request);
+  if (reason) tool.note(fmt::format("the truth has no error bound: {}", *reason));
+  return picture;
 }
 
 }  // namespace
@@ -134,12 +123,7 @@ Truth TruthRenderer::truth() {
   require_numbers(drawn.image);
   if (drawn.violations > 0)
     tool_.warn(fmt::format("the truth has {} ray segments out of order", drawn.violations));
-  Truth truth{with_channels(drawn.image, channels_), std::nullopt};
-  if (drawn.image.channel_index("error")) {
-    const double largest = largest_of(drawn.image, "error");
-    if (std::isfinite(largest)) truth.error = largest;
-  }
-  return truth;
+  return {with_channels(drawn.image, channels_), largest_error_bound(drawn.image)};
 }
 
 Image TruthRenderer::picture_of(const Camera& camera, ImageSize size, std::uint32_t samples) {

@@ -41,6 +41,7 @@ Frame::Frame(const ZooMesh& of_mesh, const Scene& scene, const Projector& of_sce
     extinction = zero_field(mesh);
   optics = make_optics_tables(scene.volume, scene.render.integration);  // says which field is whose
   if (!optics.same_field) color = frame_field(mesh, of_color->field, polynomial);
+  if (with_error) skin.sides = skin_sides(mesh, skin.faces);
   set_constants(*this, scene, extremes_of(*this));
 }
 

@@ -7,7 +7,6 @@
 #include "hiac/frame/cell_groups.hpp"
 #include "hiac/frame/frame.hpp"
 #include "hiac/frame/tiles/drawn_tile.hpp"
-#include "hiac/frame/tiles/surface_cover.hpp"
 #include "hiac/order/visibility_order.hpp"
 #include "hiac/render/edges/screen_edges.hpp"
 #include "hiac/render/edges/tile_edges.hpp"
@@ -19,7 +18,7 @@
 namespace hiac {
 
 /// One tile, drawn by the accurate engine (engine.hpp).
-class AccurateTile final : public DrawnTile, public SurfaceCover {
+class AccurateTile final : public DrawnTile {
  public:
   /// Draws the cells at these positions of the order. All arguments must outlive this object.
   AccurateTile(const Frame& frame, const SplattedCells& splatted, const ScreenEdges& edges,

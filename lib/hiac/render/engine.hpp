@@ -22,8 +22,8 @@ namespace hiac {
 /// Requires what check_renderable (renderable.hpp) lets pass. `with_background`: composite the
 /// scene's background behind the volume. `progress`: receives the number of finished tiles; may be
 /// null. `channels`: what the picture says of its pixels besides. They change none of the others.
-/// Throws UsageError for the error of an integration other than exact, of splats, of a skin, or of
-/// edges: no bound is claimed of those.
+/// Throws UsageError for the error of an integration other than exact, or of splats: no bound is
+/// claimed of those.
 RenderResult render(const ZooMesh& mesh, const VisibilityOrder& order, const Scene& scene,
                     bool with_background, Progress* progress = nullptr,
                     std::span<const Channel> channels = {});

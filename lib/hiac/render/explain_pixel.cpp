@@ -14,6 +14,7 @@
 #include "hiac/frame/cell_groups.hpp"
 #include "hiac/frame/tiles/tile_bins.hpp"
 #include "hiac/optics/polynomial_piece.hpp"
+#include "hiac/render/bounds/bounded_scene.hpp"
 #include "hiac/render/bounds/error_bound.hpp"
 #include "hiac/render/cells/cell_scan.hpp"
 #include "hiac/render/cells/cuts_along_ray.hpp"
@@ -92,14 +93,16 @@ class RayFollower {
   // A cell whose place in the order is known. The engine composites its segments itself.
   void follow(CellId cell) {
     SegmentList found, others;
-    TileEdges left = tile_edges_;  // looking takes no edge away
+    TileEdges left = tile_edges_;  // looking takes no edge away, and adds no error
     SkinPainter looking(frame_, edges_, left);
+    const PixelDetails before = buffer_.details[at_];
     deal_out(
         [&](const TileTarget& to) {
           draw(cell, looking, to.group);
           looking.settle(to);
         },
         found, others);
+    buffer_.details[at_] = before;
     if (found.segments.empty()) return draw(cell, painter_, nullptr);
     const std::vector<std::uint32_t> sorted = sorted_along_ray(found);
     TileBuffer so_far = buffer_;
@@ -125,7 +128,12 @@ class RayFollower {
       append(all, i, here ? found : others);
       if (here) owners.push_back(owners_of_all[i]);
     }
-    for (const std::uint32_t i : sorted_along_ray(found)) {
+    const std::vector<std::uint32_t> sorted = sorted_along_ray(found);
+    std::vector<SegmentDetails> details(found.details);
+    for (std::size_t i = 0; i < sorted.size(); ++i)
+      details[sorted[i]] = details_in_order(found, sorted, i);
+    found.details = std::move(details);
+    for (const std::uint32_t i : sorted) {
       composite(owners[i], found, i, buffer_);
       rows_.back().in_group = true;
     }
@@ -282,8 +290,7 @@ PixelExplanation explain_pixel(const ZooMesh& mesh, const VisibilityOrder& order
                                bool with_background) {
   require_explainable(scene, x, y);
   const Projector projector(scene.camera, scene.image);
-  const bool is_bounded = !scene.skin && scene.render.integration == Integration::exact &&
-                          scene.render.interpolation == Interpolation::isoparametric;
+  const bool is_bounded = !reason_unbounded(scene);
   const Frame frame(mesh, scene, projector, is_bounded ? Details::bounded : Details::described);
 
   PixelExplanation result;

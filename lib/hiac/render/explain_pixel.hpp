@@ -62,7 +62,7 @@ struct PixelExplanation {
   /// "R" "G" "B" "A" of the picture.
   std::array<double, 4> rgba{};
   /// Bound, of every channel of rgba; none where none is claimed: of other integrations and
-  /// interpolations than the exact and isoparametric ones, of a skin.
+  /// interpolations than the exact and isoparametric ones.
   std::optional<double> error;
 };
 

@@ -29,13 +29,18 @@ std::array<std::array<NodeId, 4>, 6> corners_of_faces(const ZooMesh& mesh, CellI
 }  // namespace
 
 SkinPainter::SkinPainter(const Frame& frame, const ScreenEdges& drawn, TileEdges& edges)
-    : frame_(frame), drawn_(drawn), edges_(edges), skin_(frame) {
+    : frame_(frame), drawn_(drawn), edges_(edges), skin_(frame), errors_(frame) {
   if (!frame.skin.faces.empty()) transparency_.assign(kTileStride * kTileHeight, 1);
 }
 
 void SkinPainter::draw(const TileTarget& to, CellId cell, bool with_inside) {
   // without skin only rays with edges to draw count
-  skin_.enter(cell, to.tile, frame_.skin.on(cell) == 0 ? &edges_.left() : nullptr);
+  const bool has_skin = frame_.skin.on(cell) != 0;
+  skin_.enter(cell, to.tile, has_skin ? nullptr : &edges_.left());
+  if (frame_.with_error && has_skin) {
+    errors_.enter(cell, to.tile, skin_.rays());
+    add_hidden(to);
+  }
   if (to.group != nullptr) {
     list_inside(to, cell, with_inside);
     note_crossings(to.tile, cell);
@@ -161,7 +166,8 @@ void SkinPainter::add_skin(const TileTarget& to, Which which) {
     if (which != Which::all && crossing.enters != (which == Which::entered)) continue;
     const std::size_t at = to.tile.index(crossing.x, crossing.y);
     if (!to.is_seen(at)) continue;
-    const auto [rgb, transparency] = skin_.shade(crossing);
+    const SkinShade seen = skin_.shade(crossing);
+    const auto& [rgb, transparency] = static_cast<const IsosurfaceShade&>(seen);
     transparency_[at] *= transparency;
     const double t = end_at(at, crossing.t, crossing.enters);
     if (frame_.with_details) {
@@ -170,9 +176,22 @@ void SkinPainter::add_skin(const TileTarget& to, Which which) {
       details.light = std::ranges::max(rgb);
       details.transparency = transparency;
       details.part = RayPart::skin;
+      if (frame_.with_error) errors_.add(crossing, at, seen, details);
       describe(to, at, details);
     }
     composite(to, at, t, t, {rgb, transparency});
+  }
+}
+
+// Skin that a ray of exact arithmetic might meet where the engine's meets none, in front of all
+// that the cell, or its group, shows.
+void SkinPainter::add_hidden(const TileTarget& to) {
+  for (const std::size_t at : errors_.hidden()) {
+    const bool is_met = std::ranges::any_of(skin_.crossings(), [&](const SkinCrossing& crossing) {
+      return to.tile.index(crossing.x, crossing.y) == at;
+    });
+    if (!is_met)
+      to.buffer.details[at].add_missing(frame_.skin.largest_light, 1, to.buffer.transparency[at]);
   }
 }
 

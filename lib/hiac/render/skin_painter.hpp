@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hiac/frame/frame.hpp"
+#include "hiac/render/bounds/skin_errors.hpp"
 #include "hiac/render/cells/cell_skin.hpp"
 #include "hiac/render/edges/edged_crossings.hpp"
 #include "hiac/render/edges/tile_edges.hpp"
@@ -85,6 +86,7 @@ class SkinPainter {
   void note_ends(const SegmentList& list, std::size_t first);
   [[nodiscard]] double end_at(std::size_t at, double t, bool enters) const;
   void add_skin(const TileTarget& to, Which which);
+  void add_hidden(const TileTarget& to);
   void add_edges(const TileTarget& to, CellId cell, Which which);
   void note_crossings(const TileRect& tile, CellId cell);
 
@@ -92,6 +94,7 @@ class SkinPainter {
   const ScreenEdges& drawn_;
   TileEdges& edges_;
   CellSkin skin_;
+  SkinErrors errors_;
   std::vector<double> transparency_;
   SegmentList list_;  // of a cell that is crossed several times
   // Where the segment of the cell at hand begins and ends in each pixel; used in lists.

@@ -19,8 +19,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // was given. Every third column is not covered, and in every fifth no bound is known.
 class TellingTile : public DrawnTile {
  public:
-  TellingTile(const TileRect& tile, std::size_t cells)
-      : tile_(tile), pixels_(std::make_unique<TilePixels>()) {
+  // `surfaces`: the transparency of skin and edges.
+  TellingTile(const TileRect& tile, std::size_t cells, double surfaces)
+      : tile_(tile), surfaces_(surfaces), pixels_(std::make_unique<TilePixels>()) {
     counts_ = {.segments = cells, .violations = 1};
     for (int y = tile.y0; y < tile.y1; ++y)
       for (int x = tile.x0; x < tile.x1; ++x) {
@@ -46,19 +47,15 @@ class TellingTile : public DrawnTile {
   [[nodiscard]] double error(std::size_t at, double background) override {
     return tile_.column(at) % 5 == 0 ? std::nan("") : 10 * background + tile_.row(at);
   }
+  [[nodiscard]] double surface_transparency(std::size_t /*at*/) const override { return surfaces_; }
 
  private:
   TileRect tile_;
+  double surfaces_;
   std::unique_ptr<TilePixels> pixels_;
   TileCounts counts_;
   mutable PixelFacts facts_;
 };
-
-void draw_telling(const TileRect& tile, std::span<const std::uint32_t> ranks,
-                  const TakeTile& take) {
-  TellingTile drawn(tile, ranks.size());
-  take(drawn);
-}
 
 class PictureTest : public testing::Test {
  protected:
@@ -83,7 +80,13 @@ class PictureTest : public testing::Test {
 
   RenderResult draw(const PictureParts& wanted) {
     const TileBins bins = bin_cells(*frame_, order_, scene_.image, wanted.part);
-    return draw_picture(*frame_, scene_, bins, wanted, draw_telling, nullptr);
+    return draw_picture(
+        *frame_, scene_, bins, wanted,
+        [&](const TileRect& tile, std::span<const std::uint32_t> ranks, const TakeTile& take) {
+          TellingTile drawn(tile, ranks.size(), surfaces_);
+          take(drawn);
+        },
+        nullptr);
   }
 
   ZooMesh mesh_;
@@ -91,6 +94,7 @@ class PictureTest : public testing::Test {
   std::optional<Projector> projector_;
   std::optional<Frame> frame_;
   VisibilityOrder order_;
+  double surfaces_ = 1;
 };
 
 TEST_F(PictureTest, IsWhatTheEngineDraws) {
@@ -142,6 +146,15 @@ TEST_F(PictureTest, CountsTilesAndCoveredPixels) {
   EXPECT_EQ(met.covered_pixels, 130U);  // thirteen of the columns 60 to 79
   EXPECT_NEAR(met.mean_optical_depth, std::log(4.0), 1e-14);
   EXPECT_EQ(met.largest_optical_depth, -std::log(0.25));
+}
+
+TEST_F(PictureTest, TellsTheDepthOfTheMediumWithoutSkinAndEdges) {
+  surfaces_ = 0.5;
+  const RenderStatistics seen = draw({whole_picture(scene_.image), false}).statistics;
+  EXPECT_NEAR(seen.mean_optical_depth, std::log(2.0), 1e-12);
+  EXPECT_EQ(seen.depth_pixels, seen.covered_pixels);
+  surfaces_ = 1e-4;  // hides the medium
+  EXPECT_EQ(draw({whole_picture(scene_.image), false}).statistics.depth_pixels, 0U);
 }
 
 }  // namespace

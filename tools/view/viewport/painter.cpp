@@ -1,7 +1,6 @@
 #include "tools/view/viewport/painter.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "hiac/annotate/annotate.hpp"
@@ -9,7 +8,9 @@
 #include "hiac/base/seconds.hpp"
 #include "hiac/frame/background.hpp"
 #include "hiac/image/display_bytes.hpp"
+#include "hiac/render/bounds/bounded_scene.hpp"
 #include "hiac/session/coarse_scene.hpp"
+#include "hiac/session/error_bounds.hpp"
 #include "tools/view/viewport/hardware_preview.hpp"
 
 namespace hiac::view {
@@ -190,20 +191,10 @@ Painted Painter::paint_samples(const Wanted& wanted) {
 }
 
 std::optional<double> Painter::error_bound(const Wanted& wanted) {
-  const Scene& scene = wanted.scene;
-  if (scene.render.integration != Integration::exact ||
-      scene.render.interpolation != Interpolation::isoparametric || scene.render.splat_below > 0 ||
-      scene.skin)
-    return std::nullopt;
+  if (reason_unbounded(wanted.scene)) return std::nullopt;
   PictureRequest request;
   request.channels = {"error"};
-  const Picture picture = session_for(wanted).picture(scene, request);
-  const std::size_t stride = picture.image.channel_count();
-  const std::size_t error = picture.image.channel_index("error").value();
-  double largest = 0;
-  for (std::size_t at = error; at < picture.image.values().size(); at += stride)
-    largest = std::max(largest, picture.image.values()[at]);
-  return std::isfinite(largest) ? std::optional(largest) : std::nullopt;
+  return largest_error_bound(session_for(wanted).picture(wanted.scene, request).image);
 }
 
 Explanation Painter::explain(const Wanted& wanted, std::uint32_t x, std::uint32_t y) {

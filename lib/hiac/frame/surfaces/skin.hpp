@@ -7,6 +7,7 @@
 
 #include "hiac/base/transfer_function.hpp"
 #include "hiac/frame/frame_field.hpp"
+#include "hiac/frame/surfaces/skin_sides.hpp"
 #include "hiac/frame/surfaces/surface_look.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 
@@ -21,7 +22,8 @@ struct FrameSkin {
   std::optional<FrameField> field;  ///< decides the colour, through `colors`; without intervals
   PiecewiseLinear<3> colors;
   std::vector<FrameLight> lights;
-  double largest_light = 0;  ///< upper bound of the skin's light, any channel
+  double largest_light = 0;     ///< upper bound of the skin's light, any channel
+  std::vector<SkinSide> sides;  ///< skin_sides; empty unless errors are requested
 
   /// The faces of a cell that the skin covers, a bit each.
   [[nodiscard]] unsigned on(CellId cell) const { return faces.empty() ? 0 : faces[cell]; }

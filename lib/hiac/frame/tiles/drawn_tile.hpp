@@ -32,6 +32,9 @@ class DrawnTile {
   /// The bound of a pixel's error over a background whose largest channel is `background`; NaN if
   /// unknown. Needs Frame::with_error.
   [[nodiscard]] virtual double error(std::size_t at, double background) = 0;
+  /// The transparency of the skin and the edges alone in a pixel: the pixel's transparency divided
+  /// by it is that of the medium and the isosurfaces. 1 of an engine that draws neither.
+  [[nodiscard]] virtual double surface_transparency(std::size_t /*at*/) const { return 1; }
 };
 
 /// An engine: draws the cells at given positions of the visibility order (TileBins), front to back,

@@ -6,7 +6,6 @@
 
 #include "hiac/base/special_values.hpp"
 #include "hiac/frame/background.hpp"
-#include "hiac/frame/tiles/surface_cover.hpp"
 
 namespace hiac {
 namespace {
@@ -52,7 +51,6 @@ TileSummary write_tile(DrawnTile& drawn, const TileRect& tile, const Projector& 
                        const Scene& scene, const PictureParts& wanted, Image& image) {
   TileSummary summary{.counts = drawn.counts()};
   const TilePixels& pixels = drawn.pixels();
-  const auto* cover = dynamic_cast<const SurfaceCover*>(&drawn);
   const PixelRect& part = wanted.part;
   const int left = static_cast<int>(part.x), top = static_cast<int>(part.y);
   const int x0 = std::max(tile.x0, left), y0 = std::max(tile.y0, top);
@@ -75,7 +73,7 @@ TileSummary write_tile(DrawnTile& drawn, const TileRect& tile, const Projector& 
         pixel[4 + c] =
             channel_value(wanted.channels[c], projector, drawn, at, std::ranges::max(behind));
       if (pixels.last[at] != -std::numeric_limits<double>::infinity())
-        summary.add_pixel(transparency, cover == nullptr ? 1 : cover->surface_transparency(at));
+        summary.add_pixel(transparency, drawn.surface_transparency(at));
     }
   }
   return summary;

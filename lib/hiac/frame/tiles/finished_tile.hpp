@@ -18,7 +18,7 @@ struct TileSummary {
   double optical_depth_sum = 0, optical_depth_most = 0;
   std::uint64_t covered = 0, with_depth = 0;  // pixels; those that tell the depth of the medium
 
-  /// `surfaces`: the transparency of skin and edges alone (SurfaceCover).
+  /// `surfaces`: the transparency of skin and edges alone (DrawnTile).
   void add_pixel(double transparency, double surfaces);
 };
 

@@ -17,6 +17,8 @@ constexpr std::size_t kCellsPerChunk = 1 << 14;
 // The visibility order differs from the order in memory: without prefetching, most of the time
 // would be spent waiting for the cells' ranges.
 constexpr std::size_t kFetchAhead = 24;
+// Pixels beside a cell's bounds, ample: rounding may hide skin from their rays (SkinErrors).
+constexpr double kBesideSkin = 0x1p-20;
 
 // Tiles by column and row, half open.
 struct TileRange {
@@ -57,10 +59,16 @@ class Binner {
   // The tiles that a cell may cover: none if it lies outside the clipping slab; all of them if it
   // reaches beside or behind the eye, because it then has no bounds on the screen.
   [[nodiscard]] TileRange tiles_of(const ScreenBounds& box) const {
-    if (box.nearest > frame_.projector.far() || box.farthest < frame_.projector.near()) return {};
+    const bool with_doubts = !frame_.skin.sides.empty();
+    const double along = with_doubts ? frame_.witness_tolerance : 0;
+    const double aside = with_doubts ? kBesideSkin : 0;
+    if (box.nearest > frame_.projector.far() + along) return {};
+    if (box.farthest < frame_.projector.near() - along) return {};
     if (!box.in_front) return all_;
-    const int x0 = first_center(box.x0, 0, width_), x1 = first_center(box.x1, 0, width_);
-    const int y0 = first_center(box.y0, 0, height_), y1 = first_center(box.y1, 0, height_);
+    const int x0 = first_center(box.x0 - aside, 0, width_);
+    const int x1 = first_center(box.x1 + aside, 0, width_);
+    const int y0 = first_center(box.y0 - aside, 0, height_);
+    const int y1 = first_center(box.y1 + aside, 0, height_);
     if (x0 >= x1 || y0 >= y1) return {};
     const TileRange range = tiles_between(x0, y0, x1, y1);
     return {std::max(range.column0, all_.column0), std::max(range.row0, all_.row0),

@@ -4,18 +4,18 @@
 
 namespace hiac {
 
-void require_bounded_scene(const Scene& scene) {
+std::optional<std::string> reason_unbounded(const Scene& scene) {
   if (scene.render.integration != Integration::exact)
-    throw UsageError(
-        "channel 'error': no bound is claimed of integrations other than \"exact\" "
-        "(`render.integration`)");
+    return "no bound is claimed of integrations other than \"exact\" (`render.integration`)";
   if (scene.render.interpolation != Interpolation::isoparametric)
-    throw UsageError(
-        "channel 'error': no bound is claimed of interpolations other than \"isoparametric\" "
-        "(`render.interpolation`)");
-  if (scene.render.splat_below > 0)
-    throw UsageError("channel 'error': no bound is claimed of splats (`render.splat_below`)");
-  if (scene.skin) throw UsageError("channel 'error': no bound is claimed of the skin (`skin`)");
+    return "no bound is claimed of interpolations other than \"isoparametric\" "
+           "(`render.interpolation`)";
+  if (scene.render.splat_below > 0) return "no bound is claimed of splats (`render.splat_below`)";
+  return std::nullopt;
+}
+
+void require_bounded_scene(const Scene& scene) {
+  if (const auto reason = reason_unbounded(scene)) throw UsageError("channel 'error': " + *reason);
 }
 
 }  // namespace hiac

@@ -235,7 +235,7 @@ double cut_doubt(const CutFacts& cut) {
          2 * cut.along;
 }
 
-ErrorBound shade_bound(const FrameIsosurface& surface, std::span<const FrameLight> lights,
+ErrorBound shade_bound(const SurfaceLook& surface, std::span<const FrameLight> lights,
                        const std::array<double, 3>& normal, const std::array<double, 3>& ray,
                        double angle, const Arithmetic& numbers) {
   const double facing = std::abs(dot(normal, ray)),

@@ -50,14 +50,20 @@ namespace hiac {
 ///   volume; the normal is wrong by 16 u times the condition of the gradient. The whole surface is
 ///   in doubt if the field at the entry or exit point equals the surface's value to within its
 ///   error, but not exactly; so are two surfaces whose positions overlap.
+/// - The skin (skin_errors.hpp): it lies at the ends of cells' segments and is off as they are; its
+///   normal may be wrong by the deviation of faces that count as planar, on curved faces by the
+///   turn of the face over that distance (normal_doubt.hpp); the field that colours it changes over
+///   that distance. The whole skin is in doubt where a ray passes an edge or the outline of the
+///   skin, or an end of the clipping slab, to within that (skin_outline.hpp); not at an edge of two
+///   planar faces seen from one side, where the angle between them counts.
 /// - Compositing: every bound is multiplied by the transparency in front of it, and the error of
 ///   the transparency is tracked as well. Where a ray was terminated early, the remaining
 ///   transparency times the largest light behind is added.
 ///
-/// The following is by definition, not an error: pixel centres on a projected edge to within
-/// rounding (on_crossing, screen_rounding.hpp) lie on the side where the engine puts them; a ray in
-/// a face belongs to one of its cells; an edge covers the share of a pixel that is drawn of it, at
-/// the place among the cells where it is drawn (skin_painter.hpp).
+/// The following is by definition, not an error, but for the skin: pixel centres on a projected
+/// edge to within rounding (on_crossing, screen_rounding.hpp) lie on the side where the engine puts
+/// them; a ray in a face belongs to one of its cells; an edge covers the share of a pixel that is
+/// drawn of it, at the place among the cells where it is drawn (skin_painter.hpp).
 struct ErrorBound {
   double radiance = 0;      ///< of any channel
   double transparency = 0;  ///< absolute, too
@@ -167,9 +173,9 @@ void add_surfaces(const Frame& frame, const CellOptics& cell, const Surfaces& su
 /// How far the errors of the offsets may move a crossed surface along the ray.
 double cut_doubt(const CutFacts& cut);
 
-/// The error of an isosurface's shade if its normal is wrong by `angle`. The vectors are
-/// unit vectors in the lights' frame.
-ErrorBound shade_bound(const FrameIsosurface& surface, std::span<const FrameLight> lights,
+/// The error of the shade of an isosurface or of the skin if its normal is wrong by `angle`. The
+/// vectors are unit vectors in the lights' frame.
+ErrorBound shade_bound(const SurfaceLook& surface, std::span<const FrameLight> lights,
                        const std::array<double, 3>& normal, const std::array<double, 3>& ray,
                        double angle, const Arithmetic& numbers = kDoubles);
 

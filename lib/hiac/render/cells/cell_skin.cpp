@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hiac/base/special_values.hpp"
 #include "hiac/geometry/extended_vector.hpp"
 #include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/shape_functions.hpp"
@@ -21,16 +22,16 @@ void CellSkin::enter(CellId cell, const TileRect& tile, const PixelMask* only) {
   scan_cell(frame_, cell, tile, scanned_, only);
   const unsigned faces = frame_.skin.on(cell);
   const auto add = [&](const CellCrossing& c, double t, bool enters, std::uint8_t face,
-                       const std::array<double, 3>& reference) {
+                       const std::array<double, 3>& reference, double doubt) {
     if ((faces >> face & 1U) == 0) return;
     if (t < frame_.projector.near() || t > frame_.projector.far()) return;
-    crossings_.push_back({c.x, c.y, t, enters, face, reference});
+    crossings_.push_back({c.x, c.y, t, enters, face, reference, doubt});
   };
   for (std::size_t k = 0; k < scanned_.size(); ++k) {
     const CellCrossing& c = scanned_[k];
     if (k > 0 && scanned_[k - 1].x == c.x && scanned_[k - 1].y == c.y) is_met_once_ = false;
-    add(c, c.front, true, c.front_face, c.front_reference);
-    add(c, c.back, false, c.back_face, c.back_reference);
+    add(c, c.front, true, c.front_face, c.front_reference, c.front_doubt);
+    add(c, c.back, false, c.back_face, c.back_reference, c.back_doubt);
   }
 }
 
@@ -39,15 +40,22 @@ bool CellSkin::is_one_side(std::size_t face, const std::array<double, 3>& from,
   return hiac::is_one_side(frame_.projector, shape(), face, from, to, x, y);
 }
 
-IsosurfaceShade CellSkin::shade(const SkinCrossing& crossing) {
+SkinShade CellSkin::shade(const SkinCrossing& crossing) {
   const double x = pixel_center(crossing.x), y = pixel_center(crossing.y);
   const bool is_curved = !std::isnan(crossing.reference[0]);
-  const auto normal = is_curved
-                          ? normal_at(frame_.projector, shape(), crossing.face, crossing.reference)
+  SkinShade seen;
+  seen.normal = is_curved ? normal_at(frame_.projector, shape(), crossing.face, crossing.reference)
                           : normal_of(crossing.face);
-  SurfaceLook look = frame_.skin.look;
-  if (frame_.skin.field) look.color = frame_.skin.colors(value_at(crossing));
-  return shade_isosurface(look, frame_.skin.lights, normal, ray_through(frame_.projector, x, y));
+  seen.ray = ray_through(frame_.projector, x, y);
+  seen.look = frame_.skin.look;
+  seen.value = kNaN;
+  if (frame_.skin.field) {
+    seen.value = value_at(crossing);
+    seen.look.color = frame_.skin.colors(seen.value);
+  }
+  static_cast<IsosurfaceShade&>(seen) =
+      shade_isosurface(seen.look, frame_.skin.lights, seen.normal, seen.ray);
+  return seen;
 }
 
 // Of a planar face: between two edges, or two diagonals.

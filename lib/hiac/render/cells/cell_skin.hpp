@@ -25,6 +25,14 @@ struct SkinCrossing {
   bool enters;
   std::uint8_t face;                ///< of the cell
   std::array<double, 3> reference;  ///< of the point if the face is curved, otherwise NaN
+  double doubt;                     ///< CellCrossing::front_doubt or back_doubt
+};
+
+/// What a ray sees of the skin, and what decides it.
+struct SkinShade : IsosurfaceShade {
+  SurfaceLook look;                   ///< with the colour at the point
+  std::array<double, 3> normal, ray;  ///< unit vectors: right, up, forward
+  double value;                       ///< of the field that decides the colour, or NaN
 };
 
 /// The skin on one cell's boundary faces: where the rays of a tile meet it, and what they see
@@ -57,7 +65,7 @@ class CellSkin {
                                  const std::array<double, 3>& to, int x, int y);
 
   /// What a ray sees at one of the crossings.
-  [[nodiscard]] IsosurfaceShade shade(const SkinCrossing& crossing);
+  [[nodiscard]] SkinShade shade(const SkinCrossing& crossing);
 
  private:
   [[nodiscard]] std::array<double, 3> normal_of(std::size_t face);

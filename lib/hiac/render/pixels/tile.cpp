@@ -1,6 +1,7 @@
 #include "hiac/render/pixels/tile.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "hiac/render/pixels/compositor.hpp"
@@ -47,11 +48,35 @@ std::vector<std::uint32_t> sorted_segments(const SegmentList& list) {
   return sorted;
 }
 
+SegmentDetails details_in_order(const SegmentList& list, std::span<const std::uint32_t> sorted,
+                                std::size_t i) {
+  const ListedSegment& here = list.segments[sorted[i]];
+  SegmentDetails details = list.details[sorted[i]];
+  if (details.part != RayPart::skin) return details;
+  const auto is_swapped_with = [&](std::uint32_t k) {
+    const SegmentDetails& other = list.details[k];
+    return list.segments[k].pixel == here.pixel && other.part == RayPart::skin &&
+           std::abs(list.segments[k].front - here.front) <= details.moved + other.moved;
+  };
+  const auto is_edge = [&](std::uint32_t k) { return list.details[k].part == RayPart::edge; };
+  std::size_t before = i, behind = i + 1;  // edges between two skins do not keep them apart
+  while (before > 0 && is_edge(sorted[before - 1])) --before;
+  while (behind < sorted.size() && is_edge(sorted[behind])) ++behind;
+  if ((before > 0 && is_swapped_with(sorted[before - 1])) ||
+      (behind < sorted.size() && is_swapped_with(sorted[behind]))) {
+    details.radiance_error = std::max(details.radiance_error, details.in_doubt);
+    details.transparency_error = 1;
+  }
+  return details;
+}
+
 void composite_sorted(const SegmentList& list, double witness_tolerance, TileBuffer& buffer,
                       TileCounts& counts) {
-  for (const std::uint32_t k : sorted_segments(list)) {
-    const ListedSegment& s = list.segments[k];
-    if (!list.details.empty()) describe(s.pixel, list.details[k], witness_tolerance, buffer);
+  const std::vector<std::uint32_t> sorted = sorted_segments(list);
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const ListedSegment& s = list.segments[sorted[i]];
+    if (!list.details.empty())
+      describe(s.pixel, details_in_order(list, sorted, i), witness_tolerance, buffer);
     composite(s.pixel, s.front, s.back, s.light, witness_tolerance, buffer, counts);
   }
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "hiac/frame/frame.hpp"
@@ -43,6 +44,12 @@ struct SegmentList {
 };
 
 struct OpenRuns;
+
+/// The details of segment sorted[i] of a list. `sorted`: segments of the list in the order in which
+/// they are composited, those of a pixel together. Skins that are nearer to one another than both
+/// are off may have been swapped: all of them is in doubt.
+SegmentDetails details_in_order(const SegmentList& list, std::span<const std::uint32_t> sorted,
+                                std::size_t i);
 
 /// Where the cells of one tile are drawn: over its pixels, into the runs of a part of a mesh or, in
 /// a group of cells whose order is yet to be found, into a list.

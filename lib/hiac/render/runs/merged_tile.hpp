@@ -5,7 +5,6 @@
 
 #include "hiac/frame/frame.hpp"
 #include "hiac/frame/tiles/drawn_tile.hpp"
-#include "hiac/frame/tiles/surface_cover.hpp"
 #include "hiac/render/pixels/pixel_details.hpp"
 #include "hiac/render/runs/ray_runs.hpp"
 #include "hiac/scene/scene.hpp"
@@ -26,7 +25,7 @@ MergeConstants merge_constants(const Frame& frame);
 /// ends in common, and the order of their entries is that of all they hold. Runs that begin at one
 /// depth are taken by their ends, then by part. The witness counts runs that begin before another
 /// one has ended.
-class MergedTile final : public DrawnTile, public SurfaceCover {
+class MergedTile final : public DrawnTile {
  public:
   /// `parts`: by ascending number of the part. `edges`: null if the scene has none. The result
   /// depends on nothing else.

@@ -72,7 +72,11 @@ void PartEngine::add_fragments(const TileRect& tile, std::vector<EdgeFragment>& 
 }
 
 void require_parted_scene(const Scene& scene, std::span<const Channel> channels) {
-  if (details_for(channels) == Details::bounded) require_bounded_scene(scene);
+  if (details_for(channels) != Details::bounded) return;
+  require_bounded_scene(scene);
+  if (scene.skin)
+    throw UsageError(
+        "channel 'error': no bound is claimed of the skin of a mesh in parts (`skin`)");
 }
 
 }  // namespace hiac

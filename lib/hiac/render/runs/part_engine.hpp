@@ -73,7 +73,8 @@ class PartEngine {
   std::span<const std::uint64_t> global_nodes_;
 };
 
-/// Throws UsageError where channels ask for a bound that is not claimed of the scene.
+/// Throws UsageError where channels ask for a bound that is not claimed of the scene, or not of one
+/// with a skin in parts: the faces beside an edge of the skin may be those of other parts.
 void require_parted_scene(const Scene& scene, std::span<const Channel> channels);
 
 }  // namespace hiac
