@@ -63,7 +63,8 @@ Image with_errors(const ZooMesh& mesh, const Scene& scene) {
 struct ClaimComparison {
   std::vector<double> claims, ratios;  // claim by error, where there is an error
   double largest_share = 0;            // of a claim that the error is
-  std::size_t unknown = 0;             // claims of order 1
+  double largest_error = 0;
+  std::size_t unknown = 0;  // claims of order 1
 
   void add(const ZooMesh& mesh, const Scene& scene, const std::string& name) {
     const Image image = with_errors(mesh, scene);
@@ -84,6 +85,7 @@ struct ClaimComparison {
         if (claim > 0.1) ++unknown;
         if (error > 1e-17) ratios.push_back(claim / error);
         largest_share = std::max(largest_share, error / claim);
+        if (claim < 1e-2) largest_error = std::max(largest_error, error);
       }
   }
 
@@ -143,6 +145,44 @@ TEST(SkinErrors, AreNeverBelowTheTrueErrorOfCurvedCells) {
   EXPECT_LT(ClaimComparison::part(all.claims, 0.95), 1e-7);
 }
 
+// Faces that count as planar at a planarity of 10 kBent, and are not.
+constexpr double kBent = 1e-6;
+
+ZooMesh bent_a_little(CellKind kind) {
+  return test::moved(test::straight_mesh(kind), [](const std::array<double, 3>& p) {
+    return std::array{p[0] + kBent * std::sin(5 * p[1] + 3 * p[2] + 1),
+                      p[1] + kBent * std::sin(4 * p[2] + 6 * p[0]),
+                      p[2] + kBent * std::sin(5 * p[0] + 4 * p[1] + 2)};
+  });
+}
+
+// The skin is drawn planar, and the truth is curved: its place, its normals and its field's values
+// are all off by more than rounding.
+TEST(SkinErrors, HoldWhereFacesCountAsPlanar) {
+  for (const bool with_field : {false, true}) {
+    ClaimComparison all;
+    for (std::uint64_t seed = 1; seed <= test::tried(2); ++seed)
+      for (const CellKind kind : test::all_kinds()) {
+        ZooMesh mesh = bent_a_little(kind);
+        add_fields(mesh, seed);
+        Scene scene = skin_scene(seed);
+        scene.render.planarity = 10 * kBent;
+        if (seed == 1) {  // nearly along the upper faces
+          scene.camera.eye = {3.1, 0.4, 1.04};
+          scene.camera.look_at = {0.5, 0.5, 0.9};
+        }
+        scene.volume = {};
+        scene.skin->color_by.reset();
+        scene.skin->shininess = 50;
+        if (with_field) scene.skin->color_by = ColorTransfer{"node", {{0, {}}, {1, {9, 9, 9}}}};
+        all.add(mesh, scene, std::string(kind_name(kind)) + " " + std::to_string(seed));
+      }
+    EXPECT_GT(all.claims.size(), test::tried(2000));
+    EXPECT_GT(all.largest_error, kBent / 10);
+    EXPECT_GT(all.largest_share, 1e-2);
+  }
+}
+
 TEST(SkinErrors, HoldFarFromTheOriginAndInFlatCells) {
   ClaimComparison all;
   for (std::uint64_t seed = 1; seed <= test::tried(6); ++seed)
@@ -170,17 +210,21 @@ TEST(SkinErrors, HoldFarFromTheOriginAndInFlatCells) {
 struct Brink {
   double jump;  // of the picture
   double least_claim;
+  double at;  // how much of the way
 };
+
+Scene moved_by(Scene scene, double s, const std::array<double, 3>& way) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    scene.camera.eye[c] += s * way[c];
+    scene.camera.look_at[c] += s * way[c];
+  }
+  return scene;
+}
 
 Brink brink(const ZooMesh& mesh, const Scene& scene, const std::array<double, 3>& way,
             std::uint32_t x, std::uint32_t y) {
   const auto seen = [&](double s) {
-    Scene there = scene;
-    for (std::size_t c = 0; c < 3; ++c) {
-      there.camera.eye[c] += s * way[c];
-      there.camera.look_at[c] += s * way[c];
-    }
-    const Image image = with_errors(mesh, there);
+    const Image image = with_errors(mesh, moved_by(scene, s, way));
     std::array<double, 5> values{};
     for (std::size_t c = 0; c < 5; ++c) values[c] = image.at(x, y, c);
     return values;
@@ -205,7 +249,7 @@ Brink brink(const ZooMesh& mesh, const Scene& scene, const std::array<double, 3>
       at_low = at_middle;
     }
   }
-  return {apart(at_low, at_high), std::min(at_low[4], at_high[4])};
+  return {apart(at_low, at_high), std::min(at_low[4], at_high[4]), low};
 }
 
 TEST(SkinErrors, SayWhereRoundingDecidesWhatIsSeen) {
@@ -231,6 +275,37 @@ TEST(SkinErrors, SayWhereRoundingDecidesWhatIsSeen) {
   }
   EXPECT_GT(jumps, test::tried(100));
   EXPECT_GT(outlines, test::tried(30));
+}
+
+// The outline that is drawn is not the true one: between the two, all is wrong.
+TEST(SkinErrors, SayWhereTheOutlineOfFacesThatCountAsPlanarIsOff) {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> any(-1, 1);
+  std::size_t wrong = 0;
+  for (const CellKind kind : {CellKind::tetrahedron10, CellKind::brick20, CellKind::prism15}) {
+    ZooMesh mesh = bent_a_little(kind);
+    add_fields(mesh, 5);
+    for (std::size_t k = 0; k < test::tried(24); ++k) {
+      Scene scene = skin_scene(2 * k);
+      scene.image = {3, 3};
+      scene.skin->opacity = 1;
+      scene.volume = {};
+      scene.render.planarity = 10 * kBent;
+      const std::array<double, 3> way{1.5 * any(random), 1.5 * any(random), 1.5 * any(random)};
+      const Brink at = brink(mesh, scene, way, 1, 1);
+      if (at.jump < 0.9) continue;
+      for (const double off : {-0.3 * kBent, 0.3 * kBent}) {
+        const Scene there = moved_by(scene, at.at + off, way);
+        const Image image = with_errors(mesh, there);
+        const auto expected = test::SkinTruth(mesh, there).pixel(1, 1);
+        if (std::isnan(expected[0])) continue;
+        const auto error = static_cast<double>(std::abs(expected[3] - image.at(1, 1, 3)));
+        if (error > 0.9) ++wrong;
+        EXPECT_LE(error, image.at(1, 1, 4)) << kind_name(kind) << ' ' << k;
+      }
+    }
+  }
+  EXPECT_GE(wrong, test::tried(8));
 }
 
 TEST(SkinErrors, AreSmallWhereFacesInOnePlaneMeet) {
