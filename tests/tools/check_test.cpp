@@ -220,11 +220,10 @@ TEST_F(CheckTool, ThePictureShowsTheOffenders) {
       most = std::max(most, image.values()[i] - image.values()[i + 1]);
     return most;
   };
-  EXPECT_GT(reddest("bad.npy"), 0.5);
+  EXPECT_GT(reddest("bad.npy"), 0.4);  // the glass in front shines through
   EXPECT_LT(reddest("good.npy"), 0.05);
 }
 
-// More cells than are sorted exactly.
 TEST_F(CheckTool, ThePictureShowsThousandsOfOffenders) {
   write("m.zoo", inverted(structured(8, Cut::tetrahedra), [](CellId c) { return c % 5 < 2; }));
   EXPECT_EQ(check("m.zoo --picture bad.npy --size 80x60"), 1) << complaint();
