@@ -134,13 +134,13 @@ TEST(SkinErrors, AreNeverBelowTheTrueErrorOfLinearCells) {
 TEST(SkinErrors, AreNeverBelowTheTrueErrorOfCurvedCells) {
   ClaimComparison all;
   for (std::uint64_t seed = 1; seed <= test::tried(4); ++seed)
-    for (const CellKind kind : test::all_kinds()) {
+    for (const CellKind kind : test::tried(test::all_kinds())) {
       ZooMesh mesh = test::curved_mesh(kind);
       add_fields(mesh, seed);
       all.add(mesh, skin_scene(seed), std::string(kind_name(kind)) + " " + std::to_string(seed));
     }
   all.record("curved");
-  EXPECT_GT(all.claims.size(), test::tried(4000));
+  EXPECT_GT(all.claims.size(), test::tried(test::tried(4000)));
   EXPECT_GT(all.largest_share, 1e-4);
   EXPECT_LT(ClaimComparison::part(all.claims, 0.95), 1e-7);
 }
@@ -162,7 +162,7 @@ TEST(SkinErrors, HoldWhereFacesCountAsPlanar) {
   for (const bool with_field : {false, true}) {
     ClaimComparison all;
     for (std::uint64_t seed = 1; seed <= test::tried(2); ++seed)
-      for (const CellKind kind : test::all_kinds()) {
+      for (const CellKind kind : test::tried(test::all_kinds())) {
         ZooMesh mesh = bent_a_little(kind);
         add_fields(mesh, seed);
         Scene scene = skin_scene(seed);
@@ -177,7 +177,7 @@ TEST(SkinErrors, HoldWhereFacesCountAsPlanar) {
         if (with_field) scene.skin->color_by = ColorTransfer{"node", {{0, {}}, {1, {9, 9, 9}}}};
         all.add(mesh, scene, std::string(kind_name(kind)) + " " + std::to_string(seed));
       }
-    EXPECT_GT(all.claims.size(), test::tried(2000));
+    EXPECT_GT(all.claims.size(), test::tried(test::tried(2000)));
     EXPECT_GT(all.largest_error, kBent / 10);
     EXPECT_GT(all.largest_share, 1e-2);
   }
