@@ -125,16 +125,6 @@ Vector Projector::direction(double x, double y) const {
           forward_[2] + a * right_[2] + b * up_[2]};
 }
 
-std::array<double, 2> Projector::slopes(double x, double y) const {
-  return {(x - center_x_) / scale_, (center_y_ - y) / scale_};
-}
-
-double Projector::ray_scale(double x, double y) const {
-  if (!perspective_) return 1;
-  const auto [a, b] = slopes(x, y);
-  return std::sqrt(a * a + b * b + 1);  // section 5.1: the slanted distance
-}
-
 std::vector<ProjectedNode> project_nodes(const ZooMesh& mesh, const Projector& projector) {
   auto nodes = large_vector<ProjectedNode>(mesh.node_count());
   parallel_for(nodes.size(), std::size_t{1} << 14, [&](IndexRange range) {

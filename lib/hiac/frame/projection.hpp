@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <span>
 #include <vector>
 
@@ -55,7 +56,9 @@ class Projector {
   [[nodiscard]] std::array<double, 3> direction(double x, double y) const;
   /// Perspective: the direction's components along right and up, where that along forward is 1.
   /// Orthographic: those of the origin, relative to look_at.
-  [[nodiscard]] std::array<double, 2> slopes(double x, double y) const;
+  [[nodiscard]] std::array<double, 2> slopes(double x, double y) const {
+    return {(x - center_x_) / scale_, (center_y_ - y) / scale_};
+  }
   /// The slopes, and the range of t that z-clipping leaves, in extended precision.
   [[nodiscard]] std::array<long double, 2> extended_slopes(double x, double y) const;
   [[nodiscard]] long double extended_near() const { return extended_near_; }
@@ -79,7 +82,11 @@ class Projector {
   /// Pixels per world unit, parallel to the screen; in perspective at t = 1.
   [[nodiscard]] double pixels_per_unit() const { return scale_; }
   /// World length per unit of t on the ray through (x, y).
-  [[nodiscard]] double ray_scale(double x, double y) const;
+  [[nodiscard]] double ray_scale(double x, double y) const {
+    if (!perspective_) return 1;
+    const auto [a, b] = slopes(x, y);
+    return std::sqrt(a * a + b * b + 1);  // section 5.1: the slanted distance
+  }
 
  private:
   using Extended = std::array<long double, 3>;

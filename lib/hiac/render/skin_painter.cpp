@@ -7,6 +7,7 @@
 #include <span>
 #include <tuple>
 
+#include "hiac/base/special_values.hpp"
 #include "hiac/render/draw_cells.hpp"
 #include "hiac/render/edges/edge_place.hpp"
 #include "hiac/render/pixels/compositor.hpp"
@@ -162,25 +163,38 @@ std::vector<CellId> SkinPainter::settle(const TileTarget& to) {
 }
 
 void SkinPainter::add_skin(const TileTarget& to, Which which) {
-  for (const SkinCrossing& crossing : skin_.crossings()) {
+  const auto crossings = skin_.crossings();
+  seen_.clear();
+  ray_scales_.clear();
+  for (std::uint32_t k = 0; k < crossings.size(); ++k) {
+    const SkinCrossing& crossing = crossings[k];
     if (which != Which::all && crossing.enters != (which == Which::entered)) continue;
     const std::size_t at = to.tile.index(crossing.x, crossing.y);
     if (!to.is_seen(at)) continue;
-    const SkinShade seen = skin_.shade(crossing);
-    const auto& [rgb, transparency] = static_cast<const IsosurfaceShade&>(seen);
-    transparency_[at] *= transparency;
-    const double t = end_at(at, crossing.t, crossing.enters);
-    if (frame_.with_details) {
-      SegmentDetails details;
-      details.front = details.back = details.first = details.mean = t;
-      details.light = std::ranges::max(rgb);
-      details.transparency = transparency;
-      details.part = RayPart::skin;
-      if (frame_.with_error) errors_.add(crossing, at, seen, details);
-      describe(to, at, details);
-    }
-    composite(to, at, t, t, {rgb, transparency});
+    seen_.push_back(k);
+    ray_scales_.push_back(to.buffer.ray_scale[at]);
   }
+  const auto shaded = skin_.shade(seen_, ray_scales_);
+  for (std::size_t k = 0; k < seen_.size(); ++k) add_point(to, crossings[seen_[k]], shaded[k]);
+}
+
+void SkinPainter::add_point(const TileTarget& to, const SkinCrossing& crossing,
+                            const ShadedPoint& seen) {
+  const std::size_t at = to.tile.index(crossing.x, crossing.y);
+  const auto& [rgb, transparency] = seen.shade;
+  transparency_[at] *= transparency;
+  const double t = end_at(at, crossing.t, crossing.enters);
+  if (frame_.with_details) {
+    SegmentDetails details;
+    details.front = details.back = details.first = details.mean = t;
+    details.light = std::ranges::max(rgb);
+    details.transparency = transparency;
+    details.part = RayPart::skin;
+    if (frame_.with_error)
+      errors_.add(crossing, at, seen, frame_.skin.field ? skin_.value_at(crossing) : kNaN, details);
+    describe(to, at, details);
+  }
+  composite(to, at, t, t, {rgb, transparency});
 }
 
 // Skin that a ray of exact arithmetic might meet where the engine's meets none, in front of all

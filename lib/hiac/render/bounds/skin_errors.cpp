@@ -148,8 +148,8 @@ bool SkinErrors::add_other(const OutlineDoubt& doubt, const SkinCrossing& crossi
   return true;
 }
 
-void SkinErrors::add(const SkinCrossing& crossing, std::size_t at, const SkinShade& seen,
-                     SegmentDetails& details) {
+void SkinErrors::add(const SkinCrossing& crossing, std::size_t at, const ShadedPoint& seen,
+                     double value, SegmentDetails& details) {
   const double largest = frame_.skin.largest_light;
   const double scale =
       frame_.projector.ray_scale(pixel_center(crossing.x), pixel_center(crossing.y));
@@ -157,11 +157,11 @@ void SkinErrors::add(const SkinCrossing& crossing, std::size_t at, const SkinSha
   const auto doubts = doubts_at(at);
   bool is_whole = is_hidden(doubts) || !std::isfinite(moved);
   double angle = is_whole ? kInfinity : normal_doubt(crossing, moved);
-  double value = is_whole || !frame_.skin.field ? 0 : value_error(moved);
+  double value_doubt = is_whole || !frame_.skin.field ? 0 : value_error(moved);
   if (!doubts.empty() && !is_whole) {
     const OutlineDoubt& doubt = doubts.front();
     angle += doubt.angle;
-    is_whole = doubt.other != nullptr && !add_other(doubt, crossing, moved, value);
+    is_whole = doubt.other != nullptr && !add_other(doubt, crossing, moved, value_doubt);
   }
   details.moved = moved / scale;
   details.in_doubt = largest;
@@ -170,13 +170,15 @@ void SkinErrors::add(const SkinCrossing& crossing, std::size_t at, const SkinSha
     details.transparency_error = 1;
     return;
   }
-  ErrorBound bound = shade_bound(seen.look, frame_.skin.lights, seen.normal, seen.ray, angle);
+  SurfaceLook look = frame_.skin.look;
+  look.color = seen.color;
+  ErrorBound bound = shade_bound(look, frame_.skin.lights, seen.normal, seen.ray, angle);
   if (frame_.skin.field) {
-    double reflected = seen.look.ambient;
+    double reflected = look.ambient;
     for (const FrameLight& light : frame_.skin.lights)
-      reflected += std::ranges::max(light.color) * seen.look.diffuse;
-    bound.radiance += (1 - seen.transparency + bound.transparency) * reflected *
-                      skin_color_error(frame_.skin.colors, seen.value, value);
+      reflected += std::ranges::max(light.color) * look.diffuse;
+    bound.radiance += (1 - seen.shade.transparency + bound.transparency) * reflected *
+                      skin_color_error(frame_.skin.colors, value, value_doubt);
   }
   details.radiance_error = std::min(bound.radiance, largest);
   details.transparency_error = std::min(bound.transparency, 1.0);

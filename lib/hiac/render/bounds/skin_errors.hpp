@@ -27,8 +27,9 @@ class SkinErrors {
   void enter(CellId cell, const TileRect& tile, std::span<const CellCrossing> rays);
 
   /// Adds the bounds of a crossing of the selected cell's skin. `at`: the pixel's index in the
-  /// tile's planes; `seen`: what the ray sees there.
-  void add(const SkinCrossing& crossing, std::size_t at, const SkinShade& seen,
+  /// tile's planes; `seen`: what the ray sees there; `value`: of the field that decides the colour,
+  /// or NaN.
+  void add(const SkinCrossing& crossing, std::size_t at, const ShadedPoint& seen, double value,
            SegmentDetails& details);
 
   /// The pixels in which rounding may hide the skin of the selected cell, or show it, each once.

@@ -40,22 +40,23 @@ bool CellSkin::is_one_side(std::size_t face, const std::array<double, 3>& from,
   return hiac::is_one_side(frame_.projector, shape(), face, from, to, x, y);
 }
 
-SkinShade CellSkin::shade(const SkinCrossing& crossing) {
-  const double x = pixel_center(crossing.x), y = pixel_center(crossing.y);
-  const bool is_curved = !std::isnan(crossing.reference[0]);
-  SkinShade seen;
-  seen.normal = is_curved ? normal_at(frame_.projector, shape(), crossing.face, crossing.reference)
-                          : normal_of(crossing.face);
-  seen.ray = ray_through(frame_.projector, x, y);
-  seen.look = frame_.skin.look;
-  seen.value = kNaN;
-  if (frame_.skin.field) {
-    seen.value = value_at(crossing);
-    seen.look.color = frame_.skin.colors(seen.value);
+std::span<const ShadedPoint> CellSkin::shade(std::span<const std::uint32_t> which,
+                                             std::span<const double> ray_scales) {
+  const FrameSkin& skin = frame_.skin;
+  shaded_.resize(which.size());
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    const SkinCrossing& crossing = crossings_[which[k]];
+    const bool is_curved = !std::isnan(crossing.reference[0]);
+    ShadedPoint& point = shaded_[k];
+    point.normal = is_curved
+                       ? normal_at(frame_.projector, shape(), crossing.face, crossing.reference)
+                       : normal_of(crossing.face);
+    point.ray = ray_through(frame_.projector, pixel_center(crossing.x), pixel_center(crossing.y),
+                            ray_scales[k]);
+    point.color = skin.field ? skin.colors(value_at(crossing)) : skin.look.color;
   }
-  static_cast<IsosurfaceShade&>(seen) =
-      shade_isosurface(seen.look, frame_.skin.lights, seen.normal, seen.ray);
-  return seen;
+  shade_points(skin.look, skin.lights, shaded_);
+  return shaded_;
 }
 
 // Of a planar face: between two edges, or two diagonals.
@@ -73,7 +74,6 @@ std::array<double, 3> CellSkin::normal_of(std::size_t face) {
   return *normals_[face];
 }
 
-// The value of the field that decides the colour.
 double CellSkin::value_at(const SkinCrossing& crossing) {
   if (!field_) field_ = cell_field(frame_.mesh, cell_, *frame_.skin.field);
   if (field_->least == field_->most && !field_->polynomial) return field_->least;

@@ -28,13 +28,6 @@ struct SkinCrossing {
   double doubt;                     ///< CellCrossing::front_doubt or back_doubt
 };
 
-/// What a ray sees of the skin, and what decides it.
-struct SkinShade : IsosurfaceShade {
-  SurfaceLook look;                   ///< with the colour at the point
-  std::array<double, 3> normal, ray;  ///< unit vectors: right, up, forward
-  double value;                       ///< of the field that decides the colour, or NaN
-};
-
 /// The skin on one cell's boundary faces: where the rays of a tile meet it, and what they see
 /// there.
 ///
@@ -64,12 +57,16 @@ class CellSkin {
   [[nodiscard]] bool is_one_side(std::size_t face, const std::array<double, 3>& from,
                                  const std::array<double, 3>& to, int x, int y);
 
-  /// What a ray sees at one of the crossings.
-  [[nodiscard]] SkinShade shade(const SkinCrossing& crossing);
+  /// What rays see at some of the crossings, given by their numbers: until the next call.
+  /// `ray_scales`: TileBuffer::ray_scale of each.
+  [[nodiscard]] std::span<const ShadedPoint> shade(std::span<const std::uint32_t> which,
+                                                   std::span<const double> ray_scales);
+
+  /// The value, at a crossing, of the field that decides the colour. There is one.
+  [[nodiscard]] double value_at(const SkinCrossing& crossing);
 
  private:
   [[nodiscard]] std::array<double, 3> normal_of(std::size_t face);
-  [[nodiscard]] double value_at(const SkinCrossing& crossing);
   const MappedCell& shape();
 
   const Frame& frame_;
@@ -83,6 +80,7 @@ class CellSkin {
   std::optional<MappedCell> shape_;
   std::optional<CellMap> map_;
   std::optional<CellField> field_;
+  std::vector<ShadedPoint> shaded_;
 };
 
 }  // namespace hiac

@@ -10,6 +10,7 @@
 #include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 #include "hiac/render/bounds/rounding_counts.hpp"
+#include "hiac/render/cells/face_normals.hpp"
 #include "hiac/render/cells/sign_changes.hpp"
 
 namespace hiac {
@@ -136,13 +137,7 @@ IsosurfaceCrossing CutsAlongRay::crossing_at(const CellMap& map, const CellCross
                                              const RayStretch& stretch, const Cut& cut, double u,
                                              double moved) const {
   const Projector& projector = frame_.projector;
-  std::array<double, 3> ray{0, 0, 1};
-  if (projector.perspective()) {
-    const double x = pixel_center(crossing.x), y = pixel_center(crossing.y);
-    const auto [right, up] = projector.slopes(x, y);
-    const double length = projector.ray_scale(x, y);
-    ray = {right / length, up / length, 1 / length};
-  }
+  const auto ray = ray_through(projector, pixel_center(crossing.x), pixel_center(crossing.y));
   double angle = 0;
   IsosurfaceCrossing found;
   found.surface = cut.surface;

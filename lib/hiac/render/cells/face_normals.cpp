@@ -7,10 +7,13 @@
 namespace hiac {
 
 std::array<double, 3> ray_through(const Projector& projector, double x, double y) {
+  return ray_through(projector, x, y, projector.ray_scale(x, y));
+}
+
+std::array<double, 3> ray_through(const Projector& projector, double x, double y, double scale) {
   if (!projector.perspective()) return {0, 0, 1};
   const auto [right, up] = projector.slopes(x, y);
-  const double length = projector.ray_scale(x, y);
-  return {right / length, up / length, 1 / length};
+  return {right / scale, up / scale, 1 / scale};
 }
 
 std::array<double, 3> normal_between(const Projector& projector, const ExtendedVector& a,

@@ -14,6 +14,8 @@ namespace hiac {
 
 /// The direction of the ray through a point of the screen, away from the eye.
 std::array<double, 3> ray_through(const Projector& projector, double x, double y);
+/// The same where the ray's scale, Projector::ray_scale, is known.
+std::array<double, 3> ray_through(const Projector& projector, double x, double y, double scale);
 
 /// The normal of a plane between two directions in it, in the world. A face without area is seen
 /// from no side: any normal does.

@@ -40,17 +40,19 @@ HWY_NOINLINE V highlight(D d, double shininess, V cosine) {
   return hn::IfThenElseZero(hn::Gt(cosine, hn::Zero(d)), hn::Exp(d, power));
 }
 
+/// The shade of a surface of one look, seen in vectors of rays: of the colour `color`, in place of
+/// the look's own.
 template <class D, class V>
 HWY_INLINE SurfaceShade<V> shade(D d, const SurfaceLook& surface,
-                                 std::span<const FrameLight> lights, const V (&normal)[3],
-                                 const V (&ray)[3]) {
+                                 std::span<const FrameLight> lights, const V (&color)[3],
+                                 const V (&normal)[3], const V (&ray)[3]) {
   const V zero = hn::Zero(d), one = hn::Set(d, 1.0), two = hn::Set(d, 2.0);
   const V away = dot(normal, ray);
   const V facing = hn::Abs(away);  // N.V
   const V side = hn::CopySign(one, hn::Neg(away));
   SurfaceShade<V> result;
   for (std::size_t c = 0; c < 3; ++c)
-    result.rgb[c] = hn::Set(d, surface.ambient * surface.color[c]);
+    result.rgb[c] = hn::Mul(hn::Set(d, surface.ambient), color[c]);
   for (const FrameLight& light : lights) {
     V to_light = facing, towards_eye = one;  // N.L, L.V
     if (!light.headlight) {
@@ -67,7 +69,7 @@ HWY_INLINE SurfaceShade<V> shade(D d, const SurfaceLook& surface,
           hn::Set(d, surface.specular),
           highlight(d, surface.shininess, hn::MulSub(hn::Mul(two, to_light), facing, towards_eye)));
     for (std::size_t c = 0; c < 3; ++c) {
-      const V reflected = hn::MulAdd(diffuse, hn::Set(d, surface.color[c]), specular);
+      const V reflected = hn::MulAdd(diffuse, color[c], specular);
       result.rgb[c] =
           hn::MulAdd(hn::IfThenElseZero(lit, reflected), hn::Set(d, light.color[c]), result.rgb[c]);
     }
@@ -78,6 +80,16 @@ HWY_INLINE SurfaceShade<V> shade(D d, const SurfaceLook& surface,
   const V opacity = hn::Sub(one, result.transparency);
   for (V& channel : result.rgb) channel = hn::Mul(channel, opacity);
   return result;
+}
+
+/// The same in the look's own colour.
+template <class D, class V>
+HWY_INLINE SurfaceShade<V> shade(D d, const SurfaceLook& surface,
+                                 std::span<const FrameLight> lights, const V (&normal)[3],
+                                 const V (&ray)[3]) {
+  const V color[3] = {hn::Set(d, surface.color[0]), hn::Set(d, surface.color[1]),
+                      hn::Set(d, surface.color[2])};
+  return shade(d, surface, lights, color, normal, ray);
 }
 
 }  // namespace hiac::HWY_NAMESPACE

@@ -1,5 +1,8 @@
 #include "hiac/render/integrate/isosurface_shading.hpp"
 
+#include <algorithm>
+#include <array>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "hiac/render/integrate/isosurface_shading.cpp"
 #include <hwy/foreach_target.h>
@@ -12,15 +15,35 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-IsosurfaceShade shade_one(const SurfaceLook& surface, std::span<const FrameLight> lights,
-                          const std::array<double, 3>& normal, const std::array<double, 3>& ray) {
-  const hn::CappedTag<double, 1> d;
+// A vector of points at once; lanes beyond the last point hold it again.
+void shade_all(const SurfaceLook& surface, std::span<const FrameLight> lights,
+               std::span<ShadedPoint> points) {
+  const hn::ScalableTag<double> d;
   using V = hn::Vec<decltype(d)>;
-  const V n[3] = {hn::Set(d, normal[0]), hn::Set(d, normal[1]), hn::Set(d, normal[2])};
-  const V r[3] = {hn::Set(d, ray[0]), hn::Set(d, ray[1]), hn::Set(d, ray[2])};
-  const SurfaceShade<V> shaded = shade(d, surface, lights, n, r);
-  return {{hn::GetLane(shaded.rgb[0]), hn::GetLane(shaded.rgb[1]), hn::GetLane(shaded.rgb[2])},
-          hn::GetLane(shaded.transparency)};
+  constexpr std::size_t kMost = hn::MaxLanes(d);
+  const std::size_t lanes = hn::Lanes(d);
+  HWY_ALIGN std::array<std::array<double, kMost>, 3> normals, rays, colors;
+  HWY_ALIGN std::array<std::array<double, kMost>, 4> seen;
+  for (std::size_t first = 0; first < points.size(); first += lanes) {
+    const auto some = points.subspan(first, std::min(lanes, points.size() - first));
+    for (std::size_t k = 0; k < lanes; ++k) {
+      const ShadedPoint& point = some[std::min(k, some.size() - 1)];
+      for (std::size_t c = 0; c < 3; ++c) {
+        normals[c][k] = point.normal[c];
+        rays[c][k] = point.ray[c];
+        colors[c][k] = point.color[c];
+      }
+    }
+    const auto load = [&](const auto& v, std::size_t c) { return hn::Load(d, v[c].data()); };
+    const V normal[3] = {load(normals, 0), load(normals, 1), load(normals, 2)};
+    const V ray[3] = {load(rays, 0), load(rays, 1), load(rays, 2)};
+    const V color[3] = {load(colors, 0), load(colors, 1), load(colors, 2)};
+    const SurfaceShade<V> shaded = shade(d, surface, lights, color, normal, ray);
+    for (std::size_t c = 0; c < 3; ++c) hn::Store(shaded.rgb[c], d, seen[c].data());
+    hn::Store(shaded.transparency, d, seen[3].data());
+    for (std::size_t k = 0; k < some.size(); ++k)
+      some[k].shade = {{seen[0][k], seen[1][k], seen[2][k]}, seen[3][k]};
+  }
 }
 
 }  // namespace hiac::HWY_NAMESPACE
@@ -29,12 +52,19 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace hiac {
 
-HWY_EXPORT(shade_one);
+HWY_EXPORT(shade_all);
+
+void shade_points(const SurfaceLook& surface, std::span<const FrameLight> lights,
+                  std::span<ShadedPoint> points) {
+  HWY_DYNAMIC_DISPATCH(shade_all)(surface, lights, points);
+}
 
 IsosurfaceShade shade_isosurface(const SurfaceLook& surface, std::span<const FrameLight> lights,
                                  const std::array<double, 3>& normal,
                                  const std::array<double, 3>& ray) {
-  return HWY_DYNAMIC_DISPATCH(shade_one)(surface, lights, normal, ray);
+  ShadedPoint point{normal, ray, surface.color, {}};
+  shade_points(surface, lights, {&point, 1});
+  return point.shade;
 }
 
 }  // namespace hiac

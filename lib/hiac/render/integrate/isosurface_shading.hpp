@@ -14,6 +14,13 @@ struct IsosurfaceShade {
   double transparency;
 };
 
+/// A point of a surface as a ray sees it, and its shade.
+struct ShadedPoint {
+  std::array<double, 3> normal, ray;  ///< as of shade_isosurface
+  Color color;                        ///< of the surface there
+  IsosurfaceShade shade;
+};
+
 /// Phong's shading of both sides of a surface (B. T. Phong, CACM 18, 1975), with N the normal on
 /// the ray's side, V towards the eye, L towards a light and R = 2 (N.L) N - L:
 ///
@@ -28,5 +35,10 @@ struct IsosurfaceShade {
 IsosurfaceShade shade_isosurface(const SurfaceLook& surface, std::span<const FrameLight> lights,
                                  const std::array<double, 3>& normal,
                                  const std::array<double, 3>& ray);
+
+/// Sets the shades of points of a surface, whose look is `surface` in the colour of each point: the
+/// same as of each by itself, in vectors.
+void shade_points(const SurfaceLook& surface, std::span<const FrameLight> lights,
+                  std::span<ShadedPoint> points);
 
 }  // namespace hiac
