@@ -1,10 +1,17 @@
 #include "hiac/cluster/shared_tiles.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstring>
+#include <string>
+#include <vector>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include "hiac/mesh/face_adjacency.hpp"
+#include "hiac/order/order_basis.hpp"
 #include "hiac/render/supersampling.hpp"
 #include "tests/cluster/parts_of.hpp"
 #include "tests/render/truth/general_meshes.hpp"
@@ -66,6 +73,43 @@ TEST_F(SharedTilesTest, SamplesToo) {
     return render_supersampled(mesh_, order_, scene_, {10, 20, 90, 60}, {3, SampleFilter::bspline},
                                true, nullptr, kChannels, crew);
   });
+}
+
+std::string facts_of(const OrderBasis& basis) {
+  std::string facts = fmt::format("{} {}\n", basis.shared_faces, basis.convex);
+  for (const CellSides& s : basis.sides)
+    facts += fmt::format("{} {} {} {}\n", s.positive, s.negative, s.unsettled, s.plane_start);
+  for (const UnsettledFace& f : basis.unsettled) facts += fmt::format("{} {}\n", f.cell, f.face);
+  for (const UnmatchedFace& f : basis.unmatched)
+    facts += fmt::format("{} {} {} {} {} {}\n", f.cell, f.face, fmt::join(f.nodes, " "),
+                         f.corner_count, f.side, f.deviation);
+  return facts;
+}
+
+TEST(SharedBasis, IsThatOfOneProcess) {
+  const auto folded = [](const test::Position& p) {
+    return test::Position{std::abs(p[0] - 0.5), p[1], p[2]};
+  };
+  const ZooMesh tetrahedra = test::random_delaunay(300, 8);
+  std::size_t unsettled = 0;
+  for (const ZooMesh& mesh :
+       {tetrahedra, test::moved(tetrahedra, folded), test::mixed_columns(2), test::two_wedges(),
+        test::keep_cells(tetrahedra,
+                         [](const test::Position&, CellId cell) { return cell == 5; })}) {
+    const FaceAdjacency adjacency = build_face_adjacency(mesh);
+    const OrderBasis basis = order_basis(mesh, adjacency);
+    const std::string alone = facts_of(basis);
+    unsettled += basis.unsettled.size();
+    for (const std::uint32_t ranks : {1U, 2U, 5U}) {
+      std::vector<std::string> found(ranks);
+      test::run_ranks(ranks, [&](Communicator& all) {
+        const SharedTiles crew(all);
+        found[all.rank()] = facts_of(order_basis(mesh, adjacency, &crew));
+      });
+      for (const std::string& of_rank : found) EXPECT_EQ(of_rank, alone) << ranks;
+    }
+  }
+  EXPECT_GT(unsettled, 50U);
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ struct PictureRequest {
   bool background = true;  ///< composite the specification's background behind the volume
   /// A picture of the same size to composite behind instead; must outlive the call.
   const Image* under = nullptr;
-  /// The processes that share the drawing, each with a session of its own that is asked the same
+  /// The processes that share the work, each with a session of its own that is asked the same
   /// (tile_crew.hpp): of the images, that of one process alone is complete.
   const TileCrew* crew = nullptr;
 };

@@ -10,32 +10,65 @@
 #include "hiac/cluster/run_message.hpp"
 
 namespace hiac {
+namespace {
+
+using Summaries = std::vector<std::pair<std::size_t, TileSummary>>;
+
+void append_tile(ByteWriter& message, std::size_t tile, const FinishedTile& finished) {
+  message.put(static_cast<std::uint64_t>(tile));
+  put_finished(message, finished);
+}
+
+Bytes message_of(const Summaries& tiles) {
+  Bytes bytes;
+  ByteWriter message(bytes);
+  for (const auto& [tile, summary] : tiles) append_tile(message, tile, {summary, {}});
+  return bytes;
+}
+
+}  // namespace
+
+IndexRange SharedTiles::own_part(std::size_t count) const {
+  const auto begin_of = [&](std::size_t rank) { return count * rank / all_.size(); };
+  return {begin_of(all_.rank()), begin_of(std::size_t{all_.rank()} + 1)};
+}
+
+std::vector<Bytes> SharedTiles::of_all(std::span<const std::byte> own) const {
+  return all_gather(all_, Bytes(own.begin(), own.end()));
+}
 
 void SharedTiles::share(std::span<const std::size_t> tiles, const Finish& finish,
                         const Take& take) const {
   all_.restart_numbers();
+  // rank 0 writes the picture; tiles for it are put into its message while they are in the caches
+  const bool writes = all_.rank() == 0;
   std::vector<std::pair<std::size_t, FinishedTile>> own;
+  Summaries summaries;
+  Bytes pixels;
+  ByteWriter to_writer(pixels);
   std::mutex adding;
   parallel_for(thread_count(), 1, [&](IndexRange) {
     for (std::uint64_t k = all_.take_number(); k < tiles.size(); k = all_.take_number()) {
       FinishedTile finished = finish(tiles[k]);
       const std::scoped_lock lock(adding);
-      own.emplace_back(tiles[k], std::move(finished));
+      summaries.emplace_back(tiles[k], finished.summary);
+      if (writes)
+        own.emplace_back(tiles[k], std::move(finished));
+      else
+        append_tile(to_writer, tiles[k], finished);
     }
   });
-  std::vector<Bytes> to(all_.size());
-  for (std::uint32_t rank = 0; rank < to.size(); ++rank) {
-    ByteWriter message(to[rank]);
-    for (auto& [tile, finished] : own) {
-      message.put(static_cast<std::uint64_t>(tile));
-      put_finished(message, rank == 0 ? finished : FinishedTile{finished.summary, {}});
-    }
-  }
-  own.clear();
-  for (const Bytes& received : all_.exchange(std::move(to)))
-    for (ByteReader message(received); !message.at_end();) {
-      const auto tile = static_cast<std::size_t>(message.get<std::uint64_t>());
-      take(tile, get_finished(message));
+  std::vector<Bytes> to(all_.size(), message_of(summaries));
+  if (!writes) to[0] = std::move(pixels);
+  to[all_.rank()].clear();
+  const std::vector<Bytes> received = all_.exchange(std::move(to));
+  for (auto& [tile, finished] : own) take(tile, std::move(finished));
+  if (!writes)
+    for (const auto& [tile, summary] : summaries) take(tile, {summary, {}});
+  for (const Bytes& message : received)
+    for (ByteReader from(message); !from.at_end();) {
+      const auto tile = static_cast<std::size_t>(from.get<std::uint64_t>());
+      take(tile, get_finished(from));
     }
 }
 

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
+#include <vector>
+
 #include "hiac/cluster/communicator.hpp"
 #include "hiac/frame/tiles/tile_crew.hpp"
 
@@ -12,6 +16,8 @@ class SharedTiles final : public TileCrew {
   /// `all` must outlive it.
   explicit SharedTiles(Communicator& all) : all_(all) {}
 
+  [[nodiscard]] IndexRange own_part(std::size_t count) const override;
+  [[nodiscard]] std::vector<Bytes> of_all(std::span<const std::byte> own) const override;
   void share(std::span<const std::size_t> tiles, const Finish& finish,
              const Take& take) const override;
 

@@ -121,6 +121,25 @@ int sides_across(const OrderBasis& basis, CellId cell, std::size_t face) {
   return 0;
 }
 
+// A face is settled if it is the only face that its cells share and they lie on different sides of
+// it: then one cell and the eye's side decide its arrows. Of both sides of such a face, the cell
+// with the smaller number looks across it, and appends both if it is not settled.
+void append_unsettled(const OrderBasis& basis, CellId cell, std::vector<UnsettledFace>& unsettled) {
+  const auto neighbors = neighbors_of(basis, cell);
+  for (std::uint32_t f = 0; f < neighbors.size(); ++f) {
+    const CellId other = neighbors[f];
+    if (other == kNoCell) continue;
+    if (shared_faces(basis, cell, other) != 1) {
+      unsettled.push_back({cell, f});
+    } else if (cell < other && sides_across(basis, cell, f) >= 0) {
+      const auto there = neighbors_of(basis, other);
+      unsettled.push_back({cell, f});
+      unsettled.push_back(
+          {other, static_cast<std::uint32_t>(std::ranges::find(there, cell) - there.begin())});
+    }
+  }
+}
+
 // Adds the faces with both cells on the same side to the unmatched ones: rays enter both cells
 // there, or leave both. Returns whether there are any.
 bool add_folded_faces(OrderBasis& basis) {
@@ -147,31 +166,29 @@ bool has_curved_boundary(const OrderBasis& basis) {
 
 }  // namespace
 
-OrderBasis order_basis(const ZooMesh& mesh, FaceAdjacency adjacency) {
+OrderBasis order_basis(const ZooMesh& mesh, FaceAdjacency adjacency, const LoopCrew* crew) {
   OrderBasis basis{&mesh, std::move(adjacency), FaceNumbering(mesh), {}, {}, {}};
   const std::size_t cells = mesh.cell_count();
   if (basis.adjacency.neighbors.size() != basis.faces.first(cells))
     throw InputError("face adjacency",
                      fmt::format("wrong size ({} faces expected, {} found)",
                                  basis.faces.first(cells), basis.adjacency.neighbors.size()));
-  basis.sides.resize(cells);
-  basis.unmatched =
-      collect<UnmatchedFace>(cells, kOrderBasisGrain, [&](std::size_t i, auto& unmatched) {
-        const auto cell = static_cast<CellId>(i);
-        basis.sides[i] = sides_of(mesh, cell, neighbors_of(basis, cell), unmatched);
-      });
+  const IndexRange own = own_part(crew, cells);
+  const std::size_t count = own.end - own.begin;
+  std::vector<CellSides> sides(count);
+  basis.unmatched = of_all_parts(
+      crew, collect<UnmatchedFace>(count, kOrderBasisGrain, [&](std::size_t i, auto& unmatched) {
+        const auto cell = static_cast<CellId>(own.begin + i);
+        sides[i] = sides_of(mesh, cell, neighbors_of(basis, cell), unmatched);
+      }));
+  basis.sides = of_all_parts(crew, std::move(sides));
   basis.shared_faces = (basis.adjacency.neighbors.size() - basis.unmatched.size()) / 2;
-  // a face is settled if it is the only face that its cells share and they lie on different sides
-  // of it: then one cell and the eye's side decide its arrows
-  basis.unsettled =
-      collect<UnsettledFace>(cells, kOrderBasisGrain, [&](std::size_t i, auto& unsettled) {
-        const auto cell = static_cast<CellId>(i);
-        const auto neighbors = neighbors_of(basis, cell);
-        for (std::size_t f = 0; f < neighbors.size(); ++f)
-          if (neighbors[f] != kNoCell &&
-              (shared_faces(basis, cell, neighbors[f]) != 1 || sides_across(basis, cell, f) >= 0))
-            unsettled.push_back({cell, static_cast<std::uint32_t>(f)});
-      });
+  basis.unsettled = of_all_parts(
+      crew, collect<UnsettledFace>(count, kOrderBasisGrain, [&](std::size_t i, auto& unsettled) {
+        append_unsettled(basis, static_cast<CellId>(own.begin + i), unsettled);
+      }));
+  std::ranges::sort(basis.unsettled, {},
+                    [](const UnsettledFace& face) { return std::pair(face.cell, face.face); });
   for (const auto& [cell, face] : basis.unsettled)
     basis.sides[cell].unsettled |= static_cast<std::uint8_t>(1U << face);
   const bool folded = add_folded_faces(basis);

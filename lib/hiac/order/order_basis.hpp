@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hiac/base/loop_crew.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/order/faces/face_numbering.hpp"
 
@@ -63,6 +64,9 @@ struct OrderBasis {
 ///
 /// Throws InputError when the adjacency is not mutual: when a cell names a neighbour more or less
 /// often than the neighbour names it.
-OrderBasis order_basis(const ZooMesh& mesh, FaceAdjacency adjacency);
+///
+/// `crew`: processes that call it with the same mesh and share the work; null: this one alone.
+OrderBasis order_basis(const ZooMesh& mesh, FaceAdjacency adjacency,
+                       const LoopCrew* crew = nullptr);
 
 }  // namespace hiac

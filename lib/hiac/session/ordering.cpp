@@ -21,11 +21,11 @@
 namespace hiac {
 
 // A cancelled stage leaves nothing behind: each result is stored only when it is complete.
-const OrderBasis& Ordering::basis() {
+const OrderBasis& Ordering::basis(const LoopCrew* crew) {
   if (basis_) return *basis_;
   FaceAdjacency adjacency = run_stage(monitor_, "adjacency", [&] { return adjacency_of_mesh(); });
   OrderBasis made =
-      run_stage(monitor_, "basis", [&] { return order_basis(mesh_, std::move(adjacency)); });
+      run_stage(monitor_, "basis", [&] { return order_basis(mesh_, std::move(adjacency), crew); });
   if (overlap_planarity_) {
     made.overlaps = run_stage(monitor_, "overlap",
                               [&] { return overlapping_cells(made, *overlap_planarity_); });
@@ -57,8 +57,8 @@ const std::string& Ordering::mesh_hash() {
   return mesh_hash_;
 }
 
-MeshOrder Ordering::exact(const Scene& scene) {
-  const OrderBasis& common = basis();
+MeshOrder Ordering::exact(const Scene& scene, const LoopCrew* crew) {
+  const OrderBasis& common = basis(crew);
   const double planarity = scene.render.planarity;
   OrderResult result = run_stage(
       monitor_, "order", [&] { return exact_order(common, view_of(scene.camera), planarity); });
@@ -68,9 +68,9 @@ MeshOrder Ordering::exact(const Scene& scene) {
           common.overlaps.size()};
 }
 
-MeshOrder Ordering::made_by(const OrderMethod& method, const Scene& scene) {
-  if (method.algorithm == OrderAlgorithm::exact) return exact(scene);
-  if (method.algorithm == OrderAlgorithm::mpvo) basis();  // a stage of its own
+MeshOrder Ordering::made_by(const OrderMethod& method, const Scene& scene, const LoopCrew* crew) {
+  if (method.algorithm == OrderAlgorithm::exact) return exact(scene, crew);
+  if (method.algorithm == OrderAlgorithm::mpvo) basis(crew);  // a stage of its own
   VisibilityOrder order = run_stage(monitor_, "order", [&] { return published(method, scene); });
   return {{mesh_hash(), view_hash(scene), std::move(order)}, {}, scene.render.planarity};
 }

@@ -40,16 +40,17 @@ class Ordering {
   /// To be called before the first order.
   void look_for_overlaps(double planarity) { overlap_planarity_ = planarity; }
 
-  /// The exact visibility order for a scene's camera (a scene of one frame).
-  MeshOrder exact(const Scene& scene);
+  /// The exact visibility order for a scene's camera (a scene of one frame). `crew`: processes that
+  /// ask for the same order and share the work; null: this one alone.
+  MeshOrder exact(const Scene& scene, const LoopCrew* crew = nullptr);
 
   /// The order for a scene's camera (a scene of one frame) by any algorithm. Throws JudgementError
   /// when the algorithm meets a visibility cycle that it has no answer to.
-  MeshOrder made_by(const OrderMethod& method, const Scene& scene);
+  MeshOrder made_by(const OrderMethod& method, const Scene& scene, const LoopCrew* crew = nullptr);
 
   /// The part of the order that all views share. Uses the adjacency stored with the mesh, or
   /// computes it.
-  const OrderBasis& basis();
+  const OrderBasis& basis(const LoopCrew* crew = nullptr);
   /// The adjacency of the basis; null before that is computed.
   [[nodiscard]] const FaceAdjacency* adjacency() const {
     return basis_ ? &basis_->adjacency : nullptr;

@@ -18,8 +18,8 @@ void SceneOrders::require(const Scene& scene) {
   if (given_) fitting_order(*given_, ordering_.mesh_hash(), mesh_, scene);
 }
 
-MeshOrder SceneOrders::of_all_cells(const Scene& scene) {
-  if (!given_) return ordering_.made_by(method_, scene);
+MeshOrder SceneOrders::of_all_cells(const Scene& scene, const LoopCrew* crew) {
+  if (!given_) return ordering_.made_by(method_, scene, crew);
   MeshOrder order{fitting_order(*given_, ordering_.mesh_hash(), mesh_, scene), {}};
   const std::string& algorithm = order.record.order.algorithm;
   if (monitor_.note && algorithm != algorithm_name(OrderAlgorithm::exact))
@@ -28,8 +28,8 @@ MeshOrder SceneOrders::of_all_cells(const Scene& scene) {
   return order;
 }
 
-MeshOrder SceneOrders::of(const Scene& scene) {
-  MeshOrder order = of_all_cells(scene);
+MeshOrder SceneOrders::of(const Scene& scene, const LoopCrew* crew) {
+  MeshOrder order = of_all_cells(scene, crew);
   if (!left_out_.empty()) order.record.order = without_cells(order.record.order, left_out_);
   return order;
 }

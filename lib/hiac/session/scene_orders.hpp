@@ -32,14 +32,15 @@ class SceneOrders {
   /// Throws InputError if orders are given and none of them fits the scene.
   void require(const Scene& scene);
 
-  /// The order for a scene. Throws as `require` and Ordering::made_by do.
-  MeshOrder of(const Scene& scene);
+  /// The order for a scene. Throws as `require` and Ordering::made_by do. `crew`: processes that
+  /// ask for the same order and share the work; null: this one alone.
+  MeshOrder of(const Scene& scene, const LoopCrew* crew = nullptr);
 
   /// The mesh's adjacency, if an order needed it.
   [[nodiscard]] const FaceAdjacency* adjacency() const { return ordering_.adjacency(); }
 
  private:
-  MeshOrder of_all_cells(const Scene& scene);
+  MeshOrder of_all_cells(const Scene& scene, const LoopCrew* crew);
 
   const ZooMesh& mesh_;
   Monitor monitor_;

@@ -8,6 +8,7 @@
 #include "hiac/frame/channels.hpp"
 #include "hiac/frame/crop.hpp"
 #include "hiac/frame/renderable.hpp"
+#include "hiac/frame/tiles/tile_crew.hpp"
 #include "hiac/image/composite.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
 #include "hiac/mesh/mesh_hash.hpp"
@@ -55,6 +56,15 @@ struct Session::State {
   const std::string& content_hash_of_mesh() {
     if (content.empty()) content = content_hash(mesh);
     return content;
+  }
+
+  std::shared_ptr<const MeshOrder> order(const Scene& scene, const LoopCrew* crew) {
+    std::string view = view_hash(scene);
+    if (last_order && view == last_view) return last_order;
+    last_order.reset();  // its memory is free while the next one is made
+    last_order = std::make_shared<const MeshOrder>(orders.of(scene, crew));
+    last_view = std::move(view);
+    return last_order;
   }
 
   // Skin and edges lie on the boundary. Gives the mesh its adjacency, so that not every picture
@@ -120,19 +130,13 @@ void Session::use_orders(std::string subject, std::vector<ExtraChunk> chunks) {
 void Session::require_order(const Scene& scene) { state_->orders.require(scene); }
 
 std::shared_ptr<const MeshOrder> Session::order(const Scene& scene) {
-  State& s = *state_;
-  std::string view = view_hash(scene);
-  if (s.last_order && view == s.last_view) return s.last_order;
-  s.last_order.reset();  // its memory is free while the next one is made
-  s.last_order = std::make_shared<const MeshOrder>(s.orders.of(scene));
-  s.last_view = std::move(view);
-  return s.last_order;
+  return state_->order(scene, nullptr);
 }
 
 Picture Session::picture(const Scene& scene, const PictureRequest& request) {
   State& s = *state_;
   const PixelRect part = require_possible(request, scene.image);
-  const std::shared_ptr<const MeshOrder> made = order(scene);
+  const std::shared_ptr<const MeshOrder> made = s.order(scene, request.crew);
   s.prepare_boundary(scene);
   RenderResult result = run_stage(s.monitor, "render", [&] {
     return draw(s.mesh, made->record.order, scene, request, part, s.monitor.progress);

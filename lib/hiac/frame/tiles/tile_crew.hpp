@@ -4,19 +4,15 @@
 #include <functional>
 #include <span>
 
+#include "hiac/base/loop_crew.hpp"
 #include "hiac/frame/tiles/finished_tile.hpp"
 
 namespace hiac {
 
 /// Several processes that draw the tiles of one picture: each has the same mesh and calls
 /// draw_picture with the same arguments.
-class TileCrew {
+class TileCrew : public LoopCrew {
  public:
-  TileCrew() = default;
-  TileCrew(const TileCrew&) = delete;
-  TileCrew& operator=(const TileCrew&) = delete;
-  virtual ~TileCrew() = default;
-
   using Finish = std::function<FinishedTile(std::size_t tile)>;
   using Take = std::function<void(std::size_t tile, FinishedTile finished)>;
   /// Hands the tiles out in this order, one at a time. Every tile is drawn by one process, by a
