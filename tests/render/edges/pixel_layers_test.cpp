@@ -22,13 +22,13 @@ TEST(StripSamples, AreThoseThatTheStripCovers) {
     const test::SampledStrip sampled(strip);
     const double expected = test::sampled_mean(
         0.25, -0.5, [&](double x, double y) { return sampled.holds(x, y) ? 1 : 0; });
-    const int found = strip_samples(strip, 0.25, -0.5).count();
+    const int found = count(strip_samples(strip, 0.25, -0.5));
     most = std::max(most, std::abs(found - static_cast<int>(std::lround(expected * 64 * 64))));
   }
   EXPECT_LE(most, 1);  // on the strip's very border
-  EXPECT_EQ(strip_samples({-3, 0, 3, 0, 1}, 0, 0).count(), 64 * 64);
-  EXPECT_EQ(strip_samples({0.25, -3, 0.25, 3, 0.5}, 0, 0).count(), 64 * 32);
-  EXPECT_EQ(strip_samples({1, 1, 1, 1, 2}, 1, 1).count(), 0);
+  EXPECT_EQ(count(strip_samples({-3, 0, 3, 0, 1}, 0, 0)), 64 * 64);
+  EXPECT_EQ(count(strip_samples({0.25, -3, 0.25, 3, 0.5}, 0, 0)), 64 * 32);
+  EXPECT_EQ(count(strip_samples({1, 1, 1, 1, 2}, 1, 1)), 0);
 }
 
 // Strips near the pixel at the origin, in layers.
@@ -81,7 +81,7 @@ TEST(PixelLayers, OfOneStripHideNothingTwice) {
 TEST(PixelLayers, HairlinesBetweenSamplesCount) {
   PixelLayers layers;
   const Strip hair{-3, 0, 3, 0, 1e-3};
-  EXPECT_EQ(strip_samples(hair, 0, 0).count(), 0);
+  EXPECT_EQ(count(strip_samples(hair, 0, 0)), 0);
   EXPECT_DOUBLE_EQ(layers.add(strip_samples(hair, 0, 0), 1e-3, 1), 1e-3);
   EXPECT_DOUBLE_EQ(layers.transparency(), 1 - 1e-3);
 }

@@ -1,26 +1,12 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "hiac/render/edges/pixel_samples.hpp"
 #include "hiac/render/edges/strip_coverage.hpp"
 
 namespace hiac {
-
-/// 64 x 64 samples of a pixel, evenly spaced: a bit each, row by row.
-struct PixelSamples {
-  static constexpr std::size_t kRows = 64;
-  std::array<std::uint64_t, kRows> rows{};
-
-  [[nodiscard]] int count() const;
-  void operator|=(const PixelSamples& other);
-};
-
-/// The samples of the pixel around (x, y) that a strip covers.
-PixelSamples strip_samples(const Strip& strip, double x, double y);
 
 /// A strip and the share of a pixel that it covers (strip_coverage).
 struct CoveringStrip {
