@@ -17,7 +17,8 @@ if ! { cmake -S "$root" --preset release -B "$build" -D CMAKE_INSTALL_PREFIX=/us
          -D HIAC_TESTS=OFF -D HIAC_BENCHMARKS=OFF &&
        cmake --build "$build" -j "$(nproc)" &&
        rm -f "$folder"/*.deb &&
-       cpack --config "$build/CPackConfig.cmake" -B "$folder"; } >"$log" 2>&1
+       cpack --config "$build/CPackConfig.cmake" -B "$folder" \
+             -D CPACK_OUTPUT_FILE_PREFIX="$folder"; } >"$log" 2>&1
 then
   tail -n 40 "$log" >&2
   exit 1
