@@ -40,7 +40,7 @@ std::vector<Bytes> SharedTiles::of_all(std::span<const std::byte> own) const {
 void SharedTiles::share(std::span<const std::size_t> tiles, const Finish& finish,
                         const Take& take) const {
   all_.restart_numbers();
-  // rank 0 writes the picture; tiles for it are put into its message while they are in the caches
+  // rank 0 writes the picture; the others append a tile to its message while the caches hold it
   const bool writes = all_.rank() == 0;
   std::vector<std::pair<std::size_t, FinishedTile>> own;
   Summaries summaries;

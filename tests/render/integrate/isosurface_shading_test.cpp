@@ -1,5 +1,6 @@
 #include "hiac/render/integrate/isosurface_shading.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>

@@ -16,9 +16,9 @@ namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 // A vector of points at once; lanes beyond the last point hold it again.
-void shade_all(const SurfaceLook& surface, std::span<const FrameLight> lights,
-               std::span<ShadedPoint> points) {
-  const hn::ScalableTag<double> d;
+template <class D>
+void shade_in_vectors(D d, const SurfaceLook& surface, std::span<const FrameLight> lights,
+                      std::span<ShadedPoint> points) {
   using V = hn::Vec<decltype(d)>;
   constexpr std::size_t kMost = hn::MaxLanes(d);
   const std::size_t lanes = hn::Lanes(d);
@@ -46,6 +46,16 @@ void shade_all(const SurfaceLook& surface, std::span<const FrameLight> lights,
   }
 }
 
+void shade_all(const SurfaceLook& surface, std::span<const FrameLight> lights,
+               std::span<ShadedPoint> points) {
+  shade_in_vectors(hn::ScalableTag<double>(), surface, lights, points);
+}
+
+// No lanes are filled for nothing.
+void shade_one(const SurfaceLook& surface, std::span<const FrameLight> lights, ShadedPoint& point) {
+  shade_in_vectors(hn::CappedTag<double, 1>(), surface, lights, {&point, 1});
+}
+
 }  // namespace hiac::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -53,6 +63,7 @@ HWY_AFTER_NAMESPACE();
 namespace hiac {
 
 HWY_EXPORT(shade_all);
+HWY_EXPORT(shade_one);
 
 void shade_points(const SurfaceLook& surface, std::span<const FrameLight> lights,
                   std::span<ShadedPoint> points) {
@@ -63,7 +74,7 @@ IsosurfaceShade shade_isosurface(const SurfaceLook& surface, std::span<const Fra
                                  const std::array<double, 3>& normal,
                                  const std::array<double, 3>& ray) {
   ShadedPoint point{normal, ray, surface.color, {}};
-  shade_points(surface, lights, {&point, 1});
+  HWY_DYNAMIC_DISPATCH(shade_one)(surface, lights, point);
   return point.shade;
 }
 
