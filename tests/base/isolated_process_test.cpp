@@ -15,8 +15,10 @@
 #include <unistd.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/base/parallel.hpp"
 #include "hiac/base/process/memory_watch.hpp"
 #include "hiac/base/process/side_thread.hpp"
+#include "tests/support/threads.hpp"
 
 namespace hiac {
 namespace {
@@ -184,6 +186,22 @@ TEST(IsolatedProcess, BeginsOnceNothingKeepsFromForking) {
   const IsolatedProcess process("a library", serve);
   EXPECT_FALSE(held_still);
   beside.join();
+}
+
+TEST(IsolatedProcess, BeginsOnceTheThreadsOfLoopsHaveEnded) {
+  const ThreadLimit four(4);
+  for (int trial = 0; trial < 20; ++trial) {
+    std::atomic<std::size_t> sum = 0;
+    parallel_for(64, 1, [&](IndexRange range) {
+      std::this_thread::sleep_for(std::chrono::microseconds(200));
+      sum += std::string(range.begin, 'x').size();
+    });
+    EXPECT_EQ(sum, 63U * 64 / 2);
+    ASSERT_GT(test::threads_here(), 1);
+    IsolatedProcess process("a library", serve);
+    EXPECT_EQ(text_of(process, "one"), "file one");
+    EXPECT_TRUE(test::one_thread_remains());
+  }
 }
 
 TEST(Pack, GivesEverythingBack) {

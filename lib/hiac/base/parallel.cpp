@@ -1,6 +1,7 @@
 #include "hiac/base/parallel.hpp"
 
 #include <algorithm>
+#include <new>
 
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/global_control.h>
@@ -41,6 +42,11 @@ unsigned thread_count() {
   const auto limit = oneapi::tbb::global_control::active_value(
       oneapi::tbb::global_control::max_allowed_parallelism);
   return static_cast<unsigned>(std::max<std::size_t>(1, limit));
+}
+
+void end_waiting_threads() {
+  oneapi::tbb::task_scheduler_handle threads{oneapi::tbb::attach{}};
+  oneapi::tbb::finalize(threads, std::nothrow);
 }
 
 }  // namespace hiac

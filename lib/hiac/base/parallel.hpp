@@ -34,4 +34,8 @@ class ThreadLimit {
 /// Returns the number of threads that parallel_for may use now.
 unsigned thread_count();
 
+/// Ends the threads that wait for the next parallel_for, which starts new ones. They may stay
+/// while another thread lives that has called it.
+void end_waiting_threads();
+
 }  // namespace hiac

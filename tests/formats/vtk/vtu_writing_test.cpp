@@ -1,8 +1,11 @@
 #include <cmath>
 #include <limits>
 
+#include "hiac/base/parallel.hpp"
+#include "hiac/base/process/isolated_process.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 #include "tests/formats/files.hpp"
+#include "tests/support/threads.hpp"
 
 namespace hiac::formats {
 namespace {
@@ -81,6 +84,16 @@ TEST(VtuWriting, CornerFieldsAreLeftOutWithANote) {
   const std::string path = folder.file("a.vtu");
   EXPECT_THAT(vtu().write(path, mesh), Contains(HasSubstr("'stress' lives on cell corners")));
   EXPECT_EQ(read_any(path).mesh.fields.size(), 2U);
+}
+
+// A fork of this process reads the file, and has no thread but the one that forked.
+TEST(VtuWriting, NoThreadOfItsOwnIsLeftWhenTheFileIsRead) {
+  const ScratchFolder folder;
+  const ThreadLimit four(4);
+  vtu().write(folder.file("a.vtu"), mesh_of({CellKind::tetrahedron4}));
+  ASSERT_GT(test::threads_here(), 1);
+  const IsolatedProcess process("nothing", [](const auto&...) {});
+  EXPECT_TRUE(test::one_thread_remains());
 }
 
 TEST(VtuWriting, TwoFieldsOfOneNameAreRefused) {

@@ -8,6 +8,8 @@
 #include <pthread.h>
 #include <unistd.h>
 
+#include "hiac/base/parallel.hpp"
+
 namespace hiac {
 
 std::thread start_side_thread(std::function<void()> run) {
@@ -32,6 +34,7 @@ std::unique_lock<std::mutex> keep_from_forking() {
 
 pid_t fork_undisturbed() {
   const auto held = keep_from_forking();
+  end_waiting_threads();
   return fork();  // the child has a copy of the lock, and unlocks that
 }
 
