@@ -20,16 +20,22 @@ using Vec = std::array<double, 3>;
 
 // The values of fields
 
-/// Bounds of a field's interpolant in one cell.
-Interval cell_extent(const ZooMesh& mesh, const Field& field, CellId cell) {
+/// Adds the values that a field's interpolant may have in one cell.
+void include_cell(Interval& extent, const ZooMesh& mesh, const Field& field, CellId cell) {
   const auto values = field.values.view();
-  if (field.location == FieldLocation::cell) return {values[cell], values[cell]};
+  if (field.location == FieldLocation::cell) return extent.include(values[cell]);
   const auto nodes = mesh.cell_nodes(cell);
-  std::array<double, kMaxNodesPerCell> at{};
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    at[i] = field.location == FieldLocation::node ? values[nodes[i]] : values[mesh.elems[cell] + i];
+  const auto value_at = [&](std::size_t i) {
+    return field.location == FieldLocation::node ? values[nodes[i]] : values[mesh.elems[cell] + i];
+  };
+  if (order_of(mesh.kinds[cell]) == CellOrder::linear) {  // it has its extremes at nodes
+    for (std::size_t i = 0; i < nodes.size(); ++i) extent.include(value_at(i));
+    return;
+  }
+  std::array<double, kMaxNodesPerCell> at;
+  for (std::size_t i = 0; i < nodes.size(); ++i) at[i] = value_at(i);
   const ValueRange range = interpolant_range(mesh.kinds[cell], std::span(at).first(nodes.size()));
-  return {range.least, range.most};
+  extent.include(Interval{range.least, range.most});
 }
 
 /// Bounds of the values that a field has in the mesh, between nodes too.
@@ -39,7 +45,7 @@ Interval extent_in_mesh(const ZooMesh& mesh, const Field& field) {
   parallel_for(mesh.cell_count(), kGrain, [&](IndexRange cells) {
     Interval& part = parts[cells.begin / kGrain];
     for (std::size_t cell = cells.begin; cell < cells.end; ++cell)
-      part.include(cell_extent(mesh, field, static_cast<CellId>(cell)));
+      include_cell(part, mesh, field, static_cast<CellId>(cell));
   });
   Interval whole;
   for (const Interval& part : parts) whole.include(part);
