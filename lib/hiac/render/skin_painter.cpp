@@ -47,7 +47,10 @@ void SkinPainter::draw(const TileTarget& to, CellId cell, bool with_inside) {
     note_crossings(to.tile, cell);
     add_skin(to, Which::all);
     ends_.clear();
-  } else if (skin_.is_met_once()) {
+    return;
+  }
+  note_edged_rays(to.tile);
+  if (skin_.is_met_once()) {
     add_edges(to, cell, Which::entered);
     add_skin(to, Which::entered);
     if (with_inside) draw_for(frame_, cell)(to, {&cell, 1});
@@ -90,13 +93,20 @@ double SkinPainter::end_at(std::size_t at, double t, bool enters) const {
   return std::abs(end - t) <= frame_.witness_tolerance ? end : t;
 }
 
-void SkinPainter::add_edges(const TileTarget& to, CellId cell, Which which) {
+void SkinPainter::note_edged_rays(const TileRect& tile) {
+  edged_.clear();
   if (edges_.empty()) return;
+  for (const CellCrossing& ray : skin_.rays())
+    if (edges_.left().holds(ray.x - tile.x0, ray.y - tile.y0)) edged_.push_back(&ray);
+}
+
+void SkinPainter::add_edges(const TileTarget& to, CellId cell, Which which) {
+  if (edged_.empty()) return;
   const CellKind kind = frame_.mesh.kinds[cell];
   const auto corners = corners_of_faces(frame_.mesh, cell);
-  for (const CellCrossing& ray : skin_.rays()) {
+  for (const CellCrossing* crossing : edged_) {
+    const CellCrossing& ray = *crossing;
     const std::size_t at = to.tile.index(ray.x, ray.y);
-    if (!edges_.left().holds(at)) continue;
     // whether a place on an edge is met where the ray enters or leaves the cell
     const auto lies_on = [&](std::uint8_t face, const std::array<double, 3>& crossed,
                              const TileEdges::Place& on_edge) {
@@ -121,10 +131,10 @@ void SkinPainter::add_edges(const TileTarget& to, CellId cell, Which which) {
 }
 
 void SkinPainter::note_crossings(const TileRect& tile, CellId cell) {
-  if (edges_.empty()) return;
-  for (const CellCrossing& ray : skin_.rays()) {
+  note_edged_rays(tile);
+  for (const CellCrossing* crossing : edged_) {
+    const CellCrossing& ray = *crossing;
     const std::size_t at = tile.index(ray.x, ray.y);
-    if (!edges_.left().holds(at)) continue;
     crossings_.add(frame_, cell, ray, tile, end_at(at, ray.front, true),
                    end_at(at, ray.back, false), {});
     crossed_.push_back(cell);

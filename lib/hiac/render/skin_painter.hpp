@@ -88,6 +88,7 @@ class SkinPainter {
   void add_skin(const TileTarget& to, Which which);
   void add_point(const TileTarget& to, const SkinCrossing& crossing, const ShadedPoint& seen);
   void add_hidden(const TileTarget& to);
+  void note_edged_rays(const TileRect& tile);
   void add_edges(const TileTarget& to, CellId cell, Which which);
   void note_crossings(const TileRect& tile, CellId cell);
 
@@ -97,9 +98,10 @@ class SkinPainter {
   CellSkin skin_;
   SkinErrors errors_;
   std::vector<double> transparency_;
-  std::vector<std::uint32_t> seen_;  // crossings of the skin; scratch
-  std::vector<double> ray_scales_;   // of these
-  SegmentList list_;                 // of a cell that is crossed several times
+  std::vector<const CellCrossing*> edged_;  // rays of the cell at hand with edges not drawn yet
+  std::vector<std::uint32_t> seen_;         // crossings of the skin; scratch
+  std::vector<double> ray_scales_;          // of these
+  SegmentList list_;                        // of a cell that is crossed several times
   // Where the segment of the cell at hand begins and ends in each pixel; used in lists.
   struct Ends {
     double front, back;

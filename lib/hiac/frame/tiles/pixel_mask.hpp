@@ -17,6 +17,8 @@ class PixelMask {
   [[nodiscard]] bool holds(std::size_t at) const {
     return (rows_[at / kTileStride] & bit(at)) != 0;
   }
+  /// Of a pixel in a column and row, both counted from the tile's first.
+  [[nodiscard]] bool holds(int x, int y) const { return (row(y) >> x & 1U) != 0; }
   [[nodiscard]] bool any() const { return rows_ != decltype(rows_){}; }
   /// The pixels of a row, both counted from the tile's first: the first pixel in the lowest bit.
   [[nodiscard]] std::uint64_t row(int y) const { return rows_[static_cast<std::size_t>(y)]; }
