@@ -1,5 +1,6 @@
 // hiac-render-mpi as a user calls it, by as many processes as the machine has no cores for.
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -14,6 +15,7 @@
 #include <gmock/gmock.h>
 
 #include "hiac/image/image_io.hpp"
+#include "hiac/mesh/face_adjacency.hpp"
 #include "hiac/mesh/parted/write_parts.hpp"
 #include "hiac/mesh/zoo_container.hpp"
 #include "hiac/scene/toml/edited_text.hpp"
@@ -183,11 +185,20 @@ TEST_F(RenderMpi, ErrorsEndAllProcessesWithOneLine) {
   add_node_field(other, "h", smooth_field);
   write_parts("other.zparts", other);
   ASSERT_EQ(run("sed s/m.2.zoo/other.2.zoo/ m.zparts > mixed.zparts"), 0);
+  // only the process with the last cells looks at this face
+  ZooMesh one_way = mesh_;
+  one_way.adjacency = build_face_adjacency(mesh_);
+  std::vector<CellId> neighbors(one_way.adjacency->neighbors.begin(),
+                                one_way.adjacency->neighbors.end());
+  *std::ranges::find(neighbors.rbegin(), neighbors.rend(), kNoCell) = 0;
+  one_way.adjacency->neighbors = std::move(neighbors);
+  write_zoo_file(file("one-way.zoo"), {one_way, {}});
   const std::vector<Wrong> all{
       {"m.zoo --view view.toml --bad -o x.npy", 2, "--bad"},
       {"m.zoo --view view.toml", 2, "--output is required"},
       {"none.zoo --view view.toml -o x.npy", 3, "none.zoo"},
       {"m.zoo --view view.toml --engine preview -o x.npy", 2, "hiac-render expected"},
+      {"one-way.zoo --view view.toml -o x.npy", 3, "are not neighbours of one another"},
       {"m.zparts -o x.npy", 2, "--view is required"},
       {"m.zparts --view view.toml --overlap -o x.npy", 2, "--overlap: not for a mesh in parts"},
       {"m.zparts --view view.toml -o none/x.npy", 3, "none/x.npy"},

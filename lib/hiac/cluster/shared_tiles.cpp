@@ -40,9 +40,7 @@ std::vector<Bytes> SharedTiles::of_all(std::span<const std::byte> own) const {
 void SharedTiles::share(std::span<const std::size_t> tiles, const Finish& finish,
                         const Take& take) const {
   all_.restart_numbers();
-  // rank 0 writes the picture; the others append a tile to its message while the caches hold it
-  const bool writes = all_.rank() == 0;
-  std::vector<std::pair<std::size_t, FinishedTile>> own;
+  // a process that does not write appends a tile to its message while the caches hold it
   Summaries summaries;
   Bytes pixels;
   ByteWriter to_writer(pixels);
@@ -52,20 +50,19 @@ void SharedTiles::share(std::span<const std::size_t> tiles, const Finish& finish
       FinishedTile finished = finish(tiles[k]);
       const std::scoped_lock lock(adding);
       summaries.emplace_back(tiles[k], finished.summary);
-      if (writes)
-        own.emplace_back(tiles[k], std::move(finished));
-      else
+      if (!writes()) {
         append_tile(to_writer, tiles[k], finished);
+        // about what a message holds that grows to its share of the tiles
+        if (summaries.size() == 1) pixels.reserve(2 * pixels.size() * tiles.size() / all_.size());
+        finished.values.clear();
+      }
+      take(tiles[k], std::move(finished));
     }
   });
   std::vector<Bytes> to(all_.size(), message_of(summaries));
-  if (!writes) to[0] = std::move(pixels);
+  if (!writes()) to[0] = std::move(pixels);
   to[all_.rank()].clear();
-  const std::vector<Bytes> received = all_.exchange(std::move(to));
-  for (auto& [tile, finished] : own) take(tile, std::move(finished));
-  if (!writes)
-    for (const auto& [tile, summary] : summaries) take(tile, {summary, {}});
-  for (const Bytes& message : received)
+  for (const Bytes& message : all_.exchange(std::move(to)))
     for (ByteReader from(message); !from.at_end();) {
       const auto tile = static_cast<std::size_t>(from.get<std::uint64_t>());
       take(tile, get_finished(from));

@@ -18,6 +18,7 @@ class SharedTiles final : public TileCrew {
 
   [[nodiscard]] IndexRange own_part(std::size_t count) const override;
   [[nodiscard]] std::vector<Bytes> of_all(std::span<const std::byte> own) const override;
+  [[nodiscard]] bool writes() const override { return all_.rank() == 0; }
   void share(std::span<const std::size_t> tiles, const Finish& finish,
              const Take& take) const override;
 

@@ -51,23 +51,30 @@ std::vector<std::size_t> tiles_by_work(const TileBins& bins) {
 RenderResult draw_picture(const Frame& frame, const Scene& scene, const TileBins& bins,
                           const PictureParts& wanted, const DrawTile& draw, Progress* progress) {
   const double start = seconds_now();
-  Image image(wanted.part.width, wanted.part.height, image_channels(wanted.channels));
+  const bool writes = wanted.crew == nullptr || wanted.crew->writes();
+  const auto unset = [&] {
+    return Image(wanted.part.width, wanted.part.height, image_channels(wanted.channels));
+  };
+  Image image = writes ? unset() : Image();
   if (progress != nullptr) progress->begin("tiles", bins.tiles.size());
   std::vector<TileSummary> summaries(bins.tiles.size());
   const auto draw_tile = [&](std::size_t tile, const TakeTile& take) {
     draw(bins.tiles[tile], bins.cells_of(tile), take);
     if (progress != nullptr) progress->advance();
   };
-  if (wanted.crew == nullptr) {
-    parallel_for(bins.tiles.size(), 1, [&](IndexRange range) {
-      const std::size_t tile = range.begin;
-      draw_tile(tile, [&](DrawnTile& drawn) {
-        summaries[tile] =
-            write_tile(drawn, bins.tiles[tile], frame.projector, scene, wanted, image);
-      });
+  const auto write = [&](std::size_t tile) {
+    TileSummary summary;
+    draw_tile(tile, [&](DrawnTile& drawn) {
+      summary = write_tile(drawn, bins.tiles[tile], frame.projector, scene, wanted, image);
     });
+    return summary;
+  };
+  if (wanted.crew == nullptr) {
+    parallel_for(bins.tiles.size(), 1,
+                 [&](IndexRange range) { summaries[range.begin] = write(range.begin); });
   } else {
     const auto finish = [&](std::size_t tile) {
+      if (writes) return FinishedTile{write(tile), {}};
       FinishedTile finished;
       draw_tile(tile, [&](DrawnTile& drawn) {
         finished = finish_tile(drawn, bins.tiles[tile], frame.projector, scene, wanted);
@@ -78,6 +85,7 @@ RenderResult draw_picture(const Frame& frame, const Scene& scene, const TileBins
       summaries[tile] = finished.summary;
       if (!finished.values.empty()) put_tile(finished, bins.tiles[tile], wanted.part, image);
     });
+    if (!writes) image = unset();
   }
   RenderStatistics statistics = statistics_of(summaries);
   statistics.tile_seconds = seconds_now() - start;

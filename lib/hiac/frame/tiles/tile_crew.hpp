@@ -15,10 +15,12 @@ class TileCrew : public LoopCrew {
  public:
   using Finish = std::function<FinishedTile(std::size_t tile)>;
   using Take = std::function<void(std::size_t tile, FinishedTile finished)>;
+  /// Whether this process gets the pixels of the others; one does.
+  [[nodiscard]] virtual bool writes() const = 0;
   /// Hands the tiles out in this order, one at a time. Every tile is drawn by one process, by a
-  /// call of `finish` from any of its threads. Then calls `take` for all tiles in every process,
-  /// one after the other; only the process that writes the picture gets their values, the others
-  /// the summaries alone.
+  /// call of `finish` from any of its threads. Calls `take` for all tiles in every process, in any
+  /// order and from any thread, but never twice at a time; what other processes have drawn has its
+  /// values only where `writes` is true.
   virtual void share(std::span<const std::size_t> tiles, const Finish& finish,
                      const Take& take) const = 0;
 };
