@@ -121,6 +121,24 @@ TEST(Visibility, IsovaluesThatTheFieldDoesNotHave) {
                           HasSubstr("isosurface.2: 'x' has values from 0 to 1, never -1")));
 }
 
+TEST(Visibility, ValuesOfEveryNodeAreFound) {
+  Scene scene = good_view();
+  for (const FieldLocation where : {FieldLocation::node, FieldLocation::corner}) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      ZooMesh mesh = test::make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                     {{CellKind::tetrahedron4, {0, 1, 2, 3}}});
+      std::vector<double> values(4, 0);
+      values[k] = 1;
+      mesh.fields.push_back({"x", "", where, 1, std::move(values)});
+      scene.isosurfaces = {surface(1), surface(2), surface(-1)};
+      EXPECT_THAT(invisible_parts(mesh, scene),
+                  ElementsAre(HasSubstr("'x' has values from 0 to 1, never 2"),
+                              HasSubstr("never -1")))
+          << k;
+    }
+  }
+}
+
 // A quadratic field of a cell overshoots its nodes: the surface is there.
 TEST(Visibility, IsovaluesBetweenNodesAreFound) {
   ZooMesh mesh = test::make_mesh({{0, 0, 0},
