@@ -131,9 +131,9 @@ TEST(Visibility, ValuesOfEveryNodeAreFound) {
       values[k] = 1;
       mesh.fields.push_back({"x", "", where, 1, std::move(values)});
       scene.isosurfaces = {surface(1), surface(2), surface(-1)};
-      EXPECT_THAT(invisible_parts(mesh, scene),
-                  ElementsAre(HasSubstr("'x' has values from 0 to 1, never 2"),
-                              HasSubstr("never -1")))
+      EXPECT_THAT(
+          invisible_parts(mesh, scene),
+          ElementsAre(HasSubstr("'x' has values from 0 to 1, never 2"), HasSubstr("never -1")))
           << k;
     }
   }
