@@ -47,16 +47,15 @@ void SharedTiles::share(std::span<const std::size_t> tiles, const Finish& finish
   std::mutex adding;
   parallel_for(thread_count(), 1, [&](IndexRange) {
     for (std::uint64_t k = all_.take_number(); k < tiles.size(); k = all_.take_number()) {
-      FinishedTile finished = finish(tiles[k]);
+      const FinishedTile finished = finish(tiles[k]);
       const std::scoped_lock lock(adding);
       summaries.emplace_back(tiles[k], finished.summary);
       if (!writes()) {
         append_tile(to_writer, tiles[k], finished);
-        // about what a message holds that grows to its share of the tiles
+        // room for twice its share of the tiles: other processes may be slower
         if (summaries.size() == 1) pixels.reserve(2 * pixels.size() * tiles.size() / all_.size());
-        finished.values.clear();
       }
-      take(tiles[k], std::move(finished));
+      take(tiles[k], {finished.summary, {}});
     }
   });
   std::vector<Bytes> to(all_.size(), message_of(summaries));

@@ -52,10 +52,10 @@ RenderResult draw_picture(const Frame& frame, const Scene& scene, const TileBins
                           const PictureParts& wanted, const DrawTile& draw, Progress* progress) {
   const double start = seconds_now();
   const bool writes = wanted.crew == nullptr || wanted.crew->writes();
-  const auto unset = [&] {
+  const auto black = [&] {
     return Image(wanted.part.width, wanted.part.height, image_channels(wanted.channels));
   };
-  Image image = writes ? unset() : Image();
+  Image image = writes ? black() : Image();
   if (progress != nullptr) progress->begin("tiles", bins.tiles.size());
   std::vector<TileSummary> summaries(bins.tiles.size());
   const auto draw_tile = [&](std::size_t tile, const TakeTile& take) {
@@ -85,7 +85,7 @@ RenderResult draw_picture(const Frame& frame, const Scene& scene, const TileBins
       summaries[tile] = finished.summary;
       if (!finished.values.empty()) put_tile(finished, bins.tiles[tile], wanted.part, image);
     });
-    if (!writes) image = unset();
+    if (!writes) image = black();  // not before the tiles, which the others wait for
   }
   RenderStatistics statistics = statistics_of(summaries);
   statistics.tile_seconds = seconds_now() - start;

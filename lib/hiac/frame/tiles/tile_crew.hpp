@@ -19,8 +19,8 @@ class TileCrew : public LoopCrew {
   [[nodiscard]] virtual bool writes() const = 0;
   /// Hands the tiles out in this order, one at a time. Every tile is drawn by one process, by a
   /// call of `finish` from any of its threads. Calls `take` for all tiles in every process, in any
-  /// order and from any thread, but never twice at a time; what other processes have drawn has its
-  /// values only where `writes` is true.
+  /// order and from any thread, but never twice at a time. It gets the summaries alone, and the
+  /// values too of tiles that other processes have drawn where `writes` is true.
   virtual void share(std::span<const std::size_t> tiles, const Finish& finish,
                      const Take& take) const = 0;
 };
