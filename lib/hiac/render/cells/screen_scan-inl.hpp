@@ -96,7 +96,7 @@ class ScreenScan {
   }
 
   [[nodiscard]] bool is_wanted(int x, int y) const {
-    return only_ == nullptr || (only_->row(y - tile_.y0) >> (x - tile_.x0) & 1U) != 0;
+    return only_ == nullptr || only_->holds(x - tile_.x0, y - tile_.y0);
   }
 
   // Whether the triangles that a row crosses cover every pixel of [first, last) twice.
