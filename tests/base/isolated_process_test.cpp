@@ -18,6 +18,7 @@
 #include "hiac/base/parallel.hpp"
 #include "hiac/base/process/memory_watch.hpp"
 #include "hiac/base/process/side_thread.hpp"
+#include "tests/support/instrumented.hpp"
 #include "tests/support/threads.hpp"
 
 namespace hiac {
@@ -150,7 +151,7 @@ std::vector<char> packed(const Write& write) {
 
 // A thread that starts holds locks of the memory allocator, which a fork would copy.
 TEST(IsolatedProcess, AnswersWhenTheWatchOverMemoryHasJustBegun) {
-  for (int trial = 0; trial < 100; ++trial) {
+  for (std::size_t trial = 0; trial < test::tried(100); ++trial) {
     const MemoryWatch watch(std::uint64_t{1} << 40, [] {});
     IsolatedProcess process("a library", serve);
     EXPECT_EQ(text_of(process, "one"), "file one");
@@ -158,7 +159,7 @@ TEST(IsolatedProcess, AnswersWhenTheWatchOverMemoryHasJustBegun) {
 }
 
 TEST(IsolatedProcess, AnswersWhileAThreadBesideAllocates) {
-  for (int trial = 0; trial < 100; ++trial) {
+  for (std::size_t trial = 0; trial < test::tried(100); ++trial) {
     std::atomic<bool> stopped = false;
     std::thread beside = start_side_thread([&] {
       while (!stopped) {
