@@ -36,8 +36,11 @@ struct PartedWork {
 ///
 /// Every process draws the runs of its parts and sends those of a tile to the tile's owner, who
 /// merges them (MergedTile) and sends the pixels to rank 0. This is done in rounds of some tiles,
-/// which bound the memory for runs. The picture is a function of the mesh and its parts: neither
-/// the number of processes and threads nor who has which part changes a bit.
+/// which bound the memory for runs. Where parts lie behind opaque ones, a round is drawn in layers,
+/// the nearest parts first, and parts of which nothing is seen in a tile are not drawn there; while
+/// the farther layers of a round are drawn, the nearer ones of the next rounds are. The picture is
+/// a function of the mesh and its parts: neither the number of processes and threads nor who has
+/// which part changes a bit.
 class PartedRenderer {
  public:
   /// All processes call it, with the same scene and channels. Parts and scene must pass

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hiac/cluster/byte_stream.hpp"
-
 namespace hiac {
 namespace {
 
@@ -28,7 +26,7 @@ TileRounds::TileRounds(std::size_t tiles) : count_(kFirst) {
 }
 
 std::vector<std::uint32_t> TileRounds::next() {
-  const std::size_t count = std::min(count_, tiles_.size() - done_);
+  const std::size_t count = std::min({count_, limit_, tiles_.size() - done_});
   const auto first = tiles_.begin() + static_cast<std::ptrdiff_t>(done_);
   done_ += count;
   count_ = count;
@@ -41,22 +39,13 @@ void TileRounds::note_bytes(std::uint64_t bytes) {
   const double most = fits * static_cast<double>(count_);
   count_ = std::clamp<std::size_t>(
       static_cast<std::size_t>(std::min(most, static_cast<double>(kGrowth * count_))), 1,
-      kGrowth * count_);
+      std::min(kGrowth * count_, limit_));
 }
 
 std::uint64_t total_size(const std::vector<Bytes>& messages) {
   std::uint64_t size = 0;
   for (const Bytes& message : messages) size += message.size();
   return size;
-}
-
-std::uint64_t most_of_all(Communicator& all, std::uint64_t own) {
-  Bytes mine;
-  ByteWriter(mine).put(own);
-  std::uint64_t most = 0;
-  for (const Bytes& received : all_gather(all, mine))
-    most = std::max(most, ByteReader(received).get<std::uint64_t>());
-  return most;
 }
 
 }  // namespace hiac

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "hiac/cluster/communicator.hpp"
@@ -23,15 +24,16 @@ class TileRounds {
   std::vector<std::uint32_t> next();
   /// Notes the most bytes that any process held in the last round.
   void note_bytes(std::uint64_t bytes);
+  /// Further rounds have at most so many tiles.
+  void limit(std::size_t tiles) { limit_ = tiles; }
 
  private:
   std::vector<std::uint32_t> tiles_;  // in the order of the rounds
   std::size_t done_ = 0, count_;      // count_: of the next round
+  std::size_t limit_ = std::numeric_limits<std::size_t>::max();
 };
 
+/// The bytes of all messages.
 std::uint64_t total_size(const std::vector<Bytes>& messages);
-
-/// The largest number that any process gives.
-std::uint64_t most_of_all(Communicator& all, std::uint64_t own);
 
 }  // namespace hiac

@@ -10,6 +10,7 @@
 
 #include "hiac/cluster/byte_stream.hpp"
 #include "hiac/cluster/chosen_rank.hpp"
+#include "hiac/cluster/reductions.hpp"
 #include "hiac/mesh/parts/used_nodes.hpp"
 #include "hiac/session/field_range.hpp"
 #include "hiac/session/field_values.hpp"
@@ -61,18 +62,6 @@ std::vector<std::vector<std::uint8_t>> counted_nodes(Communicator& all,
   return counted;
 }
 
-// The sums of what all processes count.
-std::vector<std::uint64_t> sum_of_all(Communicator& all, const std::vector<std::uint64_t>& own) {
-  Bytes mine;
-  ByteWriter(mine).put_all(std::span<const std::uint64_t>(own));
-  std::vector<std::uint64_t> sum(own.size(), 0);
-  for (const Bytes& received : all_gather(all, mine)) {
-    const auto counts = ByteReader(received).get_all<std::uint64_t>(own.size());
-    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += counts[k];
-  }
-  return sum;
-}
-
 // The finite values of a field of all parts of this process, those of shared nodes once.
 class Values {
  public:
@@ -107,7 +96,7 @@ class Values {
 
   // As percentile() (field_values.hpp) of the values of all processes, of which there are some.
   [[nodiscard]] double percentile(Communicator& all, double percent) const {
-    const std::uint64_t count = sum_of_all(all, {values_.size()})[0];
+    const std::uint64_t count = sum_of_all(all, std::array<std::uint64_t, 1>{values_.size()})[0];
     const PercentileRank rank = percentile_rank(percent, count);
     const double below = value_at(all, rank.below);
     return rank.share == 0 ? below

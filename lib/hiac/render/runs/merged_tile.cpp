@@ -6,38 +6,12 @@
 
 #include "hiac/render/bounds/pixel_error.hpp"
 #include "hiac/render/pixels/compositor.hpp"
+#include "hiac/render/runs/runs_by_depth.hpp"
 
 namespace hiac {
 namespace {
 
 constexpr std::size_t kPixels = kTileStride * kTileHeight;
-
-struct Place {
-  std::uint32_t part, run;
-};
-
-// All runs, by pixel and depth.
-std::vector<Place> in_order(std::span<const TileRuns> parts) {
-  std::vector<std::uint32_t> start(kPixels + 1, 0);
-  for (const TileRuns& part : parts)
-    for (const RayRun& run : part.runs) ++start[run.pixel + 1];
-  for (std::size_t p = 1; p < start.size(); ++p) start[p] += start[p - 1];
-  std::vector<Place> places(start.back());
-  std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-  for (std::uint32_t part = 0; part < parts.size(); ++part)
-    for (std::uint32_t run = 0; run < parts[part].runs.size(); ++run)
-      places[next[parts[part].runs[run].pixel]++] = {part, run};
-  const auto nearer = [&](const Place& a, const Place& b) {
-    const RayRun &p = parts[a.part].runs[a.run], &q = parts[b.part].runs[b.run];
-    if (p.front != q.front) return p.front < q.front;
-    if (p.back != q.back) return p.back < q.back;
-    return a.part != b.part ? a.part < b.part : a.run < b.run;
-  };
-  for (std::size_t p = 0; p < kPixels; ++p)
-    if (start[p + 1] - start[p] > 1)
-      std::sort(places.begin() + start[p], places.begin() + start[p + 1], nearer);
-  return places;
-}
 
 }  // namespace
 
@@ -59,7 +33,7 @@ MergedTile::MergedTile(const MergeConstants& constants, std::span<const TileRuns
     if (!part.covers.empty()) covers_.resize(kPixels, 1);
     for (const SkinCover& cover : part.covers) covers_[cover.pixel] *= cover.transparency;
   }
-  for (const Place& place : in_order(parts)) {
+  for (const RunPlace& place : runs_by_depth(parts)) {
     const TileRuns& part = parts[place.part];
     composite(part.runs[place.run], part.facts.empty() ? nullptr : &part.facts[place.run]);
   }

@@ -1,9 +1,12 @@
 #include "hiac/render/runs/part_engine.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "hiac/base/error.hpp"
 #include "hiac/frame/tiles/picture.hpp"
+#include "hiac/frame/tiles/screen_bounds.hpp"
 #include "hiac/render/bounds/bounded_scene.hpp"
 #include "hiac/render/edges/tile_edges.hpp"
 #include "hiac/render/runs/tile_runs.hpp"
@@ -30,6 +33,14 @@ void PartEngine::set_whole(const MeshExtremes& extremes) {
 
 TileBins PartEngine::bins(const VisibilityOrder& order, const PixelRect& rect) const {
   return bin_cells(frame_, order, scene_.image, rect, splat_bounds(frame_, *splatted_));
+}
+
+double PartEngine::nearest(const VisibilityOrder& order,
+                           std::span<const std::uint32_t> ranks) const {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t rank : ranks)
+    nearest = std::min(nearest, screen_bounds(frame_, order.cells[rank]).nearest);
+  return nearest - frame_.witness_tolerance;  // of which depths that are computed may be off
 }
 
 TileRuns PartEngine::draw(const VisibilityOrder& order, const TileRect& tile,

@@ -54,6 +54,9 @@ class PartEngine {
   [[nodiscard]] std::uint64_t splatted_cells() const { return splatted_->count(); }
   /// The cells of the part's own order in each tile of a part of the picture.
   [[nodiscard]] TileBins bins(const VisibilityOrder& order, const PixelRect& rect) const;
+  /// A ray parameter before which no run through these cells of the order begins.
+  [[nodiscard]] double nearest(const VisibilityOrder& order,
+                               std::span<const std::uint32_t> ranks) const;
   /// Marks the pixels of a tile through which the part's edges pass; whether there are any.
   bool mark_edges(const TileRect& tile, PixelMask& mask) const;
   /// `mask`: the pixels of the tile through which edges of any part pass; null: there are no edges.
