@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numeric>
 #include <random>
 #include <vector>
@@ -93,11 +92,6 @@ RenderResult draw_parts(const test::Parts& parts, const Scene& scene,
   return result;
 }
 
-bool same_bits(const Image& a, const Image& b) {
-  return a.values().size() == b.values().size() &&
-         std::memcmp(a.values().data(), b.values().data(), a.values().size_bytes()) == 0;
-}
-
 double largest_difference(const Image& a, const Image& b) {
   EXPECT_EQ(a.values().size(), b.values().size());
   double most = 0;
@@ -120,7 +114,7 @@ void expect_whole(const ZooMesh& mesh, const Assignment& part_of_cell, const Sce
   EXPECT_EQ(alone.statistics.violations, 0U);
   EXPECT_EQ(alone.statistics.covered_pixels, whole.statistics.covered_pixels);
   for (const std::uint32_t ranks : test::tried(std::vector{3U, 2U, 8U}))
-    EXPECT_TRUE(same_bits(alone.image, draw_parts(parts, scene, {}, ranks, ranks == 3).image))
+    EXPECT_TRUE(test::same_bits(alone.image, draw_parts(parts, scene, {}, ranks, ranks == 3).image))
         << ranks;
 }
 
@@ -299,7 +293,7 @@ TEST(PartedRenderer, ChannelsAndStatisticsOfSkin) {
       render(mesh, test::sorted(mesh, scene), scene, true, nullptr, kChannels);
   const test::Parts parts(mesh, at_random(mesh, 5, 4), 5, scene);
   const RenderResult alone = draw_parts(parts, scene, kChannels);
-  EXPECT_TRUE(same_bits(alone.image, draw_parts(parts, scene, kChannels, 3, true).image));
+  EXPECT_TRUE(test::same_bits(alone.image, draw_parts(parts, scene, kChannels, 3, true).image));
   EXPECT_NEAR(alone.statistics.mean_optical_depth, whole.statistics.mean_optical_depth, 1e-12);
   EXPECT_EQ(alone.statistics.depth_pixels, whole.statistics.depth_pixels);
   for (std::size_t y = 0; y < scene.image.height; ++y)
@@ -387,7 +381,7 @@ TEST(PartedRenderer, ChannelsOfEdges) {
       render(mesh, test::sorted(mesh, scene), scene, true, nullptr, kChannels);
   const test::Parts parts(mesh, at_random(mesh, 5, 4), 5, scene);
   const RenderResult alone = draw_parts(parts, scene, kChannels);
-  EXPECT_TRUE(same_bits(alone.image, draw_parts(parts, scene, kChannels, 3, true).image));
+  EXPECT_TRUE(test::same_bits(alone.image, draw_parts(parts, scene, kChannels, 3, true).image));
   EXPECT_NEAR(alone.statistics.mean_optical_depth, whole.statistics.mean_optical_depth, 1e-12);
   EXPECT_LE(largest_difference(alone.image, whole.image), 1e-11);
 }
@@ -405,7 +399,7 @@ TEST(PartedRenderer, Splats) {
   const RenderResult alone = draw_parts(parts, scene);
   EXPECT_EQ(alone.statistics.splatted_cells, whole.statistics.splatted_cells);
   EXPECT_LE(largest_difference(alone.image, whole.image), kRounding);
-  EXPECT_TRUE(same_bits(alone.image, draw_parts(parts, scene, {}, 3).image));
+  EXPECT_TRUE(test::same_bits(alone.image, draw_parts(parts, scene, {}, 3).image));
 }
 
 TEST(PartedRenderer, Channels) {
@@ -417,7 +411,7 @@ TEST(PartedRenderer, Channels) {
       render(mesh, test::sorted(mesh, scene), scene, true, nullptr, kChannels);
   const test::Parts parts(mesh, at_random(mesh, 5, 4), 5, scene);
   const RenderResult alone = draw_parts(parts, scene, kChannels);
-  EXPECT_TRUE(same_bits(alone.image, draw_parts(parts, scene, kChannels, 3, true).image));
+  EXPECT_TRUE(test::same_bits(alone.image, draw_parts(parts, scene, kChannels, 3, true).image));
   for (std::size_t y = 0; y < scene.image.height; ++y)
     for (std::size_t x = 0; x < scene.image.width; ++x) {
       const auto p = alone.image.pixel(x, y), q = whole.image.pixel(x, y);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <barrier>
+#include <cstring>
 #include <thread>
 #include <utility>
 
@@ -91,6 +92,11 @@ void run_ranks(std::uint32_t ranks, const std::function<void(Communicator&)>& wo
       ThreadCommunicator communicator(hall, rank);
       work(communicator);
     });
+}
+
+bool same_bits(const Image& a, const Image& b) {
+  return a.values().size() == b.values().size() &&
+         std::memcmp(a.values().data(), b.values().data(), a.values().size_bytes()) == 0;
 }
 
 }  // namespace hiac::test

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hiac/cluster/parted_renderer.hpp"
+#include "hiac/image/image.hpp"
 #include "hiac/mesh/zoo_mesh.hpp"
 #include "hiac/scene/scene.hpp"
 
@@ -34,5 +35,8 @@ class Parts {
 
 /// Runs `work` of every rank, each in a thread of its own.
 void run_ranks(std::uint32_t ranks, const std::function<void(Communicator&)>& work);
+
+/// Whether all values of two images are the same, to the bit.
+bool same_bits(const Image& a, const Image& b);
 
 }  // namespace hiac::test

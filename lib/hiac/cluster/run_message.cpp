@@ -13,7 +13,7 @@
 namespace hiac {
 namespace {
 
-static_assert(kTileStride * kTileHeight <= std::numeric_limits<std::uint16_t>::max());
+static_assert(kTilePlane <= std::numeric_limits<std::uint16_t>::max());
 
 // A run's numbers are what it begins with, and its pixel.
 constexpr std::size_t kRunNumbers = offsetof(RayRun, pixel);

@@ -31,7 +31,7 @@ std::array<std::array<NodeId, 4>, 6> corners_of_faces(const ZooMesh& mesh, CellI
 
 SkinPainter::SkinPainter(const Frame& frame, const ScreenEdges& drawn, TileEdges& edges)
     : frame_(frame), drawn_(drawn), edges_(edges), skin_(frame), errors_(frame) {
-  if (!frame.skin.faces.empty()) transparency_.assign(kTileStride * kTileHeight, 1);
+  if (!frame.skin.faces.empty()) transparency_.assign(kTilePlane, 1);
 }
 
 void SkinPainter::draw(const TileTarget& to, CellId cell, bool with_inside) {
@@ -80,7 +80,7 @@ void SkinPainter::list_inside(const TileTarget& to, CellId cell, bool with_insid
 }
 
 void SkinPainter::note_ends(const SegmentList& list, std::size_t first) {
-  ends_.assign(kTileStride * kTileHeight, {0, 0, 0});
+  ends_.assign(kTilePlane, {0, 0, 0});
   for (const ListedSegment& segment : std::span(list.segments).subspan(first))
     ends_[segment.pixel] = {segment.front, segment.back, ends_[segment.pixel].count + 1};
 }

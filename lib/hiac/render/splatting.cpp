@@ -282,7 +282,7 @@ void TileSplats::for_each_pixel(const Glowing& splat, const Visit& visit) const 
 
 // Counting sort by pixel.
 void TileSplats::deal_out() {
-  end_.assign(kTileStride * kTileHeight, 0);
+  end_.assign(kTilePlane, 0);
   for (const Glowing& splat : splats_)
     for_each_pixel(splat, [&](std::size_t pixel) { ++end_[pixel]; });
   std::size_t sum = 0;

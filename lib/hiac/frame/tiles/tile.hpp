@@ -16,6 +16,9 @@ inline constexpr std::size_t kTileHeight = 32;
 /// vectors extend beyond its end.
 inline constexpr std::size_t kTileStride = kTileWidth + 8;
 
+/// Entries of a plane, padding included: the index of a pixel is below it.
+inline constexpr std::size_t kTilePlane = kTileStride * kTileHeight;
+
 /// The coordinate of the centre of a column or row of pixels (ProjectedNode), a whole number.
 constexpr double pixel_center(double pixel) { return pixel + 0.5; }
 
@@ -45,7 +48,7 @@ struct TileRect {
 /// Light and transparency of a tile's pixels, accumulated front to back.
 struct TilePixels {
   // consecutive in memory, so that a kernel needs one address for all of them
-  using Plane = std::array<double, kTileStride * kTileHeight>;
+  using Plane = std::array<double, kTilePlane>;
   alignas(64) Plane red, green, blue;  ///< premultiplied, without background
   Plane transparency;                  ///< of all that lies in front so far
   Plane last;  ///< ray parameter at which the last segment ended; -infinity if none

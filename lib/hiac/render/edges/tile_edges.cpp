@@ -40,8 +40,8 @@ TileEdges::TileEdges(const Frame& frame, const ScreenEdges& edges, const TileRec
   edges.visit_in(tile, [&](const EdgePiece& piece) { add(piece); });
   if (empty()) return;
   sort_by_pixel();
-  transparency_.assign(kTileStride * kTileHeight, 1);
-  layers_of_.assign(kTileStride * kTileHeight, 0);
+  transparency_.assign(kTilePlane, 1);
+  layers_of_.assign(kTilePlane, 0);
 }
 
 Strip TileEdges::strip_of(const EdgePiece& piece) const {
@@ -87,7 +87,7 @@ void TileEdges::add(const EdgePiece& piece) {
 }
 
 void TileEdges::sort_by_pixel() {
-  first_.assign(kTileStride * kTileHeight + 1, 0);
+  first_.assign(kTilePlane + 1, 0);
   for (const Fragment& fragment : fragments_) ++first_[fragment.at + 1];
   for (std::size_t at = 0; at + 1 < first_.size(); ++at) first_[at + 1] += first_[at];
   std::vector<Fragment> sorted(fragments_.size());

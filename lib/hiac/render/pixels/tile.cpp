@@ -36,7 +36,7 @@ bool SegmentList::nearer(std::uint32_t a, std::uint32_t b) const {
 
 std::vector<std::uint32_t> sorted_segments(const SegmentList& list) {
   // counting sort by pixel, then a comparison sort of each pixel's few segments by depth
-  std::vector<std::uint32_t> start(kTileStride * kTileHeight + 1, 0);
+  std::vector<std::uint32_t> start(kTilePlane + 1, 0);
   for (const ListedSegment& s : list.segments) ++start[s.pixel + 1];
   for (std::size_t p = 1; p < start.size(); ++p) start[p] += start[p - 1];
   std::vector<std::uint32_t> sorted(list.segments.size());

@@ -9,11 +9,7 @@
 #include "hiac/render/runs/runs_by_depth.hpp"
 
 namespace hiac {
-namespace {
-
-constexpr std::size_t kPixels = kTileStride * kTileHeight;
-
-}  // namespace
+namespace {}  // namespace
 
 MergeConstants merge_constants(const Frame& frame) {
   return {frame.least_transparency, frame.witness_tolerance, frame.largest_light,
@@ -22,7 +18,7 @@ MergeConstants merge_constants(const Frame& frame) {
 
 MergedTile::MergedTile(const MergeConstants& constants, std::span<const TileRuns> parts,
                        const EdgedView* edges)
-    : constants_(constants), details_(constants.with_details ? kPixels : 0) {
+    : constants_(constants), details_(constants.with_details ? kTilePlane : 0) {
   pixels_.red.fill(0);
   pixels_.green.fill(0);
   pixels_.blue.fill(0);
@@ -30,7 +26,7 @@ MergedTile::MergedTile(const MergeConstants& constants, std::span<const TileRuns
   pixels_.last.fill(-std::numeric_limits<double>::infinity());
   for (const TileRuns& part : parts) {
     counts_ += part.counts;
-    if (!part.covers.empty()) covers_.resize(kPixels, 1);
+    if (!part.covers.empty()) covers_.resize(kTilePlane, 1);
     for (const SkinCover& cover : part.covers) covers_[cover.pixel] *= cover.transparency;
   }
   for (const RunPlace& place : runs_by_depth(parts)) {
@@ -38,7 +34,7 @@ MergedTile::MergedTile(const MergeConstants& constants, std::span<const TileRuns
     composite(part.runs[place.run], part.facts.empty() ? nullptr : &part.facts[place.run]);
   }
   if (edges == nullptr) return;
-  covers_.resize(kPixels, 1);
+  covers_.resize(kTilePlane, 1);
   std::vector<const EdgedTile*> edged;
   for (const TileRuns& part : parts) edged.push_back(&part.edged);
   visit_edged(edged, *edges, [&](const EdgedSegment& segment) { return composite(segment); });

@@ -6,17 +6,11 @@
 #include "hiac/render/pixels/compositor.hpp"
 
 namespace hiac {
-namespace {
-
-constexpr std::size_t kFoldedPixels = kTileStride * kTileHeight;
-
-}  // namespace
-
 RunFolder::RunFolder(TileBuffer& buffer, double witness_tolerance, bool with_details, bool apart)
     : buffer_(buffer),
       witness_tolerance_(witness_tolerance),
       apart_(apart),
-      details_(with_details ? kFoldedPixels : 0),
+      details_(with_details ? kTilePlane : 0),
       front_edge_(details_.size()) {
   open_.reset();
 }
@@ -55,9 +49,9 @@ RunFacts RunFolder::facts(std::size_t at) const {
 
 TileRuns RunFolder::take(TileCounts counts) {
   // counting sort of the closed runs, each pixel's open one behind them
-  std::vector<std::uint32_t> next(kFoldedPixels + 1, 0);
+  std::vector<std::uint32_t> next(kTilePlane + 1, 0);
   for (const RayRun& run : open_.closed) ++next[run.pixel + 1];
-  for (std::size_t at = 0; at < kFoldedPixels; ++at)
+  for (std::size_t at = 0; at < kTilePlane; ++at)
     next[at + 1] += next[at] + (open_.is_open(at) ? 1 : 0);
   TileRuns all;
   all.runs.resize(next.back());
@@ -67,7 +61,7 @@ TileRuns RunFolder::take(TileCounts counts) {
     all.runs[to] = open_.closed[k];
     if (!details_.empty()) all.facts[to] = closed_facts_[k];
   }
-  for (std::size_t at = 0; at < kFoldedPixels; ++at) {
+  for (std::size_t at = 0; at < kTilePlane; ++at) {
     if (!open_.is_open(at)) continue;
     all.runs[next[at]] = open_.run(at);
     if (!details_.empty()) all.facts[next[at]] = facts(at);

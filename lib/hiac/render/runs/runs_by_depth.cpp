@@ -7,14 +7,13 @@
 namespace hiac {
 namespace {
 
-constexpr std::size_t kPixels = kTileStride * kTileHeight;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 // More than the relative error of a product of a pixel's transparencies in any order.
 constexpr double kRounding = 1e-9;
 
 // Whether all pixels of the tile end, but for rounding: told without sorting the runs.
 bool may_end(const TileRect& tile, std::span<const TileRuns> parts, double least_transparency) {
-  std::vector<double> left(kPixels, 1);
+  std::vector<double> left(kTilePlane, 1);
   for (const TileRuns& part : parts)
     for (const RayRun& run : part.runs) left[run.pixel] *= run.light.transparency;
   for (int y = tile.y0; y < tile.y1; ++y)
@@ -26,7 +25,7 @@ bool may_end(const TileRect& tile, std::span<const TileRuns> parts, double least
 }  // namespace
 
 std::vector<RunPlace> runs_by_depth(std::span<const TileRuns> parts) {
-  std::vector<std::uint32_t> start(kPixels + 1, 0);
+  std::vector<std::uint32_t> start(kTilePlane + 1, 0);
   for (const TileRuns& part : parts)
     for (const RayRun& run : part.runs) ++start[run.pixel + 1];
   for (std::size_t p = 1; p < start.size(); ++p) start[p] += start[p - 1];
@@ -41,7 +40,7 @@ std::vector<RunPlace> runs_by_depth(std::span<const TileRuns> parts) {
     if (p.back != q.back) return p.back < q.back;
     return a.part != b.part ? a.part < b.part : a.run < b.run;
   };
-  for (std::size_t p = 0; p < kPixels; ++p)
+  for (std::size_t p = 0; p < kTilePlane; ++p)
     if (start[p + 1] - start[p] > 1)
       std::sort(places.begin() + start[p], places.begin() + start[p + 1], nearer);
   return places;
@@ -50,7 +49,7 @@ std::vector<RunPlace> runs_by_depth(std::span<const TileRuns> parts) {
 double end_of_tile(const TileRect& tile, std::span<const TileRuns> parts,
                    double least_transparency) {
   if (!may_end(tile, parts, least_transparency)) return kNever;
-  std::vector<double> left(kPixels, 1), ends(kPixels, kNever);
+  std::vector<double> left(kTilePlane, 1), ends(kTilePlane, kNever);
   for (const RunPlace& place : runs_by_depth(parts)) {
     const RayRun& run = parts[place.part].runs[place.run];
     if (left[run.pixel] <= least_transparency) continue;
