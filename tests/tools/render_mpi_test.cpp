@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 
 #include "hiac/image/image_io.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
@@ -157,6 +158,36 @@ TEST_F(RenderMpi, PartsHaveTheSkinTheEdgesAndThePercentilesOfTheWhole) {
     if (first.empty()) first = bytes_of(file("parts.npy"));
     EXPECT_EQ(bytes_of(file("parts.npy")), first) << ranks;
   }
+}
+
+// Two processes make two of three frames alone, each its own, and the last one together. What is
+// told of them is what one process tells, in the order of the frames.
+TEST_F(RenderMpi, FramesAreHandedOut) {
+  // the mesh lies behind the eye: a warning each
+  std::ofstream(file("away.toml")) << with_key(view(), "camera.look_at", "[50.0, 50.0, 50.0]")
+                                   << "[turntable]\nframes = 5\ndegrees = 30\n";
+  for (const char* spec : {"turn.toml", "away.toml"})
+    for (const int ranks : {2, 3, 4}) {
+      SCOPED_TRACE(testing::Message() << spec << ' ' << ranks);
+      const std::string options = fmt::format("--view {} --frames --json ", spec);
+      ASSERT_EQ(run("$RENDER -q m.zoo -o one-%d.png " + options + "one.json"), 0);
+      ASSERT_EQ(render(ranks, "-q m.zoo -o many-%d.png " + options + "many.json"), 0)
+          << complaint();
+      const auto one = nlohmann::json::parse(bytes_of(file("one.json")));
+      const auto many = nlohmann::json::parse(bytes_of(file("many.json")));
+      ASSERT_EQ(many["frames"].size(), one["frames"].size());
+      for (std::size_t k = 0; k < one["frames"].size(); ++k) {
+        EXPECT_EQ(bytes_of(file(fmt::format("one-{}.png", k))),
+                  bytes_of(file(fmt::format("many-{}.png", k))));
+        for (const char* fact : {"frame", "segments", "covered_pixels", "optical_depth"})
+          EXPECT_EQ(many["frames"][k][fact], one["frames"][k][fact]) << fact;
+        EXPECT_EQ(many["frames"][k]["file"], fmt::format("many-{}.png", k));
+      }
+      EXPECT_EQ(many["warnings"].size(), one["warnings"].size());
+      if (spec[0] == 'a') {
+        EXPECT_GE(one["warnings"].size(), 5U);
+      }
+    }
 }
 
 TEST_F(RenderMpi, FramesOfPartsAndOfTheWhole) {

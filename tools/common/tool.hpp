@@ -70,6 +70,8 @@ class Tool {
   void detail(const std::string& line) const;
   /// A line on stderr unless --quiet, also kept among the facts' "warnings".
   void warn(const std::string& line);
+  /// The warnings so far.
+  [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
   /// Text on stderr as it is, of whole lines: what an option asks for.
   void print(const std::string& text) const;
 

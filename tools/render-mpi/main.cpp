@@ -22,7 +22,8 @@ int run(Communicator& all, int argc, char** argv) {
   const SharedTiles crew(all);
   return render_command(
       tool, argc, argv,
-      {.crew = &crew,
+      {.all = &all,
+       .crew = &crew,
        .writes = all.rank() == 0,
        .draw_parts = [&](Tool& of, PictureCommand& command, const PictureOptions& picture) {
          draw_parted_pictures(all, of, command, picture);

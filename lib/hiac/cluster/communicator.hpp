@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace hiac {
@@ -37,5 +38,10 @@ std::vector<Bytes> all_gather(Communicator& all, const Bytes& own);
 std::vector<Bytes> gather(Communicator& all, Bytes own);
 /// What rank 0 gives.
 Bytes broadcast(Communicator& all, const Bytes& own);
+
+/// The largest number that any rank gives.
+std::uint64_t most_of_all(Communicator& all, std::uint64_t own);
+/// The sums of what all ranks give, number by number.
+std::vector<std::uint64_t> sum_of_all(Communicator& all, std::span<const std::uint64_t> own);
 
 }  // namespace hiac

@@ -11,7 +11,6 @@
 #include "hiac/base/seconds.hpp"
 #include "hiac/cluster/edged_tiles.hpp"
 #include "hiac/cluster/parted_round.hpp"
-#include "hiac/cluster/reductions.hpp"
 #include "hiac/cluster/run_message.hpp"
 #include "hiac/cluster/tile_rounds.hpp"
 #include "hiac/cluster/whole_facts.hpp"

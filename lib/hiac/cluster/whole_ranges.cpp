@@ -10,7 +10,6 @@
 
 #include "hiac/cluster/byte_stream.hpp"
 #include "hiac/cluster/chosen_rank.hpp"
-#include "hiac/cluster/reductions.hpp"
 #include "hiac/mesh/parts/used_nodes.hpp"
 #include "hiac/session/field_range.hpp"
 #include "hiac/session/field_values.hpp"

@@ -37,6 +37,7 @@
 #include "tools/common/render/picture_options.hpp"
 #include "tools/common/render/picture_report.hpp"
 #include "tools/common/render/render_options.hpp"
+#include "tools/common/render/shared_shots.hpp"
 #include "tools/common/render/shots.hpp"
 #include "tools/common/text_output.hpp"
 #include "tools/common/tool.hpp"
@@ -118,7 +119,8 @@ class Renderer {
                   {met.covered_pixels, met.largest_optical_depth, request.part.has_value()}, path);
     if (options_.strict) require_truth(path, met);
     facts["order"] = order_facts(*picture.order);
-    if (!options_.role->writes) return facts;
+    // a picture that this process has drawn alone is its own
+    if (!options_.role->writes && request.crew != nullptr) return facts;
     annotation.draw(picture.image, scene, request.part);
     if (movie != nullptr)
       tool_.timed("write", [&] { movie->add(picture.image); });
@@ -270,17 +272,22 @@ void check_several(const Options& options) {
   require_ffmpeg(options.output);
 }
 
-// Renders the shots, which are in the order of their steps; `read` reads a step.
+// What the facts call the pictures of a run of several.
+std::string kind_of_shots(const Options& options) {
+  return options.has_steps && !options.all_frames ? "steps" : "frames";
+}
+
+// Renders the shots from the given one on, which are in the order of their steps; `read` reads a
+// step.
 template <typename Read>
 void render_shots(Tool& tool, const Options& options, const Scene& scene,
-                  const PictureRequest& request, const std::vector<Shot>& shots,
+                  const PictureRequest& request, const std::vector<Shot>& shots, std::size_t first,
                   const std::optional<PictureAnnotation>& annotation, Renderer& renderer,
                   Movie* movie, const Read& read) {
-  const std::string kind = options.has_steps && !options.all_frames ? "steps" : "frames";
-  tool.frames().begin(kind, shots.size());
-  for (std::size_t k = 0; k < shots.size(); ++k) {
+  const std::string kind = kind_of_shots(options);
+  for (std::size_t k = first; k < shots.size(); ++k) {
     const Shot& shot = shots[k];
-    if (k == 0 || shots[k - 1].step != shot.step) {
+    if (k == first || shots[k - 1].step != shot.step) {
       read(shot);
       for (std::size_t same = k; same < shots.size() && shots[same].step == shot.step; ++same)
         renderer.require_order(scene_of_shot(scene, shots[same]));
@@ -294,6 +301,43 @@ void render_shots(Tool& tool, const Options& options, const Scene& scene,
     tool.facts()[kind].push_back(std::move(facts));
     tool.note_frame(shot.path);
   }
+}
+
+// Where there are as many pictures of one mesh as processes, or more, each process makes some of
+// them alone, its order included, and all make the rest of the division together. Returns how many
+// are made alone.
+std::size_t share_frames(Tool& tool, const Options& options, const Scene& scene,
+                         PictureRequest request, const std::vector<Shot>& shots,
+                         const PictureAnnotation& annotation, Renderer& renderer) {
+  Communicator* const all = options.role->all;
+  if (all == nullptr || is_movie(options.output)) return 0;
+  const std::size_t count = shots.size() - shots.size() % all->size();
+  if (count == 0) return 0;
+  for (const Shot& shot : shots) renderer.require_order(scene_of_shot(scene, shot));
+  request.crew = nullptr;
+  std::size_t noted = 0;
+  const auto draw = [&](std::size_t k) {
+    const std::size_t warned = tool.warnings().size();
+    const Shot& shot = shots[k];
+    Json facts{{"frame", *shot.frame}, {"file", shot.path}};
+    facts.update(
+        renderer.render(scene_of_shot(scene, shot), request, annotation, shot.path, nullptr));
+    tool.frames().advance(k - noted);  // others have been handed to other processes
+    tool.note_frame(shot.path);
+    noted = k + 1;
+    const auto& warnings = tool.warnings();
+    return ShotReport{k,
+                      std::move(facts),
+                      {warnings.begin() + static_cast<std::ptrdiff_t>(warned), warnings.end()},
+                      true};
+  };
+  for (ShotReport& report : share_shots(*all, count, draw)) {
+    if (!report.is_own)
+      for (const std::string& warning : report.warnings) tool.warn(warning);
+    tool.facts()[kind_of_shots(options)].push_back(std::move(report.facts));
+  }
+  tool.frames().advance(count - noted);
+  return count;
 }
 
 // What is said of a mesh before its first picture, and what is drawn beside that.
@@ -341,7 +385,8 @@ void render_steps(Tool& tool, Options& options, std::optional<ParsedScene> parse
     annotate(tool, options, view, renderer, annotation);
     if (!options.color_bar.empty()) write_color_bar(tool, options, renderer.mesh(), view);
   };
-  render_shots(tool, options, scene, request.picture, shots, annotation, renderer, movie.get(),
+  tool.frames().begin(kind_of_shots(options), shots.size());
+  render_shots(tool, options, scene, request.picture, shots, 0, annotation, renderer, movie.get(),
                show);
   if (movie) tool.timed("write", [&] { movie->finish(); });
 }
@@ -361,8 +406,11 @@ void render_mesh(Tool& tool, Options& options, std::optional<ParsedScene> parsed
   if (!options.color_bar.empty()) write_color_bar(tool, options, renderer.mesh(), view);
   if (scene.path) {
     const std::unique_ptr<Movie> movie = movie_of(options);
-    render_shots(tool, options, scene, request.picture,
-                 shots_of_frames(options, scene, is_movie(options.output)), annotation, renderer,
+    const std::vector<Shot> shots = shots_of_frames(options, scene, is_movie(options.output));
+    tool.frames().begin(kind_of_shots(options), shots.size());
+    const std::size_t made =
+        share_frames(tool, options, scene, request.picture, shots, *annotation, renderer);
+    render_shots(tool, options, scene, request.picture, shots, made, annotation, renderer,
                  movie.get(), [](const Shot&) {});
     if (movie) tool.timed("write", [&] { movie->finish(); });
     return;

@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "hiac/cluster/communicator.hpp"
 #include "hiac/frame/tiles/tile_crew.hpp"
 #include "tools/common/picture/picture_command.hpp"
 #include "tools/common/render/picture_options.hpp"
@@ -11,7 +12,8 @@ namespace hiac::tools {
 
 /// What a program that makes pictures of a mesh is among others that make them with it.
 struct RenderRole {
-  const TileCrew* crew = nullptr;  ///< the processes that share the drawing; null: this one alone
+  Communicator* all = nullptr;     ///< the processes that share the pictures; null: this one alone
+  const TileCrew* crew = nullptr;  ///< the same ones, as those that share a picture
   bool writes = true;              ///< false: another process writes and reports
   /// Makes pictures of a mesh in parts; without it the parts are put together. The options that do
   /// not fit have been refused.
