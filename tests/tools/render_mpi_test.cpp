@@ -160,8 +160,8 @@ TEST_F(RenderMpi, PartsHaveTheSkinTheEdgesAndThePercentilesOfTheWhole) {
   }
 }
 
-// Two processes make two of three frames alone, each its own, and the last one together. What is
-// told of them is what one process tells, in the order of the frames.
+// Two processes make the first of three frames together, and then each one alone. What is told of
+// them is what one process tells, in the order of the frames.
 TEST_F(RenderMpi, FramesAreHandedOut) {
   // the mesh lies behind the eye: a warning each
   std::ofstream(file("away.toml")) << with_key(view(), "camera.look_at", "[50.0, 50.0, 50.0]")

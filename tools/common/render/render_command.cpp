@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -272,22 +273,16 @@ void check_several(const Options& options) {
   require_ffmpeg(options.output);
 }
 
-// What the facts call the pictures of a run of several.
-std::string kind_of_shots(const Options& options) {
-  return options.has_steps && !options.all_frames ? "steps" : "frames";
-}
-
-// Renders the shots from the given one on, which are in the order of their steps; `read` reads a
-// step.
+// Renders the shots, which are in the order of their steps; `read` reads a step.
 template <typename Read>
 void render_shots(Tool& tool, const Options& options, const Scene& scene,
-                  const PictureRequest& request, const std::vector<Shot>& shots, std::size_t first,
+                  const PictureRequest& request, std::span<const Shot> shots,
                   const std::optional<PictureAnnotation>& annotation, Renderer& renderer,
                   Movie* movie, const Read& read) {
-  const std::string kind = kind_of_shots(options);
-  for (std::size_t k = first; k < shots.size(); ++k) {
+  const std::string kind = options.kind_of_shots();
+  for (std::size_t k = 0; k < shots.size(); ++k) {
     const Shot& shot = shots[k];
-    if (k == first || shots[k - 1].step != shot.step) {
+    if (k == 0 || shots[k - 1].step != shot.step) {
       read(shot);
       for (std::size_t same = k; same < shots.size() && shots[same].step == shot.step; ++same)
         renderer.require_order(scene_of_shot(scene, shots[same]));
@@ -303,16 +298,11 @@ void render_shots(Tool& tool, const Options& options, const Scene& scene,
   }
 }
 
-// Where there are as many pictures of one mesh as processes, or more, each process makes some of
-// them alone, its order included, and all make the rest of the division together. Returns how many
-// are made alone.
-std::size_t share_frames(Tool& tool, const Options& options, const Scene& scene,
-                         PictureRequest request, const std::vector<Shot>& shots,
-                         const PictureAnnotation& annotation, Renderer& renderer) {
-  Communicator* const all = options.role->all;
-  if (all == nullptr || is_movie(options.output)) return 0;
-  const std::size_t count = shots.size() - shots.size() % all->size();
-  if (count == 0) return 0;
+// Hands out the frames to the processes, each of which makes its own alone, with their orders.
+void hand_out_frames(Tool& tool, const Options& options, const Scene& scene, PictureRequest request,
+                     std::span<const Shot> shots, const PictureAnnotation& annotation,
+                     Renderer& renderer) {
+  if (shots.empty()) return;
   for (const Shot& shot : shots) renderer.require_order(scene_of_shot(scene, shot));
   request.crew = nullptr;
   std::size_t noted = 0;
@@ -331,13 +321,12 @@ std::size_t share_frames(Tool& tool, const Options& options, const Scene& scene,
                       {warnings.begin() + static_cast<std::ptrdiff_t>(warned), warnings.end()},
                       true};
   };
-  for (ShotReport& report : share_shots(*all, count, draw)) {
+  for (ShotReport& report : share_shots(*options.role->all, shots.size(), draw)) {
     if (!report.is_own)
       for (const std::string& warning : report.warnings) tool.warn(warning);
-    tool.facts()[kind_of_shots(options)].push_back(std::move(report.facts));
+    tool.facts()[options.kind_of_shots()].push_back(std::move(report.facts));
   }
-  tool.frames().advance(count - noted);
-  return count;
+  tool.frames().advance(shots.size() - noted);
 }
 
 // What is said of a mesh before its first picture, and what is drawn beside that.
@@ -385,8 +374,8 @@ void render_steps(Tool& tool, Options& options, std::optional<ParsedScene> parse
     annotate(tool, options, view, renderer, annotation);
     if (!options.color_bar.empty()) write_color_bar(tool, options, renderer.mesh(), view);
   };
-  tool.frames().begin(kind_of_shots(options), shots.size());
-  render_shots(tool, options, scene, request.picture, shots, 0, annotation, renderer, movie.get(),
+  tool.frames().begin(options.kind_of_shots(), shots.size());
+  render_shots(tool, options, scene, request.picture, shots, annotation, renderer, movie.get(),
                show);
   if (movie) tool.timed("write", [&] { movie->finish(); });
 }
@@ -407,11 +396,14 @@ void render_mesh(Tool& tool, Options& options, std::optional<ParsedScene> parsed
   if (scene.path) {
     const std::unique_ptr<Movie> movie = movie_of(options);
     const std::vector<Shot> shots = shots_of_frames(options, scene, is_movie(options.output));
-    tool.frames().begin(kind_of_shots(options), shots.size());
-    const std::size_t made =
-        share_frames(tool, options, scene, request.picture, shots, *annotation, renderer);
-    render_shots(tool, options, scene, request.picture, shots, made, annotation, renderer,
+    tool.frames().begin(options.kind_of_shots(), shots.size());
+    const std::span all(shots);
+    const std::size_t shared =
+        is_movie(options.output) ? shots.size() : shared_shots(options.role->all, shots.size());
+    render_shots(tool, options, scene, request.picture, all.first(shared), annotation, renderer,
                  movie.get(), [](const Shot&) {});
+    hand_out_frames(tool, options, scene, request.picture, all.subspan(shared), *annotation,
+                    renderer);
     if (movie) tool.timed("write", [&] { movie->finish(); });
     return;
   }

@@ -23,6 +23,10 @@ struct RenderOptions : PictureCommand {
   const RenderRole* role = nullptr;
 
   [[nodiscard]] bool makes_several() const { return all_frames || has_steps; }
+  /// What the facts call them.
+  [[nodiscard]] std::string kind_of_shots() const {
+    return has_steps && !all_frames ? "steps" : "frames";
+  }
 };
 
 /// Adds its options.

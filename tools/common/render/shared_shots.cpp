@@ -29,6 +29,10 @@ void add_reports(const Bytes& message, bool are_own, std::vector<ShotReport>& re
 
 }  // namespace
 
+std::size_t shared_shots(const Communicator* all, std::size_t count) {
+  return all == nullptr ? count : count % all->size();
+}
+
 std::vector<ShotReport> share_shots(Communicator& all, std::size_t count,
                                     const std::function<ShotReport(std::size_t shot)>& draw) {
   std::vector<ShotReport> own;

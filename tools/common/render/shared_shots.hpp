@@ -19,6 +19,11 @@ struct ShotReport {
   bool is_own;  ///< made by the process that has the report, which has told the warnings
 };
 
+/// How many of `count` pictures of one mesh all processes make together. Of the others each makes
+/// as many alone. These come last: a process that made none of them would have nothing yet that all
+/// orders have in common, which those who share an order make together. Null: one process.
+std::size_t shared_shots(const Communicator* all, std::size_t count);
+
 /// Hands out pictures to processes, each to one of them as soon as it has made its last one. All
 /// processes call it. `draw` makes a picture and reports on it. Returns the reports in the order of
 /// the pictures in rank 0, none in others.
