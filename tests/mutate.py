@@ -12,9 +12,9 @@ tests notice is one of lines of code.
 Works on a copy of the tree (--work, build/mutants), which it configures once, with the compiler cache
 if there is one: a defect is put in, the test executables of its room are built and run (tests/ROOM for
 lib/hiac/ROOM, tests/formats, tests/tools), and where none fails those of all other rooms, the quickest
-first, unless --room-only is given; the first failure ends it. A test that fails is run without the
-defect too, once; if it fails then as well, it says nothing from then on. A test that takes more than
-four times its usual processor time has noticed the defect. A defect that no test notices is printed
+first and --jobs of them at a time, unless --room-only is given; the first failure ends it. A test that
+fails is run without the defect too, once; if it fails then as well, it says nothing from then on. A
+test that takes more than four times its usual processor time, or waits for ever, has noticed the defect. A defect that no test notices is printed
 as SURVIVED, but for the places in tests/mutate.equivalent, where the program behaves as before.
 
 The same seed gives the same defects in the same sources. Every verdict is kept in a journal
@@ -30,10 +30,11 @@ import os
 import pathlib
 import random
 import re
-import resource
 import shutil
+import signal
 import subprocess
 import sys
+import tempfile
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent
 FOLDERS = ("lib/hiac", "formats", "tools")
@@ -199,33 +200,49 @@ class Copy:
                 copy.parent.mkdir(parents=True, exist_ok=True)
                 shutil.copy(source, copy)
 
-    def run(self, command, check=False, seconds=None):
-        """`seconds`: of processor time, after which the command is killed."""
-        limit = None
-        if seconds is not None:
-            limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 5))
+    def run(self, command, check=False):
         result = subprocess.run([str(part) for part in command], capture_output=True, text=True,
-                                errors="replace", env=self.environment, preexec_fn=limit)
+                                errors="replace", env=self.environment)
         if check and result.returncode != 0:
             sys.exit(f"failed: {' '.join(map(str, command))}\n{result.stdout}{result.stderr}")
         return result
 
-    def make(self, target):
-        return self.run(["ninja", "-C", self.build, f"-j{self.jobs}", target]).returncode == 0
+    def make(self, targets):
+        return self.run(["ninja", "-C", self.build, f"-j{self.jobs}", *targets]).returncode == 0
 
-    def first_failure(self, target):
-        """The name of a test that fails, or None."""
+    def start(self, target):
+        """Limited in processor time, and in time, as a defect can make a test wait for ever."""
         limit = 30 + int(4 * self.journal.seconds.get(target, 300))
-        before = resource.getrusage(resource.RUSAGE_CHILDREN)
-        result = self.run([self.build / target, "--gtest_brief=1", "--gtest_fail_fast"],
-                          seconds=limit)
-        after = resource.getrusage(resource.RUSAGE_CHILDREN)
-        if result.returncode == 0:
-            self.journal.note_seconds(target, after.ru_utime + after.ru_stime - before.ru_utime -
-                                      before.ru_stime)
+        output = tempfile.TemporaryFile(mode="w+", errors="replace")
+        command = ["timeout", "--kill-after=5", str(4 * limit),
+                   "prlimit", f"--cpu={limit}:{limit + 5}",
+                   self.build / target, "--gtest_brief=1", "--gtest_fail_fast"]
+        return subprocess.Popen(command, stdout=output, stderr=output, env=self.environment,
+                                start_new_session=True), output
+
+    def first_failure(self, targets):
+        """(test executable, name of a test of it that fails), or None. `jobs` run at a time; the first
+        that is seen to fail ends the others."""
+        waiting, running = list(targets), {}
+        try:
+            while waiting or running:
+                while waiting and len(running) < self.jobs:
+                    process, output = self.start(waiting[0])
+                    running[process.pid] = waiting.pop(0), process, output
+                pid, status, used = os.wait4(-1, 0)
+                target, process, output = running.pop(pid)
+                process.returncode = code = os.waitstatus_to_exitcode(status)
+                if code == 0:
+                    self.journal.note_seconds(target, used.ru_utime + used.ru_stime)
+                    continue
+                output.seek(0)
+                failed = re.search(r"\[  FAILED  \] (\S+)", output.read())
+                return target, failed.group(1) if failed else f"{target} (exit status {code})"
             return None
-        failed = re.search(r"\[  FAILED  \] (\S+)", result.stdout)
-        return failed.group(1) if failed else f"{target} (exit status {result.returncode})"
+        finally:
+            for _, process, _ in running.values():
+                os.killpg(process.pid, signal.SIGKILL)
+                process.wait()
 
     def in_order(self, targets):
         """Of those that pass without a defect, the quickest first."""
@@ -236,34 +253,38 @@ class Copy:
 def is_sound(copy, target):
     """Whether the tests of an executable pass in the copy as it is."""
     if target not in copy.journal.sound:
-        if not copy.make(target):
+        if not copy.make([target]):
             sys.exit(f"without any defect: {target} is not built")
-        failure = copy.first_failure(target)
+        failure = copy.first_failure([target])
         if failure:
-            print(f"without any defect: {failure}", file=sys.stderr)
+            print(f"without any defect: {failure[1]}", file=sys.stderr)
         copy.journal.note_soundness(target, failure is None)
     return copy.journal.sound[target]
 
 
 def noticed_by(copy, place, targets):
-    """Builds and runs tests with the defect in the copy. None where the code does not compile, else
-    the name of a test that fails, or an empty one."""
+    """Builds and runs tests with the defect in the copy, some at a time, the quickest first. None where
+    the code does not compile, else the name of a test that fails, or an empty one."""
     file = copy.source / place.path
     whole = file.read_text()
     lines = whole.split("\n")
     lines[place.line - 1] = place.after
     defective = "\n".join(lines)
+    waiting = copy.in_order(targets)
     try:
-        for target in copy.in_order(targets):
+        while waiting:
+            together = waiting[:4 * copy.jobs]
             file.write_text(defective)
-            if not copy.make(target):
+            if not copy.make(together):
                 return None
-            failure = copy.first_failure(target)
+            failure = copy.first_failure(together)
             if not failure:
+                waiting = waiting[len(together):]
                 continue
             file.write_text(whole)
-            if is_sound(copy, target):
-                return failure
+            if is_sound(copy, failure[0]):
+                return failure[1]
+            waiting.remove(failure[0])
         return ""
     finally:
         file.write_text(whole)
