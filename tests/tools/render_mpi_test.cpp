@@ -95,6 +95,13 @@ class RenderMpi : public ToolFolder {
     EXPECT_FALSE(exists("x.npy"));
     return code;
   }
+  void expect_same_picture(const std::string& name, const std::string& expected) const {
+    const Image found = read_image(file(name), {.width = 150}).image;
+    const Image wanted = read_image(file(expected), {.width = 150}).image;
+    ASSERT_EQ(found.values().size(), wanted.values().size());
+    for (std::size_t k = 0; k < wanted.values().size(); ++k)
+      ASSERT_NEAR(found.values()[k], wanted.values()[k], 1e-13);
+  }
   [[nodiscard]] bool exists(const std::string& name) const {
     return std::filesystem::exists(file(name));
   }
@@ -129,14 +136,10 @@ TEST_F(RenderMpi, WholeMeshesMakeThePictureOfHiacRender) {
 
 TEST_F(RenderMpi, PartsMakeOnePictureWhateverTheRanks) {
   ASSERT_EQ(run("$RENDER -q m.zoo --view view.toml -o whole.npy"), 0);
-  const Image whole = read_image(file("whole.npy"), {.width = 150}).image;
   std::string first;
   for (const int ranks : {1, 2, 3, 8}) {
     ASSERT_EQ(render(ranks, "-q m.zparts --view view.toml -o parts.npy"), 0) << complaint();
-    const Image parts = read_image(file("parts.npy"), {.width = 150}).image;
-    ASSERT_EQ(parts.values().size(), whole.values().size());
-    for (std::size_t k = 0; k < whole.values().size(); ++k)
-      ASSERT_NEAR(parts.values()[k], whole.values()[k], 1e-13);
+    expect_same_picture("parts.npy", "whole.npy");
     if (first.empty()) first = bytes_of(file("parts.npy"));
     EXPECT_EQ(bytes_of(file("parts.npy")), first) << ranks;
   }
@@ -147,14 +150,10 @@ TEST_F(RenderMpi, PartsHaveTheSkinTheEdgesAndThePercentilesOfTheWhole) {
       " --view view.toml --set skin.opacity=0.5 --set edges.width=2.5 --set edges.angle=10"
       " --set 'volume.color.range=\"percentile:5,80\"'";
   ASSERT_EQ(run("$RENDER -q m.zoo -o whole.npy" + options), 0) << complaint();
-  const Image whole = read_image(file("whole.npy"), {.width = 150}).image;
   std::string first;
   for (const int ranks : {1, 3}) {
     ASSERT_EQ(render(ranks, "-q m.zparts -o parts.npy" + options), 0) << complaint();
-    const Image parts = read_image(file("parts.npy"), {.width = 150}).image;
-    ASSERT_EQ(parts.values().size(), whole.values().size());
-    for (std::size_t k = 0; k < whole.values().size(); ++k)
-      ASSERT_NEAR(parts.values()[k], whole.values()[k], 1e-13);
+    expect_same_picture("parts.npy", "whole.npy");
     if (first.empty()) first = bytes_of(file("parts.npy"));
     EXPECT_EQ(bytes_of(file("parts.npy")), first) << ranks;
   }
@@ -204,6 +203,40 @@ TEST_F(RenderMpi, FramesOfPartsAndOfTheWhole) {
   EXPECT_EQ(bytes_of(file("parts-2.npy")), bytes_of(file("alone.npy")));
 }
 
+TEST_F(RenderMpi, PartsLieBeforeThePictureBehindAndHaveTheColorBarOfTheWhole) {
+  ASSERT_EQ(run("$RENDER -q m.zoo --view view.toml --set background.color=[0.2,0.9,0.4] "
+                "-o behind.png"),
+            0);
+  const std::string options =
+      " --view view.toml --under behind.png --colorbar {0}-bar.png -o {0}.npy";
+  ASSERT_EQ(run("$RENDER -q m.zoo" + fmt::format(fmt::runtime(options), "whole")), 0)
+      << complaint();
+  for (const int ranks : {1, 3}) {
+    ASSERT_EQ(render(ranks, "-q m.zparts" + fmt::format(fmt::runtime(options), "parts")), 0)
+        << complaint();
+    expect_same_picture("parts.npy", "whole.npy");
+    EXPECT_EQ(bytes_of(file("parts-bar.png")), bytes_of(file("whole-bar.png")));
+  }
+  ASSERT_EQ(render(2, "-q m.zparts --view view.toml --colorbar alone.png"), 0) << complaint();
+  EXPECT_EQ(bytes_of(file("alone.png")), bytes_of(file("whole-bar.png")));
+}
+
+// By a stand-in for ffmpeg that keeps what it is given.
+TEST_F(RenderMpi, PartsMakeTheFilmOfTheWhole) {
+  std::filesystem::create_directories(file("bin"));
+  std::ofstream(file("bin/ffmpeg")) << "#!/bin/sh\nfor last; do :; done\ncat >\"$last\"\n";
+  std::filesystem::permissions(file("bin/ffmpeg"), std::filesystem::perms::owner_all);
+  const std::string path = "PATH=$PWD/bin:$PATH; export PATH; ";
+  ASSERT_EQ(run(path + "$RENDER -q m.zoo --view turn.toml --frames -o whole.mp4"), 0)
+      << complaint();
+  ASSERT_EQ(run(path + mpi(2) +
+                "'" HIAC_RENDER_MPI "' -q m.zparts --view turn.toml --frames -o parts.mp4"),
+            0)
+      << complaint();
+  EXPECT_EQ(bytes_of(file("whole.mp4")).size(), 3U * 150 * 90 * 3);
+  EXPECT_EQ(bytes_of(file("parts.mp4")), bytes_of(file("whole.mp4")));
+}
+
 TEST_F(RenderMpi, ErrorsEndAllProcessesWithOneLine) {
   struct Wrong {
     std::string arguments;
@@ -233,6 +266,9 @@ TEST_F(RenderMpi, ErrorsEndAllProcessesWithOneLine) {
       {"m.zparts -o x.npy", 2, "--view is required"},
       {"m.zparts --view view.toml --overlap -o x.npy", 2, "--overlap: not for a mesh in parts"},
       {"m.zparts --view view.toml -o none/x.npy", 3, "none/x.npy"},
+      {"m.zparts --view view.toml --under none.png -o x.npy", 3, "none.png"},
+      {"m.zparts --view view.toml -o x.mp4", 2, "a film is of several pictures"},
+      {"m.zparts --view view.toml --size 99x50 --colorbar x.png", 2, "of a picture"},
       {"less.zparts --view view.toml -o x.npy", 3, "no.3.zoo"},
       {"mixed.zparts --view view.toml -o x.npy", 3, "other.2.zoo"}};
   for (const auto& [arguments, code, line] : all) {

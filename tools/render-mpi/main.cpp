@@ -20,14 +20,13 @@ int run(Communicator& all, int argc, char** argv) {
             "  mpirun -n 8 hiac-render-mpi part.zoo --view view.toml -o part.png\n"
             "  mpirun -n 8 hiac-render-mpi part.zparts --view view.toml -o part.exr");
   const SharedTiles crew(all);
-  return render_command(
-      tool, argc, argv,
-      {.all = &all,
-       .crew = &crew,
-       .writes = all.rank() == 0,
-       .draw_parts = [&](Tool& of, PictureCommand& command, const PictureOptions& picture) {
-         draw_parted_pictures(all, of, command, picture);
-       }});
+  return render_command(tool, argc, argv,
+                        {.all = &all,
+                         .crew = &crew,
+                         .writes = all.rank() == 0,
+                         .draw_parts = [&](Tool& of, RenderOptions& options) {
+                           draw_parted_pictures(all, of, options);
+                         }});
 }
 
 }  // namespace

@@ -13,12 +13,9 @@
 
 #include <fmt/format.h>
 
-#include "hiac/annotate/color_bar.hpp"
-#include "hiac/annotate/ticks.hpp"
 #include "hiac/base/error.hpp"
 #include "hiac/frame/renderable.hpp"
 #include "hiac/geometry/box.hpp"
-#include "hiac/image/composite.hpp"
 #include "hiac/image/image_io.hpp"
 #include "hiac/mesh/parted/parted_index.hpp"
 #include "hiac/render/engine.hpp"
@@ -33,11 +30,15 @@
 #include "tools/common/picture/picture_command.hpp"
 #include "tools/common/picture/picture_output.hpp"
 #include "tools/common/picture/pixel_report.hpp"
+#include "tools/common/render/color_bar_file.hpp"
 #include "tools/common/render/mesh_series.hpp"
 #include "tools/common/render/movie.hpp"
+#include "tools/common/render/picture_behind.hpp"
 #include "tools/common/render/picture_options.hpp"
 #include "tools/common/render/picture_report.hpp"
+#include "tools/common/render/render_files.hpp"
 #include "tools/common/render/render_options.hpp"
+#include "tools/common/render/several_pictures.hpp"
 #include "tools/common/render/shared_shots.hpp"
 #include "tools/common/render/shots.hpp"
 #include "tools/common/text_output.hpp"
@@ -82,6 +83,7 @@ class Renderer {
   }
 
   [[nodiscard]] const ZooMesh& mesh() const { return session_->mesh(); }
+  [[nodiscard]] double diagonal() const { return box_of_nodes(mesh()).diagonal(); }
 
   // Throws unless the mesh can be drawn, where need be without some of its cells.
   void check(const Scene& scene) {
@@ -142,55 +144,6 @@ class Renderer {
   bool is_new_ = false;  // has not been searched for overlaps
 };
 
-// The picture behind the new one; none: the specification's background, or nothing.
-std::optional<Image> read_under(const Options& options, const ImageSize& size) {
-  if (options.under.empty()) return std::nullopt;
-  Image under = read_image(options.under, {.width = size.width}).image;
-  if (under.width() != size.width || under.height() != size.height)
-    throw InputError(options.under,
-                     fmt::format("a picture of another size ({} x {} pixels expected, {} x {} "
-                                 "found)",
-                                 size.width, size.height, under.width(), under.height()));
-  if (!color_channels(under))
-    throw InputError(options.under, fmt::format("a picture without colour (channels {})",
-                                                fmt::join(under.channels(), " ")));
-  if (const auto bad = not_finite_in(under)) throw InputError(options.under, *bad);
-  return under;
-}
-
-void write_color_bar(Tool& tool, const Options& options, const ZooMesh& mesh,
-                     const ParsedScene& view) {
-  if (!options.role->writes) return;
-  const Volume& volume = view.scene.volume;
-  const double size = box_of_nodes(mesh).diagonal();
-  const double round_length = size > 0 ? round_below(size / 10) : 1;
-  const double length = options.color_bar_length > 0 ? options.color_bar_length : round_length;
-  const ColorBarLabels labels{volume.color ? field_label(mesh, volume.color->field) : "",
-                              volume.extinction ? field_label(mesh, volume.extinction->field) : ""};
-  const bool logarithmic = view.annotation.bar_is_logarithmic;
-  write_image(options.color_bar, as_option("--colorbar: ", [&] {
-                return with_names(
-                    options, [&] { return draw_color_bar(volume, labels, length, logarithmic); });
-              }));
-  tool.facts()["color_bar_length"] = length;
-}
-
-// Which files are read and which are written, of which `pictures` are known; none: of the output
-// alone.
-void claim_files(Tool& tool, const Options& options, const std::vector<Shot>& pictures = {}) {
-  RunFiles files;
-  const std::vector<std::string> channels = further_channels(options.picture);
-  add_picture_files(files, options, nullptr, channels);
-  if (!pictures.empty() && !is_movie(options.output)) {
-    std::erase_if(files.outputs, [](const RunOutput& output) { return output.option == "-o"; });
-    for (const Shot& shot : pictures) add_image(files.outputs, "-o", shot.path, channels);
-  }
-  for (const std::string& mesh : options.series.further) files.inputs.push_back(mesh);
-  for (std::string& part : image_parts(options.under)) files.inputs.push_back(std::move(part));
-  add_image(files.outputs, "--colorbar", options.color_bar);
-  tool.claim(std::move(files));
-}
-
 void require_room_for_channels(const std::string& path) {
   const std::array<std::string_view, 3> roomy{".exr", ".npy", ".f32"};
   if (std::ranges::none_of(roomy, [&](std::string_view e) { return path.ends_with(e); }))
@@ -247,30 +200,11 @@ void fit_to(Tool& tool, const Options& options, const Scene& scene, Request& req
   request.picture.background = !options.no_background;
   request.picture.crew = options.role->crew;
   const PixelRect part = require_possible(request.picture, scene.image);
-  request.under = read_under(options, {part.width, part.height});
+  request.under = read_picture_behind(options.under, {part.width, part.height});
   if (request.under) request.picture.under = &*request.under;
   check_frame_options(options, scene);
   if (options.all_frames && !options.has_steps)
-    claim_files(tool, options, shots_of_frames(options, scene, is_movie(options.output)));
-}
-
-// Refuses what does not fit a run of several pictures, or a film.
-void check_several(const Options& options) {
-  const bool movie = is_movie(options.output);
-  if (options.has_steps && options.output == "-")
-    throw UsageError("--steps: a picture a step does not fit stdout (-o FILE expected)");
-  if (options.has_steps && !movie) frame_path(options.output, 0);
-  if (options.rate && !movie) throw UsageError("--fps: only for a film (-o FILE.mp4 expected)");
-  if (!movie) return;
-  if (!options.makes_several())
-    throw UsageError(
-        fmt::format("-o {}: a film is of several pictures (--steps or --frames "
-                    "expected)",
-                    options.output));
-  if (!options.format.empty()) throw UsageError("--format: not for a film (-o FILE.mp4)");
-  if (options.depth != 0 && options.depth != 8)
-    throw UsageError(fmt::format("--depth {}: a film has 8 bits per sample", options.depth));
-  require_ffmpeg(options.output);
+    claim_render_files(tool, options, shots_of_frames(options, scene, is_movie(options.output)));
 }
 
 // Renders the shots, which are in the order of their steps; `read` reads a step.
@@ -346,13 +280,6 @@ void annotate(Tool& tool, const Options& options, const ParsedScene& view, const
                      has_integers);
 }
 
-// The film that the pictures go into; null: into files of their own.
-std::unique_ptr<Movie> movie_of(const Options& options) {
-  constexpr double kUsualRate = 25;
-  if (!is_movie(options.output) || !options.role->writes) return nullptr;
-  return std::make_unique<Movie>(options.output, options.rate.value_or(kUsualRate), options.linear);
-}
-
 // Pictures of the steps of a series.
 void render_steps(Tool& tool, Options& options, std::optional<ParsedScene> parsed,
                   Request& request) {
@@ -363,7 +290,7 @@ void render_steps(Tool& tool, Options& options, std::optional<ParsedScene> parse
   if (!early) fit_to(tool, options, scene, request);
   const std::unique_ptr<Movie> movie = movie_of(options);
   const std::vector<Shot> shots = shots_of_steps(options, scene, series, is_movie(options.output));
-  claim_files(tool, options, shots);
+  claim_render_files(tool, options, shots);
   Renderer renderer(tool, options);
   std::optional<PictureAnnotation> annotation;
   const auto show = [&](const Shot& shot) {
@@ -372,7 +299,7 @@ void render_steps(Tool& tool, Options& options, std::optional<ParsedScene> parse
     introduce(tool, options, scene, renderer, shot.path);
     if (annotation) return;
     annotate(tool, options, view, renderer, annotation);
-    if (!options.color_bar.empty()) write_color_bar(tool, options, renderer.mesh(), view);
+    write_color_bar(tool, options, renderer.mesh(), renderer.diagonal(), view);
   };
   tool.frames().begin(options.kind_of_shots(), shots.size());
   render_shots(tool, options, scene, request.picture, shots, annotation, renderer, movie.get(),
@@ -392,7 +319,7 @@ void render_mesh(Tool& tool, Options& options, std::optional<ParsedScene> parsed
   introduce(tool, options, scene, renderer, options.output);
   std::optional<PictureAnnotation> annotation;
   annotate(tool, options, view, renderer, annotation);
-  if (!options.color_bar.empty()) write_color_bar(tool, options, renderer.mesh(), view);
+  write_color_bar(tool, options, renderer.mesh(), renderer.diagonal(), view);
   if (scene.path) {
     const std::unique_ptr<Movie> movie = movie_of(options);
     const std::vector<Shot> shots = shots_of_frames(options, scene, is_movie(options.output));
@@ -412,28 +339,38 @@ void render_mesh(Tool& tool, Options& options, std::optional<ParsedScene> parsed
   tool.facts().update(facts);
 }
 
-// The colour bar without a picture.
-void draw_color_bar_alone(Tool& tool, Options options) {
+// Of a run that makes no picture but the colour bar.
+void claim_color_bar_files(Tool& tool, const Options& options) {
   RunFiles files{{options.input, options.view}, {}};
   if (!options.save_view.empty())
     files.outputs.push_back({"--save-view", options.save_view, FileKind::specification});
   add_image(files.outputs, "--colorbar", options.color_bar);
   tool.claim(std::move(files));
   require_known_image_extension(options.color_bar);
+}
+
+// The colour bar without a picture.
+void draw_color_bar_alone(Tool& tool, Options options) {
+  claim_color_bar_files(tool, options);
   std::optional<ParsedScene> parsed = specification_of(tool, options);
   const ZooFile file = mesh_of(tool, options);
   const ParsedScene view = scene_for(tool, options, std::move(parsed), file.mesh);
-  write_color_bar(tool, options, file.mesh, view);
+  write_color_bar(tool, options, file.mesh, box_of_nodes(file.mesh).diagonal(), view);
 }
 
-void draw_pictures(Tool& tool, Options options) {
-  options.has_steps = is_series(options.series, options.input);
-  claim_files(tool, options);
+// Throws where the options of the outputs do not fit one another, or the outputs cannot be written.
+void check_outputs(Tool& tool, Options& options) {
+  claim_render_files(tool, options);
   if (options.output.empty()) throw UsageError("--output is required");
   check_several(options);
   if (!is_movie(options.output)) check_picture_output(tool, options);
   if (!options.color_bar.empty()) require_known_image_extension(options.color_bar);
   if (!options.picture.channels.empty()) require_room_for_channels(picture_format(options));
+}
+
+void draw_pictures(Tool& tool, Options options) {
+  options.has_steps = is_series(options.series, options.input);
+  check_outputs(tool, options);
   std::optional<ParsedScene> parsed = specification_of(tool, options);
   Request request;  // what can be refused is, before the mesh is read
   if (parsed) fit_to(tool, options, parsed->scene, request);
@@ -443,23 +380,28 @@ void draw_pictures(Tool& tool, Options options) {
     render_mesh(tool, options, std::move(parsed), request);
 }
 
+bool wants_color_bar_alone(const Options& options) {
+  return options.output.empty() && !options.color_bar.empty();
+}
+
 // A mesh in parts: what needs the whole mesh in one process is refused.
 void draw_parts(Tool& tool, Options options) {
-  const CLI::App& app = tool.app();
-  for (const char* option :
-       {"--order", "--overlap", "--skip-invalid", "--threshold", "--block", "--convert", "--under",
-        "--colorbar", "--colorbar-length", "--pixel", "--steps", "--fps", "FURTHER", "--save-view"})
-    if (app.get_option(option)->count() > 0)
+  for (const char* option : {"--order", "--overlap", "--skip-invalid", "--threshold", "--block",
+                             "--convert", "--pixel", "--steps", "FURTHER", "--save-view"})
+    if (tool.app().get_option(option)->count() > 0)
       throw UsageError(fmt::format("{}: not for a mesh in parts ({})", option, options.input));
-  claim_files(tool, options);
-  if (options.output.empty()) throw UsageError("--output is required");
   if (options.view.empty())
-    throw UsageError(fmt::format("--view is required for a mesh in parts ({})", options.input));
-  if (is_movie(options.output))
-    throw UsageError(fmt::format("-o {}: no films of a mesh in parts", options.output));
-  check_picture_output(tool, options);
-  if (!options.picture.channels.empty()) require_room_for_channels(picture_format(options));
-  options.role->draw_parts(tool, options, options.picture);
+    throw UsageError(
+        fmt::format("--view is required for a mesh in parts ({}); `hiac-info MESH --starter-view "
+                    "-o FILE` makes one of the whole mesh",
+                    options.input));
+  if (wants_color_bar_alone(options)) {
+    refuse_picture_options(tool.app());
+    claim_color_bar_files(tool, options);
+  } else {
+    check_outputs(tool, options);
+  }
+  options.role->draw_parts(tool, options);
 }
 
 }  // namespace
@@ -480,7 +422,7 @@ int render_command(Tool& tool, int argc, char** argv, const RenderRole& role) {
       draw_parts(tool, options);
     else if (tool.app().count("--pixel") > 0)
       explain(tool, options);
-    else if (options.output.empty() && !options.color_bar.empty()) {
+    else if (wants_color_bar_alone(options)) {
       refuse_picture_options(tool.app());
       draw_color_bar_alone(tool, options);
     } else {

@@ -4,21 +4,20 @@
 
 #include "hiac/cluster/communicator.hpp"
 #include "hiac/frame/tiles/tile_crew.hpp"
-#include "tools/common/picture/picture_command.hpp"
-#include "tools/common/render/picture_options.hpp"
 #include "tools/common/tool.hpp"
 
 namespace hiac::tools {
+
+struct RenderOptions;
 
 /// What a program that makes pictures of a mesh is among others that make them with it.
 struct RenderRole {
   Communicator* all = nullptr;     ///< the processes that share the pictures; null: this one alone
   const TileCrew* crew = nullptr;  ///< the same ones, as those that share a picture
   bool writes = true;              ///< false: another process writes and reports
-  /// Makes pictures of a mesh in parts; without it the parts are put together. The options that do
-  /// not fit have been refused.
-  std::function<void(Tool& tool, PictureCommand& command, const PictureOptions& picture)>
-      draw_parts = {};
+  /// Makes pictures of a mesh in parts, or without -o its colour bar alone; without it the parts
+  /// are put together. The options that do not fit have been refused.
+  std::function<void(Tool& tool, RenderOptions& options)> draw_parts = {};
 };
 
 /// The command that makes pictures of a mesh, as hiac-render has it: adds its options to the tool

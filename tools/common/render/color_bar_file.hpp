@@ -1,0 +1,17 @@
+#pragma once
+
+#include "hiac/mesh/zoo_mesh.hpp"
+#include "hiac/scene/specification.hpp"
+#include "tools/common/render/render_options.hpp"
+#include "tools/common/tool.hpp"
+
+namespace hiac::tools {
+
+/// Writes the file of --colorbar, if there is one and this process writes, and notes its length:
+/// that of --colorbar-length, or a round one near a tenth of the mesh's `diagonal`. `mesh` names
+/// the fields and their units: the mesh or a part of it. Throws InputError for what cannot be drawn
+/// or written.
+void write_color_bar(Tool& tool, const RenderOptions& options, const ZooMesh& mesh, double diagonal,
+                     const ParsedScene& view);
+
+}  // namespace hiac::tools

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <memory>
+
+#include "tools/common/render/movie.hpp"
+#include "tools/common/render/render_options.hpp"
+
+namespace hiac::tools {
+
+/// Throws UsageError for what does not fit a run of several pictures, or a film; Error where a film
+/// is wanted and ffmpeg is missing.
+void check_several(const RenderOptions& options);
+
+/// The film that the pictures go into; null: into files of their own, or another process writes.
+std::unique_ptr<Movie> movie_of(const RenderOptions& options);
+
+}  // namespace hiac::tools
