@@ -14,8 +14,9 @@ if there is one: a defect is put in, the test executables of its room are built 
 lib/hiac/ROOM, tests/formats, tests/tools), and where none fails those of all other rooms, the quickest
 first and --jobs of them at a time, unless --room-only is given; the first failure ends it. A test that
 fails is run without the defect too, once; if it fails then as well, it says nothing from then on. A
-test that takes more than four times its usual processor time, or waits for ever, has noticed the defect. A defect that no test notices is printed
-as SURVIVED, but for the places in tests/mutate.equivalent, where the program behaves as before.
+test that takes more than four times its usual processor time, or does not end, has noticed the defect.
+A defect that no test notices is printed as SURVIVED, but for the places in tests/mutate.equivalent,
+where the program behaves as before.
 
 The same seed gives the same defects in the same sources. Every verdict is kept in a journal
 (--work/journal-SEED): started again, the program goes on where it was ended.
@@ -211,7 +212,8 @@ class Copy:
         return self.run(["ninja", "-C", self.build, f"-j{self.jobs}", *targets]).returncode == 0
 
     def start(self, target):
-        """Limited in processor time, and in time, as a defect can make a test wait for ever."""
+        """Starts the tests of an executable, within limits of processor time and of time: with a defect
+        a test may wait and not end. Returns the process and the file that has its output."""
         limit = 30 + int(4 * self.journal.seconds.get(target, 300))
         output = tempfile.TemporaryFile(mode="w+", errors="replace")
         command = ["timeout", "--kill-after=5", str(4 * limit),
@@ -281,10 +283,11 @@ def noticed_by(copy, place, targets):
             if not failure:
                 waiting = waiting[len(together):]
                 continue
+            target, test = failure
             file.write_text(whole)
-            if is_sound(copy, failure[0]):
-                return failure[1]
-            waiting.remove(failure[0])
+            if is_sound(copy, target):
+                return test
+            waiting.remove(target)
         return ""
     finally:
         file.write_text(whole)

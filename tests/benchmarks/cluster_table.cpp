@@ -49,7 +49,7 @@ struct Column {
   }
 };
 
-// What the processes do, each with a part.
+// What the processes take, each with a part, and the picture that they make.
 struct Work {
   Column order_seconds, prepare_seconds, draw_seconds, merge_seconds, bytes, segments;
   std::uint64_t runs = 0;
@@ -64,7 +64,7 @@ struct Work {
         segments(parts),
         image(size.width, size.height, rgba_channels()) {}
 
-  // The seconds of all that part `k` needs.
+  // The seconds of all that the process of part `k` does.
   [[nodiscard]] double seconds(std::uint32_t k) const {
     return order_seconds.values[k] + prepare_seconds.values[k] + draw_seconds.values[k] +
            merge_seconds.values[k];
@@ -85,8 +85,8 @@ MergeConstants draw_part(MeshPart part, const Scene& scene, const MeshExtremes& 
   engine.set_whole(extremes);
   const TileBins bins = engine.bins(order.order, whole_picture(scene.image));
   work.prepare_seconds.values[k] = cpu_seconds() - start;
-  start = cpu_seconds();
   const std::vector<TileRect> tiles = tiles_of(scene.image, whole_picture(scene.image));
+  start = cpu_seconds();
   for (std::size_t tile = 0; tile < tiles.size(); ++tile) {
     if (bins.cells_of(tile).empty()) continue;
     const TileRuns drawn = engine.draw(order.order, tiles[tile], bins.cells_of(tile));
@@ -124,8 +124,8 @@ void merge_tiles(const MergeConstants& constants, const Scene& scene, const Mess
   }
 }
 
-// All parts in turn, `passes` times: the seconds of each part are the least of all passes, which
-// lie far apart, as the machine's speed changes from second to second.
+// Does the work of all parts in turn, `passes` times. The seconds of each part are the least of all
+// passes, which lie far apart, as the machine's speed changes from second to second.
 Work least_work(const ZooMesh& mesh, const Scene& scene, const MeshExtremes& extremes,
                 std::span<const std::uint32_t> part_of_cell, std::uint32_t parts,
                 std::uint32_t passes) {
@@ -160,8 +160,7 @@ void print_line(const Work& least, std::uint32_t parts, const Scene& scene, cons
   const auto pixels = static_cast<double>(scene.image.width) * scene.image.height;
   fmt::print(
       "{:5} {:8.2f} {:8.2f} {:8.2f} {:8.2f} {:8.3f} {:8.2f} {:8.2f} {:7.2f} {:8.2f} {:8.2f} "
-      "{:8.1f} "
-      "{:8.1f} {:9.1e}\n",
+      "{:8.1f} {:8.1f} {:9.1e}\n",
       parts, least.order_seconds.sum(), least.order_seconds.most(), least.prepare_seconds.most(),
       least.draw_seconds.sum(), least.draw_seconds.most(), least.segments.balance(),
       least.draw_seconds.balance(), least.merge_seconds.sum(), work.balance(),
@@ -182,7 +181,7 @@ int main(int argc, char** argv) {
   std::uint32_t random = 8;
   app.add_option("--random", random, "parts of cells taken at random; 0: none");
   std::uint32_t passes = 3;
-  app.add_option("--passes", passes, "passes over all parts, of which the least seconds count")
+  app.add_option("--passes", passes, "passes over all parts; the least seconds of each count")
       ->check(CLI::PositiveNumber);
   CLI11_PARSE(app, argc, argv);
   const ThreadLimit one(1);

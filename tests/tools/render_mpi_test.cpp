@@ -223,14 +223,11 @@ TEST_F(RenderMpi, PartsLieBeforeThePictureBehindAndHaveTheColorBarOfTheWhole) {
 
 // By a stand-in for ffmpeg that keeps what it is given.
 TEST_F(RenderMpi, PartsMakeTheFilmOfTheWhole) {
-  std::filesystem::create_directories(file("bin"));
-  std::ofstream(file("bin/ffmpeg")) << "#!/bin/sh\nfor last; do :; done\ncat >\"$last\"\n";
-  std::filesystem::permissions(file("bin/ffmpeg"), std::filesystem::perms::owner_all);
-  const std::string path = "PATH=$PWD/bin:$PATH; export PATH; ";
-  ASSERT_EQ(run(path + "$RENDER -q m.zoo --view turn.toml --frames -o whole.mp4"), 0)
+  stand_in("ffmpeg", "for last; do :; done\ncat >\"$last\"\n");
+  ASSERT_EQ(run(with_stand_ins("$RENDER -q m.zoo --view turn.toml --frames -o whole.mp4")), 0)
       << complaint();
-  ASSERT_EQ(run(path + mpi(2) +
-                "'" HIAC_RENDER_MPI "' -q m.zparts --view turn.toml --frames -o parts.mp4"),
+  ASSERT_EQ(run(with_stand_ins(mpi(2) + "'" HIAC_RENDER_MPI
+                                        "' -q m.zparts --view turn.toml --frames -o parts.mp4")),
             0)
       << complaint();
   EXPECT_EQ(bytes_of(file("whole.mp4")).size(), 3U * 150 * 90 * 3);

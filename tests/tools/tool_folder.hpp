@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -30,6 +31,16 @@ class ToolFolder : public testing::Test {
   }
   /// What the last command wrote to stderr.
   [[nodiscard]] std::string complaint() const { return bytes_of(file("err.txt")); }
+
+  /// A shell script takes the place of a program in the commands of with_stand_ins.
+  void stand_in(const std::string& program, const std::string& script) const {
+    std::filesystem::create_directories(file("bin"));
+    std::filesystem::permissions(folder_.write("bin/" + program, "#!/bin/sh\n" + script),
+                                 std::filesystem::perms::owner_all);
+  }
+  [[nodiscard]] static std::string with_stand_ins(const std::string& command) {
+    return "PATH=$PWD/bin:$PATH; export PATH; " + command;
+  }
 
   ScratchFolder folder_;
 };

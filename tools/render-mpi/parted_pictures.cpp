@@ -17,7 +17,6 @@
 #include "hiac/frame/renderable.hpp"
 #include "hiac/geometry/box.hpp"
 #include "hiac/image/composite.hpp"
-#include "hiac/image/image_io.hpp"
 #include "hiac/mesh/parted/part_file.hpp"
 #include "hiac/mesh/parted/parted_index.hpp"
 #include "hiac/render/runs/part_engine.hpp"
@@ -60,7 +59,8 @@ class PartedPictures {
     read_parts();
     const ParsedScene view = with_ranges(std::move(parsed));
     const Scene& scene = view.scene;
-    write_color_bar(tool_, options_, parts_.front().part.mesh, diagonal(), view);
+    if (writes_color_bar(options_))
+      write_color_bar(tool_, options_, parts_.front().part.mesh, diagonal(), view);
     if (options_.output.empty()) return;
     with_names(options_, [&] {
       for (const OwnPart& own : parts_) check_renderable(own.part.mesh, scene);
@@ -86,12 +86,10 @@ class PartedPictures {
     request_ = picture_request(options_.picture, scene.image);
     rect_ = require_possible(request_, scene.image);
     if (writes()) behind_ = read_picture_behind(options_.under, {rect_.width, rect_.height});
-    if (options_.all_frames)
-      claim_render_files(tool_, options_,
-                         shots_of_frames(options_, scene, is_movie(options_.output)));
+    if (options_.all_frames) claim_render_files(tool_, options_, shots_of_frames(options_, scene));
   }
 
-  // Of the box around the whole mesh.
+  // The diagonal of the box around the whole mesh.
   [[nodiscard]] double diagonal() const {
     Box box = Box::empty();
     for (const PartInfo& part : index_.parts) box.include(Box{part.low, part.high});
@@ -100,7 +98,7 @@ class PartedPictures {
 
   void draw_frames(const Scene& scene) {
     const std::unique_ptr<Movie> movie = movie_of(options_);
-    const std::vector<Shot> shots = shots_of_frames(options_, scene, is_movie(options_.output));
+    const std::vector<Shot> shots = shots_of_frames(options_, scene);
     tool_.frames().begin(options_.kind_of_shots(), shots.size());
     for (const Shot& shot : shots) {
       Json facts{{"frame", *shot.frame}, {"file", movie ? options_.output : shot.path}};
@@ -133,12 +131,12 @@ class PartedPictures {
   }
 
   void annotate(const ParsedScene& view) {
-    annotation_.emplace(
-        tool_, options_, view, parts_.front().part.mesh, chosen_frames(view.scene, options_.frame),
-        is_movie(options_.output) || has_integer_samples(picture_format(options_), options_.depth));
+    annotation_.emplace(tool_, options_, view, parts_.front().part.mesh,
+                        chosen_frames(view.scene, options_.frame), has_integer_pictures(options_));
   }
 
-  // One picture of a scene of one frame, into its file or into the film; its facts.
+  // Makes one picture of a scene of one frame, into its file or into the film, and returns its
+  // facts.
   Json draw_one(const Scene& scene, const std::string& path, Movie* movie) {
     std::deque<MeshOrder> orders;
     std::vector<DrawnPart> drawn;
@@ -160,11 +158,7 @@ class PartedPictures {
           });
     });
     Json facts = note_work(tool_, options_.all_frames, scene, result.statistics);
-    if (options_.strict && result.statistics.violations > 0)
-      throw JudgementError(
-          fmt::format("{}: not written: {} ray segments were met out of order "
-                      "(--strict)",
-                      path, result.statistics.violations));
+    if (options_.strict) require_truth(path, result.statistics);
     if (!writes()) return facts;
     if (behind_) composite_over(result.image, *behind_);
     require_numbers(result.image);

@@ -22,15 +22,11 @@ class MovieTest : public StepFiles {
   static constexpr const char* kRender =
       "$RENDER still.msh --steps all --view view.toml --set render.tolerance=1e-6 ";
 
-  /// Puts a program named ffmpeg before all others: a shell script.
-  void stand_in(const std::string& script) const {
-    std::filesystem::create_directories(file("bin"));
-    write("bin/ffmpeg", "#!/bin/sh\n" + script);
-    std::filesystem::permissions(file("bin/ffmpeg"), std::filesystem::perms::owner_all);
-  }
+  /// A shell script takes the place of ffmpeg.
+  void stand_in(const std::string& script) const { ToolFolder::stand_in("ffmpeg", script); }
 
   [[nodiscard]] int film(const std::string& arguments) const {
-    return run("PATH=$PWD/bin:$PATH; " + std::string(kRender) + arguments);
+    return run(with_stand_ins(kRender + arguments));
   }
 
   /// The samples of a picture as a film has them.
@@ -71,10 +67,9 @@ TEST_F(MovieTest, PicturesGoIntoThePipeInOrder) {
 TEST_F(MovieTest, FramesOfAPathMakeAFilm) {
   stand_in(kRecord);
   write("path.toml", view("range = [-1, 5]", "") + "[turntable]\nframes = 4\n");
-  ASSERT_EQ(
-      run("PATH=$PWD/bin:$PATH; $RENDER -q part0.zoo --view path.toml --frames --crop 1,2,8,6 "
-          "-o run.mp4"),
-      0)
+  ASSERT_EQ(run(with_stand_ins("$RENDER -q part0.zoo --view path.toml --frames --crop 1,2,8,6 "
+                               "-o run.mp4")),
+            0)
       << complaint();
   EXPECT_THAT(bytes_of(file("arguments.txt")), HasSubstr("-framerate\n25\n"));
   ASSERT_EQ(run("$RENDER -q part0.zoo --view path.toml --frames --crop 1,2,8,6 -o f%d.png"), 0);
@@ -112,10 +107,11 @@ TEST_F(MovieTest, AFailedRunLeavesTheOldFilm) {
   // the third step cannot be drawn: the film of the first two is none
   ASSERT_EQ(run("$CONVERT -q part1.zoo --field T=U -o part2.zoo"), 0);
   stand_in(kRecord);
-  EXPECT_EQ(run("PATH=$PWD/bin:$PATH; $RENDER part%d.zoo --view view.toml "
-                "--set 'volume.color.range=[0, 1]' --set 'volume.extinction.range=[0, 1]' "
-                "-o run.mp4"),
-            2)
+  EXPECT_EQ(
+      run(with_stand_ins("$RENDER part%d.zoo --view view.toml "
+                         "--set 'volume.color.range=[0, 1]' --set 'volume.extinction.range=[0, 1]' "
+                         "-o run.mp4")),
+      2)
       << complaint();
   EXPECT_EQ(bytes_of(file("run.mp4")), "old");
   EXPECT_EQ(run("ls | grep -c 'run.mp4'"), 0);
@@ -124,12 +120,13 @@ TEST_F(MovieTest, AFailedRunLeavesTheOldFilm) {
 
 TEST_F(MovieTest, ASignalEndsBothAndLeavesNoFilm) {
   stand_in("cat >/dev/null\necho $$ >pid.txt\nmv pid.txt started.txt\nexec sleep 60\n");
-  EXPECT_EQ(run("PATH=$PWD/bin:$PATH; $RENDER -q still.msh --steps all --view view.toml "
-                "-o run.mp4 & child=$!; while ! test -e started.txt; do sleep 0.05; done; "
-                "kill -TERM $child; wait $child; status=$?; "
-                "for k in 1 2 3 4 5 6 7 8 9 10; do kill -0 $(cat started.txt) || break; "
-                "sleep 0.2; done; kill -0 $(cat started.txt) && exit 1; exit $status"),
-            128 + 15)
+  EXPECT_EQ(
+      run(with_stand_ins("$RENDER -q still.msh --steps all --view view.toml "
+                         "-o run.mp4 & child=$!; while ! test -e started.txt; do sleep 0.05; done; "
+                         "kill -TERM $child; wait $child; status=$?; "
+                         "for k in 1 2 3 4 5 6 7 8 9 10; do kill -0 $(cat started.txt) || break; "
+                         "sleep 0.2; done; kill -0 $(cat started.txt) && exit 1; exit $status")),
+      128 + 15)
       << complaint();
   expect_no_film();
 }
@@ -152,7 +149,7 @@ TEST_F(MovieTest, WrongUsageIsToldBeforeAnythingIsDrawn) {
        "--channels: this format holds only colours"},
       {"$RENDER part%d.zoo --view view.toml --fps 0 -o run.mp4", "--fps"}};
   for (const auto& [command, message] : rows) {
-    EXPECT_EQ(run("PATH=$PWD/bin:$PATH; " + command), 2) << command;
+    EXPECT_EQ(run(with_stand_ins(command)), 2) << command;
     EXPECT_THAT(complaint(), HasSubstr(message)) << command;
   }
   EXPECT_FALSE(std::filesystem::exists(file("arguments.txt")));

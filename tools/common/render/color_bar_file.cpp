@@ -8,9 +8,12 @@
 
 namespace hiac::tools {
 
+bool writes_color_bar(const RenderOptions& options) {
+  return options.role->writes && !options.color_bar.empty();
+}
+
 void write_color_bar(Tool& tool, const RenderOptions& options, const ZooMesh& mesh, double diagonal,
                      const ParsedScene& view) {
-  if (!options.role->writes || options.color_bar.empty()) return;
   const Volume& volume = view.scene.volume;
   const double round_length = diagonal > 0 ? round_below(diagonal / 10) : 1;
   const double length = options.color_bar_length > 0 ? options.color_bar_length : round_length;

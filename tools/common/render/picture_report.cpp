@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "hiac/base/error.hpp"
 #include "hiac/base/finite_range.hpp"
 #include "hiac/geometry/box.hpp"
 
@@ -60,6 +61,14 @@ nlohmann::ordered_json note_work(Tool& tool, bool one_of_many, const Scene& scen
           {"witness_violations", s.violations},
           {"optical_depth", {{"mean", s.mean_optical_depth}, {"largest", s.largest_optical_depth}}},
           {"seconds", s.prepare_seconds + s.tile_seconds}};
+}
+
+void require_truth(const std::string& path, const RenderStatistics& statistics) {
+  if (statistics.violations > 0)
+    throw JudgementError(
+        fmt::format("{}: not written: {} ray segments were met out of order "
+                    "(--strict)",
+                    path, statistics.violations));
 }
 
 }  // namespace hiac::tools

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include <nlohmann/json.hpp>
 
 #include "hiac/mesh/zoo_mesh.hpp"
@@ -19,5 +21,9 @@ void note_model(Tool& tool, bool one_of_many, const ZooMesh& mesh, const Scene& 
 /// Says what making a picture of the scene took and met, and returns it as facts.
 nlohmann::ordered_json note_work(Tool& tool, bool one_of_many, const Scene& scene,
                                  const RenderStatistics& statistics);
+
+/// With --strict, what is otherwise told leaves no picture behind: throws JudgementError if
+/// segments of the picture that `path` names were met out of order.
+void require_truth(const std::string& path, const RenderStatistics& statistics);
 
 }  // namespace hiac::tools

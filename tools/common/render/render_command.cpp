@@ -22,7 +22,6 @@
 #include "hiac/render/explain_pixel.hpp"
 #include "hiac/scene/camera_path.hpp"
 #include "hiac/session/session.hpp"
-#include "tools/common/as_option.hpp"
 #include "tools/common/mesh_io.hpp"
 #include "tools/common/picture/frames.hpp"
 #include "tools/common/picture/order_facts.hpp"
@@ -53,15 +52,6 @@ using Options = RenderOptions;
 
 using Json = nlohmann::ordered_json;
 
-// With --strict, what is otherwise told leaves no picture behind.
-void require_truth(const std::string& path, const RenderStatistics& s) {
-  if (s.violations > 0)
-    throw JudgementError(
-        fmt::format("{}: not written: {} ray segments were met out of order "
-                    "(--strict)",
-                    path, s.violations));
-}
-
 // Makes pictures of one mesh, or of one after the other.
 class Renderer {
  public:
@@ -83,7 +73,6 @@ class Renderer {
   }
 
   [[nodiscard]] const ZooMesh& mesh() const { return session_->mesh(); }
-  [[nodiscard]] double diagonal() const { return box_of_nodes(mesh()).diagonal(); }
 
   // Throws unless the mesh can be drawn, where need be without some of its cells.
   void check(const Scene& scene) {
@@ -204,7 +193,7 @@ void fit_to(Tool& tool, const Options& options, const Scene& scene, Request& req
   if (request.under) request.picture.under = &*request.under;
   check_frame_options(options, scene);
   if (options.all_frames && !options.has_steps)
-    claim_render_files(tool, options, shots_of_frames(options, scene, is_movie(options.output)));
+    claim_render_files(tool, options, shots_of_frames(options, scene));
 }
 
 // Renders the shots, which are in the order of their steps; `read` reads a step.
@@ -271,13 +260,18 @@ void introduce(Tool& tool, const Options& options, const Scene& scene, Renderer&
   warn_of_invisible(tool, options, renderer.mesh(), scene, path);
 }
 
+// Writes the colour bar of a whole mesh where one is wanted.
+void write_color_bar_of(Tool& tool, const Options& options, const ZooMesh& mesh,
+                        const ParsedScene& view) {
+  if (writes_color_bar(options))
+    write_color_bar(tool, options, mesh, box_of_nodes(mesh).diagonal(), view);
+}
+
 // What is drawn on every picture: units and names of fields are those of the first mesh.
 void annotate(Tool& tool, const Options& options, const ParsedScene& view, const Renderer& renderer,
               std::optional<PictureAnnotation>& annotation) {
-  const bool has_integers =
-      is_movie(options.output) || has_integer_samples(picture_format(options), options.depth);
   annotation.emplace(tool, options, view, renderer.mesh(), chosen_frames(view.scene, options.frame),
-                     has_integers);
+                     has_integer_pictures(options));
 }
 
 // Pictures of the steps of a series.
@@ -289,7 +283,7 @@ void render_steps(Tool& tool, Options& options, std::optional<ParsedScene> parse
   const Scene& scene = view.scene;
   if (!early) fit_to(tool, options, scene, request);
   const std::unique_ptr<Movie> movie = movie_of(options);
-  const std::vector<Shot> shots = shots_of_steps(options, scene, series, is_movie(options.output));
+  const std::vector<Shot> shots = shots_of_steps(options, scene, series);
   claim_render_files(tool, options, shots);
   Renderer renderer(tool, options);
   std::optional<PictureAnnotation> annotation;
@@ -299,7 +293,7 @@ void render_steps(Tool& tool, Options& options, std::optional<ParsedScene> parse
     introduce(tool, options, scene, renderer, shot.path);
     if (annotation) return;
     annotate(tool, options, view, renderer, annotation);
-    write_color_bar(tool, options, renderer.mesh(), renderer.diagonal(), view);
+    write_color_bar_of(tool, options, renderer.mesh(), view);
   };
   tool.frames().begin(options.kind_of_shots(), shots.size());
   render_shots(tool, options, scene, request.picture, shots, annotation, renderer, movie.get(),
@@ -319,10 +313,10 @@ void render_mesh(Tool& tool, Options& options, std::optional<ParsedScene> parsed
   introduce(tool, options, scene, renderer, options.output);
   std::optional<PictureAnnotation> annotation;
   annotate(tool, options, view, renderer, annotation);
-  write_color_bar(tool, options, renderer.mesh(), renderer.diagonal(), view);
+  write_color_bar_of(tool, options, renderer.mesh(), view);
   if (scene.path) {
     const std::unique_ptr<Movie> movie = movie_of(options);
-    const std::vector<Shot> shots = shots_of_frames(options, scene, is_movie(options.output));
+    const std::vector<Shot> shots = shots_of_frames(options, scene);
     tool.frames().begin(options.kind_of_shots(), shots.size());
     const std::span all(shots);
     const std::size_t shared =
@@ -339,7 +333,7 @@ void render_mesh(Tool& tool, Options& options, std::optional<ParsedScene> parsed
   tool.facts().update(facts);
 }
 
-// Of a run that makes no picture but the colour bar.
+// Claims the files of a run that makes the colour bar alone.
 void claim_color_bar_files(Tool& tool, const Options& options) {
   RunFiles files{{options.input, options.view}, {}};
   if (!options.save_view.empty())
@@ -355,7 +349,7 @@ void draw_color_bar_alone(Tool& tool, Options options) {
   std::optional<ParsedScene> parsed = specification_of(tool, options);
   const ZooFile file = mesh_of(tool, options);
   const ParsedScene view = scene_for(tool, options, std::move(parsed), file.mesh);
-  write_color_bar(tool, options, file.mesh, box_of_nodes(file.mesh).diagonal(), view);
+  write_color_bar_of(tool, options, file.mesh, view);
 }
 
 // Throws where the options of the outputs do not fit one another, or the outputs cannot be written.
@@ -380,6 +374,7 @@ void draw_pictures(Tool& tool, Options options) {
     render_mesh(tool, options, std::move(parsed), request);
 }
 
+// Whether no picture is wanted but the colour bar.
 bool wants_color_bar_alone(const Options& options) {
   return options.output.empty() && !options.color_bar.empty();
 }

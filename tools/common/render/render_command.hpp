@@ -15,8 +15,8 @@ struct RenderRole {
   Communicator* all = nullptr;     ///< the processes that share the pictures; null: this one alone
   const TileCrew* crew = nullptr;  ///< the same ones, as those that share a picture
   bool writes = true;              ///< false: another process writes and reports
-  /// Makes pictures of a mesh in parts, or without -o its colour bar alone; without it the parts
-  /// are put together. The options that do not fit have been refused.
+  /// Makes pictures of a mesh in parts, or its colour bar alone where -o is not given. The options
+  /// that do not fit have been refused. A role without this function puts the parts together.
   std::function<void(Tool& tool, RenderOptions& options)> draw_parts = {};
 };
 

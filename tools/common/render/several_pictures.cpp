@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include "hiac/base/error.hpp"
+#include "hiac/image/image_io.hpp"
 #include "tools/common/picture/frames.hpp"
+#include "tools/common/picture/picture_output.hpp"
 
 namespace hiac::tools {
 
@@ -23,6 +25,10 @@ void check_several(const RenderOptions& options) {
   if (options.depth != 0 && options.depth != 8)
     throw UsageError(fmt::format("--depth {}: a film has 8 bits per sample", options.depth));
   require_ffmpeg(options.output);
+}
+
+bool has_integer_pictures(const RenderOptions& options) {
+  return is_movie(options.output) || has_integer_samples(picture_format(options), options.depth);
 }
 
 std::unique_ptr<Movie> movie_of(const RenderOptions& options) {

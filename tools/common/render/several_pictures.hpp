@@ -11,7 +11,11 @@ namespace hiac::tools {
 /// is wanted and ffmpeg is missing.
 void check_several(const RenderOptions& options);
 
-/// The film that the pictures go into; null: into files of their own, or another process writes.
+/// Whether the pictures store whole numbers: those of a film, or of a format that does.
+bool has_integer_pictures(const RenderOptions& options);
+
+/// The film that the pictures go into; null where each goes into a file of its own, or another
+/// process writes.
 std::unique_ptr<Movie> movie_of(const RenderOptions& options);
 
 }  // namespace hiac::tools

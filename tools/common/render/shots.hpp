@@ -21,14 +21,13 @@ struct Shot {
 };
 
 /// The pictures of a scene with a camera path, whose frames --frame and --frames choose.
-/// `is_movie`: they go into one file.
-std::vector<Shot> shots_of_frames(const PictureCommand& command, const Scene& scene, bool is_movie);
+std::vector<Shot> shots_of_frames(const PictureCommand& command, const Scene& scene);
 
 /// The pictures of a series: one of every step, with the step's number; or, with --frames, one of
 /// every frame, with the frame's number, over which the steps are spread evenly. Throws UsageError
 /// if there are more steps than frames.
 std::vector<Shot> shots_of_steps(const PictureCommand& command, const Scene& scene,
-                                 const MeshSeries& series, bool is_movie);
+                                 const MeshSeries& series);
 
 /// The scene of a shot, of one frame.
 Scene scene_of_shot(const Scene& scene, const Shot& shot);
