@@ -177,8 +177,8 @@ std::optional<Space> space_named(const std::string& collection) {
   if (collection == "Quadratic") return Space{2, false};
   if (collection == "Cubic") return Space{3, false};
   // MFEM writes no letter for Gauss-Lobatto points, its default; U stands for evenly spaced ones
-  constexpr std::array<std::string_view, 4> kFamilies{"H1_3D_P", "H1@G_3D_P", "H1@U_3D_P",
-                                                      "H1Pos_3D_P"};
+  constexpr auto kFamilies =
+      std::to_array<std::string_view>({"H1_3D_P", "H1@G_3D_P", "H1@U_3D_P", "H1Pos_3D_P"});
   for (std::size_t family = 0; family < kFamilies.size(); ++family) {
     if (!collection.starts_with(kFamilies[family])) continue;
     const int order = std::atoi(collection.c_str() + kFamilies[family].size());

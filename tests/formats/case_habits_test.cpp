@@ -284,6 +284,7 @@ TEST(EnSightHabits, SeveralStepsInOneFileAndTimeSetsOfTheirOwn) {
   ReadOptions options;
   options.time = 0;
   EXPECT_THAT(read_any(path, options).mesh.fields.at(0).values.view(), ElementsAre(1, 2, 3, 4));
+  EXPECT_THAT(format_to_read(path).inspect(path).times, ElementsAre(0, 0.5));
   static_cast<void>(folder.write("p.var", stepped(gold_values(1))));
   EXPECT_THAT(refusal(path), HasSubstr("holds 1 steps (2 expected at least)"));
 }

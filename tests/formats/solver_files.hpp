@@ -76,7 +76,9 @@ inline std::string tecplot_bricks(const TecplotOptions& options) {
     out.wholes({0, 0, 12, 2, 0, 0, 0});
     out.whole(1).text("note").whole(0).text("auxiliary").whole(0);
   }
-  out.mark(799).text("key").whole(0).text("value").mark(357);
+  out.mark(799).text("key").whole(0).text("value");
+  out.mark(599).whole(2).text("inlet").text("outlet").mark(699).text("a user's record");
+  out.mark(899).whole(3).text("key").whole(0).text("value").mark(357);
   const auto coordinate = [](int c, int node) {
     return c == 0 ? node % 3 : c == 1 ? node / 3 % 2 : node / 6;
   };

@@ -175,6 +175,8 @@ std::string neutral_file(const std::string& counts, const std::string& sections)
 
 TEST(GambitHabits, PlaneMeshesAndNamesWithBlanks) {
   const ScratchFolder folder;
+  EXPECT_THAT(refusal(folder.write("four.neu", neutral_file(" 3 1 0 0 4 4", ""))),
+              HasSubstr("four.neu:7: 2 or 3 coordinate directions expected (4 found)"));
   EXPECT_THAT(refusal(folder.write(
                   "a.neu", neutral_file(" 3 1 0 0 2 2",
                                         "   NODAL COORDINATES 2.4.6\n 1 0 0\n 2 1 0\n 3 0 1\n"

@@ -98,6 +98,8 @@ TEST(TextMarks, MaterialsOfNetgenAreAnIndexAndNameBlocks) {
           points("{} {} {}\n", false) + "materials\n2\n2 steel\n9 the core\nendmesh\n");
   expect_marks(path, "index", 2, 9, "the core");
   EXPECT_THAT(read_any(path).notes, Contains(HasSubstr("1 surface elements")));
+  EXPECT_THAT(refusal(folder.write("seven.vol", "mesh3d\nvolumeelements\n1\n 2\n 7 1 2 3\n")),
+              HasSubstr("seven.vol:5: 4, 5, 6, 8, 10, 13, 15 or 20 nodes of an element"));
 }
 
 TEST(TextMarks, GroupsOfGambitAreMaterialsAndBoundariesMarkNodes) {

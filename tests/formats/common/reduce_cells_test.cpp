@@ -91,6 +91,38 @@ TEST(ReduceCells, QuadraticFieldsLoseNothingInCellsOfOrderTwo) {
   }
 }
 
+// Values on the corners of cells, beside a cell that stays as it is: of made nodes they are means,
+// of all others the value itself, a negative zero too.
+TEST(ReduceCells, FieldsOnCornersFollowTheCells) {
+  const Function f = [](const Point& x) { return 3 * x[0] - x[1] + x[2] - 0.5; };
+  for (const CellShape shape : kShapes)
+    for (const std::size_t order : {2, 5}) {
+      ForeignMesh mesh = lattice_cell(shape, order, f);
+      mesh.types.push_back({"TETRA", 4, converted_to(CellKind::tetrahedron4)});
+      mesh.cell_types.push_back(1);
+      const auto first = static_cast<std::int64_t>(mesh.point_count());
+      mesh.xyz.insert(mesh.xyz.end(), {9, 0, 0, 10, 0, 0, 9, 1, 0, 9, 0, 1});
+      mesh.cell_nodes.insert(mesh.cell_nodes.end(), {first, first + 1, first + 2, first + 3});
+      std::vector<double> values;
+      for (std::int64_t p = 0; p < first; ++p) {
+        const double* x = &mesh.xyz[3 * static_cast<std::size_t>(p)];
+        values.push_back(f({x[0], x[1], x[2]}));
+      }
+      values.insert(values.end(), {7, -0.0, 9, 10});
+      mesh.fields = {field_of("c", FieldLocation::corner, 1, std::move(values))};
+      const ZooMesh zoo = assemble(std::move(mesh), approximate(), "m").mesh;
+      ASSERT_EQ(zoo.cell_count(), 2U);
+      ASSERT_EQ(zoo.fields[0].values.size(), zoo.nodes.size());
+      const std::size_t kept = zoo.nodes.size() - 4;
+      for (std::size_t e = 0; e < kept; ++e) {
+        const auto x = zoo.position(zoo.nodes[e]);
+        EXPECT_NEAR(zoo.fields[0].values[e], f({x[0], x[1], x[2]}), 1e-13);
+      }
+      EXPECT_THAT(zoo.fields[0].values.view().subspan(kept), testing::ElementsAre(7, 0, 9, 10));
+      EXPECT_TRUE(std::signbit(zoo.fields[0].values[kept + 1]));
+    }
+}
+
 TEST(ReduceCells, WhatOnlyCentresTellIsRefusedWithTheError) {
   // at the centre of [0, 1]^3 the field's serendipity interpolant is 0, and the field 1
   const Function bubble = [](const Point& x) {

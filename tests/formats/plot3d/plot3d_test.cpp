@@ -166,6 +166,17 @@ TEST(Plot3d, EveryDialectIsTheSameMesh) {
   EXPECT_EQ(tried, 4U + 16U + 32U);
 }
 
+TEST(Plot3d, FilesNamedByWhatTheyHoldLieBesideTheGrid) {
+  const ScratchFolder folder;
+  const Dialect dialect{false, true, false, false, true, false, false};
+  write_files(folder, dialect);
+  for (const auto& [from, to] :
+       {std::pair("grid.x", "wing_xyz.bin"), std::pair("grid.q", "wing_q.bin"),
+        std::pair("grid.f", "wing_f.bin")})
+    std::filesystem::rename(folder.file(from), folder.file(to));
+  expect_mesh(read_any(folder.file("wing_xyz.bin")).mesh, dialect);
+}
+
 TEST(Plot3d, TruncatedFilesAreRefused) {
   const ScratchFolder folder;
   for (const bool marks : {false, true}) {

@@ -4,6 +4,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
 #include <QPlainTextEdit>
 #include <QSlider>
 #include <QTableWidget>
@@ -287,6 +288,13 @@ TEST_F(TransferPanelTest, PutsValuesEvenlyInTheirLogarithm) {
   panel_.log_values().setChecked(false);
   EXPECT_EQ(curve().axes().scale(), TransferScale::linear);
   EXPECT_EQ(curve().axes().values(), linear);
+}
+
+TEST_F(TransferPanelTest, NamesTheChoicesOfFields) {
+  QStringList texts;
+  for (const QLabel* label : panel_.findChildren<QLabel*>()) texts << label->text();
+  for (const char* name : {"Extinction by", "Colour by"})
+    EXPECT_TRUE(texts.contains(QLatin1String(name))) << name;
 }
 
 TEST_F(TransferPanelTest, HasAPlotForEachField) {

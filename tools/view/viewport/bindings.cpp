@@ -14,12 +14,12 @@ struct GestureName {
   Gesture gesture;
   const char* text;
 };
-constexpr std::array<GestureName, 4> kGestures{{
+constexpr auto kGestures = std::to_array<GestureName>({
     {"turn", Gesture::turn, QT_TRANSLATE_NOOP("Bindings", "turn the camera about the centre")},
     {"pan", Gesture::pan, QT_TRANSLATE_NOOP("Bindings", "move the picture")},
     {"zoom", Gesture::zoom, QT_TRANSLATE_NOOP("Bindings", "zoom")},
     {"roll", Gesture::roll, QT_TRANSLATE_NOOP("Bindings", "roll about the line of sight")},
-}};
+});
 
 struct UsualDrag {
   const char* name;
@@ -27,7 +27,7 @@ struct UsualDrag {
   Qt::KeyboardModifier modifier;
   const char* gesture;
 };
-constexpr std::array<UsualDrag, 9> kDrags{{
+constexpr auto kDrags = std::to_array<UsualDrag>({
     {"left", Qt::LeftButton, Qt::NoModifier, "turn"},
     {"middle", Qt::MiddleButton, Qt::NoModifier, "pan"},
     {"right", Qt::RightButton, Qt::NoModifier, "zoom"},
@@ -37,13 +37,13 @@ constexpr std::array<UsualDrag, 9> kDrags{{
     {"ctrl+middle", Qt::MiddleButton, Qt::ControlModifier, "roll"},
     {"shift+right", Qt::RightButton, Qt::ShiftModifier, "roll"},
     {"ctrl+right", Qt::RightButton, Qt::ControlModifier, "roll"},
-}};
+});
 
 struct UsualKey {
   const char* action;
   const char* key;
 };
-constexpr std::array<UsualKey, 20> kKeys{{
+constexpr auto kKeys = std::to_array<UsualKey>({
     {"open_mesh", "Ctrl+O"},
     {"open_view", "Ctrl+Shift+O"},
     {"save", "Ctrl+S"},
@@ -64,7 +64,7 @@ constexpr std::array<UsualKey, 20> kKeys{{
     {"help", "H"},
     {"fit_window", "F"},
     {"reload", "F5"},
-}};
+});
 
 }  // namespace
 
