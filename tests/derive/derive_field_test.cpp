@@ -221,5 +221,47 @@ TEST(DeriveField, RefusesWhatItDoesNotUnderstand) {
   }
 }
 
+TEST(DeriveField, MessagesNameTheFormula) {
+  ZooMesh mesh = sample();
+  const auto told = [&](const char* formula) -> std::string {
+    try {
+      derive_field(mesh, formula);
+    } catch (const UsageError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(told("q = deviator(v)"),
+            "derive q = deviator(v): field 'v' has 3 components (a tensor of 6 or 9 expected)");
+  EXPECT_EQ(told("q=principal(p)"),
+            "derive q=principal(p): field 'p' has 1 components (a tensor of 6 or 9 expected)");
+  EXPECT_EQ(told("q=deviator(\"S Mises\")"), "");
+  EXPECT_EQ(told("q=tensor(p,p,p,p,p)"),
+            "derive q=tensor(p,p,p,p,p): tensor: 6 arguments expected, 5 found");
+  EXPECT_EQ(told("q=vector(p,p,p,p)"),
+            "derive q=vector(p,p,p,p): vector: 3 arguments expected, 4 found");
+  EXPECT_EQ(told("p = 2*p"), "derive p = 2*p: there is already a field 'p'");
+  EXPECT_EQ(told("p = 2*c"), "");  // one of another location
+  mesh.fields.clear();
+  EXPECT_EQ(told("q=principal(w)"),
+            "derive q=principal(w): field 'w': there is no such field (the mesh has none)");
+}
+
+TEST(DeriveField, CommasWithinParenthesesAndQuotesPartNothing) {
+  ZooMesh mesh = sample();
+  mesh.fields.push_back(mesh.fields[0]);
+  mesh.fields.back().name = "a,b)";
+  const Field field = derive_field(mesh, "q = vector(min(p, 2), \"a,b)\", -p)");
+  ASSERT_EQ(field.components, 3U);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double p = value_of(mesh, "p", i);
+    EXPECT_EQ(field.values[3 * i], std::min(p, 2.0));
+    EXPECT_EQ(field.values[3 * i + 1], p);
+    EXPECT_EQ(field.values[3 * i + 2], -p);
+  }
+  EXPECT_EQ(field.unit, "");
+  EXPECT_EQ(derive_field(mesh, "q =  p ").unit, "Pa");
+}
+
 }  // namespace
 }  // namespace hiac

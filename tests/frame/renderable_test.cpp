@@ -156,5 +156,41 @@ TEST(Renderable, CellsOfHigherOrderAreLetPassUnlessTheirEdgesBendTooFar) {
   }
 }
 
+TEST(Renderable, CellsWithoutAPolynomialAreCounted) {
+  Scene polynomial = scene();
+  polynomial.render.interpolation = Interpolation::polynomial;
+  const auto told = [&](const ZooMesh& mesh, InvalidCells invalid = InvalidCells::refused) {
+    try {
+      check_renderable(with_field(mesh), polynomial, invalid);
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const double c = std::sqrt(0.5);
+  const auto turned = [c](const Position& p) {
+    return Position{c * (p[0] - p[1]), c * (p[0] + p[1]), p[2]};
+  };
+  const std::string bricks =
+      "cell 0 (brick8): `render.interpolation` = \"polynomial\": the nodes do not determine the "
+      "paper's function, which depends on how the cell lies (independent equations expected, a "
+      "pivot below 1e-10 found";
+  EXPECT_EQ(told(test::structured(1, Cut::bricks)), "");
+  EXPECT_EQ(told(test::moved(test::structured(1, Cut::bricks), turned)), bricks + ")");
+  EXPECT_EQ(told(test::moved(test::structured(2, Cut::bricks), turned)),
+            bricks + "; 8 cells in all)");
+  const auto flat = [](const Position& p) { return Position{p[0], p[1], 0}; };
+  EXPECT_EQ(
+      told(test::moved(test::structured(1, Cut::pyramids), flat)),
+      "cell 0 (pyramid5): `render.interpolation` = \"polynomial\": the nodes do not determine "
+      "a polynomial (nodes that are apart and not in one plane expected, others found; 6 "
+      "cells in all)");
+  // cells that are turned inside out in part are left out, and need none
+  const ZooMesh crossed = test::make_mesh(
+      {{0, 0, 0}, {1, 1, 0}, {0, 2, 0}, {-1, 1, 0}, {0, 2, 1}, {-1, 1, 1}, {0, 0, 1}, {1, 1, 1}},
+      {{CellKind::brick8, {0, 1, 2, 3, 4, 5, 6, 7}}});
+  EXPECT_EQ(told(crossed, InvalidCells::skipped), "");
+}
+
 }  // namespace
 }  // namespace hiac

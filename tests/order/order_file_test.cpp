@@ -191,6 +191,37 @@ TEST_F(OrderFile, ImpossibleContent) {
               HasSubstr("impossible group"));
 }
 
+TEST_F(OrderFile, MessagesSayWhatIsExpected) {
+  const Bytes good = payload_of(some_record());
+  const auto message = [](const Bytes& payload) { return error_of([&] { decoded(payload); }); };
+  EXPECT_EQ(message(Bytes(127)),
+            "x.order: chunk ORDER is too short (at least 128 bytes expected, 127 found)");
+  EXPECT_EQ(message(Bytes(128)), "x.order: unknown version of chunk ORDER (1 expected, 0 found)");
+  EXPECT_EQ(message(with(Bytes(128), 0, std::uint32_t{1})), "no error");  // of no cell
+  EXPECT_EQ(message(with(good, 8, std::uint64_t{17})),
+            "x.order: chunk ORDER has a wrong size for 17 cells and 2 groups (208 bytes found)");
+  EXPECT_EQ(message(with(good, 16, std::uint64_t{1})),
+            "x.order: chunk ORDER has a wrong size for 7 cells and 1 groups (208 bytes found)");
+  EXPECT_EQ(message(with(good, 128, CellId{7})), "x.order: not an order: cell 7 of 7 is unknown");
+  EXPECT_EQ(message(with(good, 132, CellId{3})),
+            "x.order: not an order: cell 3 of 7 is there twice");
+  EXPECT_EQ(message(with(good, 192, CellGroup{2, 3})),
+            "x.order: not an order: impossible group (3 cells from 4)");
+  EXPECT_EQ(message(with(good, 192, CellGroup{2, 2})), "no error");
+  EXPECT_EQ(message(with(good, 192, CellGroup{1, 1})),
+            "x.order: not an order: impossible group (1 cells from 1)");
+  EXPECT_EQ(message(with(good, 200, CellGroup{5, 3})),
+            "x.order: not an order: impossible group (3 cells from 5)");
+}
+
+TEST_F(OrderFile, NamesOfAlgorithmsHave40Letters) {
+  OrderRecord record = some_record();
+  record.order.algorithm = std::string(40, 'x');
+  EXPECT_EQ(decoded(payload_of(record)).order.algorithm, std::string(40, 'x'));
+  record.order.algorithm = std::string(41, 'x');
+  EXPECT_EQ(decoded(payload_of(record)).order.algorithm, std::string(40, 'x'));
+}
+
 // Any change of the payload gives an error or an order of cells that is one.
 TEST_F(OrderFile, RandomChanges) {
   const Bytes good = payload_of(some_record());

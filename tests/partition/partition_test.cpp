@@ -86,8 +86,17 @@ TEST(Partition, CellsWithoutNeighboursAndPartsOfOneCell) {
 
 TEST(Partition, RefusesImpossibleNumbers) {
   const ZooMesh mesh = structured(1, Cut::tetrahedra);
-  EXPECT_THROW(partition_cells(mesh, 0, "cube"), UsageError);
-  EXPECT_THROW(partition_cells(mesh, 7, "cube"), UsageError);
+  const auto told = [&](std::size_t parts) -> std::string {
+    try {
+      partition_cells(mesh, parts, "cube");
+    } catch (const UsageError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(told(0), "0 parts of 6 cells (1 to 6 parts expected)");
+  EXPECT_EQ(told(6), "");
+  EXPECT_EQ(told(7), "7 parts of 6 cells (1 to 6 parts expected)");
 }
 
 }  // namespace
