@@ -88,6 +88,17 @@ class Meshes(unittest.TestCase):
                 hiac.Mesh(*arguments)
             self.assertNotIn("\n", str(caught.exception))
 
+    def test_locations_are_named(self):
+        points, cells, values = grid(1)
+        for location, count in (("node", 8), ("cell", 6), ("corner", 24)):
+            field = hiac.Field(np.arange(float(count)), location)
+            mesh = hiac.Mesh(points, {"tetrahedron4": cells}, {"f": field})
+            self.assertEqual(mesh.fields["f"].location, location)
+            self.assertEqual(mesh.fields["f"].values[-1], count - 1)
+        with self.assertRaisesRegex(
+                hiac.UsageError, "^field location `face`: node, cell or corner expected$"):
+            hiac.Mesh(points, {"tetrahedron4": cells}, {"f": hiac.Field(values, "face")})
+
     def test_tetrahedra_of_cells(self):
         mesh = mesh_of("brick20")
         parts = hiac.tetrahedralize(mesh)
@@ -95,8 +106,10 @@ class Meshes(unittest.TestCase):
         corners = parts.points[parts.cells[0][1][:, :4]]
         volumes = np.linalg.det(corners[:, 1:] - corners[:, :1]) / 6
         self.assertAlmostEqual(volumes.sum(), 2.0, 12)
-        with self.assertRaises(hiac.UsageError):
+        with self.assertRaisesRegex(hiac.UsageError, "^levels: only with linearize$"):
             hiac.tetrahedralize(mesh, levels=1)
+        with self.assertRaisesRegex(hiac.UsageError, r"^levels: 0 to \d+ expected \(99 found\)$"):
+            hiac.tetrahedralize(mesh, linearize=True, levels=99)
 
     def test_reports(self):
         mesh = mesh_of("tetrahedron4")

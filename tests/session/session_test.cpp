@@ -151,6 +151,33 @@ TEST(Session, RequestsThatDoNotFitAreRefusedInNeutralWords) {
   }
 }
 
+TEST(Session, WhatIsWrongWithAPictureBehindIsSaid) {
+  const auto told = [](const Image& under, std::optional<PixelRect> part = {}) -> std::string {
+    try {
+      require_possible(request(part, {}, {}, true, &under), ImageSize{64, 48});
+    } catch (const UsageError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(told(Image(64, 48, rgba_channels())), "");
+  EXPECT_EQ(told(Image(64, 48, {"Y"})), "");
+  EXPECT_EQ(told(Image(5, 4, {"Y"}), PixelRect{1, 2, 5, 4}), "");
+  EXPECT_EQ(told(Image(64, 47, {"Y"})),
+            "the picture behind is of another size (64 x 48 pixels expected, 64 x 47 found)");
+  EXPECT_EQ(told(Image(64, 48, {"Y"}), PixelRect{1, 2, 5, 4}),
+            "the picture behind is of another size (5 x 4 pixels expected, 64 x 48 found)");
+  EXPECT_EQ(told(Image(64, 48, {"depth"})), "the picture behind has no colour");
+  EXPECT_EQ(told(Image(64, 48, {"A"})), "the picture behind has no colour");
+  Image broken(64, 48, {"depth", "R", "G", "B", "A"});
+  broken.at(1, 2, 0) = std::numeric_limits<double>::infinity();  // no channel that is drawn over
+  EXPECT_EQ(told(broken), "");
+  broken.at(5, 7, 4) = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(told(broken),
+            "the picture behind: pixel 5,7: channel A is not finite (a finite number expected, inf "
+            "found)");
+}
+
 TEST(Session, TellsItsMonitorOfEveryStageOnce) {
   const ZooMesh mesh = small_mesh();
   Scene scene = small_view(mesh);

@@ -219,9 +219,28 @@ TEST(StarterView, OtherEdgesCanBeShown) {
 }
 
 TEST(StarterView, RefusesWhatCannotBeSeen) {
-  EXPECT_THROW(make_starter_view(ZooMesh{}, "m"), InputError);
-  ZooMesh point = box(1, {0, 0, 0});
-  EXPECT_THROW(make_starter_view(point, "m"), InputError);
+  const auto told = [](const ZooMesh& mesh, const StarterOptions& options = {}) -> std::string {
+    try {
+      make_starter_view(mesh, "m", options);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(told(ZooMesh{}), "m: no cells to look at");
+  EXPECT_EQ(told(box(1, {0, 0, 0})), "m: nothing to look at (all nodes lie at one point)");
+  EXPECT_EQ(told(box(1, {0, 0, 1})), "");
+  EXPECT_THAT(told(box(1, {1, 1, 1}), {.preset = "none"}),
+              HasSubstr("preset none: no colour map of this name (expected one of viridis, "));
+  ZooMesh placeless = box(1, {1, 1, 1});
+  std::vector<double> xyz(placeless.xyz.begin(), placeless.xyz.end());
+  for (std::size_t i = 2; i < xyz.size(); i += 3) xyz[i] = std::nan("");
+  placeless.xyz = std::move(xyz);
+  EXPECT_EQ(told(placeless), "m: nothing to look at (no node has a place)");
+  ZooMesh broken = box(1, {1, 1, 1});
+  add_cell_field(broken, "p", 1, [](std::size_t) { return std::nan(""); });
+  EXPECT_EQ(told(broken, {.field = "p"}), "m: field 'p': has no finite values");
+  EXPECT_EQ(told(broken), "");  // coloured by the height
 }
 
 }  // namespace
