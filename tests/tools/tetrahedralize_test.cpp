@@ -329,6 +329,89 @@ TEST_F(Tetrahedralize, SaysWhatItCannotDo) {
 }
 
 // Real meshes of linear cells with planar faces: their tetrahedra fill the same volume.
+TEST_F(Tetrahedralize, SaysWhichOptionsDoNotFit) {
+  write("points.csv", "0,0,0\n1,0,0\n0,1,0\n0,0,1\n");
+  const std::string surfaces =
+      "--quality, --max-volume, --preserve-surface, --weld, --hole: only for surfaces";
+  const std::pair<const char*, std::string> wrong[] = {
+      {"points.csv", "a file of points is tetrahedralized with --delaunay"},
+      {"cube.off --delaunay",
+       "--delaunay: points expected (a mesh, .csv, .txt, .xyz or .node; the file of a surface "
+       "found)"},
+      {"cube.off --cells", "--cells: a zoo mesh expected"},
+      {"points.csv --cells", "--cells: a zoo mesh expected"},
+      {"points.csv --delaunay --quality 2", surfaces},
+      {"points.csv --delaunay --max-volume 2", surfaces},
+      {"points.csv --delaunay --preserve-surface", surfaces},
+      {"points.csv --delaunay --weld 0.1", surfaces},
+      {"points.csv --delaunay --hole 0,0,0", surfaces},
+      {"- --cells --max-volume 1", surfaces},
+      {"cube.off --linearize", "--linearize, --levels: only with --cells"},
+      {"cube.off --levels 2", "--linearize, --levels: only with --cells"},
+      {"points.csv --delaunay --linearize", "--linearize, --levels: only with --cells"},
+      {"- --cells --levels 1", "--levels: only with --linearize"},
+      {"cube.off --hole 1,2", "--hole: expected X,Y,Z (found 1,2)"},
+      {"cube.off --hole 1,2,3,4", "--hole: expected X,Y,Z (found 1,2,3,4)"},
+      {"cube.off --hole 1,2,nan", "--hole: expected X,Y,Z (found 1,2,nan)"},
+      {"cube.off --hole 1,2,x", "--hole: expected X,Y,Z (found 1,2,x)"},
+      {"cube.off --hole 1;2;3", "--hole: expected X,Y,Z (found 1;2;3)"},
+  };
+  for (const auto& [arguments, message] : wrong) {
+    std::string quoted = arguments;
+    if (const std::size_t at = quoted.find("--hole "); at != std::string::npos)
+      quoted = quoted.substr(0, at + 7) + "'" + quoted.substr(at + 7) + "'";
+    EXPECT_EQ(run("$T -o no.zoo " + quoted), 2) << arguments << errors();
+    EXPECT_EQ(errors(), "hiac-tetrahedralize: " + message + "\n") << arguments;
+  }
+}
+
+TEST_F(Tetrahedralize, SaysHowMuchBecameOfWhat) {
+  write("points.csv", "0,0,0\n1,0,0\n0,1,0\n0,0,1\n");
+  ASSERT_EQ(run("$T points.csv --delaunay -o points.zoo"), 0) << errors();
+  EXPECT_EQ(errors(), "hiac-tetrahedralize: 1 tetrahedra, 4 nodes\n");
+  ASSERT_EQ(run("$T points.zoo --cells -o same.zoo"), 0) << errors();
+  EXPECT_EQ(
+      errors(),
+      "hiac-tetrahedralize: 1 cells became 1 tetrahedra; 0 nodes are new, 0 no longer needed\n"
+      "hiac-tetrahedralize: 1 tetrahedra, 4 nodes\n");
+  ASSERT_EQ(run("$T points.zoo --cells --linearize --levels 1 -o parts.zoo"), 0) << errors();
+  EXPECT_EQ(
+      errors(),
+      "hiac-tetrahedralize: 1 cells became 8 tetrahedra; 6 nodes are new, 0 no longer needed\n"
+      "hiac-tetrahedralize: 8 tetrahedra, 10 nodes\n");
+  // a corner of the cube once more, close to itself
+  write("doubled.off",
+        "OFF\n9 6 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n0 0 0.001\n"
+        "4 8 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+  ASSERT_EQ(run("$T doubled.off --weld 0.01 -o welded.zoo"), 0) << errors();
+  EXPECT_THAT(errors(), HasSubstr("hiac-tetrahedralize: 1 points became others, at most 0.001 "
+                                  "away; 0 facets are gone by that\n"));
+}
+
+TEST_F(Tetrahedralize, TetrahedraThatAreFlatOrInvertedAreCounted) {
+  const auto write_cells = [&](const std::vector<NodeId>& nodes) {
+    ZooMesh mesh;
+    mesh.xyz = std::vector<double>{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 0};
+    std::vector<std::uint64_t> elems;
+    for (std::size_t k = 0; k <= nodes.size(); k += 4) elems.push_back(k);
+    mesh.kinds = std::vector<CellKind>(nodes.size() / 4, CellKind::tetrahedron4);
+    mesh.elems = std::move(elems);
+    mesh.nodes = std::vector<NodeId>(nodes);
+    write_zoo_file(path("cells.zoo"), {mesh, {}});
+  };
+  write_cells({0, 1, 2, 3, 0, 1, 2, 4, 0, 2, 1, 4});
+  ASSERT_EQ(run("$T cells.zoo --cells -o x.zoo"), 0) << errors();
+  EXPECT_THAT(errors(), HasSubstr("hiac-tetrahedralize: warning: 2 tetrahedra are flat\n"));
+  EXPECT_THAT(errors(), Not(HasSubstr("inverted")));
+  write_cells({0, 1, 2, 3, 1, 4, 2, 3, 1, 0, 2, 3});
+  ASSERT_EQ(run("$T cells.zoo --cells -o x.zoo"), 0) << errors();
+  EXPECT_THAT(errors(),
+              HasSubstr("hiac-tetrahedralize: warning: 1 tetrahedra are inverted relative "
+                        "to the other 2: their cells are not convex, or are turned inside "
+                        "out (hiac-check names them)\n"));
+  EXPECT_THAT(errors(), Not(HasSubstr("are flat")));
+}
+
 TEST_F(Tetrahedralize, CutsRealMeshesWithoutGap) {
   const char* named = std::getenv("HIAC_DATA_DIR");
   const std::string data = named != nullptr ? named : HIAC_DEFAULT_DATA_DIR;

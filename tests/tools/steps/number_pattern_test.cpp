@@ -39,5 +39,23 @@ TEST(NumberPattern, FindsTheFilesThatItNames) {
   EXPECT_THROW((void)NumberPattern("MESH", folder.file("%d/run.zoo")).existing(), UsageError);
 }
 
+TEST(NumberPattern, SaysWhyItFindsNoFile) {
+  const test::ScratchFolder folder;
+  const auto told = [&](const std::string& name) -> std::string {
+    try {
+      (void)NumberPattern("MESH", folder.file(name)).existing();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(told("no-%d.zoo"), folder.file("no-%d.zoo") + ": no file has a name of this pattern");
+  EXPECT_EQ(told("none/%d.zoo"),
+            folder.file("none/%d.zoo") + ": cannot be looked for (No such file or directory)");
+  EXPECT_EQ(told("%d/run.zoo"), "MESH " + folder.file("%d/run.zoo") +
+                                    ": the number is in a folder's name (one in the file's name "
+                                    "expected)");
+}
+
 }  // namespace
 }  // namespace hiac::tools

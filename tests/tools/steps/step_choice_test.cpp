@@ -40,5 +40,27 @@ TEST(StepChoice, RefusesOtherTextsAndMissingSteps) {
   EXPECT_THROW((void)chosen("0:18446744073709551615", 3), UsageError);
 }
 
+TEST(StepChoice, SaysWhatItExpects) {
+  const auto told = [](const auto& work) -> std::string {
+    try {
+      work();
+    } catch (const UsageError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const auto told_of = [&](const char* text) { return told([&] { (void)StepChoice(text); }); };
+  EXPECT_EQ(told_of("1"), "--steps 1: " + std::string(kStepsType) + " expected");
+  EXPECT_EQ(told_of("1:2:3:4"), "--steps 1:2:3:4: " + std::string(kStepsType) + " expected");
+  EXPECT_EQ(told_of("2:1"), "--steps 2:1: FIRST is above LAST");
+  EXPECT_EQ(told_of("2:2"), "");
+  EXPECT_EQ(told_of("0:3:0"), "--steps 0:3:0: STRIDE is at least 1");
+  EXPECT_EQ(told([] { (void)chosen("0:3", 3); }),
+            "--steps 0:3: run.exo has no step 3 (3 steps from 0 to 2 found)");
+  const Steps existing{3, 5, 7, 8};
+  EXPECT_EQ(told([&] { (void)StepChoice("3:7").among(existing, "run-%d.zoo"); }),
+            "--steps 3:7: run-%d.zoo has no step 4 (4 steps from 3 to 8 found)");
+}
+
 }  // namespace
 }  // namespace hiac::tools
