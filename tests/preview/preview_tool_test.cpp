@@ -240,5 +240,38 @@ TEST_F(PreviewTool, DrawsFramesAndCrops) {
   EXPECT_EQ(preview("m.zoo --view v.toml --crop 50,5,20,12 -o c.npy"), 2);
 }
 
+TEST_F(PreviewTool, SaysWhatIsNotDrawn) {
+  const std::string rule =
+      "render.integration is the accurate engine's: --method says how previews integrate\n";
+  const std::string slices = "cells are not sliced at breakpoints (render.integration)\n";
+  const std::string splats =
+      "render.splat_below is the accurate engine's: previews splat no cells\n";
+  const std::string surfaces =
+      "[skin] and [edges] are the accurate engine's: previews draw neither\n";
+  const struct {
+    std::string view;  ///< behind v.toml
+    const char* method;
+    std::string note;  ///< empty: none of them
+  } cases[] = {
+      {"", "exact", ""},
+      {"[render]\nintegration = 'gauss5'\n", "exact", rule},
+      {"[render]\nintegration = 'gauss5'\n", "M0", rule},
+      {"[render]\nintegration = 'approximate-unsliced'\n", "M0", slices},
+      {"[render]\nintegration = 'approximate-unsliced'\n", "exact", rule},
+      {"[render]\nsplat_below = 1\n", "exact", splats},
+      {"[skin]\n", "exact", surfaces},
+      {"[edges]\n", "exact", surfaces},
+  };
+  const std::string plain = bytes_of(file("v.toml"));
+  for (const auto& c : cases) {
+    std::ofstream(file("w.toml")) << plain << c.view;
+    ASSERT_EQ(preview("m.zoo --view w.toml -o a.npy --method " + std::string(c.method)), 0)
+        << complaint();
+    for (const std::string& note : {rule, slices, splats, surfaces})
+      EXPECT_EQ(complaint().find("hiac-preview: " + note) != std::string::npos, note == c.note)
+          << c.view << c.method << note;
+  }
+}
+
 }  // namespace
 }  // namespace hiac

@@ -313,5 +313,16 @@ TEST_F(CompareTruth, RefusesWhatDoesNotFit) {
   EXPECT_THAT(errors_, HasSubstr("a picture of R, G and B expected (channels depth found)"));
 }
 
+TEST_F(CompareTruth, TellsThatTheTruthHasNoAnnotation) {
+  write("a.npy", picture(scene_));
+  const std::string note =
+      "hiac-compare: [annotation] is not drawn on the truth: where A has it, it differs\n";
+  ASSERT_EQ(run("a.npy --truth m.zoo --view v.toml"), 0) << errors_;
+  EXPECT_THAT(errors_, testing::Not(HasSubstr(note)));
+  static_cast<void>(folder_.write("w.toml", to_toml(scene_) + "[annotation.axes]\nshow = true\n"));
+  ASSERT_EQ(run("a.npy --truth m.zoo --view w.toml --max-error 0"), 0) << errors_;
+  EXPECT_THAT(errors_, HasSubstr(note));
+}
+
 }  // namespace
 }  // namespace hiac

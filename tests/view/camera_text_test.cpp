@@ -115,5 +115,22 @@ TEST(CameraText, RefusesKeyframesWhereThereCanBeNone) {
   EXPECT_THROW(with_keyframe(turning, scene_of(turning), 3, scene.camera), UsageError);
 }
 
+TEST(CameraText, SaysWhyThereCanBeNoKeyframe) {
+  const auto told = [](const std::string& text, std::uint32_t frame) -> std::string {
+    try {
+      const Scene scene = scene_of(text);
+      static_cast<void>(with_keyframe(text, scene, frame, scene.camera));
+    } catch (const UsageError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(told(kText, 0), "keyframe: frame 0 is the present camera (a frame from 1 expected)");
+  EXPECT_EQ(told(kText, 1), "");
+  for (const std::uint32_t frame : {0U, 3U, 8U})
+    EXPECT_EQ(told(kText + "[turntable]\nframes = 8\n", frame),
+              "keyframe: the path is a turntable, which has none");
+}
+
 }  // namespace
 }  // namespace hiac::view

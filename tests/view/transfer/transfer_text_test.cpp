@@ -174,9 +174,26 @@ TEST(SavedCurves, GiveTheSameFunctionsInAnotherView) {
 }
 
 TEST(SavedCurves, RefuseFilesWithoutAny) {
-  EXPECT_THROW(with_saved_curves(kText, "[image]\nwidth = 3\n", "saved.toml"), InputError);
-  EXPECT_THROW(with_saved_curves(kText, "[image\n", "saved.toml"), InputError);
-  EXPECT_THROW(saved_curves(kHead, scene_of(kHead)), UsageError);
+  const auto told = [](const auto& work) -> std::string {
+    try {
+      work();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const auto told_of = [&](const std::string& saved) {
+    return told([&] { static_cast<void>(with_saved_curves(kText, saved, "saved.toml")); });
+  };
+  const std::string none =
+      "saved.toml: no transfer functions (expected [volume.color] or [volume.extinction], found "
+      "neither)";
+  EXPECT_EQ(told_of("[image]\nwidth = 3\n"), none);
+  EXPECT_EQ(told_of("[volume.color]\n"), none);
+  EXPECT_EQ(told_of("[volume.color]\nfield = \"q\"\n"), "");
+  EXPECT_THAT(told_of("[image\n"), testing::StartsWith("saved.toml:1: "));
+  EXPECT_EQ(told([] { static_cast<void>(saved_curves(kHead, scene_of(kHead))); }),
+            "transfer functions: the view has none");
 }
 
 }  // namespace
