@@ -129,5 +129,60 @@ TEST_F(Npy, RefusesMalformedFiles) {
   }
 }
 
+TEST_F(Npy, ReadsEveryTypeOfNumber) {
+  const auto head = [](const std::string& type) {
+    return "{'descr': '" + type + "', 'fortran_order': False, 'shape': (1, 2), }";
+  };
+  EXPECT_EQ((read<std::int8_t>(head("|i1"), {-3, 4}).at(0, 0, 0)), -3);
+  EXPECT_EQ((read<std::uint8_t>(head("|u1"), {200, 201}).at(1, 0, 0)), 201);
+  EXPECT_EQ((read<std::int16_t>(head("<i2"), {-300, 4}).at(0, 0, 0)), -300);
+  EXPECT_EQ((read<std::uint16_t>(head("<u2"), {60000, 60001}).at(1, 0, 0)), 60001);
+  EXPECT_EQ((read<std::int32_t>(head("<i4"), {-70000, 4}).at(0, 0, 0)), -70000);
+  EXPECT_EQ((read<std::uint32_t>(head("<u4"), {1, 4000000000U}).at(1, 0, 0)), 4e9);
+  EXPECT_EQ((read<std::int64_t>(head("=i8"), {1, -5000000000}).at(1, 0, 0)), -5e9);
+  EXPECT_EQ((read<std::uint64_t>(head("<u8"), {1, std::uint64_t{1} << 63}).at(1, 0, 0)), 0x1p63);
+  EXPECT_EQ((read<std::uint16_t>(head(">u2"), {0x0201, 0x0403}).at(1, 0, 0)), 0x0304);
+  EXPECT_EQ((read<double>(head("=f8"), {1.5, 2.5}).at(1, 0, 0)), 2.5);
+  for (const char* type : {"<f3", "<u", "<u16", "!f8", "f8", "<c8", "<b1"})
+    EXPECT_EQ(complaint(head(type), 2), path("a.npy") + ": numbers of type '" + type +
+                                            "' (expected floats of 4 or 8 bytes or integers)");
+}
+
+TEST_F(Npy, ReadsVersions1To3AndHeadersUpTo64KiB) {
+  const std::string dictionary = "{'descr': '|u1', 'fortran_order': False, 'shape': (1, 1), }";
+  const auto told = [&](char version, std::size_t length) -> std::string {
+    std::string bytes = std::string("\x93NUMPY") + version + '\0';
+    bytes += {static_cast<char>(length % 256), static_cast<char>(length / 256 % 256)};
+    if (version != 1) bytes += {static_cast<char>(length / 65536), '\0'};
+    std::string header = dictionary;
+    header.resize(length, ' ');
+    write_bytes(path("a.npy"), bytes + header + "\x7");
+    try {
+      const Image image = read_image(path("a.npy")).image;
+      return image.at(0, 0, 0) == 7 ? "" : "another number";
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  };
+  for (const char version : std::string("\1\2\3")) {
+    EXPECT_EQ(told(version, 118), "");
+    EXPECT_EQ(told(version, 65535), "");
+  }
+  EXPECT_EQ(told(2, 65536), "");
+  EXPECT_EQ(told(3, 65537), path("a.npy") + ": malformed numpy header (65537 bytes)");
+  for (const char version : std::string("\0\4\x7f", 3))
+    EXPECT_EQ(told(version, 118), path("a.npy") + ": numpy format version " +
+                                      std::to_string(version) + " (expected 1 to 3)");
+}
+
+TEST_F(Npy, ReadsMoreNumbersThanABlockHas) {
+  std::vector<std::uint8_t> numbers(131000);  // a block has 65536
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<std::uint8_t>(i % 251);
+  const Image image = read<std::uint8_t>(
+      "{'descr': '|u1', 'fortran_order': False, 'shape': (131, 1000), }", numbers);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    ASSERT_EQ(image.values()[i], static_cast<double>(i % 251)) << i;
+}
+
 }  // namespace
 }  // namespace hiac

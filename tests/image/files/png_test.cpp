@@ -196,5 +196,49 @@ TEST_F(Png, NeedsChannelsThatItCanHold) {
   EXPECT_NO_THROW(write_image(path("a.png"), Image(1, 1, {"Y"})));
 }
 
+TEST_F(Png, ReadsPalettesWithTransparency) {
+  const std::string palette("\xff\0\0\0\xff\0\0\0\xff", 9);
+  const std::string rows("\0\x12", 2);  // entries 0 1 0 2 of 2 bits: 00 01 00 10
+  const Image opaque = read(png(4, 1, 2, 3, rows, chunk("PLTE", palette)));
+  ASSERT_EQ(opaque.channel_count(), 3U);
+  EXPECT_EQ(opaque.at(0, 0, 0), 1);
+  EXPECT_EQ(opaque.at(1, 0, 1), 1);
+  EXPECT_EQ(opaque.at(3, 0, 2), 1);
+  EXPECT_EQ(opaque.at(3, 0, 0), 0);
+  const Image clear = read(png(4, 1, 2, 3, rows, chunk("PLTE", palette) + chunk("tRNS", "\x33")));
+  ASSERT_EQ(clear.channel_count(), 4U);
+  EXPECT_EQ(clear.at(0, 0, 3), 0.2);
+  EXPECT_EQ(clear.at(0, 0, 0), 0.2);
+  EXPECT_EQ(clear.at(1, 0, 3), 1);
+}
+
+TEST_F(Png, GammasNearThatOfSrgbAreSrgb) {
+  const auto half = [&](std::uint32_t gamma, const std::string& further = "") {
+    return read(png(1, 1, 8, 0, std::string("\0\x80", 2),
+                    further + chunk("gAMA", big_endian(gamma))))
+        .at(0, 0, 0);
+  };
+  EXPECT_NEAR(half(45455), kDecoded128, 1e-15);
+  EXPECT_NEAR(half(45464), kDecoded128, 1e-15);
+  EXPECT_NEAR(half(45446), kDecoded128, 1e-15);
+  EXPECT_NEAR(half(45466), std::pow(128 / 255.0, 1 / 0.45466), 1e-15);
+  EXPECT_NEAR(half(50000), std::pow(128 / 255.0, 2), 1e-15);
+  EXPECT_NEAR(half(50000, chunk("sRGB", std::string(1, '\0'))), kDecoded128, 1e-15);
+}
+
+TEST_F(Png, SidesHave65536PixelsAtMost) {
+  EXPECT_EQ(read(png(65536, 1, 1, 0, std::string(8193, '\0'))).width(), 65536U);
+  EXPECT_THROW(read(png(65537, 1, 1, 0, std::string(8194, '\0'))), InputError);
+  EXPECT_THROW(read(png(1, 65537, 1, 0, std::string(65534, '\0'))), InputError);
+}
+
+TEST_F(Png, TextsOfFilesAreRead) {
+  write_bytes(path("hand.png"), png(1, 1, 8, 0, std::string("\0\x80", 2),
+                                    chunk("tEXt", std::string("Title\0a car", 11)) +
+                                        chunk("tEXt", std::string("Empty\0", 6))));
+  EXPECT_THAT(read_image(path("hand.png")).attributes,
+              testing::ElementsAre(testing::Pair("Title", "a car"), testing::Pair("Empty", "")));
+}
+
 }  // namespace
 }  // namespace hiac
