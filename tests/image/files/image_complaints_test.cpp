@@ -117,6 +117,9 @@ TEST_F(ImageComplaints, RawFilesNeedAWidthAndRowsOfIt) {
   EXPECT_EQ(planes(3), path("a.a.f32") +
                            ": wrong length (expected rows of 3 values, as many as in "
                            "the other channels, found 3 values)");
+  write_bytes(path("high.r.f32"), std::string(4 * 65537, '\0'));
+  EXPECT_THAT(reading_there("high.f32", {.width = 1}),
+              HasSubstr("found 1 x 65537 with 1 channels"));
   write_bytes(path("a.a.f32"), "12345");
   EXPECT_EQ(planes(3),
             path("a.a.f32") + ": wrong length (expected a multiple of 4 bytes, found 5)");

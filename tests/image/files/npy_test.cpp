@@ -184,5 +184,22 @@ TEST_F(Npy, ReadsMoreNumbersThanABlockHas) {
     ASSERT_EQ(image.values()[i], static_cast<double>(i % 251)) << i;
 }
 
+TEST_F(Npy, ReadsColumnsFirstWhereTheFileSaysSo) {
+  const Image image =
+      read<std::uint8_t>("{'descr': '|u1', 'fortran_order': True, 'shape': (3, 2, 2), }",
+                         {0, 10, 20, 1, 11, 21, 100, 110, 120, 101, 111, 121});
+  ASSERT_EQ(image.width(), 2U);
+  ASSERT_EQ(image.height(), 3U);
+  for (std::size_t y = 0; y < 3; ++y)
+    for (std::size_t x = 0; x < 2; ++x)
+      for (std::size_t c = 0; c < 2; ++c)
+        EXPECT_EQ(image.at(x, y, c), static_cast<double>(100 * c + 10 * y + x));
+}
+
+TEST_F(Npy, NamesTheSizeThatIsImpossible) {
+  EXPECT_THAT(complaint("{'descr': '<f8', 'fortran_order': False, 'shape': (65537, 2, 3), }", 1),
+              testing::HasSubstr("found 2 x 65537 with 3 channels"));
+}
+
 }  // namespace
 }  // namespace hiac

@@ -215,5 +215,36 @@ TEST_F(SmallSurfaces, ViewsAreChosenByName) {
   EXPECT_FALSE(is_paraview_file("a.toml#view"));
 }
 
+// The table itself is VTK's; it turns evenly from blue over white to orange.
+TEST_F(SmallSurfaces, WarmthsOfLightsHaveEvenColours) {
+  SmallState state;
+  state.set(SmallState::shown, "Representation", {"Surface"});
+  state.set(SmallState::view, "UseLight", {"1"});
+  state.set(SmallState::view, "KeyLightIntensity", {"1"});
+  std::vector<Color> colors;
+  for (int k = 0; k <= 63; ++k) {
+    state.set(SmallState::view, "KeyLightWarmth", {fmt::format("{}", k / 63.0)});
+    colors.push_back(surface_scene(state).lights[0].color);
+  }
+  for (std::size_t k = 0; k < colors.size(); ++k)
+    for (const double channel : colors[k]) EXPECT_TRUE(0 <= channel && channel <= 1) << k;
+  for (std::size_t k = 1; k < 32; ++k) {
+    EXPECT_GE(colors[k][0], colors[k - 1][0]) << k;
+    EXPECT_GE(colors[k][1], colors[k - 1][1]) << k;
+    EXPECT_EQ(colors[k][2], 1) << k;
+  }
+  for (std::size_t k = 33; k < 64; ++k) {
+    EXPECT_EQ(colors[k][0], 1) << k;
+    EXPECT_LE(colors[k][1], colors[k - 1][1]) << k;
+    EXPECT_LE(colors[k][2], colors[k - 1][2]) << k;
+  }
+  for (std::size_t k = 1; k + 1 < colors.size(); ++k)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double bend = colors[k - 1][c] - 2 * colors[k][c] + colors[k + 1][c];
+      const bool ends = c == 2 && (k == 51 || k == 52);  // there is no blue in warmer light
+      EXPECT_LT(std::abs(bend), ends ? 0.07 : 0.006) << k << " " << c;
+    }
+}
+
 }  // namespace
 }  // namespace hiac::test
