@@ -108,6 +108,43 @@ TEST(Renderable, CellsThatAreNotConvexAreNamed) {
       ThrowsMessage<InputError>(AllOf(HasSubstr("cell 0 (brick8)"), HasSubstr("not convex"))));
 }
 
+TEST(Renderable, CellsThatAreNotConvexAreNamedWhateverTheirSize) {
+  for (const double scale : {1e-6, 1.0, 1e6}) {
+    const auto told = [&](std::vector<Position> points) {
+      for (Position& p : points)
+        for (double& x : p) x *= scale;
+      const ZooMesh mesh = test::make_mesh(points, {{CellKind::brick8, {0, 1, 2, 3, 4, 5, 6, 7}}});
+      return !invalid_cells(mesh, 1e-10).empty();
+    };
+    EXPECT_FALSE(told({{0, 0, 0},
+                       {1, 0, 0},
+                       {1, 1, 0},
+                       {0, 1, 0},  //
+                       {0, 0, 1},
+                       {1, 0, 1},
+                       {1, 1, 1},
+                       {0, 1, 1}}));
+    // the top turned half around: sides that cross
+    EXPECT_TRUE(told({{0, 0, 0},
+                      {1, 0, 0},
+                      {1, 1, 0},
+                      {0, 1, 0},  //
+                      {1, 1, 1},
+                      {0, 1, 1},
+                      {0, 0, 1},
+                      {1, 0, 1}}));
+    // a corner of bottom and top pushed in
+    EXPECT_TRUE(told({{0, 0, 0},
+                      {1, 0, 0},
+                      {0.2, 0.2, 0},
+                      {0, 1, 0},  //
+                      {0, 0, 1},
+                      {1, 0, 1},
+                      {0.2, 0.2, 1},
+                      {0, 1, 1}}));
+  }
+}
+
 TEST(Renderable, ValuesThatAreNotFiniteAreNamed) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   const ZooMesh mesh = test::structured(1, Cut::prisms);

@@ -113,6 +113,9 @@ TEST_F(TiffFiles, SayHowAlphaIsMeant) {
   EXPECT_EQ(first(EXTRASAMPLE_ASSOCALPHA), 8);
   EXPECT_EQ(first(EXTRASAMPLE_UNSPECIFIED), 8);
   EXPECT_EQ(first(EXTRASAMPLE_UNASSALPHA), 4);
+  const Foreign straight{.depth = 32, .format = SAMPLEFORMAT_IEEEFP, .samples = floats};
+  EXPECT_EQ(read(straight).at(0, 0, 0), 0.25);
+  EXPECT_EQ(read(straight).at(0, 0, 3), 0.5);
 }
 
 // A premultiplied colour above alpha counts as alpha: a straight colour is at most 1.
