@@ -149,6 +149,7 @@ TEST(ValueLimits, OfColoursAndNumbers) {
       {"eye = [0, -3, 1]", "eye = [0, -1.5e100, 1]",
        "view.toml:5: key `camera.eye`: too large (expected at most 1e+100 in magnitude, found "
        "-1.5e+100)"},
+      {"", "[edges]\nwidth = 1e-100", ""},
       {"", "[edges]\nwidth = 9e-101",
        "view.toml:11: key `edges.width`: too small (expected at least 1e-100, found 9e-101)"},
       {"", "[edges]\nwidth = 0",
