@@ -1,5 +1,6 @@
 // Scanlines of Radiance's pictures: where runs, dumps and repetitions begin and end, and what is
 // said of those that do not fit.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "hiac/base/error.hpp"
@@ -117,6 +118,23 @@ TEST_F(HdrScanlines, RepetitionsInARowAreDigitsOfOneNumber) {
   EXPECT_EQ(image.at(299, 0, 0), 41);  // a pixel between begins a number anew
 }
 
+// Three times four bytes are a scanline of any length, here one of 43 + 256 repetitions.
+TEST_F(HdrScanlines, FewBytesOfRepetitionsAreManyPixels) {
+  const std::string pixel = hdr_bytes({128, 64, 0, 129}),
+                    bytes = pixel + hdr_bytes({1, 1, 1, 43, 1, 1, 1, 1});
+  const Image image = scanline(300, bytes);
+  EXPECT_EQ(image.at(299, 0, 0), 1);
+  EXPECT_EQ(image.at(299, 0, 1), 0.5);
+  EXPECT_EQ(scanline_complaint(301, bytes),
+            path("hand.hdr") + ": the file ends too early (within its pixels)");
+  const std::string longest = pixel + hdr_bytes({1, 1, 1, 255, 1, 1, 1, 255});
+  EXPECT_EQ(scanline(65536, longest).at(65535, 0, 0), 1);
+  const std::string two = "#?R\n\n-Y 2 +X 300\n";
+  EXPECT_EQ(whole(two + bytes + bytes).at(299, 1, 1), 0.5);
+  EXPECT_EQ(hdr_complaint([&] { whole(two + bytes); }),
+            path("hand.hdr") + ": the file ends too early (within its pixels)");
+}
+
 TEST_F(HdrScanlines, ThatDoNotFitAreRefused) {
   const std::string beyond =
       "malformed Radiance picture (a repetition of no pixel, or beyond its scanline)";
@@ -146,12 +164,13 @@ TEST_F(HdrScanlines, ThatDoNotFitAreRefused) {
        "the file ends too early (within its pixels)"},
       {8, hdr_bytes({2, 2, 0, 8, 0x88, 1, 0x88, 1, 0x88, 1, 0x88, 1}), ""},
       {15, "", "the file ends too early (within its pixels)"},
-      {16, "", "the file ends too early (0 bytes cannot hold 1 rows of 64 bytes)"},
+      {16, "", "the file ends too early (within its pixels)"},
       {16, "1", "the file ends too early (within its pixels)"},
       {0, "",
        "impossible image size (expected 1 to 65536 pixels a side and 1 to 1024 channels, "
        "found 0 x 1 with 3 channels)"},
-      {65536, "", "the file ends too early (0 bytes cannot hold 1 rows of 262144 bytes)"},
+      {65536, "", "the file ends too early (within its pixels)"},
+      {65536, pixel, "the file ends too early (within its pixels)"},
       {65537, "",
        "impossible image size (expected 1 to 65536 pixels a side and 1 to 1024 "
        "channels, found 65537 x 1 with 3 channels)"},
@@ -191,6 +210,9 @@ TEST_F(HdrScanlines, ExposuresArePositiveAndMultiply) {
     EXPECT_THAT(scanline_complaint(1, pixel, std::string("EXPOSURE=") + exposure + "\n"),
                 HasSubstr("malformed Radiance header (expected a positive exposure)"))
         << exposure;
+  for (const char* exposure : {"1e-200", "1e200"})
+    EXPECT_THAT(scanline_complaint(1, pixel, fmt::format("EXPOSURE={0}\nEXPOSURE={0}\n", exposure)),
+                HasSubstr("malformed Radiance header (all exposures together are no number)"));
 }
 
 }  // namespace

@@ -156,6 +156,8 @@ HdrHeader read_header(HdrBytes& bytes, const std::string& path) {
     if (!(exposure > 0) || !std::isfinite(exposure))
       throw InputError(path, "malformed Radiance header (expected a positive exposure)");
     header.exposure *= exposure;
+    if (!(header.exposure > 0) || !std::isfinite(header.exposure))
+      throw InputError(path, "malformed Radiance header (all exposures together are no number)");
   }
   read_resolution(bytes.next_line(), header, path);
   return header;
@@ -219,6 +221,12 @@ void read_row(HdrBytes& bytes, std::span<Rgbe> row, const std::string& path) {
   for (std::size_t c = 0; c < 4; ++c) read_component(bytes, row, c, path);
 }
 
+/// Throws unless the file holds all rows.
+void require_rows(HdrBytes bytes, const HdrHeader& header, const std::string& path) {
+  std::vector<Rgbe> row(header.width);
+  for (std::size_t y = 0; y < header.height; ++y) read_row(bytes, row, path);
+}
+
 }  // namespace
 
 void write_hdr(const std::string& path, const Image& image) {
@@ -245,8 +253,11 @@ Image read_hdr(const std::string& path) {
   const std::vector<std::byte> content = read_whole(path);
   HdrBytes bytes(content, path);
   const HdrHeader header = read_header(bytes, path);
-  // a run of 127 bytes takes two; no picture repeats more than that
-  require_possible_size(4 * header.width, header.height, (kLongestRun + 1) / 2, bytes.size(), path);
+  // a run of 127 bytes takes two; what repeats more, in the old way, is looked through before it is
+  // given memory
+  constexpr std::size_t kMostUsual = (kLongestRun + 1) / 2;
+  if (4 * header.width * header.height / kMostUsual > bytes.size())
+    require_rows(bytes, header, path);
   Image image(header.width, header.height, {"R", "G", "B"});
   std::vector<Rgbe> row(header.width);
   for (std::size_t y = 0; y < header.height; ++y) {
