@@ -194,8 +194,11 @@ TEST(CameraPath, ImpossiblePathsAreRefusedByName) {
               HasSubstr("view.toml:10: key `camera.1.frame`: is missing"));
   EXPECT_THAT(complaint(first + keyframe(9, "[4, 0, 0]", "look = 3\n")),
               HasSubstr("`camera.1.look`: unknown key"));
-  EXPECT_THAT(complaint(first + keyframe(9, "[4, 0, 0]", "projection = \"orthographic\"\n")),
-              HasSubstr("camera.1"));
+  for (const char* height : {"", "height = 3\n"})
+    EXPECT_THAT(
+        complaint(first + keyframe(9, "[4, 0, 0]",
+                                   std::string("projection = \"orthographic\"\n") + height)),
+        HasSubstr("view.toml:13: key `camera.1.projection`: must be that of the first"));
   EXPECT_THAT(complaint(first + keyframe(9, "[4, 0, 0]", "clip = [1, 2]\n")),
               HasSubstr("`camera.1.clip`: is missing in the first"));
   EXPECT_THAT(complaint(first + keyframe(200000, "[4, 0, 0]")), HasSubstr("camera.1.frame"));

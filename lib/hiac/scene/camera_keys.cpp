@@ -133,9 +133,8 @@ std::optional<CameraFault> fault_of(const Camera& camera) {
   return std::nullopt;
 }
 
-/// Reads a table's camera keys; the table may have others.
-void read_camera(const SpecValue& table, Camera& camera) {
-  read_known_keys(table, camera_keys(), camera);
+/// Throws unless the table's camera is usable.
+void check_camera(const SpecValue& table, const Camera& camera) {
   const bool perspective = camera.projection == Projection::perspective;
   const char* needed = perspective ? "fov" : "height";
   const char* useless = perspective ? "height" : "fov";
@@ -177,12 +176,14 @@ KeyframePath read_keyframes(const SpecValue& list) {
     Keyframe keyframe;
     if (!table.has("frame")) table.fail_at("frame", "is missing (every keyframe needs it)");
     keyframe.frame = table.child("frame").whole(0, kMaxFrames - 1);
-    read_camera(table, keyframe.camera);
+    read_known_keys(table, camera_keys(), keyframe.camera);
+    // first, as a camera of another projection has the keys of the keyframe before it
     if (!path.keyframes.empty())
       check_succession(table, path.keyframes.back(), keyframe);
     else if (keyframe.frame != 0)
       table.fail_at("frame",
                     fmt::format("the first keyframe must be at 0 (found {})", keyframe.frame));
+    check_camera(table, keyframe.camera);
     path.keyframes.push_back(keyframe);
   }
   if (path.keyframes.empty()) list.fail("empty (expected at least one keyframe)");
@@ -216,7 +217,8 @@ void read_cameras(const SpecValue& value, Scene& scene) {
     scene.path = path;
   } else {
     refuse_unknown_keys(value, camera_key_names());
-    read_camera(value, scene.camera);
+    read_known_keys(value, camera_keys(), scene.camera);
+    check_camera(value, scene.camera);
   }
 }
 
