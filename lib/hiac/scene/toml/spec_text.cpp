@@ -18,7 +18,7 @@ namespace {
 /// Rejects deeply dotted keys: the parser recurses over their parts without a limit, and could
 /// exhaust the stack.
 void refuse_deep_keys(std::string_view text, const std::string& subject) {
-  constexpr std::size_t kMaxDots = 32;
+  constexpr std::size_t kMaxParts = 32;
   constexpr std::string_view kEndsRun = "=,{}[]\n";
   std::size_t dots = 0;
   std::size_t line = 1;
@@ -28,9 +28,9 @@ void refuse_deep_keys(std::string_view text, const std::string& subject) {
     if (c == '"' || c == '\'') next = skip_string(text, i);
     if (c == '#') next = std::min(text.find('\n', i), text.size());
     if (kEndsRun.find(c) != std::string_view::npos) dots = 0;
-    if (c == '.' && ++dots > kMaxDots)
+    if (c == '.' && ++dots == kMaxParts)
       throw InputError(fmt::format("{}:{}", subject, line),
-                       fmt::format("a key of more than {} parts", kMaxDots));
+                       fmt::format("a key of more than {} parts", kMaxParts));
     next = std::min(next, text.size());
     line += static_cast<std::size_t>(std::count(text.begin() + static_cast<std::ptrdiff_t>(i),
                                                 text.begin() + static_cast<std::ptrdiff_t>(next),
