@@ -1,0 +1,242 @@
+// What UCD and universal files are refused for, with the place, and what is just allowed.
+#include <cmath>
+#include <cstdint>
+
+#include <fmt/format.h>
+
+#include "tests/formats/complaints.hpp"
+#include "tests/formats/field_named.hpp"
+#include "tests/formats/raw_bytes.hpp"
+#include "tests/formats/unit_tetrahedron.hpp"
+
+namespace hiac::formats {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+// ---- UCD
+
+const std::string kUcdNodes = "1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n";
+// AVS lists a tetrahedron's top first
+const std::string kUcd = kUcdNodes + "7 1 tet 1 2 4 3\n";
+
+TEST(UcdComplaints, CellsHaveOneOfEightTypes) {
+  const auto cell = [](const std::string& name, int nodes) {
+    std::string text = "4 2 0 0 0\n" + kUcd + "8 1 " + name;
+    for (int n = 0; n < nodes; ++n) text += fmt::format(" {}", n % 4 + 1);
+    return text + "\n";
+  };
+  std::vector<Complaint> rows;
+  for (const auto& [name, nodes] : std::vector<std::pair<std::string, int>>{{"pt", 1},
+                                                                            {"PT", 1},
+                                                                            {"line", 2},
+                                                                            {"LIN", 2},
+                                                                            {"tri", 3},
+                                                                            {"Tri", 3},
+                                                                            {"quad", 4},
+                                                                            {"qua", 4},
+                                                                            {"tet", 4},
+                                                                            {"TET", 4}})
+    rows.push_back({cell(name, nodes), ""});
+  for (const std::string name : {"tetra", "te", "qu", "wedge", "p", "pyramid", "li"})
+    rows.push_back({cell(name, 4), fmt::format(":7: unknown cell type (pt, line, tri, quad, tet, "
+                                               "pyr, prism or hex expected, '{}' found)",
+                                               name)});
+  // the words are read on
+  rows.push_back({cell("line", 3), ""});
+  expect_complaints("a.inp", rows);
+}
+
+TEST(UcdComplaints, DataAreOfNodesAndCellsThatThereAre) {
+  const std::string head = "4 1 1 0 0\n" + kUcd;
+  expect_complaints(
+      "a.inp",
+      {{head + "1 1\nT, K\n1 5\n2 6\n3 7\n4 8\n", ""},
+       {head + "1 1\nT, K\n1 5\n2 6\n3 7\n9 8\n", ":12: a value for 9, which there is not"},
+       {head + "1 1\nT, K\n1 5\n2 6\n3 x\n", ":11: not understood (a value expected, 'x' found)"},
+       {"4 1 0 1 0\n" + kUcd + "1 1\nT, K\n1 5\n", ":9: a value for 1, which there is not"},
+       {"4 1 9 0 0\n" + kUcd + "1 9\nT\n1 5\n",
+        ":9: 9 values expected, more than the file can hold"},
+       {"4 1 9 0 0\n" + kUcd + "1 9\nT\n1 1 2 3 4 5 6 7 8 9\n",
+        ":9: more values expected than the file can hold"}});
+}
+
+TEST(UcdData, SeveralFieldsShareALineANode) {
+  const ScratchFolder folder;
+  const ZooMesh mesh =
+      read_any(folder.write("a.inp", "# c\n\n4 1 4 2 0\n" + kUcd +
+                                         "3 1 0 3\nT , deg C\nempty, m\nv\n"
+                                         "3 1 11 12 13\n1 2 21 22 23\n4 3 31 32 33\n"
+                                         "2 4 41 42 43\n2 1 1\na,b\nc, d, e\n7 8.5 9.5\n"))
+          .mesh;
+  expect_unit_tetrahedron(mesh);
+  ASSERT_EQ(mesh.fields.size(), 5U);
+  const Field& t = field_named(mesh, "T");
+  EXPECT_EQ(t.unit, "deg C");
+  EXPECT_THAT(t.values.view(), ElementsAre(2, 4, 1, 3));
+  const Field& v = field_named(mesh, "v");
+  EXPECT_EQ(v.unit, "");
+  EXPECT_EQ(v.components, 3U);
+  EXPECT_THAT(v.values.view(), ElementsAre(21, 22, 23, 41, 42, 43, 11, 12, 13, 31, 32, 33));
+  EXPECT_EQ(field_named(mesh, "a").location, FieldLocation::cell);
+  EXPECT_EQ(field_named(mesh, "a").values[0], 8.5);
+  EXPECT_EQ(field_named(mesh, "c").unit, "d, e");
+  EXPECT_EQ(field_named(mesh, "c").values[0], 9.5);
+}
+
+/// A binary file of one tetrahedron: its head, cells, entries, the nodes, and the rest.
+std::string ucd_binary(std::initializer_list<std::int32_t> head,
+                       std::initializer_list<std::int32_t> cells, const std::string& rest = "") {
+  return "\7" + raw_bytes(head) + raw_bytes(cells) +
+         raw_bytes<float>({0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}) + rest;
+}
+std::string ucd_binary_data(std::int32_t components, std::initializer_list<std::int32_t> widths,
+                            std::size_t bytes) {
+  return std::string(2048, '\0') + raw_bytes<std::int32_t>({components}) + raw_bytes(widths) +
+         std::string(bytes, '\0');
+}
+
+TEST(UcdComplaints, BinaryFilesAreAsLongAsTheirCountsSay) {
+  const std::string message = ": the counts do not make the file's size (";
+  const std::string one = ucd_binary({4, 1, 0, 0, 0, 4}, {1, 8, 4, 4, 1, 2, 3, 4});
+  ASSERT_EQ(one.size(), 1U + 24 + 32 + 48);
+  expect_complaints(
+      "a.inp",
+      {{one, ""},
+       {one + "x", message + "106 bytes found)"},
+       {one.substr(0, 104), message + "104 bytes found)"},
+       {ucd_binary({4, 1, 0, 0, 0, 5}, {1, 8, 4, 4, 1, 2, 3, 4}), message + "105 bytes found)"},
+       {ucd_binary({-4, 1, 0, 0, 0, 4}, {1, 8, 4, 4, 1, 2, 3, 4}), message + "105 bytes found)"},
+       // data of nodes, of cells and of the model: labels, units, counts, ranges, values, marks
+       {ucd_binary({4, 1, 1, 0, 0, 4}, {1, 8, 4, 4, 1, 2, 3, 4},
+                   ucd_binary_data(1, {1}, 8 + 16 + 4)),
+        ""},
+       {ucd_binary({4, 1, 0, 1, 0, 4}, {1, 8, 4, 4, 1, 2, 3, 4},
+                   ucd_binary_data(1, {1}, 8 + 4 + 4)),
+        ""},
+       {ucd_binary({4, 1, 0, 0, 1, 4}, {1, 8, 4, 4, 1, 2, 3, 4}, ucd_binary_data(1, {1}, 16)),
+        ""}});
+}
+
+TEST(UcdComplaints, BinaryCellsAndDataFit) {
+  const auto cell = [](std::int32_t nodes, std::int32_t type) {
+    return ucd_binary({4, 1, 0, 0, 0, 4}, {6, 8, nodes, type, 1, 2, 3, 4});
+  };
+  const auto data = [](std::int32_t components, std::initializer_list<std::int32_t> widths) {
+    return ucd_binary({4, 1, 2, 0, 0, 4}, {1, 8, 4, 4, 1, 2, 3, 4},
+                      ucd_binary_data(components, widths, 16 + 32 + 8));
+  };
+  const std::string widths = ": numbers of components do not fit the number of data";
+  expect_complaints("a.inp", {{cell(4, 4), ""},
+                              {cell(4, 8), ": cell 6: type 8 with 4 nodes is not known"},
+                              {cell(4, -1), ": cell 6: type -1 with 4 nodes is not known"},
+                              {cell(3, 4), ": cell 6: type 4 with 3 nodes is not known"},
+                              {cell(3, 2), ": the cells' nodes do not fit (4 expected, 3 found)"},
+                              {data(2, {1, 1}), ""},
+                              {data(1, {2, 0}), ""},
+                              {data(9, {1, 1}), ""},
+                              {data(2, {0, 2}), widths},
+                              {data(1, {3, 0}), widths},
+                              {data(2, {1, 2}), widths},
+                              {data(1, {1, 1}), ": 2 data expected (1 found)"},
+                              {data(0, {1, 1}), ": 2 data expected (0 found)"}});
+}
+
+// ---- universal files
+
+std::string unv_fields(std::initializer_list<int> fields) {
+  std::string text;
+  for (const int field : fields) text += fmt::format("{:10}", field);
+  return text + "\n";
+}
+std::string unv_dataset(int number, const std::string& lines) {
+  return fmt::format("    -1\n{:6}\n", number) + lines + "    -1\n";
+}
+std::string unv_nodes() {
+  std::string text;
+  for (int i = 0; i < 4; ++i)
+    text += unv_fields({i + 1, 1, 1, 11}) + fmt::format("{:25.16E}{:25.16E}{:25.16E}\n",
+                                                        i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0,
+                                                        i == 3 ? 1.0 : 0.0);
+  return unv_dataset(2411, text);
+}
+const std::string kUnv =
+    unv_nodes() + unv_dataset(2412, unv_fields({19, 111, 1, 1, 7, 4}) + unv_fields({1, 2, 3, 4}));
+
+TEST(UnvComplaints, ElementsHaveAsManyNodesAsTheirTypes) {
+  const auto element = [](int descriptor, int nodes) {
+    std::string text = unv_fields({5, descriptor, 1, 1, 7, nodes});
+    for (int n = 0; n < nodes; ++n)
+      text += fmt::format("{:10}{}", n % 4 + 1, n % 8 == 7 || n + 1 == nodes ? "\n" : "");
+    return kUnv + unv_dataset(2412, text);
+  };
+  const auto refused = [&](int descriptor, int nodes, const std::string& name, int own) {
+    return Complaint{element(descriptor, nodes),
+                     fmt::format(":19: element 5: a {} has {} nodes ({} found)", name, own, nodes)};
+  };
+  expect_complaints("a.unv", {{element(111, 4), ""},
+                              refused(111, 3, "tet4", 4),
+                              refused(111, 5, "tet4", 4),
+                              refused(118, 4, "tet10", 10),
+                              refused(161, 2, "lumped mass", 1),
+                              refused(91, 4, "surface3", 3),
+                              {element(45, 8), ""},
+                              refused(45, 9, "surface8", 8)});
+}
+
+TEST(UnvComplaints, GroupsAnnounceTheirMembers) {
+  const auto group = [](int count, const std::string& members) {
+    return kUnv +
+           unv_dataset(2467, unv_fields({3, 0, 0, 0, 0, 0, 0, count}) + "the core\n" + members);
+  };
+  const std::string one = unv_fields({8, 19, 0, 0});
+  expect_complaints("a.unv",
+                    {{group(1, one), ""},
+                     {group(0, ""), ""},
+                     {group(-1, one), ":19: group 3: -1 members announced"},
+                     {group(9999, one), ":19: group 3: 9999 members announced"},
+                     {group(2, one), ":21: an integer in columns 41 to 50 expected ('' found)"}});
+}
+
+TEST(UnvSets, GroupsAreBlocksOfTheirElements) {
+  const ScratchFolder folder;
+  std::string cells;
+  for (const int number : {19, 20, 21})
+    cells += unv_fields({number, 111, 1, 1, 7, 4}) + unv_fields({1, 2, 3, 4});
+  const std::string path = folder.write(
+      "a.unv",
+      unv_nodes() + unv_dataset(2412, cells) +
+          unv_dataset(2467, unv_fields({3, 0, 0, 0, 0, 0, 0, 3}) + "the core\n" +
+                                unv_fields({8, 19, 0, 0, 7, 20, 0, 0}) + unv_fields({8, 21, 0, 0}) +
+                                unv_fields({5, 0, 0, 0, 0, 0, 0, 2}) + "\n" +
+                                unv_fields({8, 77, 0, 0, 8, 20, 0, 0}) +
+                                unv_fields({6, 0, 0, 0, 0, 0, 0, 1}) + "nodes\n" +
+                                unv_fields({7, 1, 0, 0})));
+  EXPECT_THAT(format_named("unv").inspect(path).blocks, ElementsAre("the core", "5"));
+  for (const auto& [block, count] :
+       std::vector<std::pair<std::string, std::size_t>>{{"the core", 2}, {"5", 1}}) {
+    ReadOptions options;
+    options.block = block;
+    EXPECT_EQ(read_any(path, options).mesh.cell_count(), count) << block;
+  }
+}
+
+TEST(UnvComplaints, DatasetsHaveNumbersAndEnds) {
+  expect_complaints(
+      "a.unv",
+      {{kUnv + "\nnote\n    -1\n", ""},
+       {kUnv + "    -1\n  x\n    -1\n", ":18: the number of a dataset expected ('  x' found)"},
+       {kUnv + "    -1\n   999\nx\n", ":18: the file ends within a dataset ('    -1' expected)"},
+       {kUnv + "    -1\n   164\n         1  SI\n    -1\n", ""},
+       {kUnv + "    -1\n   164\n        10  SI\n    -1\n", ""},
+       {kUnv + "    -1\n   164\n        11  SI\n    -1\n",
+        ":19: unknown units (a code from 1 to 10 expected, '11' found)"},
+       {kUnv + unv_dataset(2412, unv_fields({19, 111, 1, 1, 7, 4})),
+        ":20: an integer in columns 11 to 20 expected ('' found)"}});
+}
+
+}  // namespace
+}  // namespace hiac::formats
