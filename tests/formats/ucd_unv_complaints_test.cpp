@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "formats/unv/unv_elements.hpp"
 #include "tests/formats/complaints.hpp"
 #include "tests/formats/field_named.hpp"
 #include "tests/formats/raw_bytes.hpp"
@@ -236,6 +237,86 @@ TEST(UnvComplaints, DatasetsHaveNumbersAndEnds) {
         ":19: unknown units (a code from 1 to 10 expected, '11' found)"},
        {kUnv + unv_dataset(2412, unv_fields({19, 111, 1, 1, 7, 4})),
         ":20: an integer in columns 11 to 20 expected ('' found)"}});
+}
+
+// Universal File Datasets, appendix "FE descriptors"; the last digit of a surface's tells its
+// shape.
+TEST(UnvTypes, DescriptorsHaveTheirNodes) {
+  const std::vector<std::tuple<int, std::size_t, bool>> beams{
+      {11, 2, true}, {21, 2, true}, {22, 2, true}, {23, 3, true}, {24, 3, true}, {161, 1, false}};
+  for (const auto& [descriptor, nodes, oriented] : beams) {
+    const auto element = unv::unv_element(descriptor);
+    ASSERT_TRUE(element) << descriptor;
+    EXPECT_EQ(element->type.nodes, nodes) << descriptor;
+    EXPECT_EQ(element->is_beam, oriented) << descriptor;
+    EXPECT_EQ(element->type.conversion.fate, CellFate::no_volume) << descriptor;
+  }
+  const std::vector<std::tuple<int, std::size_t, CellKind>> solids{
+      {111, 4, CellKind::tetrahedron4}, {112, 6, CellKind::prism6},
+      {113, 15, CellKind::prism15},     {115, 8, CellKind::brick8},
+      {116, 20, CellKind::brick20},     {118, 10, CellKind::tetrahedron10}};
+  for (const auto& [descriptor, nodes, kind] : solids) {
+    const auto element = unv::unv_element(descriptor);
+    ASSERT_TRUE(element) << descriptor;
+    EXPECT_EQ(element->type.nodes, nodes) << descriptor;
+    EXPECT_EQ(element->type.conversion.kind, kind) << descriptor;
+    EXPECT_FALSE(element->is_beam);
+  }
+  for (const auto& [descriptor, nodes] :
+       std::vector<std::pair<int, std::size_t>>{{114, 24}, {117, 32}}) {
+    EXPECT_EQ(unv::unv_element(descriptor)->type.nodes, nodes);
+    EXPECT_EQ(unv::unv_element(descriptor)->type.conversion.fate, CellFate::unsupported);
+  }
+  const std::vector<std::size_t> surface{0, 3, 6, 9, 4, 8, 12, 0, 0, 0};
+  for (int descriptor = 25; descriptor < 125; ++descriptor) {
+    if (descriptor >= 111 && descriptor <= 118) continue;
+    const auto element = unv::unv_element(descriptor);
+    const std::size_t nodes = descriptor < 40 || descriptor > 109
+                                  ? 0
+                                  : surface[static_cast<std::size_t>(descriptor % 10)];
+    ASSERT_EQ(element.has_value(), nodes > 0) << descriptor;
+    if (!element) continue;
+    EXPECT_EQ(element->type.nodes, nodes) << descriptor;
+    EXPECT_EQ(element->type.conversion.fate, CellFate::no_volume) << descriptor;
+  }
+}
+
+// Springs and rigid bodies have as many nodes as their records say, and beams a record more.
+TEST(UnvTypes, BeamsHaveARecordOfOrientationsAndOthersTheNodesOfTheirRecords) {
+  const ScratchFolder folder;
+  const Reading reading = read_any(folder.write(
+      "a.unv",
+      unv_nodes() + unv_dataset(2412, unv_fields({1, 21, 1, 1, 7, 2}) + unv_fields({0, 0, 0}) +
+                                          unv_fields({1, 2}) + unv_fields({2, 136, 1, 1, 7, 2}) +
+                                          unv_fields({3, 4}) + unv_fields({3, 136, 1, 1, 7, 1}) +
+                                          unv_fields({3}) + unv_fields({19, 111, 1, 1, 7, 4}) +
+                                          unv_fields({1, 2, 3, 4}))));
+  expect_unit_tetrahedron(reading.mesh);
+  EXPECT_THAT(reading.notes, Contains(HasSubstr("dropped cells without volume: ")));
+  expect_complaints("b.unv", {{kUnv + unv_dataset(2412, unv_fields({5, 136, 1, 1, 7, -1})),
+                               ":19: -1 nodes of an element announced"},
+                              {kUnv + unv_dataset(2412, unv_fields({5, 136, 1, 1, 7, 999})),
+                               ":19: 999 nodes of an element announced"}});
+}
+
+// Datasets 15, 781 and 780 are older forms of 2411 and 2412.
+TEST(UnvTypes, OlderDatasetsHoldTheSame) {
+  const ScratchFolder folder;
+  std::string nodes;
+  for (int i = 0; i < 4; ++i)
+    nodes += fmt::format("{:10}{:10}{:10}{:10}{:13.5E}{:13.5E}{:13.5E}\n", i + 1, 1, 1, 11,
+                         i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0, i == 3 ? 1.0 : 0.0);
+  const std::string cells =
+      unv_dataset(780, unv_fields({19, 111, 1, 1, 1, 1, 7, 4}) + unv_fields({1, 2, 3, 4}));
+  expect_unit_tetrahedron(read_any(folder.write("a.unv", unv_dataset(15, nodes) + cells)).mesh);
+  std::string two_lines = unv_nodes();
+  two_lines.replace(two_lines.find("  2411"), 6, "   781");
+  expect_unit_tetrahedron(read_any(folder.write("b.unv", two_lines + cells)).mesh);
+  const Reading left_out = read_any(folder.write(
+      "c.unv", kUnv + unv_dataset(151, "x\n") + unv_dataset(2420, "x\n") + unv_dataset(58, "x\n") +
+                   unv_dataset(99, "x\n") + "stray\n\nlines\n"));
+  EXPECT_THAT(left_out.notes,
+              ElementsAre("left out datasets 58, 99", "left out 2 lines that are in no dataset"));
 }
 
 }  // namespace

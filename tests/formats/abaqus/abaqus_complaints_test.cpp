@@ -40,6 +40,41 @@ TEST(AbaqusComplaints, KeywordsNeedTheirParameters) {
         "found)"}});
 }
 
+TEST(AbaqusComplaints, NumbersMadeOfOthersHaveNineDigits) {
+  const std::string nodes = "*NODE,NSET=A\n1,0,0,0\n5,4,0,0\n*ELEMENT,TYPE=MASS,ELSET=E\n7,1\n";
+  expect_complaints(
+      "a.inp",
+      {{kInpTetrahedra + "1,1,2,3,4\n*NGEN\n1.0,4,-3.\n", ""},
+       {nodes + "*NGEN\n1,5.5\n", ":7: *NGEN: a node number expected ('1,5.5' found)"},
+       {nodes + "*NGEN\n1,5,x\n", ":7: *NGEN: an increment expected ('1,5,x' found)"},
+       {nodes + "*NGEN\n,5\n", ":7: *NGEN: a node number expected (',5' found)"},
+       {nodes + "*NGEN\n1,1000000000\n",
+        ":7: *NGEN: a node number expected ('1,1000000000' found)"},
+       {nodes + "*NGEN\n1,999999999\n",
+        ":7: *NGEN: a node 999999999 before it expected ('1,999999999' found)"},
+       {nodes + "*NFILL\nA,A,x,1\n",
+        ":7: *NFILL: a number of intervals expected ('A,A,x,1' found)"},
+       {nodes + "*ELCOPY, OLD SET=E, SHIFT NODES=1\n", ":6: *ELCOPY without ELEMENTSHIFT"},
+       {nodes + "*ELCOPY, OLD SET=E, ELEMENT SHIFT=1\n", ":6: *ELCOPY without SHIFTNODES"},
+       {nodes + "*ELCOPY, ELEMENT SHIFT=1, SHIFT NODES=1\n", ":6: *ELCOPY without OLDSET"},
+       {nodes + "*ELCOPY, ELEMENT SHIFT=x, SHIFT NODES=1\n",
+        ":6: *ELCOPY, ELEMENTSHIFT: a whole number expected ('*ELCOPY, ELEMENT SHIFT=x, SHIFT "
+        "NODES=1' found)"}});
+  const abaqus::Model made = inp_model(nodes + "*NGEN\n1.0,5.,2.\n");
+  EXPECT_THAT(made.root.node_numbers, testing::UnorderedElementsAre(1, 3, 5));
+}
+
+TEST(AbaqusComplaints, IncrementsMayBeLeftOutZeroOrNegative) {
+  for (const std::string line : {"1,5", "1,5,", "1,5,1", "1,5,0", "1,5,-1"}) {
+    const abaqus::Model model = inp_model("*NODE\n1,0,0,0\n5,4,8,12\n*NGEN\n" + line + "\n");
+    ASSERT_EQ(model.root.node_numbers.size(), 5U) << line;
+    for (std::size_t n = 0; n < 5; ++n) {
+      const auto number = model.root.node_numbers[n];
+      EXPECT_EQ(model.root.xyz[3 * n + 1], 2.0 * static_cast<double>(number - 1)) << line;
+    }
+  }
+}
+
 TEST(AbaqusComplaints, ElementsHaveAsManyNodesAsTheirTypes) {
   expect_complaints(
       "a.inp",

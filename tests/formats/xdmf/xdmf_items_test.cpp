@@ -1,5 +1,6 @@
 // The DataItems of XDMF documents: slabs, joins, texts, files of every number type; what they are
 // refused for.
+#include "formats/xdmf/topologies.hpp"
 #include "tests/formats/field_named.hpp"
 #include "tests/formats/raw_bytes.hpp"
 #include "tests/formats/unit_tetrahedron.hpp"
@@ -217,6 +218,32 @@ TEST(XdmfTimes, MayBeFewerThanTheirGrids) {
   EXPECT_EQ(read_any(listed, options).mesh.fields.at(0).values[0], 1);
   EXPECT_THAT(times(series("<Time TimeType=\"HyperSlab\">" + xdmf_item("3", "5 2 3") + "</Time>")),
               ElementsAre(0.25, 5, 9));
+}
+
+// The XDMF Model and Format, "Topology"; the numbers of VTK's cells: vtkCellType.h.
+TEST(XdmfTopologies, HaveNumbersNodesAndCellsOfVtk) {
+  const std::vector<std::tuple<std::string, int, std::size_t, int>> rows{
+      {"Polyvertex", 1, 0, 2},        {"Polyline", 2, 0, 4},
+      {"Polygon", 3, 0, 7},           {"Triangle", 4, 3, 5},
+      {"Quadrilateral", 5, 4, 9},     {"Tetrahedron", 6, 4, 10},
+      {"Pyramid", 7, 5, 14},          {"Wedge", 8, 6, 13},
+      {"Hexahedron", 9, 8, 12},       {"Edge_3", 34, 3, 21},
+      {"Quadrilateral_9", 35, 9, 28}, {"Triangle_6", 36, 6, 22},
+      {"Quadrilateral_8", 37, 8, 23}, {"Tetrahedron_10", 38, 10, 24},
+      {"Pyramid_13", 39, 13, 27},     {"Wedge_15", 40, 15, 26},
+      {"Wedge_18", 41, 18, 32},       {"Hexahedron_20", 48, 20, 25},
+      {"Hexahedron_24", 49, 24, 33},  {"Hexahedron_27", 50, 27, 29},
+      {"Tet_10", 0, 10, 24},          {"Tri_6", 0, 6, 22},
+      {"Hex_20", 0, 20, 25},          {"Hex_24", 0, 24, 33},
+      {"Hex_27", 0, 27, 29}};
+  for (const auto& [name, number, nodes, vtk_type] : rows) {
+    const auto topology = xdmf::topology_named(name);
+    ASSERT_TRUE(topology) << name;
+    EXPECT_EQ(topology->number, number) << name;
+    EXPECT_EQ(topology->nodes, nodes) << name;
+    EXPECT_EQ(topology->vtk_type, vtk_type) << name;
+  }
+  EXPECT_FALSE(xdmf::topology_named("Tetrahedron_1"));
 }
 
 }  // namespace
