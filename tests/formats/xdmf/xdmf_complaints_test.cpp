@@ -27,6 +27,12 @@ TEST(XdmfComplaints, DocumentsAreWholeAndHaveADomain) {
   expect_xdmf(XdmfGrid{}.text(), "", "");
 }
 
+TEST(XdmfComplaints, DocumentsAreToldByTheirRoot) {
+  const Format& xdmf = format_named("xdmf");
+  EXPECT_TRUE(xdmf.recognizes("<?xml?>\n<Xdmf Version=\"2\">"));
+  EXPECT_FALSE(xdmf.recognizes("<xdmf>"));
+}
+
 TEST(XdmfComplaints, GridsAreUniformOrGroups) {
   for (const std::string type : {"Uniform", "uniform"})
     expect_unit_tetrahedron(
