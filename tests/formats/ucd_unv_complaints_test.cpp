@@ -1,10 +1,14 @@
 // What UCD and universal files are refused for, with the place, and what is just allowed.
 #include <cmath>
 #include <cstdint>
+#include <map>
 
 #include <fmt/format.h>
 
+#include "formats/common/io/input_text.hpp"
+#include "formats/ucd/ucd_file.hpp"
 #include "formats/unv/unv_elements.hpp"
+#include "hiac/mesh/shape_functions.hpp"
 #include "tests/formats/complaints.hpp"
 #include "tests/formats/field_named.hpp"
 #include "tests/formats/raw_bytes.hpp"
@@ -144,6 +148,61 @@ TEST(UcdComplaints, BinaryCellsAndDataFit) {
                               {data(2, {1, 2}), widths},
                               {data(1, {1, 1}), ": 2 data expected (1 found)"},
                               {data(0, {1, 1}), ": 2 data expected (0 found)"}});
+}
+
+/// Cells of that type, `own` of them in AVS's order, the others in its mirror image.
+ForeignMesh ucd_cells(const std::string& name, CellKind kind, std::size_t own,
+                      std::size_t mirrored) {
+  // AVS lists the top first; a prism has its bottom where others have the top
+  const std::map<CellKind, std::array<std::vector<std::size_t>, 2>> orders{
+      {CellKind::tetrahedron4, {{{0, 1, 3, 2}, {0, 1, 2, 3}}}},
+      {CellKind::pyramid5, {{{4, 0, 1, 2, 3}, {4, 0, 3, 2, 1}}}},
+      {CellKind::prism6, {{{0, 1, 2, 3, 4, 5}, {0, 2, 1, 3, 5, 4}}}},
+      {CellKind::brick8, {{{4, 5, 6, 7, 0, 1, 2, 3}, {0, 1, 2, 3, 4, 5, 6, 7}}}}};
+  const auto places = reference_nodes(kind);
+  std::string text = fmt::format("{} {} 0 0 0\n", places.size(), own + mirrored);
+  for (std::size_t n = 0; n < places.size(); ++n)
+    text += fmt::format("{} {} {} {}\n", n + 1, places[n][0], places[n][1], places[n][2]);
+  for (std::size_t cell = 0; cell < own + mirrored; ++cell) {
+    text += fmt::format("{} 1 {}", cell + 1, name);
+    for (const std::size_t node : orders.at(kind)[cell < own ? 0 : 1])
+      text += fmt::format(" {}", node + 1);
+    text += "\n";
+  }
+  const ScratchFolder folder;
+  return ucd::read_ucd(InputText(folder.write("a.inp", text)));
+}
+
+TEST(UcdOrders, AreThatOfMostCellsOfAType) {
+  for (const auto& [name, kind] :
+       std::vector<std::pair<std::string, CellKind>>{{"tet", CellKind::tetrahedron4},
+                                                     {"pyr", CellKind::pyramid5},
+                                                     {"prism", CellKind::prism6},
+                                                     {"hex", CellKind::brick8}}) {
+    const auto turned = [&](const ForeignMesh& mesh, std::size_t cell) {
+      // whether the cell's nodes are the reference's in the order that was chosen
+      const auto& permutation = mesh.types[mesh.cell_types[cell]].conversion.permutation;
+      for (std::size_t n = 0; n < node_count(kind); ++n) {
+        const std::size_t place = permutation.empty() ? n : permutation[n];
+        if (mesh.cell_nodes[cell * node_count(kind) + place] != static_cast<std::int64_t>(n + 1))
+          return false;
+      }
+      return true;
+    };
+    const std::string note = name +
+                             " cells have their nodes in the mirror image of AVS's order, which "
+                             "is how they are read";
+    const ForeignMesh own = ucd_cells(name, kind, 2, 1);
+    EXPECT_THAT(own.notes, IsEmpty()) << name;
+    EXPECT_TRUE(turned(own, 0)) << name;
+    EXPECT_FALSE(turned(own, 2)) << name;
+    const ForeignMesh mirrored = ucd_cells(name, kind, 1, 2);
+    EXPECT_THAT(mirrored.notes, ElementsAre(note));
+    EXPECT_FALSE(turned(mirrored, 0)) << name;
+    EXPECT_TRUE(turned(mirrored, 2)) << name;
+    // as many of each: AVS's own
+    EXPECT_THAT(ucd_cells(name, kind, 1, 1).notes, IsEmpty()) << name;
+  }
 }
 
 // ---- universal files

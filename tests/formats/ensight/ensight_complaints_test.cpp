@@ -1,5 +1,6 @@
 // What cases of EnSight and their files are refused for, with the place, and what is just allowed.
 #include <cmath>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -266,6 +267,60 @@ TEST(EnSightValues, UndefinedOnesAreNone) {
   EXPECT_TRUE(std::isnan(values[1]));
   EXPECT_EQ(values[2], 7);
   EXPECT_EQ(values[3], -1e8);
+}
+
+// Solvers write some variables at some steps only.
+TEST(EnSightSteps, VariablesMayLackFilesOfSomeSteps) {
+  const ScratchFolder folder;
+  static_cast<void>(folder.write("g.geo", kGeo));
+  const auto values = [](int first) {
+    return fmt::format("p\npart\n1\ncoordinates\n{}\n{}\n{}\n{}\n", first, first + 1, first + 2,
+                       first + 3);
+  };
+  static_cast<void>(folder.write("p.0", values(10)));
+  static_cast<void>(folder.write("q.0", values(20)));
+  static_cast<void>(folder.write("q.1", values(30)));
+  const std::string path = folder.write(
+      "c.case", kCaseHead +
+                    "VARIABLE\nscalar per node: 1 p p.*\nscalar per node: 1 q q.*\nTIME\n"
+                    "time set: 1\nnumber of steps: 2\nfilename start number: 0\n"
+                    "filename increment: 1\ntime values: 0.5 1.5\n");
+  const Reading last = read_any(path);
+  ASSERT_EQ(last.mesh.fields.size(), 1U);
+  EXPECT_EQ(last.mesh.fields[0].name, "q");
+  EXPECT_THAT(last.mesh.fields[0].values.view(), ElementsAre(30, 31, 32, 33));
+  EXPECT_THAT(last.notes, testing::Contains(
+                              "field 'p' is absent at step 1, time 1.5: it has values at step 0"));
+  ReadOptions options;
+  options.step = 0;
+  const ZooMesh first = read_any(path, options).mesh;
+  ASSERT_EQ(first.fields.size(), 2U);
+  EXPECT_THAT(first.fields[0].values.view(), ElementsAre(10, 11, 12, 13));
+  // a variable without any file
+  std::filesystem::remove(folder.file("p.0"));
+  EXPECT_THAT(refusal(path), testing::StartsWith(folder.file("p.1")));
+}
+
+// Every set has its own steps; between two of them, the earlier one holds.
+TEST(EnSightSteps, OfSeveralSetsAreTheTimesOfAll) {
+  const ScratchFolder folder;
+  static_cast<void>(folder.write("g.geo", kGeo));
+  for (int file = 1; file <= 3; ++file)
+    static_cast<void>(
+        folder.write(fmt::format("p.{}", file),
+                     fmt::format("p\npart\n1\ncoordinates\n{0}\n{0}\n{0}\n{0}\n", file)));
+  const std::string path = folder.write(
+      "c.case", kCaseHead +
+                    "VARIABLE\nscalar per node: 2 p p.*\nTIME\ntime set: 1\nnumber of steps: 2\n"
+                    "time values: 0 3\ntime set: 2\nnumber of steps: 3\nfilename numbers: 1 2 3\n"
+                    "time values: 1 2 3\n");
+  EXPECT_THAT(format_named("ensight").inspect(path).times, ElementsAre(0, 1, 2, 3));
+  for (const auto& [step, value] :
+       std::vector<std::pair<std::size_t, double>>{{0, 1}, {1, 1}, {2, 2}, {3, 3}}) {
+    ReadOptions options;
+    options.step = step;
+    EXPECT_EQ(read_any(path, options).mesh.fields.at(0).values[0], value) << step;
+  }
 }
 
 TEST(EnSightBlocks, BlankPointsHideTheirCells) {

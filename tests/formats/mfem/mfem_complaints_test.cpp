@@ -225,6 +225,46 @@ TEST(MfemComplaints, CurvedCellsHaveEachVertexOnce) {
               testing::EndsWith("an element has one vertex twice"));
 }
 
+TEST(MfemFunctions, OfHigherOrdersThanTheirCellsAreLeftOut) {
+  const ScratchFolder folder;
+  const auto notes = [&](const std::string& mesh, const std::string& space) {
+    static_cast<void>(folder.write("a.gf", "FiniteElementSpace\nFiniteElementCollection: " + space +
+                                               "\nVDim: 1\nOrdering: 0\n\n1\n"));
+    return read_any(folder.write("a.mesh", mesh)).notes;
+  };
+  EXPECT_THAT(notes(kMfemMesh, "H1_3D_P4"),
+              ElementsAre("left out 'a' of order 4 on cells of order 1"));
+  const std::string prism =
+      "MFEM mesh v1.0\nelements\n1\n1 6 0 1 2 3 4 5\nvertices\n6\n3\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+      "1 0 1\n0 1 1\n";
+  EXPECT_THAT(notes(prism, "H1_3D_P2"), ElementsAre("left out 'a' of order 2 on cells of order 1"));
+  EXPECT_THAT(notes(prism, "RT_3D_P0"),
+              ElementsAre("left out 'a' of the space 'RT_3D_P0' (H1_3D_P1 to H1_3D_P8, H1Pos_3D_P1 "
+                          "to H1Pos_3D_P8, Linear, Quadratic, Cubic or L2 of order 0 are read)"));
+  static_cast<void>(folder.write("b.gf",
+                                 "FiniteElementSpace\nFiniteElementCollection: L2_3D_P0\nVDim: 2\n"
+                                 "Ordering: 0\n\n7 8\n"));
+  const ZooMesh mesh = read_any(folder.write("b.mesh", prism)).mesh;
+  EXPECT_EQ(field_named(mesh, "b").location, FieldLocation::cell);
+  EXPECT_THAT(field_named(mesh, "b").values.view(), ElementsAre(7, 8));
+}
+
+TEST(MfemComplaints, RefinedMeshesAreStraight) {
+  const auto refined = [](const std::string& space, int count) {
+    std::string text =
+        "MFEM NC mesh v1.0\nelements\n1\n0 1 4 0 0 1 2 3\nvertex_parents\n0\ncoordinates\n4\n"
+        "nodes\nFiniteElementSpace\nFiniteElementCollection: " +
+        space + "\nVDim: 3\nOrdering: 1\n";
+    const std::string corners = "0 0 0 1 0 0 0 1 0 0 0 1 ";
+    for (int i = 0; i < count; i += 4) text += corners;
+    return text;
+  };
+  expect_complaints("a.mesh",
+                    {{refined("H1_3D_P1", 4), ""},
+                     {refined("H1_3D_P2", 12),
+                      ": has nodes of order 2 and hanging nodes, which are not read together"}});
+}
+
 TEST(MfemSpaces, AreToldByTheirNames) {
   const auto order = [](const std::string& name) {
     const auto space = mfem::space_named(name);

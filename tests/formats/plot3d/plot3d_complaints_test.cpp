@@ -252,6 +252,39 @@ TEST(Plot3dSolutions, OfOverflowTellTheirVariables) {
   EXPECT_EQ(mesh.fields[4].values[7], 9);
 }
 
+TEST(Plot3dBlocks, HaveNamesAndHideTheirBlankCells) {
+  const ScratchFolder folder;
+  // two cubes, the second blank at one point; then one alone
+  std::string text = "2\n2 2 2 3 2 2\n0 1 0 1 0 1 0 1 0 0 1 1 0 0 1 1 4*0 4*1 8*1\n";
+  text += "2 3 4 2 3 4 2 3 4 2 3 4 3*0 3*1 3*0 3*1 6*0 6*1 11*1 0\n";
+  const std::string path = folder.write("a.x", text);
+  EXPECT_THAT(format_named("plot3d").inspect(path).blocks, ElementsAre("block 1", "block 2"));
+  const Reading reading = read_any(path);
+  EXPECT_EQ(reading.mesh.cell_count(), 2U);
+  EXPECT_THAT(reading.notes, testing::Contains("left out 1 cells that IBLANK hides"));
+  ReadOptions options;
+  options.block = "block 2";
+  const ZooMesh second = read_any(path, options).mesh;
+  ASSERT_EQ(second.cell_count(), 1U);
+  EXPECT_THAT(second.position(second.cell_nodes(0)[0]), ElementsAre(2, 0, 0));
+  const std::string one = folder.write("b.x", kCubeText);
+  EXPECT_TRUE(format_named("plot3d").inspect(one).blocks.empty());
+  EXPECT_TRUE(read_any(one).notes.empty());
+}
+
+// Blocks may have different numbers of functions; those that all have are fields.
+TEST(Plot3dSolutions, HaveTheFunctionsOfAllBlocks) {
+  const ScratchFolder folder;
+  const std::string cube = "0 1 0 1 0 1 0 1 0 0 1 1 0 0 1 1 4*0 4*1\n";
+  const std::string path = folder.write("a.x", "2\n2 2 2 2 2 2\n" + cube + cube);
+  static_cast<void>(folder.write("a.f", "2\n2 2 2 3 2 2 2 2\n8*1 8*2 8*3 8*4 8*5\n"));
+  const ZooMesh mesh = read_any(path).mesh;
+  ASSERT_EQ(mesh.fields.size(), 2U);
+  EXPECT_EQ(mesh.fields[0].name, "Function0");
+  EXPECT_EQ(mesh.fields[1].values[0], 2);
+  EXPECT_EQ(mesh.fields[1].values[15], 5);
+}
+
 TEST(Plot3dFiles, BeginWithASmallCountOrANumber) {
   const std::string zeros(8, '\0');
   EXPECT_TRUE(plot3d::may_be_grid(raw_bytes<std::int32_t>({1}) + zeros));

@@ -167,6 +167,40 @@ TEST(TecplotZones, ShareVariablesAndElements) {
         ":2: the zone whose elements it shares is not there, or has other elements"}});
 }
 
+// A variable that is on nodes in one zone and on cells in another makes two fields with gaps.
+TEST(TecplotZones, MayDifferInTheLocationsOfVariables) {
+  const ScratchFolder folder;
+  const ZooMesh mesh = read_any(folder.write("a.dat", kTecNames + kTecZone + kTecBlock +
+                                                          " VARLOCATION=([4]=CELLCENTERED)\n" +
+                                                          kTecPlaces + "9\n1 2 3 4\n"))
+                           .mesh;
+  ASSERT_EQ(mesh.fields.size(), 2U);
+  EXPECT_EQ(mesh.fields[0].location, FieldLocation::node);
+  const auto nodes = mesh.fields[0].values.view();
+  EXPECT_THAT(nodes.first(4), ElementsAre(5, 6, 7, 8));
+  for (std::size_t n = 4; n < 8; ++n) EXPECT_TRUE(std::isnan(nodes[n]));
+  EXPECT_EQ(mesh.fields[1].location, FieldLocation::cell);
+  EXPECT_TRUE(std::isnan(mesh.fields[1].values[0]));
+  EXPECT_EQ(mesh.fields[1].values[1], 9);
+}
+
+TEST(TecplotZones, OfATimeAreReadWithThoseOfNone) {
+  const ScratchFolder folder;
+  const auto zone = [](const std::string& name, const std::string& time) {
+    return "ZONE T=\"" + name + "\" N=4 E=1 F=FEBLOCK ET=TETRAHEDRON " + time + "\n" + kTecPlaces +
+           "5 6 7 8\n1 2 3 4\n";
+  };
+  const std::string path =
+      folder.write("a.dat", kTecNames + zone("late", "SOLUTIONTIME=2") + zone("always", "") +
+                                zone("early", "SOLUTIONTIME=1") + zone("other", "SOLUTIONTIME=2"));
+  EXPECT_THAT(format_named("tecplot").inspect(path).times, ElementsAre(1, 2));
+  EXPECT_EQ(read_any(path).mesh.cell_count(), 3U);
+  EXPECT_THAT(format_named("tecplot").inspect(path).blocks, ElementsAre("late", "always", "other"));
+  ReadOptions options;
+  options.time = 1;
+  EXPECT_EQ(read_any(path, options).mesh.cell_count(), 2U);
+}
+
 TEST(TecplotZones, OtherRecordsAreLeftOutAndTitlesKept) {
   const ScratchFolder folder;
   const Reading reading = read_any(folder.write(

@@ -10,7 +10,6 @@ namespace hiac::formats {
 namespace {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
 
 /// A document with a field "p" on nodes from that item.
 std::string with_item(const std::string& item) {
@@ -218,6 +217,31 @@ TEST(XdmfTimes, MayBeFewerThanTheirGrids) {
   EXPECT_EQ(read_any(listed, options).mesh.fields.at(0).values[0], 1);
   EXPECT_THAT(times(series("<Time TimeType=\"HyperSlab\">" + xdmf_item("3", "5 2 3") + "</Time>")),
               ElementsAre(0.25, 5, 9));
+}
+
+TEST(XdmfTimes, FieldsMayBeOfSomeStepsOnly) {
+  const ScratchFolder folder;
+  const auto attribute = [](const std::string& name, int value) {
+    return "<Attribute Name=\"" + name + "\" Center=\"Cell\">" +
+           xdmf_item("1", std::to_string(value)) + "</Attribute>";
+  };
+  const auto step = [](double time, const std::string& attributes) {
+    return XdmfGrid{.attribute = attributes + fmt::format("<Time Value=\"{}\"/>", time)}.grid();
+  };
+  const std::string path = folder.write(
+      "a.xmf", "<Xdmf><Domain><Grid GridType=\"Collection\" CollectionType=\"Temporal\">" +
+                   step(2, attribute("p", 12) + attribute("q", 22)) + step(1, attribute("p", 11)) +
+                   "</Grid></Domain></Xdmf>");
+  EXPECT_THAT(format_named("xdmf").inspect(path).times, ElementsAre(1, 2));
+  EXPECT_EQ(read_any(path).mesh.fields.size(), 2U);
+  EXPECT_EQ(field_named(read_any(path).mesh, "q").values[0], 22);
+  ReadOptions options;
+  options.step = 0;
+  const Reading first = read_any(path, options);
+  ASSERT_EQ(first.mesh.fields.size(), 1U);
+  EXPECT_EQ(first.mesh.fields[0].values[0], 11);
+  EXPECT_THAT(first.notes,
+              ElementsAre("field 'q' is absent at step 0, time 1: it has values at step 1"));
 }
 
 // The XDMF Model and Format, "Topology"; the numbers of VTK's cells: vtkCellType.h.
