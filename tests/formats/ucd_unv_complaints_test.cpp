@@ -205,6 +205,19 @@ TEST(UcdOrders, AreThatOfMostCellsOfAType) {
   }
 }
 
+// Cells without a volume, or with nodes that there are not, say nothing of the order.
+TEST(UcdOrders, AreNotThatOfFlatCells) {
+  const ScratchFolder folder;
+  const auto notes = [&](const std::string& others) {
+    return ucd::read_ucd(InputText(folder.write(
+                             "a.inp", "4 3 0 0 0\n" + kUcdNodes + others + "9 1 tet 1 2 3 4\n")))
+        .notes.size();
+  };
+  EXPECT_EQ(notes("7 1 tet 1 1 2 3\n8 1 tet 1 2 3 3\n"), 1U);
+  EXPECT_EQ(notes("7 1 tet 1 2 4 5\n8 1 tet 6 2 4 3\n"), 1U);
+  EXPECT_EQ(notes("7 1 tet 1 2 4 3\n8 1 tet 1 2 2 3\n"), 0U);
+}
+
 // ---- universal files
 
 std::string unv_fields(std::initializer_list<int> fields) {

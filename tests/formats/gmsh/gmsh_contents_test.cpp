@@ -1,12 +1,14 @@
 // Physical groups, values on the corners of elements, and the parameters of nodes in MSH files;
 // what MSH files do not hold when they are written.
 #include <cmath>
+#include <cstdint>
 
 #include <fmt/format.h>
 
 #include "hiac/mesh/shape_functions.hpp"
 #include "tests/formats/field_named.hpp"
 #include "tests/formats/files.hpp"
+#include "tests/formats/raw_bytes.hpp"
 #include "tests/formats/unit_tetrahedron.hpp"
 
 namespace hiac::formats {
@@ -67,6 +69,25 @@ TEST(GmshNodes, ParametersOfVersion4ArePassedOver) {
                             "4 0 0 1\n$EndNodes\n$Elements\n1 1\n1 3 4 1\n9 1 2 3 4\n"
                             "$EndElements\n"))
           .mesh);
+}
+
+// Version 4.0 has integers of 32 bits: a point takes eight bytes.
+TEST(GmshElements, OfVersion40InBinaryMayBeManyPoints) {
+  const ScratchFolder folder;
+  std::string text = "$MeshFormat\n4 1 8\n" + raw_bytes<std::int32_t>({1}) +
+                     "\n$EndMeshFormat\n$Nodes\n" + raw_bytes<std::uint64_t>({1, 4}) +
+                     raw_bytes<std::int32_t>({1, 3, 0}) + raw_bytes<std::uint64_t>({4});
+  for (const int n : {1, 2, 3, 4})
+    text += raw_bytes<std::int32_t>({n}) +
+            raw_bytes<double>({n == 2 ? 1.0 : 0.0, n == 3 ? 1.0 : 0.0, n == 4 ? 1.0 : 0.0});
+  text += "\n$EndNodes\n$Elements\n" + raw_bytes<std::uint64_t>({2, 31}) +
+          raw_bytes<std::int32_t>({1, 3, 4}) + raw_bytes<std::uint64_t>({1}) +
+          raw_bytes<std::int32_t>({99, 1, 2, 3, 4}) + raw_bytes<std::int32_t>({1, 0, 15}) +
+          raw_bytes<std::uint64_t>({30});
+  for (int point = 0; point < 30; ++point) text += raw_bytes<std::int32_t>({point + 1, 1});
+  const Reading reading = read_any(folder.write("a.msh", text + "\n$EndElements\n"));
+  expect_unit_tetrahedron(reading.mesh);
+  EXPECT_THAT(reading.notes, ElementsAre("dropped cells without volume: 30 Point"));
 }
 
 // Values at the corners of a quadratic element alone are linear along its edges.
