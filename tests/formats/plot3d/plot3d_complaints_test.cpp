@@ -26,6 +26,8 @@ TEST(Plot3dIndices, NameStepsWithGrids) {
                      {R"({"filenames": [)", whole},
                      {R"({"filenames": {}})", list},
                      {R"({"filenames": []})", list},
+                     {R"({"filenames": {"a": {"xyz": "g.x"}}})", list},
+                     {R"({"filenames": "g.x"})", list},
                      {R"({"files": "filenames", "a": {"filenames": 1}})", list},
                      {R"({"filenames": [{}]})", step(0)},
                      {R"({"filenames": [{"xyz": "g.x"}, {"time": 1, "q": "g.q"}]})", step(1)},
@@ -50,6 +52,9 @@ TEST(Plot3dIndices, StepsComeInTheOrderOfTheirTimes) {
   EXPECT_EQ(files.steps[2].q, folder.file("b.q"));
   EXPECT_EQ(files.steps[2].function, folder.file("b.f"));
   EXPECT_THAT(files.function_names, ElementsAre("p", "T"));
+  static_cast<void>(
+      folder.write("b.p3d", R"({"filenames": [{"xyz": "b.x"}], "function-names": {"a": "p"}})"));
+  EXPECT_TRUE(plot3d::files_of(folder.file("b.p3d")).function_names.empty());
 }
 
 TEST(Plot3dIndices, StepsAreReadByTheirTimes) {
@@ -121,6 +126,8 @@ TEST(Plot3dComplaints, GridsAreAsLongAsTheirExtentsSay) {
                      {"2 2 2 0 1 0 1 x" + numbers.substr(9), kNoGrid},
                      {"0 2 2 2 " + numbers, kNoGrid},
                      {"2 2 0 " + numbers, kNoGrid},
+                     {"2 1 1 1 1 1", kNoGrid},
+                     {"3 1 1 1 1 1 1 1 1 1 1 1 1", kNoGrid},
                      {"2 2 -2 " + numbers, kNoGrid},
                      {"9999999 9999999 9999999 " + numbers, kNoGrid},
                      {"2 2 2 0.5*3 " + numbers, kNoGrid},

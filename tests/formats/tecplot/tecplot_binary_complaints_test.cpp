@@ -1,6 +1,6 @@
 // What binary files of Tecplot are refused for, with the byte, and what is just allowed; values of
 // every format and neighbours of every kind (Tecplot 360 Data Format Guide, "Binary data").
-#include <cmath>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -165,6 +165,27 @@ TEST(TecplotBinaryValues, ZonesWithAStrandOrATimeAreOfThatTime) {
   EXPECT_THAT(times(1, 0), ElementsAre(0));
   EXPECT_THAT(times(-2, 0), ElementsAre(0));
   EXPECT_THAT(times(-1, 0.5), ElementsAre(0.5));
+}
+
+TEST(TecplotBinaryValues, OrderedZonesOfNoThicknessHaveNoVolume) {
+  const ScratchFolder folder;
+  for (const auto& [sizes, cells] : std::vector<std::pair<std::array<std::int32_t, 3>, int>>{
+           {{4, 3, 1}, 6}, {{1, 4, 3}, 6}, {{12, 1, 1}, 11}, {{3, 1, 4}, 6}}) {
+    Bytes out;
+    out.raw("#!TDV112").wholes({1, 0}).text("t");
+    put_names(out, {"X", "Y", "Z", "v"});
+    put_zone(out, {});
+    out.mark(299).text("s").wholes({-1, -1}).real(0).wholes({-1, 0, 0, 0, 0});
+    out.wholes({sizes[0], sizes[1], sizes[2], 0}).mark(357);
+    put_data(out, 1, kFourFloats);
+    out.mark(299).wholes({5, 5, 5, 5, 0, 0, -1});
+    for (int i = 0; i < 8; ++i) out.real(0);
+    const Reading reading = read_any(folder.write("a.plt", out.str() + std::string(48, '\1')));
+    expect_unit_tetrahedron(reading.mesh);
+    EXPECT_THAT(reading.notes,
+                testing::Contains(fmt::format(
+                    "dropped cells without volume: {} ordered surface or line", cells)));
+  }
 }
 
 /// Two zones, of which the second shares a variable or the elements.
