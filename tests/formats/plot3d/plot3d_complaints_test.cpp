@@ -126,7 +126,7 @@ TEST(Plot3dComplaints, GridsAreAsLongAsTheirExtentsSay) {
                      {"2 2 2 0 1 0 1 x" + numbers.substr(9), kNoGrid},
                      {"0 2 2 2 " + numbers, kNoGrid},
                      {"2 2 0 " + numbers, kNoGrid},
-                     {"2 1 1 1 1 1", kNoGrid},
+                     {"2  1 1 1  1 1", kNoGrid},
                      {"3 1 1 1 1 1 1 1 1 1 1 1 1", kNoGrid},
                      {"2 2 -2 " + numbers, kNoGrid},
                      {"9999999 9999999 9999999 " + numbers, kNoGrid},

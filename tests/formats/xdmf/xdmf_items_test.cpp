@@ -219,6 +219,44 @@ TEST(XdmfTimes, MayBeFewerThanTheirGrids) {
               ElementsAre(0.25, 5, 9));
 }
 
+// As parallel programs write them: a series of each part, all of the same times.
+TEST(XdmfTimes, OfSeveralSeriesAreOneList) {
+  const ScratchFolder folder;
+  std::string parts;
+  for (const int part : {0, 1}) {
+    parts += "<Grid GridType=\"Collection\" CollectionType=\"Temporal\">";
+    for (const int time : {1, 3})
+      parts += XdmfGrid{.attribute = "<Attribute Name=\"p\" Center=\"Cell\">" +
+                                     xdmf_item("1", fmt::format("{}", 10 * time + part)) +
+                                     "</Attribute>" + fmt::format("<Time Value=\"{}\"/>", time)}
+                   .grid();
+    parts += "</Grid>";
+  }
+  const std::string path = folder.write(
+      "a.xmf", "<Xdmf><Domain><Grid GridType=\"Collection\" CollectionType=\"Spatial\">" + parts +
+                   "</Grid></Domain></Xdmf>");
+  EXPECT_THAT(format_named("xdmf").inspect(path).times, ElementsAre(1, 3));
+  for (const std::size_t step : {0, 1}) {
+    ReadOptions options;
+    options.step = step;
+    const ZooMesh mesh = read_any(path, options).mesh;
+    ASSERT_EQ(mesh.cell_count(), 2U);
+    EXPECT_THAT(field_named(mesh, "p").values.view(),
+                step == 0 ? ElementsAre(10, 11) : ElementsAre(30, 31));
+  }
+}
+
+TEST(XdmfTimes, GridsBelowASeriesAreNestedUpTo32Deep) {
+  const auto nested = [](int trees) {
+    std::string text = XdmfGrid{}.grid();
+    for (int i = 0; i < trees; ++i) text = "<Grid GridType=\"Tree\">" + text + "</Grid>";
+    return "<Xdmf><Domain><Grid GridType=\"Collection\" CollectionType=\"Temporal\">" + text +
+           "</Grid></Domain></Xdmf>";
+  };
+  expect_xdmf_file(nested(31), "");
+  expect_xdmf_file(nested(32), "its grids are nested too deeply");
+}
+
 TEST(XdmfTimes, FieldsMayBeOfSomeStepsOnly) {
   const ScratchFolder folder;
   const auto attribute = [](const std::string& name, int value) {
