@@ -18,8 +18,7 @@ inline std::string xdmf_item(const std::string& dimensions, const std::string& t
 struct XdmfGrid {
   std::string topology =
       "<Topology TopologyType=\"Tetrahedron\">" + xdmf_item("1 4", "0 1 2 3") + "</Topology>";
-  std::string geometry =
-      "<Geometry>" + xdmf_item("4 3", "0 0 0 1 0 0 0 1 0 0 0 1") + "</Geometry>";
+  std::string geometry = "<Geometry>" + xdmf_item("4 3", "0 0 0 1 0 0 0 1 0 0 0 1") + "</Geometry>";
   std::string attribute = "";
   std::string before = "";  ///< the grid, in the domain
   std::string grid_attributes = "";
