@@ -191,15 +191,18 @@ class UnvReader {
   void read_units() {
     const std::size_t start = cursor_.offset();
     const std::string_view line = cursor_.line();
-    // some programs write the code one column to the right, so the whole word is read
+    // the name may follow the columns of the code at once, but some programs write the code further
+    // to the right: a word that is a number is the code
     TextCursor words(line, cursor_.subject());
     const std::string_view word = words.word();
-    const std::int64_t code = to_integer(word).value_or(0);
+    const bool alone = to_integer(word).has_value();
+    const std::int64_t code = to_integer(alone ? word : line.substr(0, kColumns)).value_or(0);
     if (code < 1 || code > kMostUnits)
       cursor_.fail_at(start, fmt::format("unknown units (a code from 1 to {} expected, {} found)",
                                          kMostUnits, shown(word)));
+    const std::size_t behind = alone ? std::max(words.offset(), kColumns) : kColumns;
     const std::string_view name =
-        trimmed(line.size() > kColumns ? line.substr(kColumns, 2 * kColumns) : "");
+        trimmed(line.size() > behind ? line.substr(behind, 2 * kColumns) : "");
     if (!name.empty()) mesh_.metadata.emplace_back("units", name);
   }
 

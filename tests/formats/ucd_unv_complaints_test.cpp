@@ -311,6 +311,35 @@ TEST(UnvComplaints, DatasetsHaveNumbersAndEnds) {
         ":20: an integer in columns 11 to 20 expected ('' found)"}});
 }
 
+// Dataset 164 is I10,20A1,I10: the name may follow the ten columns of the code at once. Some
+// programs write the code further to the right.
+TEST(UnvUnits, HaveACodeAndAName) {
+  const ScratchFolder folder;
+  const auto units = [&](const std::string& line) {
+    for (const auto& [key, value] :
+         read_any(folder.write("a.unv", kUnv + unv_dataset(164, line + "\n"))).mesh.metadata)
+      if (key == "units") return value;
+    return std::string();
+  };
+  EXPECT_EQ(units("         1SI: Meter (newton)           2"), "SI: Meter (newton)");
+  EXPECT_EQ(units("         1  SI: Meter (newton)         2"), "SI: Meter (newton)");
+  EXPECT_EQ(units("        10User's units                 2"), "User's units");
+  EXPECT_EQ(units("         53rd of our systems           2"), "3rd of our systems");
+  EXPECT_EQ(units("         7"), "");
+  EXPECT_EQ(units("1 SI"), "");
+  EXPECT_EQ(units("          1  SI: Meter (newton)         2"), "SI: Meter (newton)");
+  EXPECT_EQ(units("         10 User's units                 2"), "User's units");
+  const auto complaint = [](const std::string& found) {
+    return fmt::format(":19: unknown units (a code from 1 to 10 expected, '{}' found)", found);
+  };
+  expect_complaints("b.unv", {{kUnv + unv_dataset(164, "         0SI\n"), complaint("0SI")},
+                              {kUnv + unv_dataset(164, "        11SI\n"), complaint("11SI")},
+                              {kUnv + unv_dataset(164, "         12  SI\n"), complaint("12")},
+                              {kUnv + unv_dataset(164, "          1SI\n"), complaint("1SI")},
+                              {kUnv + unv_dataset(164, "SI\n"), complaint("SI")},
+                              {kUnv + unv_dataset(164, "\n"), complaint("")}});
+}
+
 // Universal File Datasets, appendix "FE descriptors"; the last digit of a surface's tells its
 // shape.
 TEST(UnvTypes, DescriptorsHaveTheirNodes) {
