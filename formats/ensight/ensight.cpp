@@ -177,19 +177,27 @@ class Geometry {
     const CellConversion conversion = ghost ? kNoVolume : element.conversion;
     mesh_.cell_types.insert(mesh_.cell_types.end(), count,
                             mesh_.type_place(line, element.nodes, conversion));
-    for (const std::int64_t node : nodes) {
-      if (node < 1 || static_cast<std::uint64_t>(node) > part.points)
-        file_.fail(fmt::format("{} names node {} (1 to {} expected)", name, node, part.points));
-      mesh_.cell_nodes.push_back(static_cast<std::int64_t>(part.first_point) + node - 1);
-    }
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      mesh_.cell_nodes.push_back(point_of(nodes, i, name, part));
   }
 
-  /// Reads as many numbers as the sum of these counts.
+  /// The point that is a part's node, which stands at that place in the list read last.
+  std::int64_t point_of(const std::vector<std::int64_t>& nodes, std::size_t place,
+                        const std::string& name, const Part& part) const {
+    const std::int64_t node = nodes[place];
+    if (node < 1 || static_cast<std::uint64_t>(node) > part.points)
+      file_.fail(fmt::format("{} names node {} (1 to {} expected)", name, node, part.points),
+                 place);
+    return static_cast<std::int64_t>(part.first_point) + node - 1;
+  }
+
+  /// Reads as many numbers as the sum of these counts, which are the list read last.
   std::vector<std::int64_t> counted(const std::vector<std::int64_t>& counts) {
     std::size_t total = 0;
-    for (const std::int64_t number : counts) {
-      if (number < 0 || number > std::int64_t{1} << 31) file_.fail("a number of nodes expected");
-      total += static_cast<std::size_t>(number);
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      if (counts[i] < 0 || counts[i] > std::int64_t{1} << 31)
+        file_.fail("a number of nodes expected", i);
+      total += static_cast<std::size_t>(counts[i]);
     }
     return file_.wholes(total);
   }
@@ -211,12 +219,8 @@ class Geometry {
     for (const std::int64_t size : sizes) {
       std::vector<std::vector<std::int64_t>> faces(static_cast<std::size_t>(size));
       for (std::vector<std::int64_t>& own : faces)
-        for (std::int64_t n = next[face++]; n > 0; --n) {
-          const std::int64_t node = nodes[at++];
-          if (node < 1 || static_cast<std::uint64_t>(node) > part.points)
-            file_.fail(fmt::format("{} names node {} (1 to {} expected)", name, node, part.points));
-          own.push_back(static_cast<std::int64_t>(part.first_point) + node - 1);
-        }
+        for (std::int64_t n = next[face++]; n > 0; --n)
+          own.push_back(point_of(nodes, at++, name, part));
       mesh_.add_polyhedron(name, faces);
     }
   }
@@ -261,8 +265,6 @@ struct VariableReader {
   static void read_values(GoldFile& file, const std::string& line, const Part& part,
                           FieldLocation location, std::size_t width, std::vector<double>& values) {
     const std::string name = line.substr(0, line.find(' '));
-    const bool undefined = line.ends_with("undef");
-    const double absent = undefined ? file.reals(1).front() : kNaN;
     const Section* section = nullptr;
     if (location == FieldLocation::cell) {
       for (const Section& one : part.sections)
@@ -272,6 +274,8 @@ struct VariableReader {
     } else if (name != "coordinates" && name != "block") {
       file.fail(fmt::format("'coordinates' or 'block' expected ({} found)", shown(line)));
     }
+    const bool undefined = line.ends_with("undef");
+    const double absent = undefined ? file.reals(1).front() : kNaN;
     const std::size_t count = section == nullptr ? part.points : section->count;
     const std::size_t first = section == nullptr ? part.first_point : section->first;
     const std::vector<std::size_t> places = places_of(file, line, count, section);
@@ -301,7 +305,8 @@ struct VariableReader {
     for (const std::int64_t number : file.wholes(file.count())) {
       if (number < 1 || static_cast<std::uint64_t>(number) > count)
         file.fail(
-            fmt::format("a place of partial values (1 to {} expected, {} found)", count, number));
+            fmt::format("a place of partial values (1 to {} expected, {} found)", count, number),
+            chosen.size());
       chosen.push_back(places[static_cast<std::size_t>(number) - 1]);
     }
     return chosen;

@@ -86,9 +86,14 @@ void GoldFile::select_step(std::size_t step) {
   text();
 }
 
-void GoldFile::fail(const std::string& problem) const {
-  if (!encoding_.binary) cursor_.fail(problem);
-  throw InputError(fmt::format("{}: byte {}", cursor_.subject(), cursor_.offset()), problem);
+void GoldFile::fail(const std::string& problem, std::size_t place) const {
+  if (encoding_.binary)
+    throw InputError(fmt::format("{}: byte {}", cursor_.subject(), cursor_.offset()), problem);
+  TextCursor look = cursor_;
+  look.move_to(last_);
+  for (; place > 0; --place) look.word();
+  look.skip_space();
+  look.fail(problem);
 }
 
 bool GoldFile::at_end() {
@@ -98,7 +103,7 @@ bool GoldFile::at_end() {
 }
 
 std::string GoldFile::text(bool peek) {
-  const std::size_t before = cursor_.offset();
+  const std::size_t before = last_ = cursor_.offset();
   std::string result;
   if (encoding_.binary) {
     if (cursor_.left() < kTextBytes) fail("ended in a text");
@@ -145,6 +150,7 @@ std::int64_t GoldFile::part_number() {
 }
 
 std::vector<std::int64_t> GoldFile::wholes(std::size_t amount) {
+  last_ = cursor_.offset();
   if (amount > cursor_.left() / (encoding_.binary ? 4 : 1)) fail("ended in a list of numbers");
   std::vector<std::int64_t> values;
   values.reserve(amount);
@@ -156,6 +162,7 @@ std::vector<std::int64_t> GoldFile::wholes(std::size_t amount) {
 }
 
 std::vector<double> GoldFile::reals(std::size_t amount) {
+  last_ = cursor_.offset();
   if (amount > cursor_.left() / (encoding_.binary ? 4 : 1)) fail("ended in a list of numbers");
   std::vector<double> values;
   values.reserve(amount);

@@ -41,7 +41,9 @@ class GoldFile {
   std::vector<std::int64_t> wholes(std::size_t amount);
   std::vector<double> reals(std::size_t amount);
 
-  [[noreturn]] void fail(const std::string& problem) const;
+  /// Names the line of what was read last: of a text or, in a list of numbers, of the number at
+  /// that place. For binary files, names the byte behind it.
+  [[noreturn]] void fail(const std::string& problem, std::size_t place = 0) const;
 
  private:
   std::uint32_t word();
@@ -49,6 +51,7 @@ class GoldFile {
   std::shared_ptr<InputText> input_;
   std::shared_ptr<const std::string> unmarked_;  ///< the bytes of a marked file without its marks
   TextCursor cursor_;
+  std::size_t last_ = 0;  ///< where what was read last begins
   Encoding encoding_;
   bool order_known_ = false;
 };

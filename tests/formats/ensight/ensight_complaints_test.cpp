@@ -166,15 +166,6 @@ const std::string kGeoPart =
     "part\n1\nthe part\ncoordinates\n4\n0\n1\n0\n0\n0\n0\n1\n0\n0\n0\n0\n1\n";
 const std::string kGeo = kGeoHead + kGeoPart + "tetra4\n1\n1 2 3 4\n";
 
-/// What a refusal says, without the number of a line behind the file's name.
-std::string without_line(std::string message) {
-  const std::size_t colon = message.find(':');
-  const std::size_t end =
-      colon == std::string::npos ? colon : message.find_first_not_of("0123456789", colon + 1);
-  if (end != std::string::npos && end > colon + 1) message.erase(colon, end - colon);
-  return message;
-}
-
 /// That the file is refused so, where the case has that geometry and a variable with those values.
 void expect_gold(const std::string& geometry, const std::string& values, const std::string& message,
                  const std::string& key = "scalar per node") {
@@ -183,25 +174,25 @@ void expect_gold(const std::string& geometry, const std::string& values, const s
   static_cast<void>(folder.write("p.var", values));
   const std::string path = folder.write(
       "c.case", kCaseHead + (values.empty() ? "" : "VARIABLE\n" + key + ": p p.var\n"));
-  EXPECT_EQ(without_line(refusal(path)), message.empty() ? "" : folder.file(message))
-      << geometry << values;
+  EXPECT_EQ(refusal(path), message.empty() ? "" : folder.file(message)) << geometry << values;
 }
 
 TEST(EnSightComplaints, GeometriesHavePartsOfElements) {
   expect_gold(kGeo, "", "");
   expect_gold(kGeoHead + "extents\n0 1\n0 1\n0 1\n" + kGeoPart + "tetra4\n1\n1 2 3 4\n", "", "");
-  expect_gold(kGeoHead + "parts\n1\n", "", "g.geo: 'part' expected ('parts' found)");
-  expect_gold(kGeoHead + "part\n0\n", "", "g.geo: the number of a part expected (0 found)");
-  expect_gold(kGeoHead + "part\n65536\n", "", "g.geo: the number of a part expected (65536 found)");
+  expect_gold(kGeoHead + "parts\n1\n", "", "g.geo:5: 'part' expected ('parts' found)");
+  expect_gold(kGeoHead + "part\n0\n", "", "g.geo:6: the number of a part expected (0 found)");
+  expect_gold(kGeoHead + "part\n65536\n", "",
+              "g.geo:6: the number of a part expected (65536 found)");
   expect_gold(kGeoHead + "part\n65535\n" + kGeoPart.substr(7) + "tetra4\n1\n1 2 3 4\n", "", "");
   expect_gold(kGeo + "tetra5\n1\n1 2 3 4\n", "",
-              "g.geo: an element's name expected ('tetra5' found)");
+              "g.geo:25: an element's name expected ('tetra5' found)");
   expect_gold(kGeoHead + kGeoPart + "tetra4\n9\n1 2 3 4\n", "",
-              "g.geo: a count that fits the file expected (at most 4; 9 found)");
+              "g.geo:23: a count that fits the file expected (at most 4; 9 found)");
   expect_gold(kGeoHead + kGeoPart + "tetra4\n-1\n1 2 3 4\n", "",
-              "g.geo: a count that fits the file expected (at most 4; -1 found)");
+              "g.geo:23: a count that fits the file expected (at most 4; -1 found)");
   expect_gold(kGeoHead + kGeoPart + "tetra4\n4\n1 2 3 4\n", "",
-              "g.geo: ended in a list of numbers");
+              "g.geo:24: ended in a list of numbers");
 }
 
 TEST(EnSightComplaints, ElementsNameNodesOfTheirPart) {
@@ -209,38 +200,53 @@ TEST(EnSightComplaints, ElementsNameNodesOfTheirPart) {
     return kGeo + kGeoPart + "g_tria3\n1\n2 3 4\ntetra4\n1\n" + nodes + "\npoint\n1\n1\n";
   };
   expect_gold(tetrahedra("1 2 3 4"), "", "");
-  expect_gold(tetrahedra("1 2 3 5"), "", "g.geo: tetra4 names node 5 (1 to 4 expected)");
-  expect_gold(tetrahedra("0 2 3 4"), "", "g.geo: tetra4 names node 0 (1 to 4 expected)");
-  expect_gold(tetrahedra("1 2 -3 4"), "", "g.geo: tetra4 names node -3 (1 to 4 expected)");
+  expect_gold(tetrahedra("1 2 3 5"), "", "g.geo:47: tetra4 names node 5 (1 to 4 expected)");
+  expect_gold(tetrahedra("0 2 3 4"), "", "g.geo:47: tetra4 names node 0 (1 to 4 expected)");
+  expect_gold(tetrahedra("1 2 -3 4"), "", "g.geo:47: tetra4 names node -3 (1 to 4 expected)");
+  // the line is that of the node in its list
+  const auto two = [](const std::string& nodes) {
+    return kGeoHead + kGeoPart + "tetra4\n2\n" + nodes;
+  };
+  expect_gold(two("1 2 3 4\n1 2 5 4\n"), "", "g.geo:25: tetra4 names node 5 (1 to 4 expected)");
+  expect_gold(two("\n1 2 5 4\n1 2 3 4\n"), "", "g.geo:25: tetra4 names node 5 (1 to 4 expected)");
+  expect_gold(two("1 2 3 4\n\n1\n2\n3\n5\n"), "",
+              "g.geo:29: tetra4 names node 5 (1 to 4 expected)");
   const auto polyhedron = [](const std::string& nodes) {
     return kGeoHead + kGeoPart + "nsided\n1\n4\n1 2 3 4\nnfaced\n1\n4\n3 3 3 3\n" + nodes +
            "\npoint\n1\n1\n";
   };
   expect_gold(polyhedron("1 3 2 1 2 4 2 3 4 1 4 3"), "", "");
   expect_gold(polyhedron("1 3 2 1 2 4 2 3 4 1 4 5"), "",
-              "g.geo: nfaced names node 5 (1 to 4 expected)");
+              "g.geo:30: nfaced names node 5 (1 to 4 expected)");
   expect_gold(polyhedron("0 3 2 1 2 4 2 3 4 1 4 3"), "",
-              "g.geo: nfaced names node 0 (1 to 4 expected)");
+              "g.geo:30: nfaced names node 0 (1 to 4 expected)");
   expect_gold(kGeoHead + kGeoPart + "nfaced\n1\n-4\n3 3 3 3\n", "",
-              "g.geo: a number of nodes expected");
+              "g.geo:24: a number of nodes expected");
+  expect_gold(kGeoHead + kGeoPart + "nfaced\n1\n4\n3 3\n-3 3\n", "",
+              "g.geo:26: a number of nodes expected");
   expect_gold(kGeoHead + kGeoPart + "nsided\n1\n9\n3 3 3 3\n", "",
-              "g.geo: ended in a list of numbers");
+              "g.geo:25: ended in a list of numbers");
 }
 
 TEST(EnSightComplaints, ValuesAreOfThePartsThatThereAre) {
   const std::string all = "p\npart\n1\ncoordinates\n1\n2\n3\n4\n";
   expect_gold(kGeo, all, "");
   expect_gold(kGeo, "p\n\npart\n1\ncoordinates\n1\n2\n3\n4\n\n", "");
-  expect_gold(kGeo, "p\ncoordinates\n1\n", "p.var: 'part' expected ('coordinates' found)");
+  expect_gold(kGeo, "p\ncoordinates\n1\n", "p.var:2: 'part' expected ('coordinates' found)");
   expect_gold(kGeo, "p\npart\n2\ncoordinates\n1\n",
-              "p.var: the number of a part of the geometry expected");
+              "p.var:3: the number of a part of the geometry expected");
   expect_gold(kGeo, "p\npart\n1\ntetra4\n1\n",
-              "p.var: 'coordinates' or 'block' expected ('tetra4' found)");
-  expect_gold(kGeo, "p\npart\n1\ncoordinates\n1\n", "p.var: ended in a list of numbers");
+              "p.var:4: 'coordinates' or 'block' expected ('tetra4' found)");
+  expect_gold(kGeo, "p\npart\n1\ncoordinates\n1\n", "p.var:5: ended in a list of numbers");
   expect_gold(kGeo, "p\npart\n1\ntetra4\n7\n", "", "scalar per element");
   expect_gold(kGeo, "p\npart\n1\nhexa8\n7\n",
-              "p.var: an element's name of the part expected ('hexa8' found)",
+              "p.var:4: an element's name of the part expected ('hexa8' found)",
               "scalar per element");
+  expect_gold(kGeo, "p\npart\n1\nhexa8 undef\n-1e9\n7\n",
+              "p.var:4: an element's name of the part expected ('hexa8 undef' found)",
+              "scalar per element");
+  expect_gold(kGeo, "p\npart\n1\ncoordinates\n1\n2\nx\n4\n",
+              "p.var:7: not understood (a number expected, 'x' found)");
 }
 
 TEST(EnSightComplaints, PartialValuesHavePlacesInThePart) {
@@ -248,10 +254,11 @@ TEST(EnSightComplaints, PartialValuesHavePlacesInThePart) {
     return "p\npart\n1\ncoordinates partial\n2\n1\n" + place + "\n8.5\n7.5\n";
   };
   expect_gold(kGeo, partial("4"), "");
-  expect_gold(kGeo, partial("5"), "p.var: a place of partial values (1 to 4 expected, 5 found)");
-  expect_gold(kGeo, partial("0"), "p.var: a place of partial values (1 to 4 expected, 0 found)");
+  expect_gold(kGeo, partial("5"), "p.var:7: a place of partial values (1 to 4 expected, 5 found)");
+  expect_gold(kGeo, partial("0"), "p.var:7: a place of partial values (1 to 4 expected, 0 found)");
   expect_gold(kGeo, "p\npart\n1\ntetra4 partial\n1\n2\n8.5\n",
-              "p.var: a place of partial values (1 to 1 expected, 2 found)", "scalar per element");
+              "p.var:6: a place of partial values (1 to 1 expected, 2 found)",
+              "scalar per element");
 }
 
 TEST(EnSightValues, UndefinedOnesAreNone) {
