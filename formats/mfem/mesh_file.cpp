@@ -131,9 +131,9 @@ void place_middles(const TextCursor& text, std::vector<Middle> middles, MeshFile
     const std::size_t before = middles.size();
     std::erase_if(middles, [&](const Middle& middle) {
       const auto [a, b] = middle.parents;
-      if (!is_vertex(middle.vertex) || !is_vertex(a) || !is_vertex(b))
-        text.fail(fmt::format("vertex_parents name vertex {} (0 to {} expected)",
-                              std::max({middle.vertex, a, b}), count - 1));
+      for (const std::int64_t v : {middle.vertex, a, b})
+        if (!is_vertex(v))
+          text.fail(fmt::format("vertex_parents name vertex {} (0 to {} expected)", v, count - 1));
       const auto ia = static_cast<std::size_t>(a);
       const auto ib = static_cast<std::size_t>(b);
       if (!placed[ia] || !placed[ib]) return false;

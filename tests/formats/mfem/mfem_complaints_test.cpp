@@ -82,6 +82,9 @@ TEST(MfemVertices, BetweenOthersArePlacedWhenTheirParentsAre) {
       {{parents("1\n2 0 3\n"), ":12: vertex_parents name vertex 3 (0 to 2 expected)"},
        {parents("1\n3 0 1\n"), ":12: vertex_parents name vertex 3 (0 to 2 expected)"},
        {parents("1\n2 7 1\n"), ":12: vertex_parents name vertex 7 (0 to 2 expected)"},
+       {parents("1\n2 -1 1\n"), ":12: vertex_parents name vertex -1 (0 to 2 expected)"},
+       {parents("1\n2 1 -4\n"), ":12: vertex_parents name vertex -4 (0 to 2 expected)"},
+       {parents("1\n-3 0 1\n"), ":12: vertex_parents name vertex -3 (0 to 2 expected)"},
        {parents("1\n2 2 1\n"), ":12: vertex_parents: the places of 1 vertices do not follow"},
        {parents("2\n2 3 1\n3 2 1\n"),
         ":13: vertex_parents: the places of 2 vertices do not follow"}});
