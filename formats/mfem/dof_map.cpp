@@ -5,6 +5,8 @@
 #include <map>
 #include <span>
 
+#include <fmt/format.h>
+
 #include "hiac/base/error.hpp"
 #include "hiac/mesh/cell_kind.hpp"
 
@@ -253,15 +255,16 @@ std::size_t DofMap::on_edge(const Element& element, std::size_t edge, const Latt
 
 /// The points in the interior of a face are numbered from its first vertex towards its second, row
 /// by row towards its last.
-std::size_t DofMap::on_face(const Element& element, const Face& face,
-                            const LatticePoint& point) const {
-  const Shape shape = shape_of_geometry(element.geometry);
+std::size_t DofMap::on_face(std::size_t element, const LatticePoint& point) const {
+  const Element& cell = mesh_.elements[element];
+  const Face& face = all_faces_[faces_[element][point.number]];
+  const Shape shape = shape_of_geometry(cell.geometry);
   const auto corner = [&](std::size_t v) -> const Place& {
     const auto count = static_cast<std::ptrdiff_t>(shape.corners.size());
     const auto found =
-        std::find(element.vertices.begin(), element.vertices.begin() + count, face.vertices[v]);
+        std::find(cell.vertices.begin(), cell.vertices.begin() + count, face.vertices[v]);
     return shape
-        .corners[static_cast<std::size_t>(found - element.vertices.begin()) % shape.corners.size()];
+        .corners[static_cast<std::size_t>(found - cell.vertices.begin()) % shape.corners.size()];
   };
   const bool triangle = face.vertices[2] == face.vertices[3];
   std::size_t number = 0;
@@ -269,7 +272,7 @@ std::size_t DofMap::on_face(const Element& element, const Face& face,
     for (int s = 1; s < (triangle ? order_ - t : order_); ++s, ++number)
       if (at(corner(0), corner(1), s, corner(triangle ? 2 : 3), t, order_) == point.place)
         return face.first + number;
-  throw InputError("mesh", "an element has one vertex twice");
+  throw InputError(mesh_.path, fmt::format("element {} has one vertex twice", element));
 }
 
 std::vector<std::size_t> DofMap::of(std::size_t element) const {
@@ -284,7 +287,7 @@ std::vector<std::size_t> DofMap::of(std::size_t element) const {
         dofs.push_back(on_edge(cell, point.number, point, edges_[element]));
         break;
       case Part::face:
-        dofs.push_back(on_face(cell, all_faces_[faces_[element][point.number]], point));
+        dofs.push_back(on_face(element, point));
         break;
       case Part::inside:
         dofs.push_back(inside_[element] + point.number);

@@ -60,7 +60,8 @@ class DofMap {
   DofMap(const MeshFile& mesh, const Space& space);
 
   [[nodiscard]] std::size_t size() const { return size_; }
-  /// The degrees of freedom of the element with that number, at its lattice_points.
+  /// The degrees of freedom of the element with that number, at its lattice_points. Throws
+  /// InputError naming the mesh's file when they cannot be told, as the element has a vertex twice.
   [[nodiscard]] std::vector<std::size_t> of(std::size_t element) const;
 
  private:
@@ -72,8 +73,7 @@ class DofMap {
   [[nodiscard]] std::size_t on_edge(const Element& element, std::size_t edge,
                                     const LatticePoint& point,
                                     const std::array<std::size_t, 12>& edges) const;
-  [[nodiscard]] std::size_t on_face(const Element& element, const Face& face,
-                                    const LatticePoint& point) const;
+  [[nodiscard]] std::size_t on_face(std::size_t element, const LatticePoint& point) const;
 
   const MeshFile& mesh_;
   int order_;

@@ -222,6 +222,7 @@ MeshFile read_inline_mesh(TextCursor& text) {
   if (nx * ny * nz > kMostBricks)
     text.fail(fmt::format("{} bricks are made ({} at most expected)", nx * ny * nz, kMostBricks));
   MeshFile mesh;
+  mesh.path = text.subject();
   for (std::size_t k = 0; k <= nz; ++k)
     for (std::size_t j = 0; j <= ny; ++j)
       for (std::size_t i = 0; i <= nx; ++i)
@@ -280,6 +281,7 @@ MeshFile read_mesh_file(TextCursor& text) {
                                 "expected ('{}' found)",
                                 trimmed(title)));
   MeshFile mesh;
+  mesh.path = text.subject();
   mesh.refined = refined;
   std::vector<Middle> middles;
   std::optional<std::int64_t> rank;

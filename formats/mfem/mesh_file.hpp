@@ -41,6 +41,7 @@ struct GridFunction {
 };
 
 struct MeshFile {
+  std::string path;
   std::vector<Element> elements;
   std::vector<std::array<double, 3>> vertices;  ///< empty when the nodes give the geometry
   std::size_t vertex_count = 0;
