@@ -19,6 +19,41 @@ constexpr std::size_t kMostVariables = 1000;
 /// Old systems pad the last block of a file with zeros.
 constexpr std::size_t kFileBlock = 512;
 
+/// The next word of a text, between blanks and commas; empty at the end. Removes it from the text.
+std::string_view next_word(std::string_view& text) {
+  const auto blank = [](char c) { return c == ' ' || c == ',' || (c >= '\t' && c <= '\r'); };
+  const auto* const word = std::find_if_not(text.begin(), text.end(), blank);
+  const auto* const end = std::find_if(word, text.end(), blank);
+  text.remove_prefix(static_cast<std::size_t>(end - text.begin()));
+  return {word, end};
+}
+
+/// A number that a text repeats.
+struct Repeated {
+  std::size_t times;
+  double number;
+};
+
+/// The numbers of a word: Fortran writes "3*1.5" for three equal numbers, and a D for the exponent.
+/// Nothing when the word is not a number.
+std::optional<Repeated> numbers_of(std::string_view word) {
+  Repeated result{1, 0};
+  if (const std::size_t star = word.find('*'); star != std::string_view::npos) {
+    const auto [next, error] = std::from_chars(word.data(), word.data() + star, result.times);
+    if (error != std::errc() || next != word.data() + star) return std::nullopt;
+    word.remove_prefix(star + 1);
+  }
+  if (word.starts_with('+')) word.remove_prefix(1);
+  std::array<char, 64> buffer{};
+  if (word.size() >= buffer.size() || word.empty()) return std::nullopt;
+  std::transform(word.begin(), word.end(), buffer.begin(),
+                 [](char c) { return c == 'D' || c == 'd' ? 'e' : c; });
+  const char* last = buffer.data() + word.size();
+  const auto [next, error] = std::from_chars(buffer.data(), last, result.number);
+  if (error != std::errc() || next != last) return std::nullopt;
+  return result;
+}
+
 /// How a file's numbers are stored.
 struct Encoding {
   bool text = false;
@@ -95,41 +130,17 @@ class Contents {
     return true;
   }
 
-  /// Words are numbers; Fortran writes "3*1.5" for three equal numbers, and a D for the exponent.
+  /// Whether all words are numbers.
   bool read_words() {
     const std::string_view all = file_.text();
-    const char* at = all.data();
-    const char* end = at + all.size();
-    const auto blank = [](char c) { return c == ' ' || c == ',' || (c >= '\t' && c <= '\r'); };
-    while (true) {
-      while (at != end && blank(*at)) ++at;
-      if (at == end) return true;
-      const char* word = at;
-      while (at != end && !blank(*at)) ++at;
-      if (!add_word({word, static_cast<std::size_t>(at - word)})) return false;
+    std::string_view rest = all;
+    for (std::string_view word = next_word(rest); !word.empty(); word = next_word(rest)) {
+      const auto numbers = numbers_of(word);
+      if (!numbers || numbers->times > all.size()) return false;
+      // so many words in a file of this size are not a grid
+      if (words_.size() + numbers->times > 64 * all.size()) return false;
+      words_.insert(words_.end(), numbers->times, numbers->number);
     }
-  }
-
-  bool add_word(std::string_view word) {
-    std::size_t repeat = 1;
-    if (const std::size_t star = word.find('*'); star != std::string_view::npos) {
-      const auto [next, error] = std::from_chars(word.data(), word.data() + star, repeat);
-      if (error != std::errc() || next != word.data() + star || repeat > file_.text().size())
-        return false;
-      word.remove_prefix(star + 1);
-    }
-    if (word.starts_with('+')) word.remove_prefix(1);
-    std::array<char, 64> buffer{};
-    if (word.size() >= buffer.size() || word.empty()) return false;
-    std::transform(word.begin(), word.end(), buffer.begin(),
-                   [](char c) { return c == 'D' || c == 'd' ? 'e' : c; });
-    double number = 0;
-    const char* last = buffer.data() + word.size();
-    const auto [next, error] = std::from_chars(buffer.data(), last, number);
-    if (error != std::errc() || next != last) return false;
-    // so many words in a file of this size are not a grid
-    if (words_.size() + repeat > 64 * file_.text().size()) return false;
-    words_.insert(words_.end(), repeat, number);
     return true;
   }
 
@@ -185,6 +196,16 @@ std::optional<Header> header_of(const Contents& contents, bool several, bool fun
     if (header.points > contents.size()) return std::nullopt;
   }
   return header;
+}
+
+/// Whether the text begins with that many numbers.
+bool begins_with_numbers(std::string_view text, std::size_t count) {
+  for (std::size_t found = 0; found < count;) {
+    const auto numbers = numbers_of(next_word(text));
+    if (!numbers) return false;
+    found += std::min(numbers->times, count);
+  }
+  return true;
 }
 
 std::size_t points_in(const Extents& extents) { return extents[0] * extents[1] * extents[2]; }
@@ -353,16 +374,12 @@ Solution read_function(const std::string& path, const std::vector<Extents>& bloc
 }
 
 bool may_be_grid(std::string_view head) {
-  // a small count in the first four bytes, in either byte order, or a number in a text
+  // a small count in the first four bytes, in either byte order, or the extents in a text
   if (head.size() < 12) return false;
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(head[i]); };
   const bool little = byte(3) == 0 && byte(2) == 0 && (byte(0) != 0 || byte(1) != 0);
   const bool big = byte(0) == 0 && byte(1) == 0 && (byte(2) != 0 || byte(3) != 0);
-  const bool text = std::all_of(head.begin(), head.begin() + 12, [](char c) {
-    return (c >= '0' && c <= '9') || c == ' ' || c == '\n' || c == '\r' || c == '\t' || c == '.' ||
-           c == '-' || c == '+' || c == 'e' || c == 'E' || c == '*';
-  });
-  return little || big || text;
+  return little || big || begins_with_numbers(head, 3);
 }
 
 }  // namespace hiac::formats::plot3d

@@ -300,8 +300,25 @@ TEST(Plot3dFiles, BeginWithASmallCountOrANumber) {
   EXPECT_TRUE(plot3d::may_be_grid(std::string("\0\0\0\1", 4) + zeros));
   EXPECT_FALSE(plot3d::may_be_grid(std::string(4, '\0') + zeros));
   EXPECT_FALSE(plot3d::may_be_grid(raw_bytes<std::int32_t>({1}) + zeros.substr(0, 7)));
-  EXPECT_TRUE(plot3d::may_be_grid(" 2 -1.5e+3*4"));
-  EXPECT_FALSE(plot3d::may_be_grid(" 2 -1.5e+3*x"));
+}
+
+// A text begins with numbers as the reader takes them.
+TEST(Plot3dFiles, OfTextBeginWithThreeNumbers) {
+  for (const std::string text :
+       {" 2 -1.5e+3 4*1", "2, 2, 2\n0 1 0 1", "2,2,2,0,1,0,1", "3*2 0.D0 1.d0", "1\n+2\t2D0\r\n2 2",
+        "           2           2           2", "2 2 2 0.5 1x"})
+    EXPECT_TRUE(plot3d::may_be_grid(text)) << text;
+  for (const std::string text :
+       {" 2 -1.5e+3*4", " 2 -1.5e+3*x", "added, added, added", "3\ndeed\nD 0 0 0", "2 2 d 0 1 0 1",
+        "2;2;2;0;1;0;1", ",,,,,,,,,,,,", "            ", "2           2", "2 2 2 3 4 5"})
+    EXPECT_FALSE(plot3d::may_be_grid(text)) << text;
+  const std::string commas = "2, 2, 2\n" + kCubeText.substr(kCubeText.find('\n') + 1);
+  const ScratchFolder folder;
+  EXPECT_EQ(read_any(folder.write("a.p3dfmt", commas)).mesh.cell_count(), 1U);
+  EXPECT_EQ(read_any(folder.write("b.x", "2D0 2D0 2D0\n" + commas.substr(8))).mesh.cell_count(),
+            1U);
+  EXPECT_THAT(refusal(folder.write("c.xyz", "3\nwater\nO 0 0 0\nH 1 0 0\nH 0 1 0\n")),
+              testing::StartsWith(folder.file("c.xyz") + ": is not a plot3d file"));
 }
 
 }  // namespace
