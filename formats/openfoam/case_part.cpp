@@ -59,12 +59,14 @@ void CasePart::read_mesh() {
                      fmt::format("does not fit the faces (at most {} entries expected, {} found)",
                                  faces, neighbour.size()));
   std::int64_t last = -1;
-  for (const std::int64_t cell : owner) last = std::max(last, cell);
-  for (const std::int64_t cell : neighbour) last = std::max(last, cell);
-  // every cell has faces, so there are fewer cells than faces
-  if (last >= static_cast<std::int64_t>(faces))
-    throw InputError(owner_file,
-                     fmt::format("names cell {} (fewer than {} expected)", last, faces));
+  const auto count_cells = [&](const std::vector<std::int64_t>& cells, const std::string& file) {
+    for (const std::int64_t cell : cells) last = std::max(last, cell);
+    // every cell has faces, so there are fewer cells than faces
+    if (last >= static_cast<std::int64_t>(faces))
+      throw InputError(file, fmt::format("names cell {} (fewer than {} expected)", last, faces));
+  };
+  count_cells(owner, owner_file);
+  count_cells(neighbour, neighbour_file);
   faces_of.resize(static_cast<std::size_t>(last + 1));
   const auto note = [&](std::int64_t cell, std::size_t face) {
     if (cell >= 0) faces_of[static_cast<std::size_t>(cell)].push_back(face);

@@ -266,6 +266,12 @@ TEST(FoamCases, CellsAreFewerThanFaces) {
   write("owner", "3{0}");
   EXPECT_EQ(refusal(path), owner + ": does not fit the faces (4 entries expected, 3 found)");
   write("owner", "4{0}");
+  write("neighbour", "1(9)");
+  const std::string neighbour = folder.file("constant/polyMesh/neighbour");
+  EXPECT_EQ(refusal(path), neighbour + ": names cell 9 (fewer than 4 expected)");
+  write("owner", "4(0 0 7 0)");
+  EXPECT_EQ(refusal(path), owner + ": names cell 7 (fewer than 4 expected)");
+  write("owner", "4{0}");
   // a face without a neighbour among those that have one
   write("neighbour", "2(-1 -1)");
   EXPECT_EQ(refusal(path), "");
