@@ -335,8 +335,9 @@ Format openfoam_format() {
   format.time_steps = "several";
   format.recognizes = [](std::string_view head) {
     const std::size_t header = head.find("FoamFile");
-    return header != std::string_view::npos &&
-           head.find('{', header) == head.find_first_not_of(" \t\r\n", header + 8);
+    if (header == std::string_view::npos) return false;
+    const std::size_t next = head.find_first_not_of(" \t\r\n", header + 8);
+    return next != std::string_view::npos && head[next] == '{';
   };
   // a .foam file only marks the folder of the case
   format.contains = [](const std::string& path) {

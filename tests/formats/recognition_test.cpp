@@ -176,6 +176,9 @@ TEST(Recognition, HeadersOfOpenFoamStandBehindAnything) {
   expect_recognized("openfoam", {{"/* c */\nFoamFile\n{", true},
                                  {"FoamFile{", true},
                                  {"FoamFile x {", false},
+                                 {"this is a FoamFile\n", false},
+                                 {"FoamFile", false},
+                                 {"FoamFile x", false},
                                  {"Foam {", false}});
 }
 
