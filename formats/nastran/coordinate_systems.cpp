@@ -2,15 +2,14 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <stdexcept>
+#include <vector>
 
 #include <fmt/format.h>
 
 namespace hiac::formats::nastran {
 namespace {
-
-/// The limit of nested references between systems.
-constexpr int kMostReferences = 100;
 
 Point difference(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -40,21 +39,33 @@ Point rectangular(char kind, const Point& p) {
 }  // namespace
 
 const CoordinateSystems::Frame& CoordinateSystems::frame_of(std::int64_t number,
-                                                            const GridPosition& position,
-                                                            int depth) {
-  const auto known = frames_.find(number);
-  if (known != frames_.end()) return known->second;
-  const auto found = systems_.find(number);
-  if (found == systems_.end())
-    throw std::invalid_argument(fmt::format("there is no coordinate system {}", number));
-  if (depth == kMostReferences)
-    throw std::invalid_argument(fmt::format("coordinate system {} refers to itself", number));
-  CoordinateSystem system = found->second;
+                                                            const GridPosition& position) {
+  // the systems without a frame, each in the next; a loop, because they may be many
+  std::vector<std::int64_t> chain;
+  std::set<std::int64_t> seen;
+  for (std::int64_t next = number; !frames_.contains(next);) {
+    const auto found = systems_.find(next);
+    if (found == systems_.end())
+      throw std::invalid_argument(fmt::format("there is no coordinate system {}", next));
+    if (!seen.insert(next).second)
+      throw std::invalid_argument(fmt::format("coordinate system {} refers to itself", next));
+    chain.push_back(next);
+    next = found->second.reference;
+    if (next == 0) break;
+  }
+  for (; !chain.empty(); chain.pop_back())
+    frames_.emplace(chain.back(), placed(chain.back(), position));
+  return frames_.at(number);
+}
+
+CoordinateSystems::Frame CoordinateSystems::placed(std::int64_t number,
+                                                   const GridPosition& position) const {
+  CoordinateSystem system = systems_.at(number);
   for (std::size_t i = 0; i < 3; ++i) {
     if (system.by_grids) {
       system.points[i] = position(system.grids[i]);
     } else if (system.reference != 0) {
-      const Frame& frame = frame_of(system.reference, position, depth + 1);
+      const Frame& frame = frames_.at(system.reference);
       const Point local = rectangular(frame.kind, system.points[i]);
       for (std::size_t c = 0; c < 3; ++c)
         system.points[i][c] = frame.origin[c] + local[0] * frame.axes[0][c] +
@@ -66,12 +77,12 @@ const CoordinateSystems::Frame& CoordinateSystems::frame_of(std::int64_t number,
   frame.axes[1] =
       unit(cross(frame.axes[2], difference(system.points[2], system.points[0])), number);
   frame.axes[0] = cross(frame.axes[1], frame.axes[2]);
-  return frames_.emplace(number, frame).first->second;
+  return frame;
 }
 
 Point CoordinateSystems::basic(std::int64_t number, const Point& coordinates,
                                const GridPosition& position) {
-  const Frame& frame = frame_of(number, position, 0);
+  const Frame& frame = frame_of(number, position);
   const Point local = rectangular(frame.kind, coordinates);
   Point result = frame.origin;
   for (std::size_t c = 0; c < 3; ++c)

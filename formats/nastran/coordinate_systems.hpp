@@ -37,7 +37,9 @@ class CoordinateSystems {
     Point origin;
     std::array<Point, 3> axes;
   };
-  const Frame& frame_of(std::int64_t number, const GridPosition& position, int depth);
+  const Frame& frame_of(std::int64_t number, const GridPosition& position);
+  /// The frame of a system whose reference has one.
+  [[nodiscard]] Frame placed(std::int64_t number, const GridPosition& position) const;
 
   std::map<std::int64_t, CoordinateSystem> systems_;
   std::map<std::int64_t, Frame> frames_;

@@ -173,14 +173,26 @@ TEST(NastranSystems, SystemsReferToOthers) {
   expect_last(first + "CORD2R,2,1,2.,90.,1.,2.,90.,2.\n,3.,90.,1.\nGRID,1,2,1.,2.,3.\n",
               {2, -2, 4});
   std::string chain = "CORD2R,1,,1.,0.,0.,1.,0.,1.\n,2.,0.,0.\n";
-  for (int system = 2; system <= 101; ++system)
+  // systems may refer to later ones, and as deeply as they like
+  constexpr int kDeep = 100'000;
+  for (int system = kDeep; system >= 2; --system)
     chain += fmt::format("CORD2R,{},{},1.,0.,0.,1.,0.,1.\n,2.,0.,0.\n", system, system - 1);
-  expect_last(chain + "GRID,1,100,0.,2.,3.\n", {100, 2, 3});
-  const ScratchFolder folder;
-  EXPECT_THAT(refusal(folder.write("a.bdf", "BEGIN BULK\n" + chain + "GRID,1,101,0.,2.,3.\n")),
-              testing::HasSubstr("coordinate system 1 "));
-  expect_complaints("b.bdf", {{"BEGIN BULK\nCORD2R,4,4,0.,0.,0.,0.,0.,1.\n,1.,0.,0.\nGRID,1,4\n",
-                               ": coordinate system 4 refers to itself"}});
+  expect_last(chain + "GRID,1,101,0.,2.,3.\n", {101, 2, 3});
+  expect_last(chain + fmt::format("GRID,1,{},0.,2.,3.\n", kDeep), {kDeep, 2, 3});
+}
+
+TEST(NastranComplaints, SystemsReferToThemselvesInNoWay) {
+  const auto chain = [](const std::vector<std::pair<int, int>>& references) {
+    std::string text = "BEGIN BULK\n";
+    for (const auto& [system, reference] : references)
+      text += fmt::format("CORD2R,{},{},0.,0.,0.,0.,0.,1.\n,1.,0.,0.\n", system, reference);
+    return text + "GRID,1,4\n";
+  };
+  expect_complaints(
+      "a.bdf", {{chain({{4, 4}}), ": coordinate system 4 refers to itself"},
+                {chain({{4, 5}, {5, 4}}), ": coordinate system 4 refers to itself"},
+                {chain({{4, 5}, {5, 6}, {6, 7}, {7, 5}}), ": coordinate system 5 refers to itself"},
+                {chain({{4, 5}, {5, 8}}), ": there is no coordinate system 8"}});
 }
 
 TEST(NastranComplaints, SystemsThatDoNotPlacePoints) {
