@@ -1,0 +1,229 @@
+// Exodus files whose variables do not fit one another, written byte by byte: the whole complaint,
+// and the nearest file that is read.
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "tests/formats/exodus/classic_file.hpp"
+#include "tests/formats/field_named.hpp"
+#include "tests/formats/files.hpp"
+#include "tests/formats/unit_tetrahedron.hpp"
+
+namespace hiac::formats {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string exodus_refusal(const ClassicFile& file) {
+  const ScratchFolder folder;
+  const std::string path = folder.write("a.exo", file.bytes());
+  const std::string message = refusal(path);
+  return message.empty() ? message : message.substr(path.size() + 2);
+}
+
+Reading exodus_reading(const ClassicFile& file) {
+  const ScratchFolder folder;
+  return read_any(folder.write("a.exo", file.bytes()));
+}
+
+/// The unit tetrahedron; what a test adds to it uses the numbers of the dimensions.
+struct OneTetrahedron {
+  explicit OneTetrahedron(unsigned version = 1) : file(version) {
+    nodes = file.dimension("num_nodes", 4);
+    three = file.dimension("num_dim", 3);
+    one = file.dimension("num_el_blk", 1);
+    file.doubles("coordx", {nodes}, {0, 1, 0, 0});
+    file.doubles("coordy", {nodes}, {0, 0, 1, 0});
+    file.doubles("coordz", {nodes}, {0, 0, 0, 1});
+    file.ints("connect1", {one, nodes}, {1, 2, 3, 4}, "TETRA");
+  }
+  ClassicFile file;
+  std::size_t nodes;
+  std::size_t three;
+  std::size_t one;
+};
+
+TEST(ExodusRefusals, FilesOfEveryVersion) {
+  for (const unsigned version : {1, 2, 5}) {
+    const OneTetrahedron made(version);
+    expect_unit_tetrahedron(exodus_reading(made.file).mesh);
+  }
+  const ScratchFolder folder;
+  EXPECT_THAT(read_any(folder.write("a.exo", OneTetrahedron().file.bytes() + "stray")).notes,
+              Contains("5 bytes behind the end of the netCDF file's data are not read"));
+}
+
+TEST(ExodusRefusals, FilesWithoutAMesh) {
+  ClassicFile other;
+  other.doubles("temperature", {other.dimension("x", 2)}, {1, 2});
+  EXPECT_EQ(exodus_refusal(other), "is a netCDF file without a mesh of the Exodus II model");
+  ClassicFile nodes;
+  nodes.dimension("num_nodes", 4);
+  EXPECT_EQ(exodus_refusal(nodes),
+            "holds no volume cells (dropped 4 points that no converted cell uses)");
+  ClassicFile dimensions;
+  dimensions.dimension("num_dim", 4);
+  EXPECT_EQ(exodus_refusal(dimensions), "num_dim: is 4 (1 to 3 expected)");
+  dimensions = ClassicFile();
+  dimensions.dimension("num_dim", 3);
+  EXPECT_EQ(exodus_refusal(dimensions), "holds no cells");
+}
+
+TEST(ExodusRefusals, CoordinatesThatDoNotFit) {
+  ClassicFile file;
+  const std::size_t nodes = file.dimension("num_nodes", 4);
+  file.dimension("num_dim", 2);
+  file.doubles("coordx", {nodes}, {0, 1, 0, 0});
+  EXPECT_EQ(exodus_refusal(file), "coordy: is not there");
+  file.doubles("coordy", {file.dimension("five", 5)}, {0, 1, 0, 0, 0});
+  EXPECT_EQ(exodus_refusal(file), "coordy: holds 5 coordinates (4 expected)");
+
+  ClassicFile together;
+  const std::size_t four = together.dimension("num_nodes", 4);
+  together.doubles("coord", {together.dimension("num_dim", 2), four}, {0, 1, 0, 0, 0, 0, 1, 0});
+  EXPECT_THAT(exodus_refusal(together), HasSubstr("holds no volume cells"));
+  ClassicFile wrong;
+  wrong.dimension("num_nodes", 4);
+  const std::size_t three = wrong.dimension("three", 3);
+  wrong.doubles("coord", {wrong.dimension("num_dim", 2), three}, {0, 1, 0, 0, 0, 0});
+  EXPECT_EQ(exodus_refusal(wrong), "coord: does not have the extents that the mesh asks for");
+}
+
+TEST(ExodusRefusals, NamesAreRowsOfCharacters) {
+  OneTetrahedron made;
+  const std::size_t width = made.file.dimension("len_string", 6);
+  OneTetrahedron numbers = made;
+  numbers.file.ints("eb_names", {numbers.one, width}, {1, 2, 3, 4, 5, 6});
+  EXPECT_EQ(exodus_refusal(numbers.file), "eb_names: holds no names");
+  OneTetrahedron row = made;
+  row.file.variable("eb_names", {width}, 2, "solid ");
+  EXPECT_EQ(exodus_refusal(row.file), "eb_names: holds no names");
+  made.file.variable("eb_names", {made.one, width}, 2, "solid ");
+  const ScratchFolder folder;
+  const std::string path = folder.write("a.exo", made.file.bytes());
+  EXPECT_THAT(format_to_read(path).inspect(path).blocks, ElementsAre("solid"));
+}
+
+TEST(ExodusRefusals, BlocksWithoutNamesHaveTheirIds) {
+  const auto blocks = [](OneTetrahedron made, const std::string& name,
+                         const std::vector<std::int32_t>& ids) {
+    if (!name.empty())
+      made.file.variable("eb_names", {made.one, made.file.dimension("len_string", name.size())}, 2,
+                         name);
+    if (!ids.empty()) made.file.ints("eb_prop1", {made.one}, ids);
+    const ScratchFolder folder;
+    const std::string path = folder.write("a.exo", made.file.bytes());
+    return format_to_read(path).inspect(path).blocks;
+  };
+  EXPECT_THAT(blocks(OneTetrahedron(), "", {}), ElementsAre("1"));
+  EXPECT_THAT(blocks(OneTetrahedron(), "", {77}), ElementsAre("77"));
+  EXPECT_THAT(blocks(OneTetrahedron(), "   ", {77}), ElementsAre("77"));
+  EXPECT_THAT(blocks(OneTetrahedron(), std::string("ab\0cd", 5), {77}), ElementsAre("ab"));
+}
+
+/// A polyhedron of four triangles, faces 1 to 4; each of the lists can be another one.
+struct OnePolyhedron {
+  std::vector<std::int32_t> corners{1, 3, 2, 1, 2, 4, 2, 3, 4, 3, 1, 4};
+  std::vector<std::int32_t> corner_counts{3, 3, 3, 3};
+  std::vector<std::int32_t> faces{1, 2, 3, 4};
+  std::vector<std::int32_t> face_counts{4};
+
+  [[nodiscard]] ClassicFile file() const {
+    ClassicFile made;
+    const std::size_t nodes = made.dimension("num_nodes", 4);
+    made.dimension("num_dim", 3);
+    made.dimension("num_el_blk", 1);
+    made.dimension("num_fa_blk", 1);
+    made.doubles("coordx", {nodes}, {0, 1, 0, 0});
+    made.doubles("coordy", {nodes}, {0, 0, 1, 0});
+    made.doubles("coordz", {nodes}, {0, 0, 0, 1});
+    made.ints("fbconn1", {made.dimension("a", corners.size())}, corners);
+    made.ints("fbepecnt1", {made.dimension("b", corner_counts.size())}, corner_counts);
+    made.ints("facconn1", {made.dimension("c", faces.size())}, faces);
+    made.ints("ebepecnt1", {made.dimension("d", face_counts.size())}, face_counts);
+    return made;
+  }
+};
+
+TEST(ExodusRefusals, FacesOfPolyhedra) {
+  EXPECT_EQ(exodus_refusal(OnePolyhedron().file()), "");
+  EXPECT_EQ(exodus_reading(OnePolyhedron().file()).mesh.cell_count(), 1U);
+  OnePolyhedron made;
+  made.faces[2] = 0;
+  EXPECT_EQ(exodus_refusal(made.file()), "facconn1: names face 0 (1 to 4 expected)");
+  made.faces[2] = 5;
+  EXPECT_EQ(exodus_refusal(made.file()), "facconn1: names face 5 (1 to 4 expected)");
+  made = {};
+  made.face_counts = {5};
+  EXPECT_EQ(exodus_refusal(made.file()), "ebepecnt1: does not fit 'facconn1' (4 numbers)");
+  made.face_counts = {-1};
+  EXPECT_EQ(exodus_refusal(made.file()), "ebepecnt1: does not fit 'facconn1' (4 numbers)");
+  made = {};
+  made.corner_counts = {3, 3, 3, 4};
+  EXPECT_EQ(exodus_refusal(made.file()), "fbepecnt1: does not fit 'fbconn1' (12 numbers)");
+  made = {};
+  made.faces = {1, 2, 3, 4, 1, 2, 3, 4};
+  made.face_counts = {4, 4};
+  EXPECT_EQ(exodus_refusal(made.file()), "");
+  made.faces = {1, 2, 3, 4, 1, 2, 3, 4, 4};
+  made.face_counts = {4, 5};
+  EXPECT_EQ(exodus_refusal(made.file()), "facconn1: names face 4 more than twice");
+}
+
+TEST(ExodusRefusals, PolygonsHaveNoVolume) {
+  // a second block, whose corners stand in one row
+  ClassicFile two;
+  const std::size_t nodes = two.dimension("num_nodes", 4);
+  two.dimension("num_dim", 3);
+  const std::size_t one = two.dimension("one", 1);
+  two.dimension("num_el_blk", 2);
+  two.doubles("coordx", {nodes}, {0, 1, 0, 0});
+  two.doubles("coordy", {nodes}, {0, 0, 1, 0});
+  two.doubles("coordz", {nodes}, {0, 0, 0, 1});
+  two.ints("connect1", {one, nodes}, {1, 2, 3, 4}, "TETRA");
+  two.ints("connect2", {two.dimension("six", 6)}, {1, 2, 3, 1, 2, 4}, "nsided");
+  two.ints("ebepecnt2", {two.dimension("two", 2)}, {3, 3});
+  const Reading reading = exodus_reading(two);
+  expect_unit_tetrahedron(reading.mesh);
+  EXPECT_THAT(reading.notes, Contains("dropped cells without volume: 2 nsided"));
+}
+
+TEST(ExodusRefusals, StepsThatAreNotWhole) {
+  OneTetrahedron made;
+  const std::size_t time = made.file.dimension("time_step", 2);
+  const std::size_t width = made.file.dimension("len_string", 2);
+  made.file.doubles("time_whole", {time}, {0.5, 2});
+  made.file.variable("name_nod_var", {made.one, width}, 2, "p ");
+  OneTetrahedron whole = made;
+  whole.file.doubles("vals_nod_var1", {time, whole.nodes}, {1, 2, 3, 4, 5, 6, 7, 8});
+  EXPECT_EQ(field_named(exodus_reading(whole.file).mesh, "p").values[3], 8);
+  OneTetrahedron part = made;
+  part.file.doubles("vals_nod_var1", {part.one, part.nodes}, {1, 2, 3, 4});
+  EXPECT_EQ(exodus_refusal(part.file),
+            "vals_nod_var1: does not have the extents that the mesh asks for");
+  OneTetrahedron narrow = made;
+  narrow.file.doubles("vals_nod_var1", {time, narrow.three}, {1, 2, 3, 4, 5, 6});
+  EXPECT_EQ(exodus_refusal(narrow.file),
+            "vals_nod_var1: does not have the extents that the mesh asks for");
+  OneTetrahedron flat = made;
+  flat.file.doubles("vals_nod_var1", {time}, {1, 2});
+  EXPECT_EQ(exodus_refusal(flat.file),
+            "vals_nod_var1: does not have the extents that the mesh asks for");
+}
+
+TEST(ExodusRefusals, FilesThatTheLibraryCannotOpen) {
+  // the last number of the header says that the last variable begins in the header
+  ClassicFile file;
+  const std::size_t nodes = file.dimension("num_nodes", 4);
+  file.ints("connect1", {nodes}, {1, 2, 3, 4}, "TETRA");
+  std::string bytes = file.bytes();
+  bytes.replace(bytes.size() - 20, 4, ClassicFile::big_endian(4, 4));
+  const ScratchFolder folder;
+  const std::string path = folder.write("a.exo", bytes);
+  EXPECT_THAT(refusal(path), testing::StartsWith(path + ": is no whole netCDF file (NetCDF: "));
+}
+
+}  // namespace
+}  // namespace hiac::formats
