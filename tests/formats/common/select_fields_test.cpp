@@ -63,6 +63,32 @@ TEST(SelectFields, WhatIsNotThereIsRefused) {
   EXPECT_THROW(select({"v="}), UsageError);
 }
 
+TEST(SelectFields, RefusalsSayWhatIsExpected) {
+  const auto complaint = [](const ZooMesh& mesh, const std::string& request) -> std::string {
+    try {
+      select_fields(mesh, std::vector{request});
+    } catch (const UsageError& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  const ZooMesh mesh = sample();
+  EXPECT_EQ(complaint(mesh, "id=x"),
+            "field id=x: several fields have that name (node/NAME, cell/NAME or corner/NAME "
+            "expected)");
+  EXPECT_EQ(complaint(mesh, "node/id=x"), "none");
+  EXPECT_EQ(complaint(mesh, "v="), "field v=: the new name is empty");
+  const std::string expected =
+      "there is no such field (expected one of v, id, id, a=b, or a component NAME:x or "
+      "NAME:magnitude)";
+  EXPECT_EQ(complaint(mesh, "w"), "field w: " + expected);
+  EXPECT_EQ(complaint(mesh, "v:w"), "field v:w: " + expected);
+  EXPECT_EQ(complaint(mesh, "w=v"), "field w=v: " + expected);
+  EXPECT_EQ(complaint(mesh, "cell/v"), "field cell/v: " + expected);
+  EXPECT_EQ(complaint(mesh, "id:x"), "field id:x: " + expected);
+  EXPECT_EQ(complaint(ZooMesh(), "w"), "field w: there is no such field (the mesh has none)");
+}
+
 TEST(KeepCorners, DropsMidEdgeNodesAndTheirData) {
   ZooMesh mesh = sample();
   std::vector<std::string> notes;
