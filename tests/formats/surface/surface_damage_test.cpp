@@ -52,6 +52,56 @@ TEST(SurfaceDamage, NothingIsPrintedByTheLibrary) {
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
+std::string surface_complaint(const std::string& path) {
+  try {
+    read_surface(path);
+  } catch (const InputError& error) {
+    return std::string(error.what()).substr(path.size() + 2);
+  }
+  return "none";
+}
+
+TEST(SurfaceDamage, PolygonsHaveCornersThatThereAre) {
+  const ScratchFolder folder;
+  const auto said = [&](const std::string& faces) {
+    return surface_complaint(folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n" + faces));
+  };
+  EXPECT_EQ(said("f 1 2 3\n"), "none");
+  EXPECT_EQ(said("f 1 2 4\n"), "none");
+  EXPECT_EQ(said("f 1 2\n"), "a polygon of 2 corners (3 or more expected)");
+  EXPECT_EQ(said("f 1 2 3\nf 4\n"), "a polygon of 1 corners (3 or more expected)");
+  EXPECT_EQ(said("f 1 2 5\n"), "a polygon has corner 4 (less than 4 expected)");
+  EXPECT_EQ(said(""), "is malformed (a surface of polygons expected)");
+}
+
+TEST(SurfaceDamage, CoordinatesAreFinite) {
+  const ScratchFolder folder;
+  const std::string one("\0\0\x80\x3f", 4);
+  const std::string zero(4, '\0');
+  const auto said = [&](const std::string& last) {
+    return surface_complaint(folder.write(
+        "a.stl", std::string(80, ' ') + std::string("\1\0\0\0", 4) + std::string(12, '\0') + zero +
+                     zero + zero + one + zero + zero + zero + one + last + std::string(2, '\0')));
+  };
+  EXPECT_EQ(said(one), "none");
+  EXPECT_EQ(said(std::string("\0\0\xc0\x7f", 4)), "a coordinate of point 2 is not finite");
+  EXPECT_EQ(said(std::string("\0\0\x80\xff", 4)), "a coordinate of point 2 is not finite");
+}
+
+TEST(SurfaceDamage, KindsOfFilesThatHoldSurfaces) {
+  const ScratchFolder folder;
+  EXPECT_EQ(
+      surface_complaint(folder.write("a.step", "")),
+      "unknown kind of surface (.stl, .ply, .obj, .off, .vtp, .vtu, .poly or .smesh expected)");
+  for (const char* name : {"a.STL", "a.ply", "a.Obj", "a.off", "a.vtp", "a.poly", "a.smesh"}) {
+    EXPECT_TRUE(is_surface_file(name)) << name;
+    EXPECT_TRUE(may_hold_surface(name)) << name;
+  }
+  EXPECT_FALSE(is_surface_file("a.vtu"));
+  EXPECT_TRUE(may_hold_surface("a.vtu"));
+  EXPECT_FALSE(may_hold_surface("a.vtk"));
+}
+
 TEST(SurfaceDamage, BlocksOfBlocksAreReadToADepth) {
   const ScratchFolder folder;
   const auto nested = [](int depth) {
