@@ -3,7 +3,6 @@
 #include <functional>
 
 #include <cgns_io.h>
-#include <fmt/format.h>
 
 #include "tests/formats/field_named.hpp"
 #include "tests/formats/files.hpp"
@@ -349,6 +348,45 @@ TEST(CgnsTrees, ValuesOfCellsByTheirNumbers) {
   // as many as volumes: the wall between them has no value; as many as elements: it has one
   EXPECT_THAT(field_named(values(2, {5, 6}), "p").values.view(), ElementsAre(5, 6));
   EXPECT_THAT(field_named(values(3, {5, 9, 6}), "p").values.view(), ElementsAre(5, 6));
+}
+
+/// The complaint about the unit tetrahedron with other bytes in a node: behind its tag stand its
+/// name and label of 32 bytes each, from 64 on three numbers of 28 digits together, which lead to
+/// its children, its type of 32 bytes, from 124 on how many extents it has, in two digits, and from
+/// 126 on the extents, in eight digits each.
+std::string damaged_node_refusal(const std::string& name, std::size_t at,
+                                 const std::string& digits) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("a.cgns");
+  {
+    CgnsTree tree(path);
+    const double zone = add_zone(tree, add_base(tree));
+    add_points(tree, zone);
+    add_section(tree, zone, {1, 2, 3, 4});
+  }
+  std::string text = text_of(path);
+  const std::size_t node = text.find("NoDe" + name + " ");
+  EXPECT_NE(node, std::string::npos);
+  static_cast<void>(folder.write("a.cgns", text.replace(node + 4 + at, digits.size(), digits)));
+  const std::string message = refusal(path);
+  return message.empty() ? message : message.substr(path.size() + 2);
+}
+
+TEST(CgnsTrees, NodesThatAreDamaged) {
+  EXPECT_EQ(damaged_node_refusal("CoordinateX", 126, "00000004"), "");
+  EXPECT_EQ(damaged_node_refusal("CoordinateX", 126, "00000005"),
+            "DataArray_t 'CoordinateX': cannot be read");
+  EXPECT_THAT(damaged_node_refusal("CoordinateX", 126, "0FFFFFFF"),
+              testing::MatchesRegex("DataArray_t 'CoordinateX': declares more than a file of "
+                                    "[0-9]+ bytes can hold"));
+  EXPECT_EQ(damaged_node_refusal("CoordinateX", 126, "FFFFFFFF"), "has a damaged node");
+  EXPECT_EQ(damaged_node_refusal("CoordinateX", 124, "0D"), "has a damaged node");
+  EXPECT_EQ(damaged_node_refusal("CoordinateX", 64, "ZZZZZZZZ"), "has a damaged node");
+  // more children than there are, more than there may be, and a place where none are
+  for (const auto& [at, digits] :
+       {std::pair<std::size_t, const char*>{64, "00000005"}, {64, "00FFFFFF"}, {80, "00000FFF"}})
+    EXPECT_EQ(damaged_node_refusal("zone", at, digits), "Zone_t 'zone': cannot be listed")
+        << digits;
 }
 
 TEST(CgnsTrees, FilesThatTheLibraryCannotOpen) {

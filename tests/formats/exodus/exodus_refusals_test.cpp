@@ -1,8 +1,5 @@
 // Exodus files whose variables do not fit one another, written byte by byte: the whole complaint,
 // and the nearest file that is read.
-#include <cmath>
-
-#include <fmt/format.h>
 
 #include "tests/formats/exodus/classic_file.hpp"
 #include "tests/formats/field_named.hpp"

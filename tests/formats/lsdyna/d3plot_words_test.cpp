@@ -1,7 +1,7 @@
 // The control words of LS-DYNA's files: where data begin for each of them, and what is refused.
+#include <cstring>
 #include <map>
-
-#include <fmt/format.h>
+#include <tuple>
 
 #include "formats/lsdyna/d3plot_layout.hpp"
 #include "tests/formats/files.hpp"

@@ -1,6 +1,8 @@
 // MED files written through HDF5, so that they can hold what MED-fichier does not write: what is
 // said of it, and groups, profiles and steps whose result is known.
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include <fmt/format.h>
 

@@ -1,7 +1,6 @@
 // Silo files that lack a part or whose parts do not fit one another: the whole complaint, and the
 // nearest file that is read.
 #include <array>
-#include <cmath>
 #include <memory>
 
 #include <fmt/format.h>

@@ -1,5 +1,4 @@
 // Which columns of a table of points are its coordinates, and what is said of wrong rows.
-#include <fmt/format.h>
 
 #include "formats/surface/point_file.hpp"
 #include "tests/formats/files.hpp"

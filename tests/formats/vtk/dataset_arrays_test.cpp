@@ -1,8 +1,6 @@
 // The arrays of VTK's datasets, right and wrong: cells, faces and marks of ghosts.
-#include <algorithm>
 #include <array>
 
-#include <fmt/format.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataSetAttributes.h>
@@ -26,7 +24,6 @@ namespace {
 
 using testing::Contains;
 using testing::ElementsAre;
-using testing::HasSubstr;
 
 template <typename Read>
 std::string array_complaint(const Read& read) {

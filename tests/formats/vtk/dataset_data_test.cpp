@@ -1,5 +1,4 @@
 // Fields and data of VTK's datasets, VTK's messages, and the cells that VTK has none for.
-#include <cmath>
 
 #include <fmt/format.h>
 #include <vtkBitArray.h>
@@ -27,11 +26,9 @@
 namespace hiac::formats::vtk {
 namespace {
 
-using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::Not;
 using Entry = std::pair<std::string, std::string>;
 
 /// Two points along x, in one cell's place.

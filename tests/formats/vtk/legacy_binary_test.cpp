@@ -2,6 +2,7 @@
 // next word is found.
 #include <cmath>
 #include <cstring>
+#include <iterator>
 
 #include <fmt/format.h>
 

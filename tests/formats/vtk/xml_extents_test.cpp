@@ -1,4 +1,6 @@
 // Structured files: extents, pieces of them, origins and coordinates.
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "tests/formats/field_named.hpp"

@@ -1,8 +1,5 @@
 // What the check of VTK's XML files says about the frame of a file, its attributes and its cells:
 // the whole complaint, and the nearest input that is fine.
-#include <cmath>
-
-#include <fmt/format.h>
 
 #include "formats/vtk/xml/xml_array.hpp"
 #include "tests/formats/field_named.hpp"
@@ -11,7 +8,6 @@
 namespace hiac::formats {
 namespace {
 
-using testing::Contains;
 using testing::HasSubstr;
 
 std::string xml_array(const std::string& attributes, const std::string& values) {

@@ -1,8 +1,5 @@
 // VTKHDF files whose lists do not fit one another: the whole complaint, and the nearest that fits.
-#include <cmath>
 #include <map>
-
-#include <fmt/format.h>
 
 #include "tests/formats/cell_volumes.hpp"
 #include "tests/formats/field_named.hpp"
@@ -13,7 +10,6 @@
 namespace hiac::formats {
 namespace {
 
-using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using HdfIntegers = std::vector<std::int64_t>;
