@@ -131,6 +131,85 @@ TEST(XmlSurface, WhatIsNoSurfaceIsRefused) {
   EXPECT_THAT(complaint(ghosts), HasSubstr("ghost cells"));
 }
 
+TEST(XmlSurface, CellsThatCannotHaveSoManyPoints) {
+  const ScratchFolder folder;
+  const auto said = [&](int type, int count) -> std::string {
+    std::string connectivity = "0";
+    for (int i = 1; i < count; ++i) connectivity += fmt::format(" {}", i % 6);
+    const std::string path =
+        folder.write("a.vtu", grid(1, connectivity, std::to_string(count), std::to_string(type)));
+    try {
+      read_xml_surface(path);
+    } catch (const InputError& error) {
+      return std::string(error.what()).substr(path.size() + 2);
+    }
+    return "none";
+  };
+  struct Row {
+    int type;
+    const char* name;
+    int count;
+    bool more;  ///< any number from there on
+  };
+  for (const Row& row : {Row{5, "Triangle", 3, false},
+                         {9, "Quad", 4, false},
+                         {7, "Polygon", 3, true},
+                         {8, "Pixel", 4, false},
+                         {6, "TriangleStrip", 3, true},
+                         {22, "QuadraticTriangle", 6, false},
+                         {23, "QuadraticQuad", 8, false},
+                         {28, "BiQuadraticQuad", 9, false}}) {
+    EXPECT_EQ(said(row.type, row.count), "none") << row.name;
+    EXPECT_EQ(said(row.type, row.count - 1),
+              fmt::format("cell 0: a {} cannot have {} points", row.name, row.count - 1));
+    EXPECT_EQ(said(row.type, row.count + 1),
+              row.more
+                  ? "none"
+                  : fmt::format("cell 0: a {} cannot have {} points", row.name, row.count + 1));
+  }
+  for (const int type : {0, 1, 2, 3, 4, 21, 35, 68}) EXPECT_EQ(said(type, 2), "none") << type;
+}
+
+TEST(XmlSurface, OffsetsAndCountsThatDoNotFit) {
+  const ScratchFolder folder;
+  const auto said = [&](const std::string& text) -> std::string {
+    const std::string path = folder.write("a.vtu", text);
+    try {
+      read_xml_surface(path);
+    } catch (const InputError& error) {
+      return std::string(error.what()).substr(path.size() + 2);
+    }
+    return "none";
+  };
+  const std::string wrong = "wrong offsets of the cells (rising numbers expected)";
+  EXPECT_EQ(said(grid(2, "0 1 2 0 1 3", "3 6", "5 5")), "none");
+  EXPECT_EQ(said(grid(2, "0 1 2 0 1 3", "6 3", "5 5")), wrong);
+  EXPECT_EQ(said(grid(2, "0 1 2 0 1 3", "-3 3", "5 5")), wrong);
+  EXPECT_EQ(said(grid(1, "0 1 2", "-3", "5")), wrong);
+  EXPECT_EQ(said(grid(1, "0 1 2", "281474976710656", "5")), wrong);
+  EXPECT_EQ(
+      said(grid(1, "0 1 2", "281474976710655", "5")),
+      "array 'connectivity': the data end too soon (281474976710655 values expected, 3 found)");
+  EXPECT_EQ(said(grid(2, "0 1 2 0 1 6", "3 6", "5 5")),
+            "cell 1: no such point (0 to 5 expected, 6 found)");
+  EXPECT_EQ(said(grid(2, "0 1 2 0 1 3", "3 6", "5 10")),
+            "cell 1 is a Tetra (a surface of triangles and polygons expected)");
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string text = grid(1, "0 1 2", "3", "5");
+    return said(text.replace(text.find(from), from.size(), to));
+  };
+  EXPECT_EQ(changed("Name=\"offsets\"", "Name=\"ends\""),
+            "a piece's cells have no array 'offsets'");
+  EXPECT_EQ(changed("\"Int64\" Name=\"offsets\"", "\"Float64\" Name=\"offsets\""),
+            "array 'offsets' of the cells does not hold single integers");
+  EXPECT_EQ(changed("NumberOfComponents=\"3\"", "NumberOfComponents=\"2\""),
+            "the points have 2 components (3 numbers expected)");
+  EXPECT_EQ(changed("NumberOfPoints=\"6\"", "NumberOfPoints=\"4294967295\""),
+            "has too many points (fewer than 2^32 expected)");
+  EXPECT_THAT(changed("NumberOfPoints=\"6\"", "NumberOfPoints=\"4294967294\""),
+              HasSubstr("the data end too soon (12884901882 values expected"));
+}
+
 // A bent sheet of quadrilaterals, large enough for several compressed blocks.
 vtkSmartPointer<vtkPolyData> sheet(int precision) {
   constexpr int kSide = 60;
