@@ -1,9 +1,11 @@
 // The arrays of legacy files: what is said of wrong ones, and what stands between them and behind
 // them that is passed over.
 #include <cmath>
+#include <tuple>
 
 #include <fmt/format.h>
 
+#include "formats/vtk/number_type.hpp"
 #include "tests/formats/field_named.hpp"
 #include "tests/formats/files.hpp"
 
@@ -73,6 +75,8 @@ TEST(LegacyData, AttributesAreRefusedByTheirParts) {
         "line 13: wrong value 1 of 2 (a finite number expected, 'nan' found)"},
        {"table of three", "POINT_DATA 4\nLOOKUP_TABLE t 1\n0 0 1 x\n",
         "line 13: wrong value 3 of 4 (a finite number expected, 'x' found)"},
+       {"table of single precision", "POINT_DATA 4\nLOOKUP_TABLE t 1\n0 0 1 1e39\n",
+        "line 13: wrong value 3 of 4 (a finite number expected, '1e39' found)"},
        {"vectors", "CELL_DATA 1\nVECTORS v int\n1 2\n",
         "line 14: the file ends too soon (3 values expected, 2 found)"},
        {"tensors", "CELL_DATA 1\nTENSORS v int\n1 2 3 4 5 6 7 8\n",
@@ -183,6 +187,51 @@ TEST(LegacyData, RealsFitTheirTypes) {
                     {"two signs", field("double", "0 +-1"), wrong("+-1")},
                     {"a comma", field("double", "0 1,5"), wrong("1,5")},
                     {"not finite", field("float", "nan -inf"), ""}});
+}
+
+TEST(LegacyData, NamesOfTypes) {
+  using Family = vtk::NumberType::Family;
+  using Named = std::tuple<const char*, Family, std::size_t>;
+  const auto expect = [](const auto& find, const Named& named) {
+    const auto& [name, family, bytes] = named;
+    const auto type = find(name);
+    ASSERT_TRUE(type) << name;
+    EXPECT_EQ(type->family, family) << name;
+    EXPECT_EQ(type->bytes, bytes) << name;
+  };
+  for (const Named& named : {Named{"bit", Family::bit, 0},
+                             {"CHAR", Family::signed_integer, 1},
+                             {"signed_char", Family::signed_integer, 1},
+                             {"unsigned_char", Family::unsigned_integer, 1},
+                             {"short", Family::signed_integer, 2},
+                             {"unsigned_short", Family::unsigned_integer, 2},
+                             {"vtkIdType", Family::signed_integer, 4},
+                             {"int", Family::signed_integer, 4},
+                             {"unsigned_int", Family::unsigned_integer, 4},
+                             {"long", Family::signed_integer, 8},
+                             {"unsigned_long", Family::unsigned_integer, 8},
+                             {"vtktypeint64", Family::signed_integer, 8},
+                             {"vtktypeuint64", Family::unsigned_integer, 8},
+                             {"float", Family::real, 4},
+                             {"double", Family::real, 8},
+                             {"string", Family::text, 0},
+                             {"utf8_string", Family::text, 0},
+                             {"variant", Family::variant, 0}})
+    expect(vtk::legacy_number_type, named);
+  EXPECT_FALSE(vtk::legacy_number_type("Int8"));
+  for (const Named& named : {Named{"Int8", Family::signed_integer, 1},
+                             {"UInt8", Family::unsigned_integer, 1},
+                             {"Int16", Family::signed_integer, 2},
+                             {"UInt16", Family::unsigned_integer, 2},
+                             {"Int32", Family::signed_integer, 4},
+                             {"UInt32", Family::unsigned_integer, 4},
+                             {"Int64", Family::signed_integer, 8},
+                             {"UInt64", Family::unsigned_integer, 8},
+                             {"Float32", Family::real, 4},
+                             {"Float64", Family::real, 8},
+                             {"String", Family::text, 0}})
+    expect(vtk::xml_number_type, named);
+  EXPECT_FALSE(vtk::xml_number_type("int8"));
 }
 
 TEST(LegacyData, SixtyFourSectionsOfDataAndNoMore) {
