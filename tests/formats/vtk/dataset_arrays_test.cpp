@@ -236,6 +236,26 @@ TEST(DatasetArrays, PrismsOverPolygonsAreToldByTheirFaces) {
   EXPECT_EQ(mesh.polyhedra.faces.back(), 11);
 }
 
+TEST(DatasetArrays, GhostsAmongOtherCellsAreLeftOut) {
+  for (const bool by_point : {false, true}) {
+    const auto grid = two_tetrahedra();
+    const auto marks = array_with<vtkUnsignedCharArray>(
+        by_point ? std::vector<int>{0, 0, 0, 0, 0, 0, vtkDataSetAttributes::HIDDENPOINT, 0}
+                 : std::vector<int>{0, vtkDataSetAttributes::DUPLICATECELL});
+    marks->SetName("vtkGhostType");
+    if (by_point)
+      grid->GetPointData()->AddArray(marks);
+    else
+      grid->GetCellData()->AddArray(marks);
+    const ForeignMesh mesh = foreign_from_vtk(*grid, "file");
+    ASSERT_EQ(mesh.cell_count(), 2U);
+    EXPECT_EQ(mesh.types[mesh.cell_types[0]].name, "Tetra");
+    EXPECT_EQ(mesh.types[mesh.cell_types[1]].name, "ghost or hidden cell");
+    EXPECT_THAT(mesh.cell_nodes, ElementsAre(0, 1, 3, 4));
+    EXPECT_THAT(mesh.notes, ElementsAre("dropped 1 ghost or hidden cells"));
+  }
+}
+
 TEST(DatasetArrays, TypesOfNoNodesAreWrong) {
   const auto grid = grid_with<vtkTypeInt64Array>({0, 3}, {0, 1, 2}, {VTK_TETRA});
   EXPECT_EQ(array_complaint([&] { count_cells(*grid, "file"); }),

@@ -187,6 +187,25 @@ TEST(VtkHdfRefusals, ImagesNeedAFieldOfTheirSize) {
   EXPECT_EQ(image_complaint({}, {2, 2, 3, 2, 1}), fit);
 }
 
+TEST(VtkHdfRefusals, ImagesOfSteps) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("a.vtkhdf");
+  {
+    Hdf5Output file(path);
+    file.group(kHdfRoot);
+    file.attribute(kHdfRoot, "Type", std::string("ImageData"));
+    file.attribute(kHdfRoot, "WholeExtent", HdfReals{0, 1, 0, 1, 0, 1});
+    file.attribute(kHdfRoot, "Origin", HdfReals{0, 0, 0});
+    file.attribute(kHdfRoot, "Spacing", HdfReals{1, 1, 1});
+    file.put(kHdfRoot + "/Steps/Values", HdfReals{0.5, 2});
+    file.put(kHdfRoot + "/CellData/c", HdfReals{7, 8}, {2, 1, 1, 1});
+  }
+  EXPECT_THAT(field_named(read_any(path).mesh, "c").values.view(), ElementsAre(8));
+  ReadOptions options;
+  options.step = 0;
+  EXPECT_THAT(field_named(read_any(path, options).mesh, "c").values.view(), ElementsAre(7));
+}
+
 TEST(VtkHdfRefusals, ImagesAlongTheirAxes) {
   const ScratchFolder folder;
   const std::string path = folder.file("a.vtkhdf");
