@@ -1,7 +1,5 @@
 #include "formats/vtk/legacy/legacy_file.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <memory>
 
 #include <fmt/format.h>
@@ -21,29 +19,13 @@
 
 #include "formats/common/io/mapped_file.hpp"
 #include "formats/vtk/legacy/legacy_layout.hpp"
+#include "formats/vtk/legacy/legacy_names.hpp"
 #include "formats/vtk/legacy/legacy_values.hpp"
 #include "formats/vtk/message_capture.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::vtk {
 namespace {
-
-/// Legacy files write a blank in a name as "%20", and likewise other characters.
-std::string decoded(const std::string& name) {
-  std::string result;
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    const bool coded = name[i] == '%' && i + 2 < name.size() &&
-                       std::isxdigit(static_cast<unsigned char>(name[i + 1])) != 0 &&
-                       std::isxdigit(static_cast<unsigned char>(name[i + 2])) != 0;
-    if (!coded) {
-      result += name[i];
-      continue;
-    }
-    result += static_cast<char>(std::stoi(name.substr(i + 1, 2), nullptr, 16));
-    i += 2;
-  }
-  return result;
-}
 
 template <typename Reader, typename Dataset>
 vtkSmartPointer<vtkDataSet> read_with(const std::string& path) {
@@ -75,8 +57,9 @@ vtkSmartPointer<vtkDataSet> read_dataset(const std::string& path, LegacyLayout::
   return nullptr;
 }
 
-/// C++ streams do not read "nan" and "inf", and so VTK's reader stops there. It gets a copy with
-/// zeros in their places; afterwards the values are restored.
+/// C++ streams do not read "nan" and "inf", and so VTK's reader stops there, also in an array that
+/// a later one replaces. It gets a copy with zeros in their places; afterwards the values are
+/// restored.
 std::unique_ptr<MemoryFile> without_not_finite(std::string_view text, const LegacyLayout& layout,
                                                const std::string& subject) {
   std::unique_ptr<MemoryFile> copy;
@@ -93,7 +76,7 @@ vtkDataArray* array_read_as(const LegacyArray& array, vtkDataSet& dataset) {
   vtkDataSetAttributes* data = array.on_points
                                    ? static_cast<vtkDataSetAttributes*>(dataset.GetPointData())
                                    : dataset.GetCellData();
-  return data->GetArray(decoded(array.name).c_str());
+  return data->GetArray(array.read_as.c_str());
 }
 
 void restore_not_finite(std::string_view text, const LegacyArray& array, vtkDataSet& dataset,
@@ -108,32 +91,12 @@ void restore_not_finite(std::string_view text, const LegacyArray& array, vtkData
   });
 }
 
-/// Of several arrays with one name VTK keeps the last. Removes the others from the layout, with a
-/// note.
-void drop_replaced_arrays(LegacyLayout& layout) {
-  std::vector<LegacyArray> kept;
-  for (std::size_t i = 0; i < layout.attributes.size(); ++i) {
-    const LegacyArray& array = layout.attributes[i];
-    const bool replaced = std::any_of(layout.attributes.begin() + static_cast<long>(i) + 1,
-                                      layout.attributes.end(), [&](const LegacyArray& later) {
-                                        return later.on_points == array.on_points &&
-                                               decoded(later.name) == decoded(array.name);
-                                      });
-    if (replaced)
-      layout.notes.push_back(
-          fmt::format("several arrays have the name '{}': the last is read", array.name));
-    else
-      kept.push_back(array);
-  }
-  layout.attributes = std::move(kept);
-}
-
 }  // namespace
 
 LegacyDataset read_legacy_file(const std::string& path) {
   const MappedFile file(path);
   LegacyLayout layout = check_legacy_file(file.text(), path);
-  drop_replaced_arrays(layout);
+  name_arrays(layout, path);
   const std::unique_ptr<MemoryFile> copy = without_not_finite(file.text(), layout, path);
   const MessageCapture messages;
   LegacyDataset result{read_dataset(copy ? copy->path() : path, layout.dataset), layout.title,
@@ -146,7 +109,8 @@ LegacyDataset read_legacy_file(const std::string& path) {
                                        "and {} found)",
                                        layout.points, layout.cells, points, cells));
   for (const LegacyArray& array : layout.attributes)
-    if (array.has_not_finite) restore_not_finite(file.text(), array, *result.dataset, path);
+    if (array.has_not_finite && !array.replaced)
+      restore_not_finite(file.text(), array, *result.dataset, path);
   for (std::string& warning : messages.warnings()) result.notes.push_back(std::move(warning));
   return result;
 }

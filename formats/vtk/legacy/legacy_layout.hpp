@@ -12,7 +12,7 @@ namespace hiac::formats::vtk {
 
 /// The position of an array in a legacy file, and how it is stored.
 struct LegacyArray {
-  std::string name;
+  std::string name;  ///< as written
   NumberType type{};
   std::size_t tuples = 0;
   std::size_t components = 0;
@@ -20,6 +20,8 @@ struct LegacyArray {
   std::size_t end = 0;    ///< one past the last
   bool on_points = false;
   bool has_not_finite = false;  ///< ASCII values that are nan or inf
+  std::string read_as{};        ///< the name under which VTK's reader stores the array
+  bool replaced = false;        ///< by a later array with that name
 };
 
 /// The contents of a legacy VTK file and their positions: the result of checking the file before it

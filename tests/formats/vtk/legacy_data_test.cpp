@@ -1,5 +1,6 @@
 // The arrays of legacy files: what is said of wrong ones, and what stands between them and behind
 // them that is passed over.
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 
@@ -274,10 +275,62 @@ TEST(LegacyData, OfArraysWithOneNameTheLastIsRead) {
       "a.vtk", kTetrahedronFile +
                    "CELL_DATA 1\nFIELD f 3\na%20b 1 1 float\n3\nc 1 1 int\n8\na%20b 1 1 float\n"
                    "-inf\nPOINT_DATA 4\nSCALARS c float\nLOOKUP_TABLE default\n1 2 nan 4\n"));
-  EXPECT_THAT(reading.notes, Contains("several arrays have the name 'a%20b': the last is read"));
+  EXPECT_THAT(reading.notes, Contains("several arrays have the name 'a b': the last is read"));
   EXPECT_THAT(reading.notes, Not(Contains(HasSubstr("the name 'c'"))));
   EXPECT_EQ(field_named(reading.mesh, "a b").values[0], -INFINITY);
   ASSERT_EQ(reading.mesh.fields.size(), 3U);
+}
+
+TEST(LegacyData, ValuesOfAReplacedArrayMayBeNotFinite) {
+  const ScratchFolder folder;
+  const auto one = [](const std::string& value) { return " 1 1 float\n" + value + "\n"; };
+  for (const auto& [first, second] :
+       {std::pair<const char*, const char*>{"nan", "3"}, {"3", "nan"}, {"-inf", "nan"}}) {
+    const Reading reading =
+        read_any(folder.write("a.vtk", kTetrahedronFile + "CELL_DATA 1\nFIELD f 3\na" + one(first) +
+                                           "%61" + one(first) + "a" + one(second)));
+    ASSERT_EQ(reading.mesh.fields.size(), 1U) << first;
+    EXPECT_EQ(fmt::format("{}", reading.mesh.fields[0].values[0]), second) << first;
+    EXPECT_EQ(std::count(reading.notes.begin(), reading.notes.end(),
+                         "several arrays have the name 'a': the last is read"),
+              1)
+        << first;
+  }
+}
+
+// The names are those that VTK's reader gives: it drops a '%' without two characters behind it, and
+// ends a name at a '%' with others than hexadecimal digits.
+TEST(LegacyData, NamesWithAPercentSignThatBeginsNoCode) {
+  const ScratchFolder folder;
+  for (const char* value : {"5", "inf"})
+    for (const auto& [written, name] : {std::pair<const char*, const char*>{"a%4", "a4"},
+                                        {"a%", "a"},
+                                        {"ab%", "ab"},
+                                        {"50%x", "50x"},
+                                        {"load%max", "load"},
+                                        {"a%-1b", "a"},
+                                        {"%41%g1b", "A"},
+                                        {"abc%00d", "abc"},
+                                        {"abc%%41", "abc"},
+                                        {"%0", ""},
+                                        {"%g1", ""},
+                                        {"%", ""}}) {
+      const Reading reading = read_any(folder.write(
+          "a.vtk", kTetrahedronFile + "CELL_DATA 1\nFIELD f 2\na_name%20of_another 1 1 float\n4\n" +
+                       written + " 2 1 float\n6 " + value + "\n"));
+      ASSERT_EQ(reading.mesh.fields.size(), 2U) << written;
+      const Field& field = reading.mesh.fields[1];
+      EXPECT_EQ(field.name, std::string_view(name).empty() ? "cell field 1" : name) << written;
+      EXPECT_EQ(field.values[0], 6) << written;
+      EXPECT_EQ(fmt::format("{}", field.values[1]), value) << written;
+      EXPECT_THAT(reading.notes,
+                  Contains(fmt::format("a '%' in the name '{}' begins no code: it is read as '{}'",
+                                       written, name)));
+    }
+  // what VTK makes of it depends on the names before it
+  const std::string path =
+      folder.write("a.vtk", kTetrahedronFile + "CELL_DATA 1\nFIELD f 1\n%4 1 1 float\n6\n");
+  EXPECT_EQ(refusal(path), path + ": the name '%4' of an array ends in the middle of a code");
 }
 
 TEST(LegacyData, CodedNamesOfArraysWithoutEveryValue) {
