@@ -98,7 +98,7 @@ class Service {
     out.array(std::span<const double>(step ? step->times : std::vector<double>()));
     out.number(step ? step->step : 0);
     pack_field_steps(out, step ? step->field_steps : FieldSteps());
-    std::vector<std::string> notes;
+    std::vector<std::string> notes = xml_->notes();
     note_behind_root(xml_->file_text(), "VTKFile", notes);
     pack_texts(out, notes);
   }

@@ -66,4 +66,8 @@ void MemoryFile::put_zero(std::size_t at, std::size_t length) {
   write_all(memory_.descriptor(), word, at, subject_);
 }
 
+void MemoryFile::put_blanks(std::size_t at, std::size_t length) {
+  write_all(memory_.descriptor(), std::string(length, ' '), at, subject_);
+}
+
 }  // namespace hiac::formats

@@ -34,6 +34,8 @@ class MemoryFile {
   [[nodiscard]] const std::string& path() const { return path_; }
   /// Overwrites the word at text[at, at + length) by a zero and blanks.
   void put_zero(std::size_t at, std::size_t length);
+  /// Overwrites text[at, at + length) by blanks.
+  void put_blanks(std::size_t at, std::size_t length);
 
  private:
   SharedMemory memory_;

@@ -48,7 +48,8 @@ XmlFile::XmlFile(const std::string& path, const std::string& type, const ReadOpt
       step_(xml_step(file_.text(), type, options, path)),
       layout_(check_xml_file(text(), type, path)),
       reader_(new_reader(type)) {
-  if (step_) copy_ = std::make_unique<MemoryFile>(text(), path_);
+  if (step_) copy();
+  hide_replaced();
   hide_not_finite();
   reader_->SetFileName(copy_ ? copy_->path().c_str() : path_.c_str());
   reader_->UpdateInformation();
@@ -109,9 +110,20 @@ void XmlFile::check_read(vtkDataSet* dataset, std::size_t points, std::size_t ce
                                         points, cells, found_points, found_cells));
 }
 
-/// The position of an array's text in the file.
-std::size_t XmlFile::place_of(const XmlArray& array) const {
-  return static_cast<std::size_t>(array.data.data() - text().data());
+/// The position of a part of the text in the file.
+std::size_t XmlFile::place_of(std::string_view part) const {
+  return static_cast<std::size_t>(part.data() - text().data());
+}
+
+/// The copy of the file that VTK reads in its place.
+MemoryFile& XmlFile::copy() {
+  if (!copy_) copy_ = std::make_unique<MemoryFile>(text(), path_);
+  return *copy_;
+}
+
+void XmlFile::hide_replaced() {
+  for (const std::string_view element : layout_.replaced)
+    copy().put_blanks(place_of(element), element.size());
 }
 
 /// C++ streams do not read "nan" and "inf", and so VTK's reader stops there. It gets a copy with
@@ -119,9 +131,8 @@ std::size_t XmlFile::place_of(const XmlArray& array) const {
 void XmlFile::hide_not_finite() {
   for (const XmlPiece& piece : layout_.pieces)
     for_each_not_finite_array(piece, [&](const XmlArray& array, bool) {
-      if (!copy_) copy_ = std::make_unique<MemoryFile>(text(), path_);
       for_each_not_finite(array.data, 0, array.data.size(), [&](const NotFiniteWord& word) {
-        copy_->put_zero(place_of(array) + word.at, word.length);
+        copy().put_zero(place_of(array.data) + word.at, word.length);
       });
     });
 }

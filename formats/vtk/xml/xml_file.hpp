@@ -34,6 +34,8 @@ class XmlFile {
   [[nodiscard]] std::string_view file_text() const { return file_.text(); }
   /// Nothing where the file declares no steps.
   [[nodiscard]] const std::optional<XmlStep>& step() const { return step_; }
+  /// What the check of the file found.
+  [[nodiscard]] const std::vector<std::string>& notes() const { return layout_.notes; }
   /// VTK's warnings so far.
   [[nodiscard]] std::vector<std::string> warnings() const { return messages_.warnings(); }
 
@@ -45,7 +47,9 @@ class XmlFile {
  private:
   [[nodiscard]] std::string_view text() const;
   void check_read(vtkDataSet* dataset, std::size_t points, std::size_t cells) const;
-  [[nodiscard]] std::size_t place_of(const XmlArray& array) const;
+  [[nodiscard]] std::size_t place_of(std::string_view part) const;
+  MemoryFile& copy();
+  void hide_replaced();
   void hide_not_finite();
   void restore_not_finite(const XmlPiece& piece, vtkDataSet& dataset, std::size_t first_point,
                           std::size_t first_cell) const;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "formats/vtk/array_names.hpp"
 #include "formats/vtk/xml/xml_text.hpp"
 #include "hiac/base/error.hpp"
 
@@ -116,15 +117,32 @@ class LayoutCheck {
     check_xml_array(array, values, text_.storage(), may_be_not_finite, text_.subject());
   }
 
-  std::vector<XmlArray> check_data(pugi::xml_node section, std::size_t tuples) const {
+  /// The arrays of a piece's PointData or CellData. VTK's reader looks for each array at the place
+  /// of the first with its name, and so it must not see one that another one replaces.
+  std::vector<XmlArray> check_data(pugi::xml_node piece, const char* section, std::size_t tuples) {
     std::vector<XmlArray> arrays;
-    for (const pugi::xml_node element : section.children()) {
+    std::vector<pugi::xml_node> elements;
+    std::vector<std::string> names;
+    for (const pugi::xml_node element : section_of(piece, section).children()) {
       if (!is_array(element)) continue;
       XmlArray array = text_.array(element);
+      if (array.name.empty())
+        text_.fail(fmt::format("piece {}: array {} of its {} has no name", layout_.pieces.size(),
+                               arrays.size(), section));
       check(array, tuples * array.components, true);
+      names.push_back(array.name);
+      elements.push_back(element);
       arrays.push_back(std::move(array));
     }
-    return arrays;
+    const std::vector<bool> replaced = replaced_names(names, layout_.notes);
+    std::vector<XmlArray> kept;
+    for (std::size_t i = 0; i < arrays.size(); ++i) {
+      if (replaced[i])
+        layout_.replaced.push_back(text_.up_to_next(elements[i]));
+      else
+        kept.push_back(std::move(arrays[i]));
+    }
+    return kept;
   }
 
   void check_unstructured(pugi::xml_node primary) {
@@ -134,8 +152,8 @@ class LayoutCheck {
       piece.cells = count_attribute(text_, element, "NumberOfCells");
       check_points(element, piece.points);
       check_cells(section_of(element, "Cells"), piece);
-      piece.point_data = check_data(section_of(element, "PointData"), piece.points);
-      piece.cell_data = check_data(section_of(element, "CellData"), piece.cells);
+      piece.point_data = check_data(element, "PointData", piece.points);
+      piece.cell_data = check_data(element, "CellData", piece.cells);
       layout_.points += piece.points;
       layout_.cells += piece.cells;
       layout_.pieces.push_back(std::move(piece));
@@ -233,8 +251,8 @@ class LayoutCheck {
       piece.cells = cells_in(piece.extent);
       if (layout_.type == "StructuredGrid") check_points(element, piece.points);
       if (layout_.type == "RectilinearGrid") check_axes(element, piece.extent);
-      piece.point_data = check_data(section_of(element, "PointData"), piece.points);
-      piece.cell_data = check_data(section_of(element, "CellData"), piece.cells);
+      piece.point_data = check_data(element, "PointData", piece.points);
+      piece.cell_data = check_data(element, "CellData", piece.cells);
       // without data, a grid with implicit coordinates is almost empty, whatever size it declares
       if (layout_.type != "StructuredGrid" && piece.point_data.empty() && piece.cell_data.empty())
         text_.fail("a piece holds no data, only its extent");
@@ -297,7 +315,7 @@ class LayoutCheck {
     return common;
   }
 
-  /// VTK reads from every piece the arrays that the first piece has.
+  /// VTK reads from every piece the arrays that the first piece has, by their places.
   void check_same_arrays() const {
     for (const XmlPiece& piece : layout_.pieces) {
       if (piece.points == 0 && piece.cells == 0) continue;
@@ -311,8 +329,8 @@ class LayoutCheck {
       return a.name == b.name && a.components == b.components && a.type.family == b.type.family &&
              a.type.bytes == b.type.bytes;
     };
-    if (!std::is_permutation(first.begin(), first.end(), other.begin(), other.end(), same))
-      text_.fail("its pieces do not carry the same arrays");
+    if (!std::equal(first.begin(), first.end(), other.begin(), other.end(), same))
+      text_.fail("its pieces do not carry the same arrays in the same order");
   }
 
   XmlText text_;

@@ -28,12 +28,16 @@ struct XmlLayout {
   std::size_t points = 0;
   std::size_t cells = 0;
   std::vector<XmlPiece> pieces;
+  /// The elements of arrays that are not in the pieces, because a later one has their name.
+  std::vector<std::string_view> replaced;
+  std::vector<std::string> notes;
 };
 
 /// Checks that the file, of one time step (xml_steps.hpp), is complete: well-formed to its last
 /// closing tag, every array complete in its encoding, consistent counts, connectivity as long as
-/// the offsets say, complete face lists of polyhedra, pieces that have the same arrays and together
-/// cover a structured extent. Memory: the file's text without appended data, temporarily. Throws
+/// the offsets say, complete face lists of polyhedra, arrays with names, pieces that have the
+/// same arrays and together cover a structured extent. Of several arrays with one name, the last is
+/// read. Memory: the file's text without appended data, temporarily. Throws
 /// InputError(subject, ...).
 XmlLayout check_xml_file(std::string_view text, const std::string& type,
                          const std::string& subject);

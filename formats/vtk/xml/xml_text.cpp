@@ -158,6 +158,14 @@ XmlArray XmlText::array(pugi::xml_node element) const {
   return array;
 }
 
+std::string_view XmlText::up_to_next(pugi::xml_node element) const {
+  pugi::xml_node next = element.next_sibling();
+  while (next.type() != pugi::node_element) next = next.next_sibling();
+  // elements begin with a '<' before their names
+  const auto begin = static_cast<std::size_t>(element.offset_debug()) - 1;
+  return text_.substr(begin, static_cast<std::size_t>(next.offset_debug()) - 1 - begin);
+}
+
 void XmlText::fail(const std::string& what) const { throw InputError(subject_, printable(what)); }
 
 std::size_t count_attribute(const XmlText& text, pugi::xml_node element, const char* name) {

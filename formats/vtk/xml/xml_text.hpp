@@ -25,6 +25,10 @@ class XmlText {
   /// The array that a DataArray (or Array) element describes; its data are not yet checked.
   [[nodiscard]] XmlArray array(pugi::xml_node element) const;
 
+  /// An element in the file's text, with what stands between it and the next one beside it, which
+  /// must exist.
+  [[nodiscard]] std::string_view up_to_next(pugi::xml_node element) const;
+
   [[noreturn]] void fail(const std::string& what) const;
 
  private:

@@ -192,15 +192,15 @@ TEST(XmlRefusals, SectionsToldTwiceAndPointsThatDoNotFit) {
        {"other arrays",
         tet_grid(tet_piece(xml_array("type=\"Int8\" Name=\"a\" format=\"ascii\"", "1 2 3 4")) +
                  tet_piece()),
-        "its pieces do not carry the same arrays"},
+        "its pieces do not carry the same arrays in the same order"},
        {"other types",
         tet_grid(tet_piece("", xml_array("type=\"Int8\" Name=\"a\" format=\"ascii\"", "1")) +
                  tet_piece("", xml_array("type=\"UInt8\" Name=\"a\" format=\"ascii\"", "1"))),
-        "its pieces do not carry the same arrays"},
+        "its pieces do not carry the same arrays in the same order"},
        {"other widths",
         tet_grid(tet_piece("", xml_array("type=\"Int8\" Name=\"a\" format=\"ascii\"", "1")) +
                  tet_piece("", xml_array("type=\"Int16\" Name=\"a\" format=\"ascii\"", "1"))),
-        "its pieces do not carry the same arrays"},
+        "its pieces do not carry the same arrays in the same order"},
        {"empty piece",
         tet_grid(tet_piece("", xml_array("type=\"Int8\" Name=\"a\" format=\"ascii\"", "1")) +
                  "<Piece NumberOfPoints=\"0\" NumberOfCells=\"0\"><Points>" +
