@@ -15,6 +15,8 @@ constexpr std::string_view kAppended = "<AppendedData";
 constexpr std::string_view kAppendedEnd = "</AppendedData>";
 constexpr std::string_view kFileEnd = "</VTKFile>";
 constexpr std::string_view kXmlBlanks = " \t\r\n";
+/// Names may contain "&amp;".
+constexpr unsigned kParsed = pugi::parse_minimal | pugi::parse_escapes;
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(kXmlBlanks);
@@ -48,8 +50,7 @@ XmlText::XmlText(std::string_view text, const std::string& type, std::string sub
   if (elements.find("<!DOCTYPE") != std::string_view::npos) fail("has a document type definition");
   pugi::xml_parse_result parsed;
   if (appended_at == std::string_view::npos) {
-    parsed =
-        document_.load_buffer(text.data(), text.size(), pugi::parse_minimal, pugi::encoding_utf8);
+    parsed = document_.load_buffer(text.data(), text.size(), kParsed, pugi::encoding_utf8);
   } else {
     // appended data need not be XML: the elements are closed as if they were not there
     const std::size_t tag_end = text.find('>', appended_at);
@@ -58,8 +59,7 @@ XmlText::XmlText(std::string_view text, const std::string& type, std::string sub
     closed += closed[tag_end - 1] == '/' ? "" : kAppendedEnd;
     closed += kFileEnd;
     appended_ = text.substr(tag_end + 1);
-    parsed = document_.load_buffer(closed.data(), closed.size(), pugi::parse_minimal,
-                                   pugi::encoding_utf8);
+    parsed = document_.load_buffer(closed.data(), closed.size(), kParsed, pugi::encoding_utf8);
   }
   if (!parsed)
     fail(fmt::format("is not well-formed: {} at byte {} of {}", parsed.description(), parsed.offset,

@@ -116,6 +116,18 @@ TEST(XmlArrayNames, OfStepsAndAppendedData) {
   EXPECT_THAT(two.notes, Contains(kNote));
 }
 
+TEST(XmlArrayNames, CharactersMayBeEscaped) {
+  const ScratchFolder folder;
+  const Reading reading = read_any(
+      folder.write("a.vtu", vtu_of(tetrahedron(named_array("p&amp;&lt;q&#62;", "1 nan 3 4")))));
+  EXPECT_THAT(field_named(reading.mesh, "p&<q>").values.view(),
+              ElementsAre(1, testing::IsNan(), 3, 4));
+  const Reading twice = read_any(folder.write(
+      "a.vtu", vtu_of(tetrahedron(named_array("a", "1 2 3 4") + named_array("&#97;", "5 6 7 8")))));
+  EXPECT_THAT(field_named(twice.mesh, "a").values.view(), ElementsAre(5, 6, 7, 8));
+  EXPECT_THAT(twice.notes, Contains(kNote));
+}
+
 TEST(XmlArrayNames, ArraysNeedNames) {
   const ScratchFolder folder;
   const auto said = [&](const std::string& pieces) -> std::string {
