@@ -14,6 +14,27 @@
 namespace hiac::formats::vtk {
 namespace {
 
+/// VTK names an object by its class and address, "CLASS (0x55a1)", and may list its contents on
+/// indented lines behind it. Takes the addresses out, and such an object with all behind it.
+void cut_objects(std::string& text) {
+  std::size_t at = 0;
+  while ((at = text.find("(0x", at)) != std::string::npos) {
+    const std::size_t close = text.find(')', at);
+    if (close == std::string::npos) return;
+    const bool blank_before = at > 0 && text[at - 1] == ' ';
+    const std::size_t begin = blank_before ? at - 1 : at;
+    if (text.compare(close, 3, ")\n ") != 0) {
+      text.erase(begin, close + 1 - begin);
+      continue;
+    }
+    const std::size_t lead = text.find_last_of(" \n", begin - 1);
+    // an object alone keeps the name of its class
+    const bool alone = begin == 0 || lead == std::string::npos;
+    text.resize(alone ? begin : text.find_last_not_of(" :\n", lead) + 1);
+    return;
+  }
+}
+
 /// The sentence in VTK's message, which is "ERROR: In FILE, line N\nCLASS (ADDRESS): sentence\n\n".
 std::string sentence_of(std::string text) {
   if (const std::size_t address = text.find("): "); address != std::string::npos)
@@ -21,6 +42,7 @@ std::string sentence_of(std::string text) {
   else if (text.starts_with("ERROR: In ") || text.starts_with("Warning: In ") ||
            text.starts_with("Generic Warning: In "))
     text.erase(0, text.find('\n') + 1);
+  cut_objects(text);
   for (char& c : text)
     if (c == '\n' || c == '\r') c = ' ';
   while (!text.empty() && text.back() == ' ') text.pop_back();

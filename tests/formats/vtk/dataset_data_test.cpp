@@ -248,6 +248,20 @@ TEST(DatasetData, MessagesOfVtkBecomeErrorsAndNotes) {
   EXPECT_EQ(said(generic), "file: cannot be read: no number");
 }
 
+TEST(DatasetData, MessagesOfVtkTellNoAddressesAndContentsOfObjects) {
+  const MessageCapture messages;
+  for (const char* text :
+       {"vtkPipeline (0x1): Algorithm vtkReader(0x55a1c7033e20) returned failure for request: "
+        "vtkInformation (0x55a1c7034f90)\n  Debug: Off\n  Modified Time: 735\n\n",
+        "vtkReader (0x1): no vtkPoints (0x2c) for vtkCells (0x3)\n\n",
+        "vtkReader (0x1): vtkCells (0x3)\n  Debug: Off\n\n", "vtkReader (0x1): is (0x open\n\n"})
+    vtkOutputWindow::GetInstance()->DisplayWarningText(
+        (std::string("Warning: In a.cxx, line 1\n") + text).c_str());
+  EXPECT_THAT(messages.warnings(),
+              ElementsAre("Algorithm vtkReader returned failure for request",
+                          "no vtkPoints for vtkCells", "vtkCells", "is (0x open"));
+}
+
 TEST(DatasetData, KindsThatVtkHasNoCellFor) {
   const auto written = [](CellKind kind, std::vector<std::string>& notes) -> std::string {
     ZooMesh mesh;
