@@ -217,8 +217,6 @@ Bytes read_binary(const XmlArray& array, std::size_t first, std::size_t count,
 
 void check_ascii(XmlArray& array, std::size_t values, bool may_be_not_finite,
                  const std::string& subject) {
-  if (values > 0 && values > (array.data.size() + 1) / 2)
-    fail_short(array, values, (array.data.size() + 1) / 2, "values", subject);
   LegacyWords words(array.data, {});
   const NumberType type = array.type.family == NumberType::Family::text
                               ? NumberType{NumberType::Family::unsigned_integer, 1}

@@ -207,7 +207,7 @@ TEST(XmlSurface, OffsetsAndCountsThatDoNotFit) {
   EXPECT_EQ(changed("NumberOfPoints=\"6\"", "NumberOfPoints=\"4294967295\""),
             "has too many points (fewer than 2^32 expected)");
   EXPECT_THAT(changed("NumberOfPoints=\"6\"", "NumberOfPoints=\"4294967294\""),
-              HasSubstr("the data end too soon (12884901882 values expected"));
+              HasSubstr("the data end too soon (12884901882 values expected, 18 found)"));
 }
 
 // A bent sheet of quadrilaterals, large enough for several compressed blocks.
