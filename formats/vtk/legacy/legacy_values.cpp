@@ -17,12 +17,14 @@ LegacyValues walk_binary_values(LegacyWords& words, const NumberType& type, std:
   words.to_binary_values();
   const std::size_t begin = words.at();
   const bool bits = type.family == Family::bit;
-  // the division comes first, because the product could overflow
-  if (count / 8 > words.left() || (bits ? (count + 7) / 8 : count * type.bytes) > words.left())
-    words.fail_at(begin, fmt::format("the file ends too soon ({} values of {} bytes expected, {} "
-                                     "bytes found)",
-                                     count, type.bytes, words.left()));
-  words.move_to(begin + (bits ? (count + 7) / 8 : count * type.bytes));
+  // counts are below 2^60
+  const std::size_t bytes = bits ? (count + 7) / 8 : count * type.bytes;
+  if (bytes > words.left())
+    words.fail_at(begin, fmt::format("the file ends too soon ({} values of {} expected, {} bytes "
+                                     "found)",
+                                     count, bits ? "1 bit" : fmt::format("{} bytes", type.bytes),
+                                     words.left()));
+  words.move_to(begin + bytes);
   return {begin, words.at()};
 }
 

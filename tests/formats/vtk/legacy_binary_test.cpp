@@ -147,7 +147,7 @@ TEST(LegacyBinary, ColoursTablesAndBitsAreBytes) {
   // a bit less than the bytes hold, and a byte less than the bits need
   EXPECT_EQ(binary_refusal(kBinaryGrid + "FIELD f 1\nnine 1 16 bit\n" + std::string(2, 'x')), "");
   EXPECT_THAT(binary_refusal(kBinaryGrid + "FIELD f 1\nnine 1 17 bit\n" + std::string(2, 'x')),
-              HasSubstr("the file ends too soon (17 values"));
+              HasSubstr("the file ends too soon (17 values of 1 bit expected, 2 bytes found)"));
 }
 
 // The two highest bits of a text's first byte say in how many bytes its length stands.
