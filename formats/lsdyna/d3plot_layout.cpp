@@ -68,7 +68,7 @@ class Control {
         if (words_.integer(word) > 0)
           words_.fail("holds solids of 20 or 27 nodes, which are not read");
     }
-    at = skip_materials(at, dimension == 5 || dimension == 7);
+    at = skip_materials(at, dimension == 5);
     at += limited(words_.integer(kFluids), "fluid materials");
     layout_.coordinates = at;
     at += 3 * layout_.nodes;
@@ -104,9 +104,9 @@ class Control {
 
   void refuse() {
     const std::int64_t dimension = words_.integer(kDimension);
-    if (dimension == 2 || dimension > 7)
-      words_.fail(fmt::format("a model of dimension code {} (3, 4, 5 or 7 expected)", dimension));
     if (dimension == 7) words_.fail("holds rigid roads, which are not read");
+    if (dimension < 3 || dimension > 5)
+      words_.fail(fmt::format("a model of dimension code {} (3, 4 or 5 expected)", dimension));
     for (const auto& [word, what] :
          std::array<std::pair<std::size_t, const char*>, 3>{{{kParticles, "SPH particles"},
                                                              {kAirParticles, "airbag particles"},
