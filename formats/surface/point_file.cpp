@@ -3,19 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <optional>
 #include <sstream>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "formats/surface/plain_number.hpp"
 #include "formats/surface/tetgen_text.hpp"
 #include "hiac/base/error.hpp"
 
@@ -37,14 +36,6 @@ std::vector<std::string> words_of(std::string line) {
   return words;
 }
 
-std::optional<double> number_of(const std::string& word) {
-  double value = 0;
-  const char* begin = word.data() + (word.starts_with('+') ? 1 : 0);
-  const auto [end, error] = std::from_chars(begin, word.data() + word.size(), value);
-  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
-  return value;
-}
-
 std::vector<std::string> default_names(std::size_t count) {
   std::vector<std::string> names{"x", "y", "z"};
   for (std::size_t k = 3; k < count; ++k)
@@ -64,7 +55,7 @@ PointTable read_table(const std::string& path) {
     const std::string at = fmt::format("{}:{}", path, number);
     if (table.names.empty()) {
       const bool numbers =
-          std::ranges::all_of(words, [](const auto& w) { return number_of(w).has_value(); });
+          std::ranges::all_of(words, [](const auto& w) { return plain_number(w).has_value(); });
       table.names = numbers ? default_names(words.size()) : words;
       if (table.names.size() < 3 || words.size() < 3)
         throw InputError(at, fmt::format("at least 3 columns expected ({} found)", words.size()));
@@ -74,7 +65,7 @@ PointTable read_table(const std::string& path) {
       throw InputError(
           at, fmt::format("{} columns expected ({} found)", table.names.size(), words.size()));
     for (const std::string& word : words) {
-      const auto value = number_of(word);
+      const auto value = plain_number(word);
       if (!value) throw InputError(at, fmt::format("a number expected ('{}' found)", word));
       table.values.push_back(*value);
     }

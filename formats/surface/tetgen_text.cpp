@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "formats/surface/plain_number.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats {
@@ -41,13 +42,9 @@ void TetgenLines::fail(const std::string& message) const {
 }
 
 double TetgenLines::real(std::size_t word, const char* what) const {
-  double value = 0;
   if (word < words_.size()) {
-    const std::string& text = words_[word];
-    const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
-    const auto [end, error] = std::from_chars(begin, text.data() + text.size(), value);
-    if (error == std::errc() && end == text.data() + text.size() && std::isfinite(value))
-      return value;
+    const auto value = plain_number(words_[word]);
+    if (value && std::isfinite(*value)) return *value;
   }
   fail(fmt::format("{} expected as word {} ({} found)", what, word + 1,
                    word < words_.size() ? "'" + words_[word] + "'" : "the line's end"));

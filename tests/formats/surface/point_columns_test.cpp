@@ -55,6 +55,10 @@ TEST(PointColumns, RefusalsNameTheRow) {
   EXPECT_EQ(said("a.txt", "1 2 3 4\n1 2 3 4 5\n"), ":2: 4 columns expected (5 found)");
   EXPECT_EQ(said("a.txt", "x y z\n1 2 3e\n"), ":2: a number expected ('3e' found)");
   EXPECT_EQ(said("a.txt", "1 2 3\n#1 2\n1 2 --3\n"), ":3: a number expected ('--3' found)");
+  EXPECT_EQ(said("a.txt", "1 2 3\n1 2 +-3\n"), ":2: a number expected ('+-3' found)");
+  EXPECT_EQ(said("a.txt", "1 2 3\n1 2 +\n"), ":2: a number expected ('+' found)");
+  EXPECT_EQ(said("a.node", "1 3 0 0\n1 +1 2 +-3\n"),
+            ":2: a coordinate expected as word 4 ('+-3' found)");
   EXPECT_EQ(said("a.txt", "x y z\n"), ": holds no point");
   EXPECT_EQ(said("a.txt", ""), ": holds no point");
   EXPECT_EQ(said("a.txt", "1 2 3\n4 nan 6\n"), ": a coordinate of point 1 is not finite");
