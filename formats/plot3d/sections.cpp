@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "formats/common/io/mapped_file.hpp"
+#include "formats/common/io/text_cursor.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::plot3d {
@@ -43,7 +44,7 @@ std::optional<Repeated> numbers_of(std::string_view word) {
     if (error != std::errc() || next != word.data() + star) return std::nullopt;
     word.remove_prefix(star + 1);
   }
-  if (word.starts_with('+')) word.remove_prefix(1);
+  word = without_plus(word);
   std::array<char, 64> buffer{};
   if (word.size() >= buffer.size() || word.empty()) return std::nullopt;
   std::transform(word.begin(), word.end(), buffer.begin(),

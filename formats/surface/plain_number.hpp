@@ -5,11 +5,13 @@
 #include <string_view>
 #include <system_error>
 
+#include "formats/common/io/text_cursor.hpp"
+
 namespace hiac::formats {
 
 /// The whole of a word as a number, which may have one sign; nan and inf are numbers, too.
 inline std::optional<double> plain_number(std::string_view word) {
-  if (word.starts_with('+') && !word.starts_with("+-")) word.remove_prefix(1);
+  word = without_plus(word);
   double value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;

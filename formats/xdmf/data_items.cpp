@@ -13,6 +13,7 @@
 #include "formats/common/io/mapped_file.hpp"
 #include "formats/common/io/named_file.hpp"
 #include "formats/common/io/product.hpp"
+#include "formats/common/io/text_cursor.hpp"
 #include "hiac/base/error.hpp"
 
 namespace hiac::formats::xdmf {
@@ -30,7 +31,7 @@ bool parse_all(std::string_view text, std::vector<T>& values) {
   while (true) {
     while (at != end && is_blank(*at)) ++at;
     if (at == end) return true;
-    if (*at == '+') ++at;
+    at = without_plus({at, end}).data();
     T value{};
     const auto [next, error] = std::from_chars(at, end, value);
     if (error != std::errc() || (next != end && !is_blank(*next))) return false;

@@ -135,8 +135,7 @@ std::string shown(std::string_view word) {
 }
 
 std::optional<std::int64_t> to_integer(std::string_view text) {
-  text = trimmed(text);
-  if (text.starts_with('+')) text.remove_prefix(1);
+  text = without_plus(trimmed(text));
   std::int64_t value = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || stop != text.data() + text.size()) return std::nullopt;

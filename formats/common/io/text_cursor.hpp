@@ -115,6 +115,11 @@ bool starts_with_upper(std::string_view text, std::string_view prefix);
 /// A word for an error message: printable, shortened.
 std::string shown(std::string_view word);
 
+/// A number's word without a plus sign before it; unchanged where a minus sign follows the plus.
+inline std::string_view without_plus(std::string_view word) {
+  return word.starts_with('+') && !word.starts_with("+-") ? word.substr(1) : word;
+}
+
 /// The whole of `text` as a number, blanks at either end apart; reals as in TextCursor::real.
 std::optional<std::int64_t> to_integer(std::string_view text);
 std::optional<double> to_real(std::string_view text);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "formats/common/io/text_cursor.hpp"
 #include "formats/vtk/array_names.hpp"
 #include "formats/vtk/xml/xml_text.hpp"
 #include "hiac/base/error.hpp"
@@ -29,7 +30,8 @@ std::array<Number, N> numbers_attribute(const XmlText& text, pugi::xml_node elem
   const char* at = value.data();
   const char* const end = at + value.size();
   for (Number& number : numbers) {
-    while (at != end && (*at == ' ' || *at == '\t' || *at == '\n' || *at == '+')) ++at;
+    while (at != end && (*at == ' ' || *at == '\t' || *at == '\n')) ++at;
+    at = without_plus({at, end}).data();
     const auto [next, error] = std::from_chars(at, end, number);
     if (error != std::errc())
       text.fail(fmt::format("{}: wrong {} ({} numbers expected, '{}' found)", element.name(), name,

@@ -34,6 +34,9 @@ TEST(TextCursor, NumbersOfFortranAndC) {
   for (const std::string text : {"", "abc", "1.5x", "+-1", "1.0E", "--1", "1 2", "++1"})
     EXPECT_FALSE(to_real(text)) << text;
   EXPECT_EQ(to_integer(" +12 "), 12);
+  EXPECT_FALSE(to_integer("+-12"));
+  EXPECT_FALSE(to_integer("++12"));
+  EXPECT_FALSE(to_integer("+"));
   EXPECT_FALSE(to_integer("12.5"));
   EXPECT_FALSE(to_integer("99999999999999999999"));
 }

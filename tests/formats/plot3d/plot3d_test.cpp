@@ -192,6 +192,18 @@ TEST(Plot3d, TruncatedFilesAreRefused) {
   }
 }
 
+TEST(Plot3d, NumbersHaveOneSign) {
+  const ScratchFolder folder;
+  const auto refused = [&](const std::string& last) {
+    return !refusal(folder.write(
+                        "cube.x",
+                        "2 2 2\n0 1 0 1 0 1 0 1\n0 0 1 1 0 0 1 1\n0 0 0 0 1 1 1 " + last + "\n"))
+                .empty();
+  };
+  EXPECT_FALSE(refused("+1"));
+  EXPECT_TRUE(refused("+-1"));
+}
+
 TEST(Plot3d, RepeatedValuesOfFortransListsAreRead) {
   const ScratchFolder folder;
   const std::string grid =

@@ -55,6 +55,8 @@ TEST(XmlExtents, RiseAlongEachAxis) {
   EXPECT_EQ(whole("0 1 -1073741824 -1073741823 0 1"), "");
   EXPECT_EQ(whole("0 1 0 1 0"),
             "ImageData: wrong WholeExtent (6 numbers expected, '0 1 0 1 0' found)");
+  EXPECT_EQ(whole("+-1 0 0 1 0 1"),
+            "ImageData: wrong WholeExtent (6 numbers expected, '+-1 0 0 1 0 1' found)");
   EXPECT_EQ(whole(std::string(70, 'x')), "ImageData: wrong WholeExtent (6 numbers expected, '" +
                                              std::string(60, 'x') + "' found)");
   const std::string flat = "holds no volume cells (2 or more points along each axis expected)";

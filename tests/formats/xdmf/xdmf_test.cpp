@@ -83,6 +83,22 @@ TEST(Xdmf, TimesShareAMeshWhoseNumbersAreInHdf5) {
   EXPECT_NE(refusal(path), "");
 }
 
+TEST(Xdmf, NumbersHaveOneSign) {
+  const ScratchFolder folder;
+  const auto refused = [&](const std::string& nodes, const std::string& value) {
+    return !refusal(
+                folder.write("a.xdmf", document("<Grid><Topology TopologyType=\"Tetrahedron\">" +
+                                                item("1 4", nodes) + "</Topology><Geometry>" +
+                                                item("4 3", "0 0 0 1 0 0 0 1 0 0 0 " + value) +
+                                                "</Geometry></Grid>")))
+                .empty();
+  };
+  EXPECT_FALSE(refused("+0 +1 2 3", "+1"));
+  EXPECT_TRUE(refused("+-0 1 2 3", "1"));
+  EXPECT_TRUE(refused("0 1 2 3", "+-1"));
+  EXPECT_TRUE(refused("0 1 2 3", "+"));
+}
+
 TEST(Xdmf, TimesMayBeListedOrMadeByASlab) {
   const ScratchFolder folder;
   const std::string mesh = "<Topology TopologyType=\"Tetrahedron\">" + item("1 4", "0 1 2 3") +
