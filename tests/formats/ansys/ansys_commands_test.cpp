@@ -21,7 +21,7 @@ Reading deck(const std::string& text) {
   return read_any(folder.write("a.cdb", "/PREP7\n" + text));
 }
 
-std::string refused(const std::string& text) {
+std::string cdb_refusal(const std::string& text) {
   const ScratchFolder folder;
   return refusal(folder.write("a.cdb", "/PREP7\n" + text));
 }
@@ -176,15 +176,16 @@ TEST(AnsysCommands, WhatIsNotReadIsNamedWithItsLine) {
       {one + "EGEN,2,1,1,,,1,1\n", ":8: EGEN: a TINC of 0 expected"},
       {one + "EGEN,2,1,1,,,,,,,,1.\n", ":8: EGEN: a DX, DY and DZ of 0 expected"},
       {one + "E,1,2,3,77\n", "77"}};
-  for (const auto& [text, message] : cases) EXPECT_THAT(refused(text), HasSubstr(message)) << text;
+  for (const auto& [text, message] : cases)
+    EXPECT_THAT(cdb_refusal(text), HasSubstr(message)) << text;
 }
 
 TEST(AnsysCommands, ShortDecksDoNotTakeMemoryWithoutEnd) {
   const std::string limit = "at most 16000000 numbers of nodes and elements made by NGEN and EGEN";
-  EXPECT_THAT(refused("N,1\nNGEN,999999999,1,1\n"), HasSubstr(limit));
-  EXPECT_THAT(refused("ET,1,285\n" + kCorners + "E,1,2,3,4\nEGEN,999999999,1,1\n"),
+  EXPECT_THAT(cdb_refusal("N,1\nNGEN,999999999,1,1\n"), HasSubstr(limit));
+  EXPECT_THAT(cdb_refusal("ET,1,285\n" + kCorners + "E,1,2,3,4\nEGEN,999999999,1,1\n"),
               HasSubstr(limit));
-  EXPECT_THAT(refused("N,999999999\nN\nNGEN,1000000000,1\n"), HasSubstr("a number of times"));
+  EXPECT_THAT(cdb_refusal("N,999999999\nN\nNGEN,1000000000,1\n"), HasSubstr("a number of times"));
   // numbers of blocks may be larger than those that commands can count on from
   const std::string large = "922337203685477580";
   const auto coordinate = [](int x) { return fmt::format("{:16.9E}", x + 0.0); };

@@ -32,7 +32,7 @@ std::string points(const char* pattern, bool numbered) {
   return text;
 }
 
-const Field& field_named(const ZooMesh& mesh, const std::string& name, FieldLocation location) {
+const Field& located_field(const ZooMesh& mesh, const std::string& name, FieldLocation location) {
   const auto found = std::find_if(mesh.fields.begin(), mesh.fields.end(), [&](const Field& field) {
     return field.name == name && field.location == location;
   });
@@ -55,7 +55,7 @@ void expect_marks(const std::string& path, const std::string& field, double firs
   SCOPED_TRACE(path);
   const ZooMesh mesh = read_any(path).mesh;
   expect_two_tetrahedra(mesh);
-  EXPECT_THAT(field_named(mesh, field, FieldLocation::cell).values.view(),
+  EXPECT_THAT(located_field(mesh, field, FieldLocation::cell).values.view(),
               ElementsAre(first, second));
   EXPECT_EQ(format_to_read(path).inspect(path).points, 6U);
   if (block.empty()) return;
@@ -65,7 +65,7 @@ void expect_marks(const std::string& path, const std::string& field, double firs
   ASSERT_EQ(part.cell_count(), 1U);
   EXPECT_EQ(part.node_count(), 4U);
   EXPECT_NEAR(volume_of(part, 0), kSecond, 1e-15);
-  EXPECT_THAT(field_named(part, field, FieldLocation::cell).values.view(), ElementsAre(second));
+  EXPECT_THAT(located_field(part, field, FieldLocation::cell).values.view(), ElementsAre(second));
 }
 
 TEST(TextMarks, MaterialsOfUcdAreAField) {
@@ -84,7 +84,7 @@ TEST(TextMarks, ReferencesOfMeditAreFieldsOfNodesAndCells) {
       "a.mesh", text + "Triangles\n1\n1 2 3 44\nTetrahedra\n2\n1 2 3 4 5\n2 3 4 5 6\nEnd\n");
   expect_marks(path, "ref", 5, 6, "");
   const Reading reading = read_any(path);
-  EXPECT_THAT(field_named(reading.mesh, "ref", FieldLocation::node).values.view(),
+  EXPECT_THAT(located_field(reading.mesh, "ref", FieldLocation::node).values.view(),
               ElementsAre(10, 11, 12, 13, 14));
   EXPECT_THAT(reading.notes, Contains(HasSubstr("without volume")));
 }
@@ -119,7 +119,7 @@ TEST(TextMarks, GroupsOfGambitAreMaterialsAndBoundariesMarkNodes) {
           " BOUNDARY CONDITIONS 2.4.6\n top 0 1 0 6\n 5\nENDOFSECTION\n");
   expect_marks(path, "Material Type", 4, 2, "inner");
   const ZooMesh mesh = read_any(path).mesh;
-  EXPECT_THAT(field_named(mesh, "Boundary Condition", FieldLocation::node).values.view(),
+  EXPECT_THAT(located_field(mesh, "Boundary Condition", FieldLocation::node).values.view(),
               ElementsAre(1, 0, 1, 0, 2));
 }
 
@@ -134,9 +134,9 @@ TEST(TextMarks, AttributesOfTetgenAreReadThroughEitherFile) {
   for (const std::string& path : {node, ele}) {
     expect_marks(path, "ref", 21, 22, "");
     const ZooMesh mesh = read_any(path).mesh;
-    EXPECT_THAT(field_named(mesh, "attribute", FieldLocation::node).values.view(),
+    EXPECT_THAT(located_field(mesh, "attribute", FieldLocation::node).values.view(),
                 ElementsAre(0, 0.5, 1, 1.5, 2));
-    EXPECT_THAT(field_named(mesh, "boundary marker", FieldLocation::node).values.view(),
+    EXPECT_THAT(located_field(mesh, "boundary marker", FieldLocation::node).values.view(),
                 ElementsAre(0, 0, 0, 0, 1));
   }
 }
