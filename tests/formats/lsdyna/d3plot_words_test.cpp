@@ -217,8 +217,8 @@ TEST(D3plotWords, WordsAreToldByTheirControlWords) {
 }
 
 TEST(D3plotWords, NumbersOfBothWidths) {
-  const std::string bytes = Bytes().whole(-7).mark(0.5F).whole(9).str();
-  Words words(bytes + "xxx", 4, std::endian::native, "f");
+  const std::string bytes = Bytes().whole(-7).mark(0.5F).whole(9).raw("xxx").str();
+  Words words(bytes, 4, std::endian::native, "f");
   EXPECT_EQ(words.size(), 3U);
   EXPECT_EQ(words.integer(0), -7);
   EXPECT_EQ(words.real(1), 0.5);
