@@ -51,7 +51,7 @@ class GoldFile {
   std::shared_ptr<InputText> input_;
   std::shared_ptr<const std::string> unmarked_;  ///< the bytes of a marked file without its marks
   TextCursor cursor_;
-  std::size_t last_ = 0;  ///< where what was read last begins
+  std::size_t last_ = 0;  ///< where the last text or list begins
   Encoding encoding_;
   bool order_known_ = false;
 };

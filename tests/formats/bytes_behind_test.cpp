@@ -2,13 +2,13 @@
 // nothing; blanks and ends of lines are not told.
 #include "formats/common/io/bytes_behind.hpp"
 
-#include <cstring>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "tests/formats/files.hpp"
 #include "tests/formats/one_cell_files.hpp"
+#include "tests/formats/raw_bytes.hpp"
 #include "tests/formats/unit_tetrahedron.hpp"
 
 namespace hiac::formats {
@@ -58,11 +58,7 @@ class Bytes {
  public:
   template <typename Number>
   Bytes& add(std::initializer_list<Number> numbers) {
-    for (const Number number : numbers) {
-      char raw[sizeof(Number)];
-      std::memcpy(raw, &number, sizeof raw);
-      text_.append(raw, sizeof raw);
-    }
+    text_ += raw_bytes(numbers);
     return *this;
   }
   [[nodiscard]] const std::string& text() const { return text_; }

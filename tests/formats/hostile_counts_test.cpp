@@ -1,27 +1,16 @@
 // Numbers in files that lead beyond what the files hold: refused by name, in one line, before
 // anything is read or written at the place that they name.
-#include <cstring>
 #include <filesystem>
 
 #include <fmt/format.h>
 
 #include "tests/formats/files.hpp"
+#include "tests/formats/raw_bytes.hpp"
 
 namespace hiac::formats {
 namespace {
 
 using testing::HasSubstr;
-
-template <typename Number>
-std::string bytes(std::initializer_list<Number> numbers) {
-  std::string text;
-  for (const Number number : numbers) {
-    char raw[sizeof(Number)];
-    std::memcpy(raw, &number, sizeof(Number));
-    text.append(raw, sizeof(Number));
-  }
-  return text;
-}
 
 // cgx numbers its types from 1 to 12.
 TEST(HostileCounts, FrdElementsOfNoType) {
@@ -34,11 +23,11 @@ TEST(HostileCounts, FrdElementsOfNoType) {
     text += fmt::format(" -1{:10}{:12.5E}{:12.5E}{:12.5E}\n", n, n == 2 ? 1.0 : 0.0,
                         n == 3 ? 1.0 : 0.0, n == 4 ? 1.0 : 0.0);
   text += " -3\n";
-  const std::string in_binary = "    1C\n" + head("2C", 4, 3) + bytes<std::int32_t>({1}) +
-                                bytes<double>({0, 0, 0}) + bytes<std::int32_t>({2}) +
-                                bytes<double>({1, 0, 0}) + bytes<std::int32_t>({3}) +
-                                bytes<double>({0, 1, 0}) + bytes<std::int32_t>({4}) +
-                                bytes<double>({0, 0, 1}) + head("3C", 1, 2);
+  const std::string in_binary = "    1C\n" + head("2C", 4, 3) + raw_bytes<std::int32_t>({1}) +
+                                raw_bytes<double>({0, 0, 0}) + raw_bytes<std::int32_t>({2}) +
+                                raw_bytes<double>({1, 0, 0}) + raw_bytes<std::int32_t>({3}) +
+                                raw_bytes<double>({0, 1, 0}) + raw_bytes<std::int32_t>({4}) +
+                                raw_bytes<double>({0, 0, 1}) + head("3C", 1, 2);
   const std::string nodes = fmt::format("\n -2{:10}{:10}{:10}{:10}\n -3\n 9999\n", 1, 2, 3, 4);
   for (const int type : {-1, 0, 13, 65536}) {
     SCOPED_TRACE(type);
@@ -49,7 +38,7 @@ TEST(HostileCounts, FrdElementsOfNoType) {
     EXPECT_THAT(refusal(folder.write("a.frd", written)), HasSubstr(said));
     EXPECT_THAT(
         refusal(folder.write(
-            "b.frd", in_binary + bytes<std::int32_t>({9, type, 0, 1, 1, 2, 3, 4}) + " 9999\n")),
+            "b.frd", in_binary + raw_bytes<std::int32_t>({9, type, 0, 1, 1, 2, 3, 4}) + " 9999\n")),
         HasSubstr(said));
   }
   // the same files with a type that there is
@@ -57,9 +46,10 @@ TEST(HostileCounts, FrdElementsOfNoType) {
       refusal(folder.write("c.frd", text + head("3C", 1, 1) +
                                         fmt::format(" -1{:10}{:5}{:5}{:5}", 9, 3, 0, 1) + nodes)),
       "");
-  EXPECT_EQ(refusal(folder.write(
-                "d.frd", in_binary + bytes<std::int32_t>({9, 3, 0, 1, 1, 2, 3, 4}) + " 9999\n")),
-            "");
+  EXPECT_EQ(
+      refusal(folder.write(
+          "d.frd", in_binary + raw_bytes<std::int32_t>({9, 3, 0, 1, 1, 2, 3, 4}) + " 9999\n")),
+      "");
 }
 
 // A tetrahedron as a case of OpenFOAM's: four faces, of which none has a neighbour.
@@ -97,13 +87,13 @@ TEST(HostileCounts, GmshBlocksLargerThanTheirTotal) {
   // version 2, binary: type, elements of the block, tags; then number and nodes of each
   const auto binary = [&](std::int32_t total, std::int32_t in_block) {
     std::string text =
-        "$MeshFormat\n2.2 1 8\n" + bytes<std::int32_t>({1}) + "\n$EndMeshFormat\n$Nodes\n4\n";
+        "$MeshFormat\n2.2 1 8\n" + raw_bytes<std::int32_t>({1}) + "\n$EndMeshFormat\n$Nodes\n4\n";
     for (int n = 1; n <= 4; ++n)
-      text += bytes<std::int32_t>({n}) +
-              bytes<double>({n == 2 ? 1.0 : 0.0, n == 3 ? 1.0 : 0.0, n == 4 ? 1.0 : 0.0});
-    text +=
-        fmt::format("\n$EndNodes\n$Elements\n{}\n", total) + bytes<std::int32_t>({4, in_block, 0});
-    for (int e = 1; e <= 3; ++e) text += bytes<std::int32_t>({e, 1, 2, 3, 4});
+      text += raw_bytes<std::int32_t>({n}) +
+              raw_bytes<double>({n == 2 ? 1.0 : 0.0, n == 3 ? 1.0 : 0.0, n == 4 ? 1.0 : 0.0});
+    text += fmt::format("\n$EndNodes\n$Elements\n{}\n", total) +
+            raw_bytes<std::int32_t>({4, in_block, 0});
+    for (int e = 1; e <= 3; ++e) text += raw_bytes<std::int32_t>({e, 1, 2, 3, 4});
     return folder.write("b.msh", text + "\n$EndElements\n");
   };
   EXPECT_EQ(refusal(binary(3, 3)), "");

@@ -60,8 +60,8 @@ void expect_same(const Image& a, const Image& b) {
   EXPECT_EQ(std::memcmp(a.values().data(), b.values().data(), a.values().size_bytes()), 0);
 }
 
-// A picture of few pixels takes the time of what is computed for all of them. The clock of a busy
-// machine tells too little now and then: one picture of ten that fits is enough.
+// A picture of few pixels takes the time of what is computed for all of them. A busy machine may
+// pause between two readings of the clock, so that one picture of ten has to fit.
 TEST(Session, ThePartsOfAPicturesTimeMakeUpTheStage) {
   ZooMesh mesh = test::structured(20, test::Cut::tetrahedra);
   test::add_node_field(mesh, "f", test::smooth_field);

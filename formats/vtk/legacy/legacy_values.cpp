@@ -17,9 +17,9 @@ LegacyValues walk_binary_values(LegacyWords& words, const NumberType& type, std:
   words.to_binary_values();
   const std::size_t begin = words.at();
   const bool bits = type.family == Family::bit;
-  // counts are below 2^60
   const std::size_t bytes = bits ? (count + 7) / 8 : count * type.bytes;
-  if (bytes > words.left())
+  // the division comes first, because the product could overflow
+  if (count / 8 > words.left() || bytes > words.left())
     words.fail_at(begin, fmt::format("the file ends too soon ({} values of {} expected, {} bytes "
                                      "found)",
                                      count, bits ? "1 bit" : fmt::format("{} bytes", type.bytes),

@@ -177,7 +177,7 @@ KeyframePath read_keyframes(const SpecValue& list) {
     if (!table.has("frame")) table.fail_at("frame", "is missing (every keyframe needs it)");
     keyframe.frame = table.child("frame").whole(0, kMaxFrames - 1);
     read_known_keys(table, camera_keys(), keyframe.camera);
-    // first, as a camera of another projection has the keys of the keyframe before it
+    // comes before the check of the camera, as one of another projection inherits a key without use
     if (!path.keyframes.empty())
       check_succession(table, path.keyframes.back(), keyframe);
     else if (keyframe.frame != 0)

@@ -1,13 +1,13 @@
 // Binary legacy files: the byte that a complaint names, and values of every width behind which the
 // next word is found.
 #include <cmath>
-#include <cstring>
 #include <iterator>
 
 #include <fmt/format.h>
 
 #include "tests/formats/field_named.hpp"
 #include "tests/formats/files.hpp"
+#include "tests/formats/raw_bytes.hpp"
 
 namespace hiac::formats {
 namespace {
@@ -20,9 +20,8 @@ template <typename Number>
 std::string big_endian(std::initializer_list<Number> numbers) {
   std::string text;
   for (const Number number : numbers) {
-    char raw[sizeof(Number)];
-    std::memcpy(raw, &number, sizeof(Number));
-    text.append(std::make_reverse_iterator(raw + sizeof(Number)), std::make_reverse_iterator(raw));
+    const std::string raw = raw_bytes({number});
+    text.append(raw.rbegin(), raw.rend());
   }
   return text;
 }

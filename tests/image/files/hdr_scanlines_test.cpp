@@ -211,8 +211,9 @@ TEST_F(HdrScanlines, ExposuresArePositiveAndMultiply) {
                 HasSubstr("malformed Radiance header (expected a positive exposure)"))
         << exposure;
   for (const char* exposure : {"1e-200", "1e200"})
-    EXPECT_THAT(scanline_complaint(1, pixel, fmt::format("EXPOSURE={0}\nEXPOSURE={0}\n", exposure)),
-                HasSubstr("malformed Radiance header (all exposures together are no number)"));
+    EXPECT_THAT(
+        scanline_complaint(1, pixel, fmt::format("EXPOSURE={0}\nEXPOSURE={0}\n", exposure)),
+        HasSubstr("malformed Radiance header (the product of its exposures is 0 or infinite)"));
 }
 
 }  // namespace

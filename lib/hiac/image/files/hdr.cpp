@@ -157,7 +157,8 @@ HdrHeader read_header(HdrBytes& bytes, const std::string& path) {
       throw InputError(path, "malformed Radiance header (expected a positive exposure)");
     header.exposure *= exposure;
     if (!(header.exposure > 0) || !std::isfinite(header.exposure))
-      throw InputError(path, "malformed Radiance header (all exposures together are no number)");
+      throw InputError(path,
+                       "malformed Radiance header (the product of its exposures is 0 or infinite)");
   }
   read_resolution(bytes.next_line(), header, path);
   return header;
@@ -253,8 +254,8 @@ Image read_hdr(const std::string& path) {
   const std::vector<std::byte> content = read_whole(path);
   HdrBytes bytes(content, path);
   const HdrHeader header = read_header(bytes, path);
-  // a run of 127 bytes takes two; what repeats more, in the old way, is looked through before it is
-  // given memory
+  // a run of 127 bytes takes two; only repetitions of the old kind say more with fewer bytes, and a
+  // file of these is looked through before its image takes memory
   constexpr std::size_t kMostUsual = (kLongestRun + 1) / 2;
   if (4 * header.width * header.height / kMostUsual > bytes.size())
     require_rows(bytes, header, path);
