@@ -182,6 +182,7 @@ TEST(StarterView, DoesWhatItIsAsked) {
   EXPECT_EQ(view.scene.volume.color->field, "f");
   EXPECT_THAT(view.text, HasSubstr("preset = \"cool to warm\""));
   ASSERT_EQ(view.scene.isosurfaces.size(), 3U);
+  for (const Isosurface& surface : view.scene.isosurfaces) EXPECT_EQ(surface.opacity, 0.5);
   EXPECT_THAT(invisible_parts(mesh, view.scene), IsEmpty());
   EXPECT_THAT(view.scene.background.color, Each(testing::Lt(0.05)));
   EXPECT_EQ(view.scene.image, (ImageSize{320, 200}));
