@@ -312,7 +312,8 @@ TEST(PartedRenderer, ChannelsAndStatisticsOfSkin) {
 // Edges have faces of several parts beside them, and cover pixels whose rays meet others.
 TEST(PartedRenderer, EdgesOfTetrahedra) {
   const ZooMesh mesh = with_fields(test::random_delaunay(120, 5));
-  for (const EdgeChoice show : {EdgeChoice::feature, EdgeChoice::boundary, EdgeChoice::all}) {
+  for (const EdgeChoice show :
+       test::tried(std::vector{EdgeChoice::all, EdgeChoice::feature, EdgeChoice::boundary})) {
     SCOPED_TRACE(static_cast<int>(show));
     Scene scene = scene_for(Projection::perspective);
     scene.edges = edges_of(show, 2.5, 0.7);

@@ -210,9 +210,9 @@ TEST_F(CheckTool, CyclesAreNotClaimedOfCellsThatOverlap) {
 
 TEST_F(CheckTool, ThePictureShowsTheOffenders) {
   write("m.zoo", kTangled);
-  EXPECT_EQ(check("m.zoo --picture bad.npy"), 1) << complaint();
+  EXPECT_EQ(check("m.zoo --picture bad.npy --size 160x120"), 1) << complaint();
   write("valid.zoo", structured(2, Cut::tetrahedra));
-  EXPECT_EQ(check("valid.zoo --picture good.npy"), 0) << complaint();
+  EXPECT_EQ(check("valid.zoo --picture good.npy --size 160x120"), 0) << complaint();
   const auto reddest = [&](const std::string& name) {
     const Image image = read_image(file(name)).image;
     double most = 0;

@@ -56,7 +56,7 @@ void add_pictures(std::vector<Output>& all) {
       all.push_back({program + " mesh.zoo --view view.toml", "-o", extension});
     all.push_back({HIAC_RENDER " mesh.zoo --view view.toml -o other.png", "--colorbar", extension});
     all.push_back({HIAC_RENDER " mesh.zoo --view view.toml", "--colorbar", extension});
-    all.push_back({HIAC_CHECK " mesh.zoo --picture", "", extension});
+    all.push_back({HIAC_CHECK " mesh.zoo --size 16x12 --picture", "", extension});
     all.push_back({HIAC_COMPARE " a.png b.png", "--heatmap", extension});
     all.push_back(
         {HIAC_COMPARE " right.png --truth mesh.zoo --view view.toml", "--heatmap", extension});
@@ -71,7 +71,7 @@ void add_pictures(std::vector<Output>& all) {
 void add_views(std::vector<Output>& all) {
   all.push_back({HIAC_INFO " mesh.zoo --starter-view", "-o", ".toml"});
   for (const std::string& program : picture_programs())
-    all.push_back({program + " mesh.zoo -o other.png", "--save-view", ".toml"});
+    all.push_back({program + " mesh.zoo --size 16x12 -o other.png", "--save-view", ".toml"});
   all.push_back({HIAC_RENDER " mesh.zoo --pixel 3,3", "--save-view", ".toml"});
   all.push_back({HIAC_RENDER " mesh.zoo --colorbar other.png", "--save-view", ".toml"});
 }

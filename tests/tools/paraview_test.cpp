@@ -53,10 +53,11 @@ TEST_F(ParaviewInput, IsAView) {
 }
 
 TEST_F(ParaviewInput, MayBeACameraOfAStarterView) {
-  ASSERT_EQ(run("$RENDER block.vtu --view a.pvcc --field RTData@node -o a.npy"), 0) << complaint();
+  ASSERT_EQ(run("$RENDER block.vtu --view a.pvcc --field RTData@node --size 40x30 -o a.npy"), 0)
+      << complaint();
   ASSERT_EQ(run("$RENDER block.vtu --field RTData@node --set camera.projection=orthographic "
                 "--set camera.fov= --set camera.height=6.5 --set 'camera.eye=[4,-9,5]' "
-                "--set 'camera.look_at=[0.5,0,0]' --set 'camera.up=[0,0,1]' -o b.npy"),
+                "--set 'camera.look_at=[0.5,0,0]' --set 'camera.up=[0,0,1]' --size 40x30 -o b.npy"),
             0)
       << complaint();
   EXPECT_EQ(bytes_of(file("a.npy")), bytes_of(file("b.npy")));
