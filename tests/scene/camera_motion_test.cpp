@@ -119,7 +119,7 @@ TEST(CameraMotion, ZoomLeavesTheSlabInTheWorld) {
   EXPECT_EQ(zoomed(camera, 4).clip, (std::array<double, 2>{0.5, 4.5}));
   EXPECT_EQ(zoomed(camera, 10).clip, (std::array<double, 2>{0, 3}));
   EXPECT_EQ(zoomed(camera, 0.5).clip, (std::array<double, 2>{18, 22}));
-  // nothing is left of a slab that is behind the eye: it stays as it was
+  // a slab that would lie wholly behind the eye stays as it was
   camera.clip = {2, 5};
   EXPECT_EQ(zoomed(camera, 4).clip, (std::array<double, 2>{2, 5}));
 }
