@@ -3,6 +3,8 @@
 #include <array>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include <arb.h>
 #include <arb_hypgeom.h>
@@ -187,6 +189,64 @@ double exact_dawson_derivative(double x) {
   return raised([x](const Arithmetic& m) {
     return m.sub(Ball(1), m.mul(Ball(2 * x), dawson_ball(m, Ball(x))));
   });
+}
+
+namespace {
+
+/// f / weight at x = 2 t / (1 - t).
+Ball weighted(const Arithmetic& m, WeightedFunction function, const Ball& t) {
+  const Ball s = m.sub(Ball(1), t);
+  const Ball x = m.div(m.mul(Ball(2), t), s);
+  const Ball s2 = m.mul(s, s);
+  switch (function) {
+    case WeightedFunction::erfcx:
+      return m.div(erfcx_ball(m, x), s);
+    case WeightedFunction::ierfcx:
+      return m.div(m.sub(m.div(Ball(1), m.sqrt(m.pi())), m.mul(x, erfcx_ball(m, x))), s2);
+    case WeightedFunction::dawson:
+      return m.div(dawson_ball(m, x), m.mul(x, s2));
+    case WeightedFunction::dawson_derivative:
+      break;
+  }
+  return m.div(m.sub(Ball(1), m.mul(m.mul(Ball(2), x), dawson_ball(m, x))), s2);
+}
+
+}  // namespace
+
+std::vector<double> exact_powers(WeightedFunction function, double low, double high,
+                                 std::size_t degree) {
+  constexpr std::size_t kPoints = 28;
+  const Arithmetic m{512};
+  // cos(pi i / (2 kPoints))
+  const auto cosine = [&](std::size_t i) {
+    return m.apply(arb_cos_pi, m.div(Ball(static_cast<double>(i)), Ball(2.0 * kPoints)));
+  };
+  std::vector<Ball> values;
+  for (std::size_t j = 0; j < kPoints; ++j)
+    values.push_back(weighted(m, function,
+                              m.add(Ball(0.5 * low + 0.5 * high),
+                                    m.mul(cosine(2 * j + 1), Ball(0.5 * high - 0.5 * low)))));
+  std::vector<Ball> powers(degree + 1, Ball(0));
+  std::vector<double> before, polynomial{1};  // T_(k - 1), T_k
+  for (std::size_t k = 0; k <= degree; ++k) {
+    Ball c(0);
+    for (std::size_t j = 0; j < kPoints; ++j)
+      c = m.add(c, m.mul(values[j], cosine(k * (2 * j + 1))));
+    c = m.div(m.mul(c, Ball(k == 0 ? 1 : 2)), Ball(kPoints));
+    for (std::size_t i = 0; i < polynomial.size(); ++i)
+      powers[i] = m.add(powers[i], m.mul(c, Ball(polynomial[i])));
+    std::vector<double> next(k + 2, 0.0);  // 2 y T_k - T_(k - 1), and T_1 = y
+    for (std::size_t i = 0; i < polynomial.size(); ++i)
+      next[i + 1] = (k == 0 ? 1 : 2) * polynomial[i];
+    for (std::size_t i = 0; i < before.size(); ++i) next[i] -= before[i];
+    before = std::exchange(polynomial, next);
+  }
+  std::vector<double> result;
+  for (const Ball& power : powers) {
+    if (!accurate(power)) throw std::runtime_error("the oracle ran out of precision");
+    result.push_back(rounded(power));
+  }
+  return result;
 }
 
 }  // namespace hiac::test

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 namespace hiac::test {
 
 /// The integrals of a linear piece (hiac/optics/linear_piece.hpp), each correctly rounded or off by
@@ -27,5 +30,15 @@ double exact_erfcx(double x);
 double exact_ierfcx(double x);
 double exact_dawson(double x);
 double exact_dawson_derivative(double x);
+
+/// erfcx, ierfcx, dawson and dawson_derivative, each divided by its weight: s, s^2, x s^2 and s^2
+/// with s = 2 / (x + 2) = 1 - t.
+enum class WeightedFunction { erfcx, ierfcx, dawson, dawson_derivative };
+
+/// Coefficients, by powers of y from -1 to 1, of the first `degree` + 1 terms of the series in
+/// Chebyshev polynomials of a weighted function on t = (low + high) / 2 + y (high - low) / 2; the
+/// series is that of its interpolant in 28 points. 0 <= low < high <= 1.
+std::vector<double> exact_powers(WeightedFunction function, double low, double high,
+                                 std::size_t degree);
 
 }  // namespace hiac::test

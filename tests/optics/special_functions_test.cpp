@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "arb_oracle.hpp"
+#include "hiac/optics/special_functions_table.hpp"
 
 namespace hiac {
 namespace {
@@ -51,6 +52,29 @@ TEST(SpecialFunctions, DawsonDerivativeMatchesBallArithmetic) {
     const double allowed = x < 1.25 ? 1e-15 : kBound * std::abs(exact);
     EXPECT_LE(std::abs(dawson_derivative(x) - exact), allowed) << x;
   }
+}
+
+// Each coefficient, however little it adds: the fit leaves the functions' last digits right only if
+// all of them are.
+TEST(SpecialFunctions, CoefficientsAreThoseOfTheInterpolants) {
+  using namespace special_functions_table;
+  using test::WeightedFunction;
+  // what the asymptotic series of the fit leave out, where they begin
+  constexpr double kOfSeries = 1e-32;
+  const auto judge = [](WeightedFunction function, const double(&table)[kIntervals][kDegree + 1]) {
+    for (int i = 0; i < kIntervals; ++i) {
+      const std::vector<double> exact =
+          test::exact_powers(function, static_cast<double>(i) / kIntervals,
+                             static_cast<double>(i + 1) / kIntervals, kDegree);
+      for (std::size_t k = 0; k < exact.size(); ++k)
+        EXPECT_NEAR(table[i][k], exact[k], 1e-15 * std::abs(exact[k]) + kOfSeries)
+            << static_cast<int>(function) << ' ' << i << ' ' << k;
+    }
+  };
+  judge(WeightedFunction::erfcx, kErfcx);
+  judge(WeightedFunction::ierfcx, kIerfcx);
+  judge(WeightedFunction::dawson, kDawson);
+  judge(WeightedFunction::dawson_derivative, kDawsonDerivative);
 }
 
 }  // namespace
