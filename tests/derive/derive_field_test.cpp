@@ -263,5 +263,93 @@ TEST(DeriveField, CommasWithinParenthesesAndQuotesPartNothing) {
   EXPECT_EQ(derive_field(mesh, "q =  p ").unit, "Pa");
 }
 
+// Numbers with and without points and exponents, comparisons of one sign and of two, white space,
+// and fields whose names hold more than letters: each against what it is in C++, where the field
+// is 2.
+TEST(DeriveField, TakesTextsApartByTheirSigns) {
+  ZooMesh mesh = sample();
+  for (const char* name : {"e", "e1", "_a", "a.b", "T_2",
+                           "gr\xc3\xb6\xc3\x9f"
+                           "e",
+                           "s p", "p@q"})
+    mesh.fields.push_back({name, "", FieldLocation::cell, 1, std::vector<double>{2, 2}});
+  const std::pair<const char*, double> rows[] = {
+      {"12", 12},
+      {"1.25*e", 2.5},
+      {".5*e", 1},
+      {"1e2*e", 200},
+      {"1E2", 100},
+      {"1e+2", 100},
+      {"2.5e-2*e", 0.05},
+      {"3e1+e1", 32},
+      {"e*e1", 4},
+      {"_a*10+a.b", 22},
+      {"T_2-1", 1},
+      {"gr\xc3\xb6\xc3\x9f"
+       "e+1",
+       3},
+      {"\"s p\"+1", 3},
+      {"\"s p\"@cell+1", 3},
+      {"e@cell+1", 3},
+      {"e:value+1", 3},
+      {"p@q+1", 3},
+      {"e>=2 ? 5 : 6", 5},
+      {"e<=2 ? 5 : 6", 5},
+      {"e>2 ? 5 : 6", 6},
+      {"e<2 ? 5 : 6", 6},
+      {"e==2 ? 5 : 6", 5},
+      {"e!=2 ? 5 : 6", 6},
+      {"e==3 ? 5 : 6", 6},
+      {"(e>1)+10*(e>=3)", 1},
+      {"max(e,3)", 3},
+      {"max (e, 3)", 3},
+      {" magnitude( e ) ", 2},
+      {"magnitude (e)*e", 4},
+      {"cell_average(p@node)*0 + e", 2},
+      {"\te + e\n", 4},
+      {"2*(e)", 4},
+      {"(e)*(e)", 4},
+      {"(2)*magnitude(e)", 4},
+      {"pi - pi + e", 2},
+      {"pi*0 + sqrt(e*2)", 2},
+  };
+  for (const auto& [text, value] : rows) {
+    const Field field = derive_field(mesh, std::string(" \t q\r\n=") + text);
+    EXPECT_EQ(field.name, "q");
+    // an expression of numbers alone has values at the nodes
+    ASSERT_EQ(field.values.size(), field.location == FieldLocation::cell ? 2U : 6U) << text;
+    for (const double found : field.values) EXPECT_DOUBLE_EQ(found, value) << text;
+  }
+}
+
+TEST(DeriveField, AveragesWithinExpressions) {
+  const ZooMesh mesh = sample();
+  const Field at_nodes = derive_field(mesh, "q=2*node_average(c) + p");
+  ASSERT_EQ(at_nodes.location, FieldLocation::node);
+  EXPECT_EQ(at_nodes.values[0], 2 * 5 - 2);
+  EXPECT_EQ(at_nodes.values[1], 2 * 5.375 - 1.25);
+  EXPECT_EQ(at_nodes.values[4], 2 * 5.75 + 1);
+  // of a component, which is none of a whole field
+  const Field of_vector = derive_field(mesh, "q=cell_average(v:y)");
+  EXPECT_EQ(of_vector.components, 1U);
+  ASSERT_EQ(of_vector.location, FieldLocation::cell);
+  for (CellId cell = 0; cell < 2; ++cell) {
+    double sum = 0;
+    for (const NodeId node : mesh.cell_nodes(cell)) sum += value_of(mesh, "v:y", node);
+    EXPECT_DOUBLE_EQ(of_vector.values[cell], sum / 4);
+  }
+}
+
+// The mean of a cell's nodes, along each axis.
+TEST(DeriveField, CellsAreInTheirMiddles) {
+  const ZooMesh mesh = sample();
+  const Field field = derive_field(mesh, "q=0*c + x + 10*y + 100*z");
+  EXPECT_DOUBLE_EQ(field.values[0], 0.5 * 111);
+  EXPECT_DOUBLE_EQ(field.values[1], 111);
+  const Field bent = derive_field(mesh, "q=0*k + x + 10*y + 100*z");
+  const double corners[] = {0, 2, 20, 200, 2, 20, 200, 222};
+  for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(bent.values[i], corners[i]);
+}
+
 }  // namespace
 }  // namespace hiac

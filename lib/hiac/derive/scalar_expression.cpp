@@ -198,7 +198,11 @@ class ScalarExpression::Translation {
   }
 
   void function(std::string_view word, std::size_t open) {
-    if (functions_.contains(std::string(word))) return copy_to(open);
+    if (functions_.contains(std::string(word))) {
+      to_.text_ += word;  // muParser takes no blank between a function and its parenthesis
+      at_ = open;
+      return;
+    }
     const std::size_t behind = behind_closing(text_, open);
     if (behind == std::string_view::npos) throw UsageError("a ( is not closed");
     const std::string argument(without_quotes(trimmed(text_.substr(open + 1, behind - open - 2))));
