@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+
 #include <gtest/gtest.h>
 
 #include "hiac/check/cycles.hpp"
@@ -29,6 +33,39 @@ TEST(FindCycles, StepsAreThoseOfRays) {
           std::ranges::count(arrows, std::pair(cycle[i].cell, cycle[(i + 1) % cycle.size()].cell)),
           1);
   }
+}
+
+// A step across a face is told by the face's middle, one across a gap by the cell's.
+TEST(FindCycles, WitnessesAreInTheMiddle) {
+  const ZooMesh bent = moved(structured(2, Cut::bricks), [](const Position& p) {
+    return Position{p[0] + 0.3 * (p[1] - 0.5) * (p[2] - 0.5), p[1], p[2]};
+  });
+  std::map<CycleStep, std::size_t> told;
+  for (const auto& [mesh, view] :
+       {std::pair(pinwheel(), View{true, {0, 0, 9}, {0, 0, -1}}),
+        std::pair(ring_of_sticks(5, 1), View{true, {0, 0, 9}, {0, 0, -1}}),
+        std::pair(bent, View{false, {}, {0, 1, 1e-3}})})
+    for (const VisibilityGroup& group : cycles_of(mesh, view)) {
+      EXPECT_TRUE(std::ranges::is_sorted(group.cells));
+      for (std::size_t i = 0; i < group.cycle.size(); ++i) {
+        const CycleCell& here = group.cycle[i];
+        const auto own = mesh.cell_nodes(here.cell),
+                   next = mesh.cell_nodes(group.cycle[(i + 1) % group.cycle.size()].cell);
+        std::vector<NodeId> common;
+        for (const NodeId node : own)
+          if (std::ranges::find(next, node) != next.end()) common.push_back(node);
+        EXPECT_EQ(here.step == CycleStep::gap, common.size() < 3);
+        if (here.step == CycleStep::gap) common.assign(own.begin(), own.end());
+        for (std::size_t c = 0; c < 3; ++c) {
+          double sum = 0;
+          for (const NodeId node : common) sum += mesh.position(node)[c];
+          EXPECT_NEAR(here.witness[c], sum / static_cast<double>(common.size()), 1e-14);
+        }
+        ++told[here.step];
+      }
+    }
+  for (const CycleStep step : {CycleStep::face, CycleStep::both_ways, CycleStep::gap})
+    EXPECT_GT(told[step], 1U) << static_cast<int>(step);
 }
 
 TEST(FindCycles, NoneWhereThereAreNone) {

@@ -110,6 +110,31 @@ TEST(MeshConvexity, SaysWhatIsNotKnown) {
   EXPECT_THAT(std::string(judged(bent).reason), HasSubstr("not planar"));
 }
 
+TEST(MeshConvexity, SaysWhy) {
+  const auto reason = [](const ZooMesh& mesh) { return std::string(judged(mesh).reason); };
+  EXPECT_EQ(reason(structured(2, Cut::bricks)), "");
+  EXPECT_EQ(reason(make_mesh({}, {})), "there is no boundary");
+  // two cells at one edge, where four boundary faces meet
+  EXPECT_EQ(reason(make_mesh(
+                {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}},
+                {{CellKind::tetrahedron4, {0, 2, 3, 1}}, {CellKind::tetrahedron4, {0, 4, 5, 1}}})),
+            "edges have more or fewer than two boundary faces");
+  EXPECT_EQ(reason(moved(structured(1, Cut::bricks),
+                         [](const Position& p) {
+                           return Position{p[0], p[1], p[2] + 0.1 * p[0] * p[1]};
+                         })),
+            "boundary faces are not planar, or cells have no volume");
+  EXPECT_EQ(reason(wound(5, 2)), "the boundary overlaps itself, or winds around more than once");
+  // the middles of edges out of line, and an inner angle that then is not told
+  std::vector<Position> places{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}, {1, -0.25, 0}, {1, 1, 0},
+                               {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {0.5, 0.5, -1}};
+  const ZooMesh bent = make_mesh(places, {{CellKind::tetrahedron10, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}},
+                                          {CellKind::tetrahedron4, {0, 2, 1, 10}}});
+  EXPECT_EQ(reason(bent), "the boundary has curved faces");
+  EXPECT_EQ(judged(bent).verdict, Convexity::unknown);
+  EXPECT_TRUE(judged(bent).edges.empty());
+}
+
 // The apex of a cell may be the mesh's first node.
 TEST(Interfaces, ACellWithNodeZeroBehindItsFaceIsOnOthers) {
   for (const bool first : {true, false}) {

@@ -104,6 +104,50 @@ TEST(Regularity, TwoTetrahedraByOneUlp) {
   EXPECT_EQ(certificate_of(mesh(above(-1))).delaunay, Delaunay::none);
 }
 
+// A triangle within a triangle, turned so that no heights lift all edges between them, as the faces
+// of tetrahedra below a common apex.
+ZooMesh without_heights() {
+  return make_mesh(
+      {{4, 0, 0}, {0, 4, 0}, {-4, -4, 0}, {1, 0, 0}, {0, 1, 0}, {-1, -1, 0}, {0, 0, 4}},
+      {{CellKind::tetrahedron4, {0, 1, 4, 6}},
+       {CellKind::tetrahedron4, {0, 4, 3, 6}},
+       {CellKind::tetrahedron4, {1, 2, 5, 6}},
+       {CellKind::tetrahedron4, {1, 5, 4, 6}},
+       {CellKind::tetrahedron4, {2, 0, 3, 6}},
+       {CellKind::tetrahedron4, {2, 3, 5, 6}},
+       {CellKind::tetrahedron4, {3, 4, 5, 6}}});
+}
+
+TEST(Regularity, SaysWhyItIsUnknown) {
+  const auto reason = [](const ZooMesh& mesh) { return std::string(certificate_of(mesh).reason); };
+  const ZooMesh some = random_delaunay(20, 5);
+  EXPECT_EQ(reason(some), "");
+  EXPECT_EQ(reason(inverted(some, [](CellId c) { return c == 3; })),
+            "not all cells are valid and turn alike");
+  EXPECT_EQ(reason(keep_cells(structured(2, Cut::bricks),
+                              [](const Position&, CellId c) { return c != 3; })),
+            "rays may leave the mesh and enter it again");
+  ZooMesh curved = make_mesh({{0, 0, 0},
+                              {2, 0, 0},
+                              {0, 2, 0},
+                              {0, 0, 2},
+                              {1, 0, 0},
+                              {1, 1, 0},
+                              {0, 1, 0},
+                              {0, 0, 1},
+                              {1, 0, 1},
+                              {0, 1, 1}},
+                             {{CellKind::tetrahedron10, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}}});
+  EXPECT_EQ(reason(curved), "cells are curved");
+  const ZooMesh slanting = moved(structured(2, Cut::bricks), [](const Position& p) {
+    return Position{p[0] + p[2], p[1], p[2]};
+  });
+  EXPECT_EQ(reason(slanting), "other heights than Delaunay's are searched for tetrahedra alone");
+  EXPECT_EQ(certificate_of(slanting).delaunay, Delaunay::none);
+  EXPECT_EQ(reason(without_heights()), "no other heights than Delaunay's found");
+  EXPECT_EQ(of(without_heights()), Acyclicity::unknown);
+}
+
 // What is not convex, or not linear, or not valid, is not asked further.
 TEST(Regularity, OthersAreUnknown) {
   EXPECT_EQ(of(pinwheel()), Acyclicity::unknown);
