@@ -112,6 +112,10 @@ TEST(BernsteinPolynomial, RefusesNoCoefficientsAndTooMany) {
   EXPECT_THROW(BernsteinPolynomial(std::vector<double>(kMaxFieldDegree + 2)),
                std::invalid_argument);
   EXPECT_THROW(bernstein_from_chebyshev(std::vector<double>{}), std::invalid_argument);
+  EXPECT_THROW(bernstein_from_chebyshev(std::vector<double>(kMaxFieldDegree + 2)),
+               std::invalid_argument);
+  EXPECT_THROW(bernstein_from_chebyshev(std::vector<long double>(kMaxFieldDegree + 2)),
+               std::invalid_argument);
   EXPECT_THROW(bernstein_from_powers(std::vector<double>{}), std::invalid_argument);
   EXPECT_THROW(bernstein_from_powers(std::vector<double>(kMaxFieldDegree + 2)),
                std::invalid_argument);

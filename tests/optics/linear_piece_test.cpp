@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <limits>
+#include <numbers>
 #include <random>
 #include <span>
 #include <string>
@@ -246,6 +248,42 @@ TEST(LinearPiece, IsExactAtTheLimits) {
   EXPECT_EQ(e.back, 0.5);
 }
 
+// Densities beyond 1e150 count as that: nothing overflows, and the limits of the integrals are met.
+// With one dense end at x = 1e150 and the other at y, Psi is 1/x from the dense end, and from the
+// thin one sqrt(pi / (2 x)) where y is negligible.
+TEST(LinearPiece, DensitiesWithoutLimitCountAsALargestOne) {
+  constexpr double kMost = 1e150, kInfinity = std::numeric_limits<double>::infinity();
+  const double from_thin = std::sqrt(std::numbers::pi / 2) * 1e-75;
+  const auto expect_near = [](double value, double truth) {
+    EXPECT_NEAR(value, truth, 1e-13 * truth);
+  };
+  for (const double large : {kMost, 1e151, 1e200, std::numeric_limits<double>::max(), kInfinity}) {
+    for (const double thin : {0.0, 5e-324, 1.0, 1e10}) {
+      const LinearPieceWeights dense_first = linear_piece_weights(large, thin);
+      EXPECT_EQ(dense_first.transparency, 0);
+      EXPECT_EQ(dense_first.front, 1);
+      expect_near(dense_first.back, 1e-150);
+      const LinearPieceWeights dense_last = linear_piece_weights(thin, large);
+      EXPECT_EQ(dense_last.transparency, 0);
+      EXPECT_EQ(dense_last.front, 1);
+      expect_near(dense_last.back, from_thin);
+      const LinearPieceWeights glowing_first = linear_piece_emission(large, thin);
+      expect_near(glowing_first.front, 1e-150);
+      expect_near(glowing_first.back, 1e-300);
+      const LinearPieceWeights glowing_last = linear_piece_emission(thin, large);
+      expect_near(glowing_last.front, from_thin);
+      expect_near(glowing_last.back, 1e-150);
+    }
+    const LinearPieceWeights dense = linear_piece_weights(large, large);
+    EXPECT_EQ(dense.transparency, 0);
+    EXPECT_EQ(dense.front, 1);
+    expect_near(dense.back, 1e-150);
+    const LinearPieceWeights glowing = linear_piece_emission(large, large);
+    expect_near(glowing.front, 1e-150);
+    expect_near(glowing.back, 1e-300);
+  }
+}
+
 bool same_bits(const LinearPieceWeights& x, const LinearPieceWeights& y) {
   return x.transparency == y.transparency && x.front == y.front && x.back == y.back;
 }
@@ -270,6 +308,30 @@ TEST(LinearPieceBatch, AnElementDependsOnItsOwnPieceAlone) {
         for (std::size_t i = 0; i < shifted.size(); ++i)
           ASSERT_TRUE(same_bits(together[i + shift], shifted[i])) << name << " element " << i;
       }
+    }
+  });
+}
+
+// Half the opacity for either end, by every method and where it changes.
+TEST(LinearPieceBatch, MeanColorHasHalfTheOpacityAtEitherEnd) {
+  Random random;
+  Pieces pieces;
+  for (const double sum : {0.0, 0.125, 0.25, 2.0, 8.0}) pieces.add(0.25 * sum, 0.75 * sum);
+  for (int i = 0; i < 8000; ++i) {
+    const double largest = i % 4 == 0 ? 0.06 : i % 4 == 1 ? 0.2 : i % 4 == 2 ? 2 : 40;
+    pieces.add(random.uniform(0, largest), random.uniform(0, largest));
+  }
+  // whole vectors of one method as well as mixed ones
+  for (const double largest : {0.05, 0.1})
+    for (int i = 0; i < 64; ++i)
+      pieces.add(random.uniform(0.7, 1) * largest, random.uniform(0.7, 1) * largest);
+  test::for_each_instruction_set([&](const std::string& name) {
+    const auto found = run_batch(linear_piece_mean_color, pieces.b, pieces.a);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const double depth = 0.5 * (pieces.a[i] + pieces.b[i]), opacity = -std::expm1(-depth);
+      ASSERT_NEAR(found[i].transparency, std::exp(-depth), 1e-14 * std::exp(-depth)) << name;
+      ASSERT_NEAR(found[i].front, 0.5 * opacity, 1e-14 * opacity) << name << ' ' << depth;
+      ASSERT_EQ(found[i].back, found[i].front) << name;
     }
   });
 }

@@ -48,6 +48,11 @@ void emission_batch(std::span<const double> b, std::span<const double> a,
   batch<linear_piece_detail::Emission>(b, a, out);
 }
 
+void mean_color_batch(std::span<const double> b, std::span<const double> a,
+                      const LinearPieceOutput& out) {
+  batch<linear_piece_detail::MeanChromaticity>(b, a, out);
+}
+
 }  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace hiac
@@ -59,6 +64,7 @@ namespace {
 
 HWY_EXPORT(weights_batch);
 HWY_EXPORT(emission_batch);
+HWY_EXPORT(mean_color_batch);
 
 void check_lengths(std::span<const double> b, std::span<const double> a,
                    const LinearPieceOutput& out) {
@@ -80,6 +86,12 @@ void linear_piece_emission(std::span<const double> b, std::span<const double> a,
                            const LinearPieceOutput& out) {
   check_lengths(b, a, out);
   HWY_DYNAMIC_DISPATCH(emission_batch)(b, a, out);
+}
+
+void linear_piece_mean_color(std::span<const double> b, std::span<const double> a,
+                             const LinearPieceOutput& out) {
+  check_lengths(b, a, out);
+  HWY_DYNAMIC_DISPATCH(mean_color_batch)(b, a, out);
 }
 
 }  // namespace hiac

@@ -22,4 +22,8 @@ void linear_piece_weights(std::span<const double> b, std::span<const double> a,
 void linear_piece_emission(std::span<const double> b, std::span<const double> a,
                            const LinearPieceOutput& out);
 
+/// Computes PieceRule::mean_color with chromaticity glow likewise.
+void linear_piece_mean_color(std::span<const double> b, std::span<const double> a,
+                             const LinearPieceOutput& out);
+
 }  // namespace hiac
