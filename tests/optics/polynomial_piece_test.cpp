@@ -378,6 +378,45 @@ TEST(PolynomialPiece, RefusesWhatIsNotFiniteOrNegative) {
   refuses(segment_of({0}, {0}, 100), huge, 1e-9);
 }
 
+// Fields that stay within a narrow tent of the extinction for a while: rounding errors of the field
+// are as large as the tent. The light is that of some extinction that is not negative, and has a
+// bound.
+TEST(PolynomialPiece, LightOfFunctionsTooSteepForTheirFieldIsWithinItsRange) {
+  Random random(15);
+  std::size_t unknown = 0, known = 0;
+  for (const double width : {1e-6, 1e-12, 1e-14, 1e-15})
+    for (const double top : {1.0, 1e10, 1e100, 1e300})
+      for (int trial = 0; trial < 30; ++trial) {
+        const auto degree = static_cast<std::size_t>(3 + trial % 6);
+        std::vector<double> field = random.field(degree, 0.5 - 2 * width, 0.5 + 2 * width);
+        if (trial % 2 == 0)
+          field.front() = random.uniform(0, 1), field.back() = random.uniform(0, 1);
+        const PiecewiseLinear<1> tent(
+            ExtinctionPoints{{0.5, {0}}, {0.5 + width, {top}}, {0.5 + 2 * width, {0}}});
+        const PiecewiseLinear<3> color(
+            ColorPoints{{0.5, {0, 0.25, 1}}, {0.5 + width, {1, 0.25, 0}}});
+        const double length = random.uniform(0.5, 2);
+        const PolynomialSegment segment = segment_of(field, field, length);
+        for (const Glow glow : {Glow::chromaticity, Glow::emission}) {
+          const SegmentRadiance r = integrate_segment(segment, color, tent, glow, 1e-9);
+          const double most = (glow == Glow::emission ? length : 1) * (1 + 1e-12);
+          ASSERT_GE(r.transparency, 0);
+          ASSERT_LE(r.transparency, 1);
+          for (const double channel : r.rgb) {
+            ASSERT_GE(channel, 0) << width << ' ' << top << ' ' << trial;
+            ASSERT_LE(channel, most) << width << ' ' << top << ' ' << trial;
+          }
+          ASSERT_LE(r.rgb[1], 0.25 * most);
+          ASSERT_GE(r.error, 0);  // and is no NaN
+          ASSERT_GE(r.transparency_error, 0);
+          ASSERT_LE(r.transparency_error, 1);
+          ++(std::isinf(r.error) ? unknown : known);
+        }
+      }
+  EXPECT_GT(unknown, 100U);
+  EXPECT_GT(known, 100U);
+}
+
 TEST(PolynomialPiece, AnEmptySegmentIsTransparent) {
   const PiecewiseLinear<3> color(ColorPoints{{0, {1, 1, 1}}});
   const PiecewiseLinear<1> one(ExtinctionPoints{{0, {1}}});
