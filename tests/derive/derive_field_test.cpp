@@ -152,6 +152,29 @@ TEST(DeriveField, TakesDeviatorsAndPrincipalValues) {
   }
 }
 
+// Of nine components, the symmetric part.
+TEST(DeriveField, TakesTensorsOfNineComponents) {
+  ZooMesh mesh = sample();
+  mesh.fields.push_back({"F", "", FieldLocation::cell, 9,
+                         std::vector<double>{3, 1, 0, 3, 6, 0, 0, 0, 0,  //
+                                             1, 0, 4, 0, 2, 0, -4, 0, 3}});
+  const Field rest = derive_field(mesh, "d=deviator(F)"),
+              principal = derive_field(mesh, "s=principal(F)");
+  ASSERT_EQ(rest.components, 6U);
+  ASSERT_EQ(principal.components, 3U);
+  EXPECT_EQ(rest.location, FieldLocation::cell);
+  EXPECT_THAT(std::vector(rest.values.begin(), rest.values.end()),
+              testing::ElementsAre(0, 3, -3, 2, 0, 0, -1, 0, 1, 0, 0, 0));
+  ASSERT_EQ(principal.values.size(), 6U);
+  // 4.5 +- sqrt(1.5^2 + 2^2), and 0
+  EXPECT_NEAR(principal.values[0], 7, 1e-14);
+  EXPECT_NEAR(principal.values[1], 2, 1e-14);
+  EXPECT_NEAR(principal.values[2], 0, 1e-14);
+  EXPECT_NEAR(principal.values[3], 3, 1e-14);
+  EXPECT_NEAR(principal.values[4], 2, 1e-14);
+  EXPECT_NEAR(principal.values[5], 1, 1e-14);
+}
+
 TEST(DeriveField, AveragesWholeFields) {
   const ZooMesh mesh = sample();
   const Field at_nodes = derive_field(mesh, "n=node_average(c)");
