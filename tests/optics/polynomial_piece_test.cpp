@@ -417,6 +417,23 @@ TEST(PolynomialPiece, LightOfFunctionsTooSteepForTheirFieldIsWithinItsRange) {
   EXPECT_GT(known, 100U);
 }
 
+// Bounds that overflow prove nothing: such a piece counts as linear from end to end. All of its
+// light comes from its front.
+TEST(PolynomialPiece, ExtinctionsAsLargeAsNumbersAreHaveNoBound) {
+  const PiecewiseLinear<1> large(ExtinctionPoints{{0, {1e308}}, {1, {1.7e308}}});
+  const PiecewiseLinear<3> color(ColorPoints{{0, {0.2, 0.5, 0}}, {1, {0.8, 0.5, 1}}});
+  for (const auto& [front, back] : {std::pair(0.25, 0.75), std::pair(0.75, 0.25)}) {
+    const std::vector<double> field{front, 0.4, back};
+    const SegmentRadiance r =
+        integrate_segment(segment_of(field, field, 1), color, large, Glow::chromaticity, 1e-9);
+    EXPECT_NEAR(r.rgb[0], 0.2 + 0.6 * front, 1e-14);
+    EXPECT_NEAR(r.rgb[1], 0.5, 1e-14);
+    EXPECT_NEAR(r.rgb[2], front, 1e-14);
+    EXPECT_EQ(r.transparency, 0);
+    EXPECT_TRUE(std::isinf(r.error));
+  }
+}
+
 TEST(PolynomialPiece, AnEmptySegmentIsTransparent) {
   const PiecewiseLinear<3> color(ColorPoints{{0, {1, 1, 1}}});
   const PiecewiseLinear<1> one(ExtinctionPoints{{0, {1}}});
