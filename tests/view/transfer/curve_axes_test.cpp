@@ -1,6 +1,7 @@
 #include "tools/view/transfer/curve_axes.hpp"
 
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -38,6 +39,35 @@ TEST(CurveAxes, ReachZeroBelowTheGapAlone) {
   EXPECT_EQ(kAxes.extinction_at(-1000), 1e2);  // the axis' end
 }
 
+TEST(CurveAxes, HaveAGapOfSixteenPixelsBelowTheLeastExtinction) {
+  EXPECT_EQ(kAxes.zero_line(), 220);
+  EXPECT_EQ(kAxes.y_of(-3), 236);
+  EXPECT_EQ(kAxes.y_of(1e-9), 220);  // below the axis, but not zero
+  EXPECT_EQ(kAxes.y_of(1e9), 20);
+  // the middle of five decades
+  EXPECT_NEAR(kAxes.y_of(std::pow(10, -0.5)), 120, 1e-9);
+  EXPECT_NEAR(kAxes.extinction_at(120), std::pow(10, -0.5), 1e-3);
+}
+
+TEST(CurveAxes, SayNumbersOfATenthOfAPixel) {
+  // the power of ten at or below a tenth of a pixel's width
+  for (const auto& [width, unit] : {std::pair(400.0, 0.1),
+                                    {399.0, 0.01},
+                                    {40.0, 0.01},
+                                    {3999.0, 0.1},
+                                    {4000.0, 1.0},
+                                    {4e5, 100.0}}) {
+    const CurveAxes axes({0, 0, 400, 100}, {0, width}, {1, 10});
+    for (const double x : {1.0 / 3, 123.457, 399.9}) {
+      const double value = x * width / 400, found = axes.value_at(x);
+      EXPECT_NEAR(found, std::round(value / unit) * unit, 1e-9 * width) << width << " " << x;
+    }
+  }
+  // a plot without width has pixels of all its values
+  const CurveAxes narrow({0, 0, 0.05, 100}, {0, 1}, {1, 10});
+  EXPECT_EQ(narrow.value_at(0.0123456), 0.2);
+}
+
 TEST(CurveAxes, SayShortNumbers) {
   // a pixel is 0.02: a multiple of 0.001
   const double value = kAxes.value_at(123);
@@ -51,6 +81,21 @@ TEST(CurveAxes, ZoomAroundAPlace) {
   EXPECT_DOUBLE_EQ(high, 3);
   const CurveAxes narrow({0, 0, 100, 100}, {1, 1 + 1e-15}, {1, 10});
   EXPECT_EQ(narrow.zoomed(50, 0.5), narrow.values());  // no further
+}
+
+TEST(CurveAxes, ZoomAsFarAsNumbersTellPixelsApart) {
+  for (const double factor : {0.6, 0.4}) {  // to 1.2e-10 of the values, or to 0.8e-10
+    const CurveAxes axes({0, 0, 100, 100}, {1, 1 + 2e-10}, {1, 10});
+    const auto found = axes.zoomed(50, factor);
+    EXPECT_EQ(found != axes.values(), factor == 0.6) << factor;
+    const CurveAxes negative({0, 0, 100, 100}, {-1 - 2e-10, -1}, {1, 10});
+    EXPECT_EQ(negative.zoomed(50, factor) != negative.values(), factor == 0.6) << factor;
+  }
+  const CurveAxes wide({0, 0, 100, 100}, {-1e308, 1e307}, {1, 10});
+  EXPECT_EQ(wide.zoomed(50, 10), wide.values());  // no number is as large
+  // at an end the other one alone moves
+  EXPECT_EQ(kAxes.zoomed(50, 0.5), (std::array<double, 2>{-2, 2}));
+  EXPECT_EQ(kAxes.zoomed(450, 0.5), (std::array<double, 2>{2, 6}));
 }
 
 const CurveAxes kLogAxes({50, 20, 450, 236}, {1e-3, 10}, {1e-3, 1e2}, TransferScale::log);
@@ -125,6 +170,56 @@ TEST(ExtinctionRange, HoldsAllThatIsPositive) {
   }
 }
 
+TEST(ExtinctionRange, EndsAtPowersOfTen) {
+  struct Case {
+    std::vector<double> extinctions;
+    int least, most;  // exponents
+  };
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const Case& c : {Case{{0.03, 7}, -3, 2},  // five at least
+                        {{0.0003, 7}, -4, 2},
+                        {{9.99}, -3, 2},
+                        {{10}, -2, 3},
+                        {{1e-8, 7}, -8, 2},
+                        {{1e-13, 7}, -10, 2},           // twelve at most
+                        {{7, infinity, -5, 0}, -3, 2},  // these are not shown
+                        {{infinity}, -3, 2},
+                        {{1e307}, 303, 308},
+                        {{1e-305}, -307, -302},
+                        {{5e-324}, -307, -302}}) {
+    const auto range = extinction_range(points(c.extinctions));
+    EXPECT_NEAR(std::log10(range[0]), c.least, 1e-9) << c.extinctions[0];
+    EXPECT_NEAR(std::log10(range[1]), c.most, 1e-9) << c.extinctions[0];
+  }
+}
+
+TEST(ShownValues, AreWiderByAFiftiethOnEitherSide) {
+  const auto near = [](const std::array<double, 2>& extent, double low, double high) {
+    const auto found = shown_values(extent);
+    EXPECT_DOUBLE_EQ(found[0], low);
+    EXPECT_DOUBLE_EQ(found[1], high);
+  };
+  near({1, 3}, 0.96, 3.04);
+  near({-3, -1}, -3.04, -0.96);
+  near({5, 5}, 2.5, 7.5);  // one value: half of it
+  near({-5, -5}, -7.5, -2.5);
+  near({0, 0}, -1, 1);
+  near({1, 1 + 2.5e-9}, 1 - 5e-11, 1 + 2.55e-9);
+  EXPECT_NEAR(shown_values({1, 1 + 1.5e-9})[0], 0.5, 1e-8);  // as good as one
+}
+
+TEST(ShownLogValues, AreCutToWhatHasARatio) {
+  const auto ends = [](const std::array<double, 2>& extent) {
+    const auto found = shown_log_values(extent).value();
+    return std::array<double, 2>{std::log10(found[0]), std::log10(found[1])};
+  };
+  EXPECT_NEAR(ends({1e-200, 1e200})[0], -140 - 5.6, 1e-9);
+  EXPECT_NEAR(ends({1e-200, 1e200})[1], 140 + 5.6, 1e-9);
+  EXPECT_NEAR(ends({100, 100})[0], 1.5, 1e-9);  // one value: half a decade
+  EXPECT_NEAR(ends({100, 100})[1], 2.5, 1e-9);
+  EXPECT_NEAR(ends({1e-200, 1e-200})[0], -140.5, 1e-9);
+}
+
 TEST(ShownValues, AreNeverOneValue) {
   for (const std::array<double, 2>& extent :
        {std::array<double, 2>{0, 0}, {3, 3}, {-1e300, -1e300}, {0, 1}, {1, 1 + 1e-15}}) {
@@ -138,6 +233,9 @@ TEST(WithNearby, TakesInWhatIsNear) {
   const std::vector<double> scalars{-0.4, 0.5, 1.25, 1.6, -9};
   EXPECT_EQ(with_nearby({0, 1}, scalars), (std::array<double, 2>{-0.4, 1.25}));
   EXPECT_EQ(with_nearby({0, 1}, {}), (std::array<double, 2>{0, 1}));
+  // no farther than half of the width, of what was there at first
+  EXPECT_EQ(with_nearby({3, 5}, std::vector<double>{2, 6, 1.9, 6.1}),
+            (std::array<double, 2>{2, 6}));
 }
 
 TEST(Nearest, IsTheNearestWithinReach) {
@@ -145,6 +243,10 @@ TEST(Nearest, IsTheNearestWithinReach) {
   EXPECT_EQ(nearest(items, {9, 0}, 5), 1U);
   EXPECT_EQ(nearest(items, {10.8, 0}, 5), 2U);
   EXPECT_EQ(nearest(items, {5, 4.9}, 5), std::nullopt);
+  EXPECT_EQ(nearest(items, {-3, -4}, 5), 0U);  // at the end of the reach
+  EXPECT_EQ(nearest(items, {-3, -4}, 4.999), std::nullopt);
+  EXPECT_EQ(nearest(items, {10.5, 0}, 5), 2U);  // of two as near the last
+  EXPECT_EQ(nearest({}, {0, 0}, 5), std::nullopt);
 }
 
 TEST(BetweenNeighbors, StopsADragAtThem) {
@@ -159,6 +261,7 @@ TEST(BetweenNeighbors, StopsADragAtThem) {
 TEST(HalfValueLength, HalvesTheLight) {
   EXPECT_NEAR(std::exp(-0.3 * *half_value_length(0.3)), 0.5, 1e-15);
   EXPECT_EQ(half_value_length(0), std::nullopt);
+  EXPECT_EQ(half_value_length(-1), std::nullopt);
 }
 
 }  // namespace

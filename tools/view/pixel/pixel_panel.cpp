@@ -79,6 +79,7 @@ void PixelPanel::tell_cell() {
     const int number = line.text().left(digits).toInt(&is_number);
     if (!is_number || number < 1 || number > static_cast<int>(segments.size())) continue;
     const PixelSegment& segment = segments[static_cast<std::size_t>(number - 1)];
+    if (segment.cell == kNoCell) return;  // of an edge beside all cells
     QStringList nodes;
     for (const NodeId node : mesh_->cell_nodes(segment.cell)) nodes << QString::number(node);
     const auto kind = kind_name(segment.kind);
