@@ -116,6 +116,97 @@ double ink_in(const Canvas& canvas, int x0, int y0, int x1, int y1) {
   return sum;
 }
 
+// At 18 pixels an em: a halo of 2, lines of 1, a bar 20 thick, ticks of 5 with 5 behind them, and
+// lines of text 22 high.
+TEST(ColorLegend, HasRoomForItsPartsAndNoMore) {
+  const Scene scene = scene_of(false);
+  const int numbers = static_cast<int>(std::ceil(Text(18).width(typeset("-2"))));
+  for (const std::string label : {"", "t"})
+    for (const Place place : {Place::right, Place::left, Place::top, Place::bottom}) {
+      const bool upright = place == Place::right || place == Place::left;
+      const AnnotationPart part = color_legend(bar_at(place, false), scene, label, kLettering);
+      const LegendLayout box = legend_layout(bar_at(place, false), scene, label, kLettering);
+      const int for_label = label.empty() ? 0 : 22 + 5;
+      EXPECT_EQ(part.name, "colorbar");
+      EXPECT_EQ(part.place, place);
+      if (upright) {
+        EXPECT_EQ(box.x, 2 + 1);
+        EXPECT_EQ(box.y, 2 + 11);  // half a number stands above the bar
+        EXPECT_EQ(box.width, 20);
+        EXPECT_EQ(box.height, 300);
+        EXPECT_EQ(part.width, 3 + 20 + 1 + 5 + 5 + numbers + for_label + 2);
+        EXPECT_EQ(part.height, 300 + 2 * 13);
+      } else {
+        EXPECT_EQ(box.x, 2 + (numbers + 1) / 2);
+        EXPECT_EQ(box.y, 2 + for_label + 1);
+        EXPECT_EQ(box.width, 300);
+        EXPECT_EQ(box.height, 20);
+        EXPECT_EQ(part.width, 300 + 2 * box.x);
+        EXPECT_EQ(part.height, box.y + 20 + 1 + 5 + 22 + 2);
+      }
+    }
+}
+
+/// The first and the last row (or column) with ink in a part of a canvas.
+std::array<int, 2> inked_rows(const Canvas& canvas, const PixelBox& part, bool columns = false) {
+  int first = 10000, last = -1;
+  for (auto y = part.y; y < part.y + part.height; ++y)
+    for (auto x = part.x; x < part.x + part.width; ++x)
+      if (test::alpha(canvas, static_cast<int>(x), static_cast<int>(y)) > 0.2) {
+        first = std::min(first, static_cast<int>(columns ? x : y));
+        last = std::max(last, static_cast<int>(columns ? x : y));
+      }
+  return {first, last};
+}
+
+TEST(ColorLegend, PutsNumbersAndLabelBesideTheBarAndItsTicks) {
+  const Scene scene = scene_of(false);
+  const auto bar = [](Place place) { return bar_at(place, false); };
+  const Canvas upright = test::drawn(color_legend(bar(Place::right), scene, "HHH", kLettering));
+  // ticks are 5 long and a pixel thick, behind the frame; the upmost one is half above the bar
+  for (int x = 23; x < 31; ++x) {
+    const double expected = x == 23 ? 1 : x < 24 + 5 ? 0.5 : 0;
+    EXPECT_NEAR(test::alpha(upright, x, 12), expected, 1e-9) << x;
+  }
+  // its number is as high as the tick's place, 13, is in the middle of its digits
+  const auto [top, bottom] = inked_rows(upright, {34, 0, 20, 40});
+  EXPECT_NEAR((top + bottom + 1) / 2.0, 13, 1);
+  EXPECT_NEAR(inked_rows(upright, {29, 0, 10, 40}, true)[0], 35, 1.5);
+  // the label runs upwards in the middle of the bar, at the right edge but for what descends
+  const int left = upright.width() - 2 - 22;
+  const auto [from, to] = inked_rows(upright, {left, 0, 24, 326});
+  EXPECT_NEAR((from + to + 1) / 2.0, 163, 1);
+  EXPECT_EQ(inked_rows(upright, {left, 0, 24, 326}, true)[1], upright.width() - 2 - 5 - 1);
+  const Canvas level = test::drawn(color_legend(bar(Place::bottom), scene, "HHH", kLettering));
+  const LegendLayout box = legend_layout(bar(Place::bottom), scene, "HHH", kLettering);
+  for (int y = box.y + 20; y < box.y + 28; ++y) {
+    const int below = y - box.y - 20;
+    const double expected = below == 0 ? 1 : below <= 5 ? 0.5 : 0;
+    EXPECT_NEAR(test::alpha(level, box.x - 1, y), expected, 1e-9) << y;
+  }
+  // the 1 stands on its line's baseline, the label on that of the first line
+  const PixelBox one{box.x + 180 - 8, box.y + 27, 16, 23};
+  EXPECT_EQ(inked_rows(level, one)[1], box.y + 20 + 1 + 5 + 17 - 1);
+  const auto [start, end] = inked_rows(level, {0, 0, level.width(), 24}, true);
+  EXPECT_NEAR((start + end + 1) / 2.0, level.width() / 2.0, 1);
+  EXPECT_EQ(inked_rows(level, {0, 0, level.width(), 24})[1], 2 + 17 - 1);
+}
+
+TEST(ColorLegend, LeavesNumbersApart) {
+  // -2, -1 ... 3 stand 1.6 em apart or more, six of them on more than 144 pixels; below that -2, 0,
+  // 2
+  for (const auto& [pixels, count] : {std::pair(144.0, 3), {145.0, 6}}) {
+    ColorBarAnnotation bar = bar_at(Place::right, false);
+    bar.size = {pixels, true};
+    const Scene scene = scene_of(false);
+    const Canvas canvas = test::drawn(color_legend(bar, scene, "", kLettering));
+    int ticks = 0;
+    for (int y = 1; y < canvas.height(); ++y)
+      if (test::alpha(canvas, 26, y) > 0 && test::alpha(canvas, 26, y - 1) == 0) ++ticks;
+    EXPECT_EQ(ticks, count) << pixels;
+  }
+}
+
 TEST(ColorLegend, HasNumbersAndALabel) {
   const Scene scene = scene_of(false);
   for (const Place place : {Place::right, Place::bottom}) {

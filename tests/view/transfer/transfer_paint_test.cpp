@@ -95,6 +95,12 @@ void expect_box(const QRectF& found, const QRectF& expected) {
   EXPECT_NEAR(found.height(), expected.height(), 1e-9);
 }
 
+bool has_point(const Drawn& drawn, const QPointF& point) {
+  return std::ranges::any_of(drawn.points, [&](const QPointF& other) {
+    return std::hypot(other.x() - point.x(), other.y() - point.y()) < 1e-6;
+  });
+}
+
 TEST_F(TransferPaint, SaysThatThereIsNoFunctionAndPaintsNoPlot) {
   Document empty;
   TransferCurve none(empty);
@@ -316,6 +322,7 @@ TEST_F(TransferPaint, PaintsIsosurfacesAsFlagsThatAreAsFullAsTheyAreOpaque) {
     expect_box(full->box(), {x - 5, 22 - 3, 10, 3});  // a quarter of twelve pixels
     const Drawn& flag = *(full - 1);
     expect_box(flag.box(), {x - 6, 9, 12, 14});
+    EXPECT_TRUE(has_point(flag, {x - 3, 9}) && has_point(flag, {x - 6, 12}));  // round corners
     EXPECT_EQ(flag.brush.color(), kBase);
     EXPECT_EQ(flag.pen.color(), is_chosen ? kChosen : kInk);
     EXPECT_EQ(flag.pen.widthF(), is_chosen ? 2 : 1);
@@ -463,6 +470,8 @@ TEST_F(TransferPaint, PutsTheWordsInTheUpperRightCornerOfThePlot) {
   const double width = curve_.fontMetrics().horizontalAdvance(words->words);
   expect_box(label.box(), {box().right - 4 - width - 10, box().top + 3, width + 10, line() + 4});
   EXPECT_NEAR(words->points[0].x(), box().right - 4 - width - 5, 1);
+  EXPECT_TRUE(has_point(label, label.box().topLeft() + QPointF(3, 0)));
+  EXPECT_TRUE(has_point(label, label.box().topLeft() + QPointF(0, 3)));
   // in a narrow plot they are cut off
   curve_.resize(160, 320);
   hover(curve_.axes().x_of(0.25), 100);
