@@ -63,5 +63,52 @@ TEST(ChannelWindow, ShowsColoursAndEveryChannel) {
   EXPECT_TRUE(window.pixel_text().contains(QStringLiteral("depth 100")));
 }
 
+TEST(ChannelPicture, IsGreyInTheMiddleWhereAllValuesAreOne) {
+  EXPECT_EQ(channel_bytes(Image(2, 1, {"Y"}, {7, 7}), 0, {7, 7}, false),
+            (Bytes{128, 128, 128, 128, 128, 128}));
+  EXPECT_EQ(channel_bytes(Image(3, 1, {"Y"}, {-1, 0.5, 9}), 0, {0, 1}, false),  // cut
+            (Bytes{0, 0, 0, 128, 128, 128, 255, 255, 255}));
+  const auto range = finite_range(Image(2, 2, {"a", "b"}, {1, -5, 3, kInfinity, 2, -7, 0, 4}), 1);
+  EXPECT_EQ(range, (std::array<double, 2>{-7, 4}));
+}
+
+TEST(ChannelWindow, TellsOfRangesAndPixelsAndOffersLogarithms) {
+  const hiac::test::ScratchFolder folder;
+  QSettings settings(QString::fromStdString(folder.file("s.ini")), QSettings::IniFormat);
+  QStringList faults;
+  const Bindings bindings(settings, faults);
+  const Image grey(3, 2, {"depth", "zero", "none"},
+                   {1, 0, kInfinity, 10, 2, kInfinity, 100, 1, kInfinity, 1, 0, -kInfinity, 1, 0,
+                    kInfinity, 1, 0, kInfinity});
+  ChannelWindow window(grey, QStringLiteral("p.exr"), bindings);
+  EXPECT_EQ(window.windowTitle(), QStringLiteral("p.exr \u2013 hiac-view"));
+  const auto level = [&](int x) { return window.viewport().image().pixelColor(x, 0).red(); };
+  ASSERT_EQ(window.choice().count(), 3);  // there are no colours
+  EXPECT_EQ(window.range_text(), QStringLiteral("depth: black 1, white 100, red: not finite"));
+  EXPECT_EQ(level(1), 23);
+  EXPECT_TRUE(window.logarithmic().isEnabled());
+  window.logarithmic().setChecked(true);
+  EXPECT_EQ(level(1), 128);
+  // zero has no logarithm: grey stays even in the value, whatever was chosen
+  window.choice().setCurrentText(QStringLiteral("zero"));
+  EXPECT_FALSE(window.logarithmic().isEnabled());
+  EXPECT_EQ(level(0), 0);
+  EXPECT_EQ(level(2), 128);
+  window.choice().setCurrentText(QStringLiteral("none"));
+  EXPECT_EQ(window.range_text(), QStringLiteral("no finite value"));
+  EXPECT_FALSE(window.logarithmic().isEnabled());
+  EXPECT_TRUE(window.viewport().image().isNull());
+  window.choice().setCurrentText(QStringLiteral("depth"));
+  EXPECT_EQ(level(1), 128);
+  Q_EMIT window.viewport().hovered(QPoint(1, 0));
+  EXPECT_EQ(window.pixel_text(), QStringLiteral("pixel 1,0: depth 10 zero 2 none inf"));
+  Q_EMIT window.viewport().hovered(std::nullopt);
+  EXPECT_TRUE(window.pixel_text().isEmpty());
+  ChannelWindow colors(picture(), QStringLiteral("q.exr"), bindings);
+  EXPECT_EQ(colors.range_text(), QStringLiteral("3 x 1 pixels, colours in sRGB"));
+  EXPECT_EQ(colors.choice().itemText(0), QStringLiteral("colours"));
+  EXPECT_FALSE(colors.choice().accessibleName().isEmpty());
+}
+
 }  // namespace
 }  // namespace hiac::view

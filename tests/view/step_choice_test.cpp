@@ -64,5 +64,74 @@ TEST(StepChoice, FollowsAViewThatBecomesFaster) {
   EXPECT_EQ(steps(choice, {0.001, 1e-8}, size, 30).back(), 1U);
 }
 
+// The step of the next picture after pictures of the present one that took these seconds.
+std::uint32_t step_after(StepChoice& choice, std::initializer_list<double> seconds) {
+  for (const double took : seconds) choice.took(took);
+  return choice.step({2000, 1500});
+}
+
+TEST(StepChoice, BeginsWithTheCoarsestPictureOfThirtyThousandPixels) {
+  struct Case {
+    ImageSize size;
+    std::uint32_t step;
+  };
+  for (const Case& c : {Case{{600, 450}, 3},
+                        {{599, 450}, 1},
+                        {{1000, 750}, 5},
+                        {{1000, 749}, 3},
+                        {{10, 10}, 1},
+                        {{2000, 1500}, 9},
+                        {{70000, 70000}, 403}}) {
+    StepChoice choice;
+    EXPECT_EQ(choice.step(c.size), c.step) << c.size.width;
+    EXPECT_EQ(choice.step(c.size), c.step) << c.size.width;  // nothing has been drawn yet
+  }
+}
+
+TEST(StepChoice, IsFinerWhereThatTakesFourFifthsOfAFrameAtMost) {
+  for (const auto& [seconds, step] : {std::pair(0.0241, 7U), {0.0243, 9U}}) {
+    StepChoice choice;
+    ASSERT_EQ(choice.step({2000, 1500}), 9U);
+    EXPECT_EQ(step_after(choice, {seconds}), step);  // 81 / 49 as long: 0.04 s
+  }
+  StepChoice choice;
+  ASSERT_EQ(choice.step({2000, 1500}), 9U);
+  for (const std::uint32_t step : {7U, 5U, 3U, 1U, 1U})
+    EXPECT_EQ(step_after(choice, {0.0001}), step);
+}
+
+TEST(StepChoice, IsCoarserWhereAPictureTakesSixFifthsOfAFrame) {
+  for (const auto& [seconds, step] : {std::pair(0.0601, 9U), {0.0599, 7U}}) {
+    StepChoice choice;
+    ASSERT_EQ(choice.step({2000, 1500}), 9U);
+    ASSERT_EQ(step_after(choice, {0.0241}), 7U);
+    EXPECT_EQ(step_after(choice, {seconds}), step);
+  }
+  StepChoice choice;
+  ASSERT_EQ(choice.step({2000, 1500}), 9U);
+  EXPECT_EQ(step_after(choice, {7}), 9U);  // there is nothing coarser
+}
+
+TEST(StepChoice, CountsTheNewestPictureByTwoFifths) {
+  for (const auto& [seconds, step] : {std::pair(0.1055, 9U), {0.1045, 7U}}) {
+    StepChoice choice;
+    ASSERT_EQ(choice.step({2000, 1500}), 9U);
+    ASSERT_EQ(step_after(choice, {0.0241}), 7U);
+    EXPECT_EQ(step_after(choice, {0.03, seconds}), step);
+  }
+}
+
+TEST(StepChoice, ForgetsTimesOfAnotherSize) {
+  StepChoice choice;
+  ASSERT_EQ(choice.step({2000, 1500}), 9U);
+  ASSERT_EQ(step_after(choice, {0.0001}), 7U);
+  EXPECT_EQ(choice.step({600, 450}), 3U);  // its coarsest one
+  ASSERT_EQ(choice.step({2000, 1500}), 9U);
+  EXPECT_EQ(choice.step({2000, 1500}), 9U);
+  choice.took(0.0001);
+  choice.forget();
+  EXPECT_EQ(choice.step({2000, 1500}), 9U);
+}
+
 }  // namespace
 }  // namespace hiac::view

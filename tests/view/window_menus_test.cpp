@@ -301,6 +301,13 @@ TEST_F(WindowMenus, NameWhatCanBeSetAndTypedInto) {
     EXPECT_EQ(text->lineWrapMode(), QPlainTextEdit::NoWrap);
   }
   EXPECT_EQ(window_->viewport().accessibleName(), QStringLiteral("Picture"));
+  for (const QWidget* widget : {static_cast<QWidget*>(&window_->viewport()),
+                                static_cast<QWidget*>(&window_->transfer_panel().curve())}) {
+    EXPECT_EQ(widget->focusPolicy(), Qt::StrongFocus);
+    EXPECT_TRUE(widget->hasMouseTracking());  // they tell of what is below the mouse
+    EXPECT_FALSE(widget->accessibleName().isEmpty());
+  }
+  EXPECT_GT(window_->transfer_panel().curve().statusTip().size(), 40);
 }
 
 TEST_F(WindowMenus, TellOfFilesAndPixelsInTitleAndStatusLine) {
