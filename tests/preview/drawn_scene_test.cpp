@@ -131,6 +131,22 @@ TEST(DrawnMesh, IsTheMeshItselfOrLinearTetrahedra) {
   for (const CellKind kind : prisms.mesh.kinds) EXPECT_EQ(kind, CellKind::tetrahedron4);
 }
 
+TEST(DrawnMesh, HalvesTheEdgesOfCurvedCells) {
+  const std::vector<test::Position> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  std::vector<test::Position> nodes = corners;
+  for (const auto& [a, b] : {std::pair(0U, 1U), {1U, 2U}, {2U, 0U}, {0U, 3U}, {1U, 3U}, {2U, 3U}})
+    nodes.push_back({(corners[a][0] + corners[b][0]) / 2, (corners[a][1] + corners[b][1]) / 2,
+                     (corners[a][2] + corners[b][2]) / 2});
+  const ZooMesh curved =
+      test::make_mesh(nodes, {{CellKind::tetrahedron10, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}}});
+  for (const unsigned levels : {0U, 1U, 2U}) {
+    const preview::DrawnMesh drawn = preview::drawn_mesh(curved, levels);
+    EXPECT_EQ(drawn.approximated, 1U);
+    EXPECT_EQ(drawn.halvings, levels);
+    EXPECT_EQ(drawn.mesh.cell_count(), levels == 0 ? 1U : levels == 1 ? 8U : 64U);
+  }
+}
+
 TEST(PartsOf, GoRowByRowAndAreSmallerAtTheEndsAlone) {
   const auto parts = preview::parts_of({3, 5, 10, 7}, 4);
   const PixelRect expected[] = {{3, 5, 4, 4}, {7, 5, 4, 4}, {11, 5, 2, 4},

@@ -273,5 +273,65 @@ TEST_F(PreviewTool, SaysWhatIsNotDrawn) {
   }
 }
 
+TEST_F(PreviewTool, TellsWhatItDrew) {
+  ASSERT_EQ(preview("m.zoo --view v.toml --method M1 -o a.npy --json a.json"), 0) << complaint();
+  const auto facts = nlohmann::json::parse(bytes_of(file("a.json")));
+  EXPECT_EQ(facts["cells"], 162);
+  EXPECT_EQ(facts["parts"], 1);
+  EXPECT_EQ(facts["regions"]["cells"], 162);
+  EXPECT_FALSE(facts.contains("approximated_cells"));
+  EXPECT_FALSE(facts.contains("frames"));
+  EXPECT_TRUE(facts.contains("order"));
+  ASSERT_EQ(preview("m.zoo --view v.toml -o a.npy --json a.json"), 0) << complaint();
+  EXPECT_FALSE(nlohmann::json::parse(bytes_of(file("a.json"))).contains("regions"));
+  // of a path every frame is told of by its file
+  ASSERT_EQ(run("{ cat v.toml; echo '[turntable]'; echo 'frames = 3'; } > t.toml"), 0);
+  ASSERT_EQ(preview("m.zoo --view t.toml --frames -o f.npy --json f.json"), 0) << complaint();
+  const auto frames = nlohmann::json::parse(bytes_of(file("f.json")))["frames"];
+  ASSERT_EQ(frames.size(), 3U);
+  EXPECT_EQ(frames[2]["file"], "f-0002.npy");
+  EXPECT_TRUE(frames[2].contains("order"));
+  ASSERT_EQ(preview("m.zoo --view t.toml --frame 1 -o g.npy --json g.json"), 0) << complaint();
+  EXPECT_EQ(bytes_of(file("g.npy")), bytes_of(file("f-0001.npy")));
+}
+
+TEST_F(PreviewTool, ListsItsDevices) {
+  ASSERT_EQ(preview("--list-devices --json d.json"), 0) << complaint();
+  const auto devices = nlohmann::json::parse(bytes_of(file("d.json")))["devices"];
+  ASSERT_FALSE(devices.empty());
+  EXPECT_EQ(run("unset DISPLAY; '" HIAC_PREVIEW "' --list-devices > lines.txt"), 0);
+  std::string expected;
+  for (std::size_t k = 0; k < devices.size(); ++k)
+    expected += std::to_string(k) + "  " + devices[k]["name"].get<std::string>() + " (" +
+                devices[k]["platform"].get<std::string>() + ")\n";
+  EXPECT_EQ(bytes_of(file("lines.txt")), expected);
+  ASSERT_EQ(preview("m.zoo --view v.toml --device 0 -o a.npy --json a.json"), 0) << complaint();
+  EXPECT_EQ(nlohmann::json::parse(bytes_of(file("a.json")))["device"], devices[0]["name"]);
+  EXPECT_EQ(preview("m.zoo --view v.toml --device 99 -o a.npy"), 2);
+  EXPECT_THAT(complaint(), HasSubstr("--device: there is no such device (expected one of 0 "));
+}
+
+TEST_F(PreviewTool, HalvesEdgesOfCurvedCellsAsOftenAsIsWanted) {
+  // the corners of a tetrahedron and the middles of its edges
+  const std::vector<test::Position> nodes{{0, 0, 0},     {1, 0, 0},     {0, 1, 0},   {0, 0, 1},
+                                          {0.5, 0, 0},   {0.5, 0.5, 0}, {0, 0.5, 0}, {0, 0, 0.5},
+                                          {0.5, 0, 0.5}, {0, 0.5, 0.5}};
+  write("q.zoo",
+        test::make_mesh(nodes, {{CellKind::tetrahedron10, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9}}}));
+  for (const auto& [option, levels, cells] :
+       {std::tuple("", 2, 64), {" --levels 1", 1, 8}, {" --levels 0", 0, 1}}) {
+    ASSERT_EQ(preview("q.zoo --view v.toml -o q.npy --json q.json" + std::string(option)), 0)
+        << complaint();
+    const auto facts = nlohmann::json::parse(bytes_of(file("q.json")));
+    EXPECT_EQ(facts["levels"], levels);
+    EXPECT_EQ(facts["approximated_cells"], 1);
+    EXPECT_EQ(facts["cells"], cells);
+    EXPECT_THAT(complaint(),
+                HasSubstr("1 of 1 cells are no linear tetrahedra and are approximated: " +
+                          std::to_string(cells) + " linear tetrahedra are drawn, edges halved " +
+                          std::to_string(levels) + " times" + (levels > 0 ? " (--levels)" : "")));
+  }
+}
+
 }  // namespace
 }  // namespace hiac
