@@ -102,5 +102,54 @@ TEST(LengthScale, RefusesALengthBeyondThePicture) {
           testing::HasSubstr("key `annotation.scale`: a length of 1000000000 is")));
 }
 
+// At 20 pixels an em: a halo of 2, a line of text 24 high with its baseline at 19, 2 between it and
+// the caps, which are 12 high, a bar 3 thick, and caps 2 wide.
+TEST(LengthScale, IsABarBetweenCapsBelowItsLabel) {
+  Scene scene = parallel(colored_scene({700, 500}), 500);  // a pixel a unit
+  LengthAnnotation wanted;
+  wanted.length = 100;
+  const AnnotationPart part = length_scale(wanted, scene, {20});
+  EXPECT_EQ(part.name, "scale");
+  EXPECT_EQ(part.width, 104);
+  EXPECT_EQ(part.height, 2 + 24 + 2 + 12 + 2);
+  const Canvas canvas = test::drawn(part);
+  for (int y = 26; y < part.height; ++y)
+    for (int x = 0; x < part.width; ++x) {
+      const bool in_bar = x >= 2 && x < 102, in_caps = in_bar && (x < 4 || x >= 100);
+      const bool across = y >= 28 + 4 && y < 28 + 4 + 3, down = y >= 28 && y < 28 + 12;
+      EXPECT_NEAR(test::alpha(canvas, x, y), (in_bar && across) || (in_caps && down) ? 1 : 0, 1e-9)
+          << x << " " << y;
+    }
+  int first = 1000, last = 0, lowest = 0;
+  for (int y = 0; y < 26; ++y)
+    for (int x = 0; x < part.width; ++x)
+      if (test::alpha(canvas, x, y) > 0.2) {
+        first = std::min(first, x);
+        last = std::max(last, x);
+        lowest = std::max(lowest, y);
+      }
+  EXPECT_NEAR((first + last + 1) / 2.0, 52, 1.5);  // "100" above the middle of the bar
+  EXPECT_NEAR(lowest, 2 + 19 - 1, 1);
+  // a bar that is shorter than its label stands below the middle of it
+  wanted.length = 10;
+  wanted.unit = "kilometres";
+  const AnnotationPart wide = length_scale(wanted, scene, {20});
+  const double label = Text(20).width("10 kilometres");
+  EXPECT_EQ(wide.width, static_cast<int>(std::ceil(label)) + 4);
+  const Canvas drawn = test::drawn(wide);
+  const int start = 2 + static_cast<int>((label - 10) / 2);
+  for (int x = 0; x < wide.width; ++x)
+    EXPECT_NEAR(test::alpha(drawn, x, 33), x >= start && x < start + 10 ? 1 : 0, 1e-9) << x;
+}
+
+TEST(LengthScale, MayBeAsWideAsThePicture) {
+  const Scene scene = parallel(colored_scene({700, 500}), 500);
+  LengthAnnotation wanted;
+  wanted.length = 700;
+  EXPECT_NO_THROW(length_scale(wanted, scene, {20}));
+  wanted.length = 700.001;
+  EXPECT_THROW(length_scale(wanted, scene, {20}), InputError);
+}
+
 }  // namespace
 }  // namespace hiac

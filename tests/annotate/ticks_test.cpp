@@ -116,5 +116,44 @@ TEST(Ticks, AreTypesetWithAMinusSign) {
   EXPECT_EQ(typeset("12"), "12");
 }
 
+TEST(Ticks, AreWrittenPlainlyFromAMillionthToAMillion) {
+  using testing::ElementsAre;
+  EXPECT_THAT(labels_of(round_ticks(0, 999999, 3)), ElementsAre("0", "500000"));
+  EXPECT_THAT(labels_of(round_ticks(0, 1e6, 3)), ElementsAre("0", "5.0e+05", "1.0e+06"));
+  EXPECT_THAT(labels_of(round_ticks(-1e6, 0, 3)), ElementsAre("-1.0e+06", "-5.0e+05", "0"));
+  EXPECT_THAT(labels_of(round_ticks(0, 3e-5, 4)),
+              ElementsAre("0.00000", "0.00001", "0.00002", "0.00003"));
+  EXPECT_THAT(labels_of(round_ticks(0, 3e-6, 4)), ElementsAre("0", "1e-06", "2e-06", "3e-06"));
+}
+
+TEST(LogarithmicTicks, AreWrittenPlainlyWhileTheyAreShort) {
+  using testing::ElementsAre;
+  EXPECT_THAT(labels_of(logarithmic_ticks(1e-6, 1e-3, 7)),
+              ElementsAre("1e-06", "1e-05", "0.0001", "0.001"));
+  EXPECT_THAT(labels_of(logarithmic_ticks(1e4, 1e7, 7)),
+              ElementsAre("10000", "100000", "1e+06", "1e+07"));
+}
+
+TEST(Ticks, StepByOneTwoOrFive) {
+  // the smallest such step with no more than as many numbers, by trying them all
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> place(-50, 50), size(0.1, 90);
+  for (int trial = 0; trial < 300; ++trial) {
+    const double low = place(random), high = low + size(random);
+    const int count = 2 + trial % 6;
+    std::vector<double> expected;
+    for (int exponent = -3; expected.empty() && exponent < 4; ++exponent)
+      for (const int mantissa : {1, 2, 5}) {
+        const double step = mantissa * std::pow(10, exponent);
+        const double first = std::ceil(low / step), last = std::floor(high / step);
+        if (last - first + 1 > count || !expected.empty()) continue;
+        for (double k = first; k <= last; ++k) expected.push_back(k * step);
+      }
+    const std::vector<double> found = values_of(round_ticks(low, high, count));
+    ASSERT_EQ(found.size(), expected.size()) << low << " " << high << " " << count;
+    for (std::size_t k = 0; k < found.size(); ++k) EXPECT_NEAR(found[k], expected[k], 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace hiac
