@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "hiac/annotate/text.hpp"
 #include "hiac/base/error.hpp"
 #include "hiac/scene/colormaps/color_space.hpp"
 #include "hiac/scene/specification.hpp"
@@ -153,6 +154,85 @@ TEST(ColorBar, DrawsFunctionsThatAreTheSameEverywhere) {
     EXPECT_NEAR(pixel(bar, Layout::kLeft + 7, kBarTop)[0], 0.5, 1e-8);
     EXPECT_LT(pixel(bar, Layout::kLeft + 7, kGraphTop)[0], 0.5);  // opaque
   }
+}
+
+/// The first and the last row with ink in a part of a bar, and of that the darkest.
+struct Inked {
+  int first = 10000, last = -1;
+};
+Inked inked_in(const Image& bar, int x0, int x1, int y0, int y1, bool columns = false) {
+  Inked found;
+  for (int y = y0; y < y1; ++y)
+    for (int x = x0; x < x1; ++x)
+      if (pixel(bar, x, y)[0] < 0.5) {
+        found.first = std::min(found.first, columns ? x : y);
+        found.last = std::max(found.last, columns ? x : y);
+      }
+  return found;
+}
+
+// Titles are 22 pixels an em, numbers 18; capitals and digits are 0.73 em high.
+TEST(ColorBar, WritesTitlesAndNumbersWhereTheyBelong) {
+  Volume volume;
+  volume.color = {"H", {{0, {1, 1, 1}}, {1, {1, 1, 1}}}};
+  volume.extinction = {"H", {{0, {0}}, {1, {0}}}};
+  const Image bar = draw_color_bar(volume, {"H", "H"}, 1);
+  const Inked title = inked_in(bar, 0, Layout::kWidth, 0, kBarTop - 2);
+  EXPECT_EQ(title.last, Layout::kMargin + 30 - 1);  // stands on its baseline
+  EXPECT_NEAR(title.last + 1 - title.first, 0.73 * 22, 1.01);
+  const Inked left = inked_in(bar, 0, Layout::kWidth, 0, kBarTop - 2, true);
+  EXPECT_NEAR(left.first, Layout::kLeft + 2, 1);
+  // 0.0 below the left end, 1.0 below the right one, both around their tick of seven pixels
+  const int below = kBarTop + Layout::kBarHeight;
+  for (const int end : {Layout::kLeft, Layout::kLeft + Layout::kPlotWidth - 1}) {
+    const Inked tick = inked_in(bar, end, end + 1, below + 1, below + 12);
+    EXPECT_EQ(tick.first, below + 1);
+    EXPECT_EQ(tick.last, below + 7);
+    const Inked number = inked_in(bar, end - 30, end + 30, below + 10, below + 38);
+    EXPECT_NEAR(number.last, below + 28 - 1, 1);
+    EXPECT_NEAR(number.last + 1 - number.first, 0.74 * 18, 1.51);
+    const Inked across = inked_in(bar, end - 30, end + 30, below + 10, below + 38, true);
+    EXPECT_NEAR((across.first + across.last + 1) / 2.0, end + 0.5, 1.6);
+  }
+  // the scale of the graph: lines at 0, 0.5 and 1, and their numbers to the left
+  for (const int y : {kGraphTop, kGraphTop + 60, kGraphTop + 120}) {
+    for (int x = Layout::kLeft - 10; x < Layout::kLeft; ++x)
+      EXPECT_EQ(pixel(bar, x, y)[0] < 0.2, x >= Layout::kLeft - 8) << x << " " << y;
+    const Inked number = inked_in(bar, 10, Layout::kLeft - 11, y - 14, y + 9);
+    EXPECT_NEAR(number.last, y + 6 - 1, 1);
+    const Inked across = inked_in(bar, 10, Layout::kLeft - 11, y - 14, y + 9, true);
+    EXPECT_NEAR(across.last, Layout::kLeft - 12 - 1.5, 2);
+  }
+  // frames of one pixel around both
+  for (const int y : {kBarTop - 1, below, kGraphTop - 1, kGraphTop + Layout::kGraphHeight})
+    EXPECT_NEAR(pixel(bar, Layout::kLeft + 100, y)[0], 0.0508761, 1e-6) << y;
+  for (const int x : {Layout::kLeft - 1, Layout::kLeft + Layout::kPlotWidth})
+    for (const int y : {kBarTop + 10, kGraphTop + 10})
+      EXPECT_NEAR(pixel(bar, x, y)[0], 0.0508761, 1e-6) << x;
+}
+
+TEST(ColorBar, SaysWhatGlowsAndOverWhichLengthItAbsorbs) {
+  // the titles' widths, as their words would be written
+  Volume volume;
+  volume.color = {"t", {{0, {1, 1, 1}}, {1, {1, 1, 1}}}};
+  volume.extinction = {"t", {{0, {0}}, {1, {0}}}};
+  const auto width = [](const Image& bar, int top) {
+    const Inked columns = inked_in(bar, Layout::kLeft, Layout::kWidth, top, top + 40, true);
+    return columns.last + 1 - columns.first;
+  };
+  const Text titles(22);
+  const Image bar = draw_color_bar(volume, {"t", "t"}, 0.25);
+  EXPECT_NEAR(width(bar, Layout::kMargin), titles.width("t"), 3);
+  EXPECT_NEAR(width(bar, Layout::kMargin + kPartHeight),
+              titles.width("t: opacity over a length of 0.25"), 4);
+  volume.glow = Glow::emission;
+  EXPECT_NEAR(width(draw_color_bar(volume, {"t", "t"}, 0.25), Layout::kMargin),
+              titles.width("t: emission per unit of length"), 4);
+  // a long title ends at the margin
+  const Image wide = draw_color_bar(volume, {std::string(200, 'H'), "t"}, 0.25);
+  EXPECT_LE(inked_in(wide, 0, Layout::kWidth, 0, 50, true).last, Layout::kWidth - Layout::kMargin);
+  EXPECT_GE(inked_in(wide, 0, Layout::kWidth, 0, 50, true).last,
+            Layout::kWidth - Layout::kMargin - 40);
 }
 
 }  // namespace

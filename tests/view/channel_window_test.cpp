@@ -104,6 +104,11 @@ TEST(ChannelWindow, TellsOfRangesAndPixelsAndOffersLogarithms) {
   EXPECT_EQ(window.pixel_text(), QStringLiteral("pixel 1,0: depth 10 zero 2 none inf"));
   Q_EMIT window.viewport().hovered(std::nullopt);
   EXPECT_TRUE(window.pixel_text().isEmpty());
+  ChannelWindow thirds(Image(2, 1, {"depth"}, {1.0 / 3, 2.0 / 3}), QStringLiteral("t"), bindings);
+  EXPECT_EQ(thirds.range_text(),
+            QStringLiteral("depth: black 0.333333, white 0.666667, red: not finite"));
+  Q_EMIT thirds.viewport().hovered(QPoint(0, 0));
+  EXPECT_EQ(thirds.pixel_text(), QStringLiteral("pixel 0,0: depth 0.333333"));
   ChannelWindow colors(picture(), QStringLiteral("q.exr"), bindings);
   EXPECT_EQ(colors.range_text(), QStringLiteral("3 x 1 pixels, colours in sRGB"));
   EXPECT_EQ(colors.choice().itemText(0), QStringLiteral("colours"));
