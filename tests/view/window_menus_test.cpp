@@ -429,5 +429,23 @@ TEST_F(WindowMenus, AskBeforeChangesAreLost) {
   EXPECT_NE(hiac::test::bytes_of(view_), window_->document().text());
 }
 
+TEST(WindowSettings, KeepWhetherHardwareDrawsWhileSomethingMoves) {
+  const hiac::test::ScratchFolder folder;
+  QSettings settings(QString::fromStdString(folder.file("s.ini")), QSettings::IniFormat);
+  const QString key = QStringLiteral("view/hardware_preview");
+  settings.setValue(key, true);
+  tools::Tool tool("hiac-view", "", "");
+  MainWindow window(tool, settings);
+  auto* action = window.findChild<QAction*>(QStringLiteral("hardware_preview"));
+  EXPECT_TRUE(window.view().hardware());
+  EXPECT_TRUE(action->isChecked());
+  action->trigger();
+  EXPECT_FALSE(window.view().hardware());
+  EXPECT_FALSE(action->isChecked());
+  EXPECT_FALSE(settings.value(key).toBool());
+  action->trigger();
+  EXPECT_TRUE(settings.value(key).toBool());
+}
+
 }  // namespace
 }  // namespace hiac::view::test

@@ -106,6 +106,19 @@ TEST_F(PanelChoices, AreThoseOfTheMeshAndOfTheMaps) {
   EXPECT_FALSE(button("Points").isEnabled());
 }
 
+TEST_F(PanelChoices, NameFieldsThatNoListHas) {
+  // without a mesh there are no lists
+  ASSERT_TRUE(document_.open_text(
+      kPlainView + kPlainColor + with_key(kPlainExtinction, "volume.extinction.field", "\"x\""), "",
+      ""));
+  EXPECT_EQ(panel_.color_fields().currentText(), QStringLiteral("f"));
+  EXPECT_EQ(panel_.extinction_fields().currentText(), QStringLiteral("x"));
+  EXPECT_EQ(items(panel_.extinction_fields()), QStringList{QStringLiteral("x")});
+  ASSERT_TRUE(document_.edit(QStringLiteral("set"), kPlainView + kPlainColor));
+  EXPECT_EQ(panel_.extinction_fields().currentText(), QString());
+  EXPECT_EQ(items(panel_.extinction_fields()), QStringList{QStringLiteral("x")});
+}
+
 TEST_F(PanelChoices, BeginWhatIsNotThereYet) {
   open(kPlainView + kPlainExtinction);
   EXPECT_EQ(panel_.color_fields().currentIndex(), -1);

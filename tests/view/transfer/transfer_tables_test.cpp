@@ -229,7 +229,7 @@ TEST(DisplayColor, IsReadFromNamesAndLinearNumbers) {
   EXPECT_EQ(color_from(most + QStringLiteral(" 0 0")), (Color{kLargestColor, 0, 0}));
   EXPECT_EQ(color_from(QString::number(1.01 * kLargestColor, 'g', 17) + QStringLiteral(" 0 0")),
             std::nullopt);
-  EXPECT_EQ(color_text({0.25, 0.5, 1.0 / 3}), QStringLiteral("0.25 0.5 0.333333"));
+  EXPECT_EQ(color_text({1.0 / 3, 2.0 / 3, 1.0 / 7}), QStringLiteral("0.333333 0.666667 0.142857"));
 }
 
 TEST(DisplayColor, MixesByShares) {
