@@ -1,4 +1,3 @@
-
 #include "hiac/session/field_range.hpp"
 
 #include <cmath>
@@ -12,6 +11,7 @@
 #include "hiac/base/error.hpp"
 #include "hiac/image/srgb.hpp"
 #include "hiac/scene/colormaps/built_in_colormaps.hpp"
+#include "hiac/session/field_values.hpp"
 #include "hiac/session/session.hpp"
 #include "tests/support/meshes.hpp"
 
@@ -165,6 +165,89 @@ TEST(FieldRange, AFixedRangeNeedsNoMesh) {
   EXPECT_FALSE(FieldRanges(view("[volume.extinction]\nfield = 'f'\nrange = [1, 2]\n"
                                 "points = [[0, 1], [1, 3]]\n"))
                    .are_open());
+}
+
+const std::string kThreeRanges =
+    "[volume.color]\nfield = 'f'\nrange = 'percentile:5,95'\n"
+    "points = [[0, 1, 0, 0], [1, 0, 1, 0]]\n"
+    "[volume.extinction]\nfield = 'g'\nrange = 'auto'\nscale = 'log'\n"
+    "points = [[0, 1], [1, 3]]\n"
+    "[skin.color]\nfield = 'h'\nrange = 'auto'\npoints = [[0, 1, 0, 0], [1, 0, 1, 0]]\n";
+
+TEST(FieldRange, WhatIsWantedIsToldOfEveryOpenRange) {
+  const std::vector<FieldRanges::Wanted> wanted = FieldRanges(view(kThreeRanges)).wanted();
+  ASSERT_EQ(wanted.size(), 3U);
+  EXPECT_EQ(wanted[0].field, "f");
+  EXPECT_EQ(wanted[0].percents, (std::array<double, 2>{5, 95}));
+  EXPECT_FALSE(wanted[0].logarithmic);
+  EXPECT_EQ(wanted[1].field, "g");
+  EXPECT_EQ(wanted[1].percents, (std::array<double, 2>{0, 100}));
+  EXPECT_TRUE(wanted[1].logarithmic);
+  EXPECT_EQ(wanted[2].field, "h");
+  const FieldRanges fixed(
+      view("[volume.color]\nfield = 'f'\nrange = [0, 1]\n"
+           "points = [[0, 1, 0, 0], [1, 0, 1, 0]]\n"
+           "[volume.extinction]\nfield = 'g'\nrange = 'auto'\n"
+           "points = [[0, 1], [1, 3]]\n"));
+  ASSERT_EQ(fixed.wanted().size(), 1U);
+  EXPECT_EQ(fixed.wanted()[0].field, "g");
+}
+
+// Where values are found elsewhere: percentiles are those already, so that they are ends here.
+TEST(FieldRange, EndsThatAreFoundElsewhereAreThoseOfThePoints) {
+  const ParsedScene parsed = view(kThreeRanges);
+  FieldRanges ranges(parsed);
+  const std::vector<Interval> ends{{-2, 6}, {0.1, 1000}, {7, 7}};
+  ranges.set_ends(ends);
+  const ParsedScene placed = ranges.place(parsed);
+  EXPECT_FALSE(placed.color || placed.extinction || placed.skin_color);
+  const Volume& volume = placed.scene.volume;
+  EXPECT_EQ(volume.color->points.front().scalar, -2);
+  EXPECT_EQ(volume.color->points.back().scalar, 6);
+  EXPECT_EQ(volume.extinction->points.front().scalar, 0.1);
+  EXPECT_EQ(volume.extinction->points.back().scalar, 1000);
+  ASSERT_EQ(placed.scene.skin->color_by->points.size(), 1U);
+  EXPECT_EQ(placed.scene.skin->color_by->points[0].value, (Color{0.5, 0.5, 0}));
+  EXPECT_THAT(placed.notes,
+              testing::ElementsAre("volume.color.range: 'f' from -2 to 6",
+                                   "volume.extinction.range: 'g' from 0.1 to 1000",
+                                   "skin.color.range: 'h' has the one value 7, and takes the "
+                                   "middle of the points"));
+  FieldRanges without(parsed);
+  const std::vector<Interval> none{{-2, 6}, {}, {7, 7}};
+  without.set_ends(none);
+  EXPECT_THAT([&] { without.place(parsed); },
+              ThrowsMessage<InputError>(HasSubstr("field 'g': has no positive value")));
+}
+
+TEST(FieldRange, ValuesUpTo1e100MakeARange) {
+  EXPECT_EQ(scalars("range = 'auto'\n", tetrahedron({1e100, 0, 0, -1e100, 1})),
+            (Scalars{-1e100, 1e100}));
+  EXPECT_THAT(
+      [] {
+        scalars("range = 'auto'\n", tetrahedron({0, 1, 2, -1.5e100, 1}));
+      },
+      ThrowsMessage<InputError>(
+          HasSubstr("field 'f': values are too large (at most 1e+100 in magnitude expected, "
+                    "-1.5e+100 found)")));
+}
+
+TEST(FieldRange, OnlyValuesOfCellsHaveToBeFinite) {
+  const auto is_finite = [](const ZooMesh& mesh) {
+    return is_finite_in_cells(mesh, mesh.fields.back());
+  };
+  EXPECT_TRUE(is_finite(tetrahedron({4, 1, 3, 2, NAN})));
+  EXPECT_FALSE(is_finite(tetrahedron({4, 1, 3, NAN, 2})));
+  ZooMesh mesh = tetrahedron({0, 0, 0, 0, 0});
+  for (const double value : {1.0, double{INFINITY}}) {
+    mesh.fields.push_back({"c", "", FieldLocation::cell, 1, Scalars{value}});
+    EXPECT_EQ(is_finite(mesh), value == 1);
+    mesh.fields.push_back({"k", "", FieldLocation::corner, 1, Scalars{1, 2, value, 4}});
+    EXPECT_EQ(is_finite(mesh), value == 1);
+    EXPECT_EQ(values_in_cells(mesh, mesh.fields.back()),
+              value == 1 ? (Scalars{1, 2, 1, 4}) : (Scalars{1, 2, 4}));
+  }
+  EXPECT_EQ(values_in_cells(mesh, tetrahedron({4, NAN, 3, 2, 8}).fields[0]), (Scalars{4, 3, 2}));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <random>
+#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -66,6 +67,37 @@ TEST(PooledValues, ExtremesNeedNoValues) {
   pool.add({7});
   EXPECT_EQ(pool.percentile(0), -2);
   EXPECT_EQ(pool.percentile(100), 7);
+}
+
+// The file is read in parts of 65536 values: one, one and a bit, and two.
+TEST(PooledValues, TheFileMayHaveAnyNumberOfValues) {
+  for (const std::size_t count : {65536U, 65537U, 131072U}) {
+    PooledValues pool(false, 1000);
+    std::vector<double> all = values_of(count, count);
+    pool.add(all);
+    EXPECT_EQ(pool.count(), count);
+    for (const double percent : {0.001, 99.9995})
+      EXPECT_EQ(bits(pool.percentile(percent)), bits(percentile(all, percent))) << count;
+  }
+}
+
+TEST(PooledValues, RanksLieBetweenTheFirstAndTheLastValue) {
+  for (const auto& [percent, count, below, share] :
+       std::vector<std::tuple<double, std::size_t, std::size_t, double>>{{0, 5, 0, 0},
+                                                                         {25, 5, 1, 0},
+                                                                         {30, 6, 1, 0.5},
+                                                                         {100, 5, 4, 0},
+                                                                         {50, 2, 0, 0.5},
+                                                                         {70, 1, 0, 0}}) {
+    const PercentileRank rank = percentile_rank(percent, count);
+    EXPECT_EQ(rank.below, below) << percent << " of " << count;
+    EXPECT_DOUBLE_EQ(rank.share, share) << percent << " of " << count;
+  }
+  std::vector<double> values{9, -4, 6, 1, 2};
+  EXPECT_EQ(percentile(values, 0), -4);
+  EXPECT_EQ(percentile(values, 25), 1);
+  EXPECT_EQ(percentile(values, 62.5), 4);  // half of the way from 2 to 6
+  EXPECT_EQ(percentile(values, 100), 9);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "hiac/session/visibility.hpp"
 
+#include <cmath>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -191,6 +193,104 @@ TEST(Visibility, AMediumThatIsTooThin) {
   EXPECT_THAT(reason(scene), HasSubstr("the medium is too thin to be seen: its optical depth"));
   for (auto& point : scene.volume.extinction->points) point.value[0] *= 1e3;
   EXPECT_EQ(reason(scene), "");
+}
+
+// Distances along the view direction, not from the eye: the cube lies 3 to 4 in front of it.
+TEST(Visibility, DistancesOfAMissedMeshAreTold) {
+  const ZooMesh mesh = cube();
+  Scene scene = good_view();
+  scene.camera.eye = {0.5, -3, 9};
+  scene.camera.look_at = {0.5, -1, 9};
+  const auto told = [&](double near, double far) {
+    scene.camera.clip = {{near, far}};
+    return reason_of_empty(mesh, scene, {0, 0, false}).value_or("");
+  };
+  const auto misses = [](const std::string& clip) {
+    return "no cell is seen: camera.clip = [" + clip +
+           "] misses the mesh, which lies 3 to 4 from the eye along the view direction";
+  };
+  EXPECT_EQ(told(1, 2.5), misses("1, 2.5"));
+  EXPECT_EQ(told(4.5, 7), misses("4.5, 7"));
+  const std::string past =
+      "no cell is seen: the camera looks past the mesh, or from so far that it is smaller than a "
+      "pixel (camera.look_at = [0.5, 0.5, 0.5] looks at the middle of the mesh)";
+  EXPECT_EQ(told(1, 3), past);
+  EXPECT_EQ(told(4, 7), past);
+  EXPECT_EQ(told(3.5, 3.6), past);
+  EXPECT_EQ(reason_of_empty(mesh, scene, {0, 0, true}),
+            "no cell is seen in this part of the picture (another part shows some)");
+  EXPECT_EQ(reason_of_empty(ZooMesh{}, scene, {0, 0, true}), "no cell is seen: the mesh has none");
+  scene.camera.look_at = {0.5, -5, 9};
+  EXPECT_EQ(told(1, 2),
+            "no cell is seen: the camera looks away, all of the mesh is behind the eye "
+            "(camera.look_at = [0.5, 0.5, 0.5] looks at the middle of the mesh)");
+  scene.camera.projection = Projection::orthographic;
+  EXPECT_THAT(told(1, 2), HasSubstr("which lies -4 to -3 from the eye"));
+}
+
+TEST(Visibility, AMediumIsSeenFromHalfAStepOf8BitsOn) {
+  const ZooMesh mesh = cube();
+  Scene scene = good_view();
+  const auto told = [&](double depth) {
+    return reason_of_empty(mesh, scene, {10, depth, false}).value_or("");
+  };
+  const double step = -std::log1p(-0.5 / 255);
+  EXPECT_EQ(told(1.001 * step), "");
+  EXPECT_EQ(told(0.001),
+            "the medium is too thin to be seen: its optical depth is at most 0.001 "
+            "(extinctions 1e+03 times as large reach 1)");
+  EXPECT_NE(told(0.999 * step), "");
+  EXPECT_EQ(told(0), "");  // then another line says that nothing is drawn
+  scene.skin.emplace();
+  EXPECT_EQ(told(0.001), "");
+  scene.skin.reset();
+  scene.isosurfaces = {surface(0.5)};
+  EXPECT_EQ(told(0.001), "");
+  scene.isosurfaces.clear();
+  scene.volume.glow = Glow::emission;
+  EXPECT_EQ(told(0.001), "");
+  for (auto& point : scene.volume.color->points) point.value = {0, 0, 0};
+  EXPECT_NE(told(0.001), "");
+  scene.volume.extinction.reset();
+  EXPECT_EQ(told(0.001), "");
+}
+
+// Cells are looked through in parts of 4096.
+TEST(Visibility, ValuesOfEveryPartOfManyCellsAreFound) {
+  ZooMesh mesh = test::structured(21, test::Cut::bricks);  // 9261 cells
+  Scene scene = good_view();
+  for (const std::size_t cell : {0U, 4095U, 4096U, 8191U, 8192U, 9260U}) {
+    std::vector<double> values(mesh.cell_count(), 0);
+    values[cell] = 3;
+    mesh.fields.clear();
+    mesh.fields.push_back({"x", "", FieldLocation::cell, 1, std::move(values)});
+    scene.isosurfaces = {surface(3), surface(3.5)};
+    EXPECT_THAT(invisible_parts(mesh, scene),
+                ElementsAre(HasSubstr("isosurface.1: 'x' has values from 0 to 3, never 3.5")))
+        << cell;
+  }
+}
+
+// Polynomials in world coordinates overshoot: values within the field's extent beyond are let pass.
+TEST(Visibility, PolynomialsMayOvershoot) {
+  Scene scene = good_view();
+  scene.render.interpolation = Interpolation::polynomial;
+  scene.isosurfaces = {surface(1.9), surface(-0.9), surface(2.1), surface(-1.1)};
+  EXPECT_THAT(invisible_parts(cube(), scene),
+              ElementsAre(HasSubstr("isosurface.2: 'x' has values from -1 to 2, never 2.1"),
+                          HasSubstr("isosurface.3: 'x' has values from -1 to 2, never -1.1")));
+}
+
+TEST(Visibility, ColoursOfTheSkinThatTheFieldDoesNotMeet) {
+  Scene scene = good_view();
+  scene.skin.emplace().color_by = ColorTransfer{"x", {{2, {1, 0, 0}}, {3, {0, 1, 0}}}};
+  EXPECT_THAT(invisible_parts(cube(), scene),
+              ElementsAre("skin.color: the points go from 2 to 3, the values of 'x' from 0 to 1: "
+                          "they do not meet, and everything has one value (skin.color.range = "
+                          "\"auto\" with points on 0 to 1 follows the field)"));
+  scene.skin->color_by->points[1].value = {1, 0, 0};  // one colour in any case
+  EXPECT_THAT(invisible_parts(cube(), scene), IsEmpty());
+  EXPECT_THAT(invisible_parts(ZooMesh{}, scene), IsEmpty());
 }
 
 }  // namespace
