@@ -190,5 +190,35 @@ TEST(Alignment, KnowsNothingOfOtherSizesAndOfPicturesWithoutColour) {
   EXPECT_TRUE(std::isfinite(find_misfit(broken, picture(20, 20)).rmse));
 }
 
+TEST(Alignment, DisplacementsFromAFiftiethOfAPixelOnAreTold) {
+  const Image reference = picture(160, 120);
+  EXPECT_TRUE(find_misfit(picture(160, 120, {0.03, 0}), reference).place);
+  EXPECT_TRUE(find_misfit(picture(160, 120, {0, -0.03}), reference).place);
+  EXPECT_FALSE(find_misfit(picture(160, 120, {0.01, 0}), reference).place);
+  EXPECT_FALSE(find_misfit(picture(160, 120, {-0.007, 0.007}), reference).place);
+  // the corners move by 100 pixels times what the scale is from 1
+  EXPECT_TRUE(find_misfit(picture(160, 120, {0, 0}, 1.0003), reference).place);
+  EXPECT_FALSE(find_misfit(picture(160, 120, {0, 0}, 0.9999), reference).place);
+}
+
+TEST(Alignment, SaysHowFarAwayThePictureWas) {
+  const Image reference = picture(90, 70);
+  const Image moved = picture(90, 70, {2, 1});
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t y = 1; y + 1 < 70; ++y)  // inside, where slopes are known
+    for (std::size_t x = 1; x + 1 < 90; ++x, ++count) {
+      const auto luminance = [&](const Image& image) {
+        return 0.2126 * image.at(x, y, 0) + 0.7152 * image.at(x, y, 1) + 0.0722 * image.at(x, y, 2);
+      };
+      const double difference = luminance(moved) - luminance(reference);
+      sum += difference * difference;
+    }
+  const Misfit misfit = find_misfit(moved, reference);
+  ASSERT_TRUE(misfit.place);
+  EXPECT_NEAR(misfit.place->rmse_before, std::sqrt(sum / static_cast<double>(count)), 1e-12);
+  EXPECT_LT(misfit.place->rmse, 0.01 * misfit.place->rmse_before);
+}
+
 }  // namespace
 }  // namespace hiac

@@ -1,6 +1,10 @@
 #include "hiac/image/image_io.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <cstring>
+#include <vector>
 
 #include <gmock/gmock.h>
 
@@ -154,6 +158,60 @@ TEST(ImageSamples, KnowsWhichFormatsStoreWholeNumbers) {
   EXPECT_TRUE(has_integer_samples("a.tiff", 16));
   EXPECT_FALSE(has_integer_samples("a.tiff", 32));
   EXPECT_THROW((void)has_integer_samples("a.png", 32), UsageError);
+}
+
+TEST(ImageSamples, EveryFormatHasItsDepths) {
+  const struct {
+    const char* name;
+    std::vector<int> depths;  ///< the first is the usual one
+    int most_of_integers;
+  } formats[] = {{"a.exr", {32}, 0},     {"a.npy", {64}, 0},          {"a.f32", {32}, 0},
+                 {"a.png", {8, 16}, 16}, {"a.tiff", {8, 16, 32}, 16}, {"a.tif", {8, 16, 32}, 16},
+                 {"a.sgi", {8, 16}, 16}, {"a.rgba", {8, 16}, 16},     {"a.pfm", {32}, 0},
+                 {"a.hdr", {8}, 0}};
+  for (const auto& format : formats) {
+    EXPECT_EQ(has_integer_samples(format.name), format.depths.front() <= format.most_of_integers);
+    for (const int depth : {1, 4, 8, 12, 16, 24, 32, 48, 64, 128}) {
+      if (std::ranges::find(format.depths, depth) == format.depths.end()) {
+        EXPECT_THROW(require_known_image_extension(format.name, depth), UsageError)
+            << format.name << depth;
+        continue;
+      }
+      EXPECT_NO_THROW(require_known_image_extension(format.name, depth)) << format.name << depth;
+      EXPECT_EQ(has_integer_samples(format.name, depth), depth <= format.most_of_integers)
+          << format.name << depth;
+    }
+  }
+}
+
+// The window of a picture's pixels may begin anywhere: at 5,3 here, where hiac's begin at 0,0.
+TEST_F(ImageIo, ExrFilesWhosePixelsBeginElsewhereAreRead) {
+  const Image image = random_image(7, 4, {"R", "G", "B"});
+  write_image(path("a.exr"), image);
+  std::string bytes = bytes_of(path("a.exr"));
+  const std::string name("dataWindow\0box2i\0\x10\0\0\0", 21);
+  const std::size_t window = bytes.find(name) + name.size();
+  ASSERT_NE(window, std::string::npos + name.size());
+  const std::array<std::int32_t, 4> moved{5, 3, 11, 6};
+  std::memcpy(&bytes[window], moved.data(), sizeof moved);
+  // one block: its place stands before it, and it begins with the number of its first line
+  std::size_t block = window;
+  for (std::uint64_t place = 0; place != block; std::memcpy(&place, &bytes[block - 8], 8)) ++block;
+  ASSERT_LT(block, bytes.size());
+  std::memcpy(&bytes[block], &moved[1], 4);
+  write_bytes(path("b.exr"), bytes);
+  const Image read = read_image(path("b.exr")).image;
+  ASSERT_EQ(read.channel_count(), 3U);
+  expect_floats(read, image);
+}
+
+TEST_F(ImageIo, RawPlanesHaveTheNamesOfTheirChannels) {
+  using testing::ElementsAre;
+  EXPECT_THAT(files_of_image("p/a.f32", {"depth"}),
+              ElementsAre("p/a.r.f32", "p/a.g.f32", "p/a.b.f32", "p/a.a.f32", "p/a.depth.f32"));
+  EXPECT_THAT(files_of_image("p/a.f32"),
+              ElementsAre("p/a.r.f32", "p/a.g.f32", "p/a.b.f32", "p/a.a.f32"));
+  EXPECT_THAT(files_of_image("p/a.exr", {"depth"}), ElementsAre("p/a.exr"));
 }
 
 }  // namespace

@@ -115,6 +115,8 @@ TEST_F(Png, WritesStraightSrgbRoundedToTheNearest) {
                                                              testing::Pair("hiac:mesh", "ä")));
   const std::string bytes = bytes_of(path("a.png"));
   EXPECT_THAT(bytes, testing::HasSubstr(std::string("sRGB\0", 5)));
+  // a text in UTF-8, as it is
+  EXPECT_THAT(bytes, testing::HasSubstr(std::string("iTXthiac:mesh\0\0\0\0\0\xc3\xa4", 20)));
   EXPECT_EQ(bytes.substr(12, 17),
             "IHDR" + big_endian(2) + big_endian(2) + std::string("\x08\x06\0\0\0", 5));
 }

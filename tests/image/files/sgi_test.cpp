@@ -1,3 +1,6 @@
+#include <string>
+#include <utility>
+
 #include <gmock/gmock.h>
 
 #include "hiac/base/error.hpp"
@@ -103,6 +106,63 @@ TEST_F(Sgi, SurvivesDamagedFiles) {
   write_image(path("a.sgi"), random_picture(40, 30), {.depth = 16});
   expect_survival(bytes_of(path("a.sgi")), 600, 3000,
                   [&](const std::string& bytes) { return read(bytes); });
+}
+
+// Storage 0 and 1, 1 and 2 bytes a sample, and 1 to 3 axes: fewer of them have sides of 1.
+TEST_F(Sgi, OrdinaryImagesAlone) {
+  const auto told = [&](char storage, char sample_bytes, char axes) {
+    std::string bytes = header(storage, sample_bytes, axes, 2, 2, 2);
+    if (storage == 1)  // no row can be where its table says
+      return complaint(bytes + std::string(64, '\0'));
+    const int samples = axes == 1 ? 2 : axes == 2 ? 4 : 8;
+    return complaint(bytes + std::string(static_cast<std::size_t>(samples * sample_bytes), '\1'));
+  };
+  for (const char sample_bytes : std::string("\1\2"))
+    for (const char axes : std::string("\1\2\3"))
+      EXPECT_EQ(told(0, sample_bytes, axes), "no error");
+  const std::string expected = path("hand.sgi") +
+                               ": not an ordinary SGI image (expected storage 0 or 1, 1 or 2 bytes "
+                               "a sample, 1 to 3 axes and "
+                               "colour map 0, found ";
+  EXPECT_EQ(told(2, 1, 3), expected + "2, 1, 3 and 0)");
+  EXPECT_EQ(told(0, 0, 3), expected + "0, 0, 3 and 0)");
+  EXPECT_EQ(told(0, 3, 3), expected + "0, 3, 3 and 0)");
+  EXPECT_EQ(told(0, 1, 0), expected + "0, 1, 0 and 0)");
+  EXPECT_EQ(told(0, 1, 4), expected + "0, 1, 4 and 0)");
+  std::string mapped = header(0, 1, 3, 1, 1, 1) + "\1";
+  mapped[107] = 3;
+  EXPECT_EQ(complaint(mapped), expected + "0, 1, 3 and 3)");
+  EXPECT_EQ(
+      complaint(header(0, 1, 3, 1, 1, 1).substr(0, 511)),
+      path("hand.sgi") + ": not an SGI image (wrong magic number, or shorter than its header)");
+  EXPECT_EQ(complaint(header(0, 1, 3, 1, 1, 4) + std::string(4, '\1')), "no error");
+}
+
+TEST_F(Sgi, AxesThatAreNotThereCountAsOne) {
+  const Image row = read(header(0, 1, 1, 3, 9, 9) + std::string("\0\xff\x33", 3));
+  EXPECT_EQ(row.width(), 3U);
+  EXPECT_EQ(row.height(), 1U);
+  EXPECT_EQ(row.channel_count(), 1U);
+  EXPECT_EQ(row.at(2, 0, 0), 0.2);
+  const Image grey = read(header(0, 1, 2, 1, 2, 9) + std::string("\x33\xff", 2));
+  EXPECT_EQ(grey.height(), 2U);
+  EXPECT_EQ(grey.channel_count(), 1U);
+  EXPECT_EQ(grey.at(0, 1, 0), 0.2);  // the bottom row comes first
+}
+
+TEST_F(Sgi, SidesHave65535PixelsAtMost) {
+  write_image(path("a.sgi"), Image(65535, 1, {"Y"}));
+  EXPECT_EQ(read_image(path("a.sgi")).image.width(), 65535U);
+  for (const auto& [width, height] : {std::pair{65536U, 1U}, {1U, 65536U}}) {
+    try {
+      write_image(path("b.sgi"), Image(width, height, {"Y"}));
+      ADD_FAILURE() << width;
+    } catch (const UsageError& error) {
+      EXPECT_EQ(error.what(), path("b.sgi") +
+                                  ": an SGI image has at most 65535 pixels a side (found " +
+                                  std::to_string(width) + " x " + std::to_string(height) + ")");
+    }
+  }
 }
 
 }  // namespace

@@ -78,6 +78,12 @@ TEST(StarterField, TheEntropyOf64BinsDecides) {
   EXPECT_EQ(chosen({levels(50), levels(40)}), "a");
   // more levels than bins fill them no more evenly: 200 levels on 64 bins are three or four a bin
   EXPECT_EQ(chosen({levels(64), levels(200)}), "a");
+  // far from zero as near it
+  const auto far = [](double by) {
+    return [by](std::size_t i) { return by + static_cast<double>(i % 40); };
+  };
+  EXPECT_EQ(chosen({half, far(1000.5)}), "b");
+  EXPECT_EQ(chosen({half, far(-2000.5)}), "b");
   // the first of equals
   EXPECT_EQ(chosen({half, [&](std::size_t i) { return 9 - half(i); }}), "a");
   // values beyond the range count in its outer bins
