@@ -10,6 +10,7 @@
 
 #include "hiac/base/error.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
+#include "hiac/render/cells/segment_notes.hpp"
 #include "hiac/render/engine.hpp"
 #include "hiac/scene/view_of.hpp"
 #include "tests/render/truth/general_meshes.hpp"
@@ -258,6 +259,78 @@ TEST(Channels, SayWhereThingsAre) {
           ASSERT_NEAR(surfaces.at(x, y, 5), 3.25, 1e-3);  // half each
         }
     }
+}
+
+// A uniform medium with two surfaces in it, both seen face-on: what each part of the medium between
+// cells and surfaces takes counts at its middle, what surfaces take where they are.
+TEST(Channels, SayTheMeanDepthOfMediumAndSurfaces) {
+  for (const CellOrder cell_order : {CellOrder::linear, CellOrder::quadratic})
+    for (const bool grouped : {false, true}) {
+      ZooMesh mesh = test::structured(2, Cut::bricks);
+      if (cell_order != CellOrder::linear) mesh = test::of_order(mesh, cell_order);
+      test::add_node_field(mesh, "z", [](const test::Position& p) { return p[2]; });
+      Scene scene;
+      scene.image = {6, 6};
+      scene.camera.projection = Projection::orthographic;
+      scene.camera.eye = {0.51, 0.53, 4};
+      scene.camera.look_at = {0.51, 0.53, 0};
+      scene.camera.up = {0, 1, 0};
+      scene.camera.height = 0.7;
+      scene.volume.extinction = ExtinctionTransfer{"z", {{0, {2}}}};
+      scene.volume.color = ColorTransfer{"z", {{0, {1, 1, 1}}}};
+      scene.isosurfaces = {surface_of("z", 0.3, 0.75), surface_of("z", 0.8, 0.5)};
+      VisibilityOrder order = order_of(mesh, scene);
+      if (grouped)
+        order.groups = std::vector<CellGroup>{{0, static_cast<std::uint32_t>(order.cells.size())}};
+      const Image image = render(mesh, order, scene, false, nullptr, kAll).image;
+      double transparency = 1, weighted = 0;
+      const auto take = [&](double depth, double through) {
+        weighted += transparency * (1 - through) * depth;
+        transparency *= through;
+      };
+      const auto medium = [&](double from, double to) {
+        take((from + to) / 2, std::exp(-2 * (to - from)));
+      };
+      medium(3, 3.2);
+      take(3.2, 0.5);
+      medium(3.2, 3.5);
+      medium(3.5, 3.7);
+      take(3.7, 0.25);
+      medium(3.7, 4);
+      for (std::uint32_t y = 0; y < 6; ++y)
+        for (std::uint32_t x = 0; x < 6; ++x) {
+          EXPECT_NEAR(image.at(x, y, 4), 3, 1e-9);
+          EXPECT_NEAR(image.at(x, y, 5), weighted / (1 - transparency), 1e-6);
+          EXPECT_NEAR(image.at(x, y, 6), transparency, 1e-9);
+        }
+    }
+}
+
+// Parts of a segment front to back: each part's bounds count as far as it is seen.
+TEST(SegmentNotes, AddUpThePartsOfASegment) {
+  SegmentNotes notes;
+  notes.begin(1, 5);
+  EXPECT_EQ(notes.finish({}).mean, 3);
+  notes.add_quadrature(1, {1e-3, 1e-4}, {{0.25, 0.5, 0.125}, 0.5});
+  notes.add_quadrature(0.5, {2e-3, 4e-4}, {{8, 2, 4}, 0.5});
+  notes.add_depth(2, 0.5);
+  notes.add_depth(4, 0.25);
+  SegmentDetails details = notes.finish({{1, 3, 2}, 0.25});
+  EXPECT_EQ(details.front, 1);
+  EXPECT_EQ(details.back, 5);
+  EXPECT_EQ(details.first, 1);
+  EXPECT_EQ(details.light, 3);
+  EXPECT_EQ(details.transparency, 0.25);
+  EXPECT_DOUBLE_EQ(details.mean, (2 * 0.5 + 4 * 0.25) / 0.75);
+  EXPECT_DOUBLE_EQ(details.radiance_error, 1e-3 + 0.5 * 2e-3 + 1e-4 * 8);
+  EXPECT_DOUBLE_EQ(details.transparency_error, 1e-4 + 0.5 * 4e-4);
+  notes.add_apart(0.5, {{1, 2, 3}, 0.5}, {{1.25, 1.5, 3}, 0.375});
+  EXPECT_DOUBLE_EQ(notes.finish({}).radiance_error, details.radiance_error + 0.5 * 0.5);
+  EXPECT_DOUBLE_EQ(notes.finish({}).transparency_error, details.transparency_error + 0.5 * 0.125);
+  notes.begin(7, 9);
+  EXPECT_EQ(notes.finish({}).radiance_error, 0);
+  EXPECT_EQ(notes.finish({}).mean, 8);
+  EXPECT_EQ(notes.finish({}).first, 7);
 }
 
 TEST(Channels, NothingSeenIsInfinitelyFar) {

@@ -1,9 +1,11 @@
 #include "hiac/render/explain_pixel.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -295,6 +297,51 @@ TEST(ExplainPixel, SaysWhatFieldsAndOpticsAre) {
         ASSERT_NEAR(reached, 4, 1e-12);
       }
     }
+}
+
+// Fields that bend so much along a ray that they are followed in several pieces: Psi is the mean of
+// the transparency in front of all of them.
+TEST(ExplainPixel, SaysPsiOfFieldsThatBend) {
+  ZooMesh mesh = test::of_order(test::structured(1, Cut::bricks), CellOrder::cubic);
+  mesh = test::moved(mesh, [](const test::Position& p) {
+    return test::Position{p[0], p[1], p[2] + 0.1 * p[2] * (1 - p[2]) * (1 + p[0])};
+  });
+  test::add_node_field(
+      mesh, "z", [](const test::Position& p) { return 0.5 + 0.5 * std::sin(9 * p[2] + p[0]); });
+  Scene scene = scene_from_above(Projection::orthographic);
+  scene.volume.extinction = ExtinctionTransfer{"z", {{0, {0}}, {1, {3}}}};
+  scene.volume.color = ColorTransfer{"z", {{0, {1, 1, 1}}}};
+  // emission of 1 everywhere is the length times Psi
+  Scene shining = scene;
+  shining.volume.glow = Glow::emission;
+  const VisibilityOrder order = order_of(mesh, scene);
+  for (std::uint32_t x = 0; x < 6; ++x) {
+    const PixelExplanation pixel = explain_pixel(mesh, order, scene, x, 1, false);
+    const PixelExplanation light = explain_pixel(mesh, order, shining, x, 1, false);
+    ASSERT_EQ(pixel.segments.size(), 1U);
+    const PixelSegment& s = pixel.segments[0];
+    EXPECT_NEAR(s.length, 1, 1e-12);
+    EXPECT_NEAR(s.psi, light.rgba[0] / s.length, 1e-11);
+    EXPECT_NEAR(s.length * s.psi, light.segments[0].length * light.segments[0].psi, 1e-15);
+    EXPECT_LT(s.psi, 0.9);
+  }
+}
+
+// Two cells in the wrong order: the one that begins before the one in front of it has ended says
+// so.
+TEST(ExplainPixel, NamesSegmentsOutOfOrder) {
+  const ZooMesh mesh = mesh_from_above(Cut::bricks);
+  const Scene scene = scene_from_above(Projection::orthographic);
+  VisibilityOrder order = order_of(mesh, scene);
+  std::vector<CellId> cells(order.cells.begin(), order.cells.end());
+  std::ranges::reverse(cells);
+  const PixelExplanation pixel =
+      explain_pixel(mesh, {std::move(cells), {}, "wrong"}, scene, 4, 1, false);
+  ASSERT_EQ(pixel.segments.size(), 2U);
+  EXPECT_FALSE(pixel.segments[0].out_of_order);
+  EXPECT_TRUE(pixel.segments[1].out_of_order);
+  EXPECT_NEAR(pixel.segments[0].front.depth, 3.5, 1e-12);
+  EXPECT_NEAR(pixel.segments[1].front.depth, 3, 1e-12);
 }
 
 TEST(ExplainPixel, NamesTheIsosurfacesThatTheRayMeets) {
