@@ -97,6 +97,31 @@ TEST(Supersampling, BoxIsTheMeanOfTheLargerPicture) {
   }
 }
 
+// Samples are drawn in bands of rows; all of them together are counted as one picture's, and every
+// row of them is progress.
+TEST(Supersampling, CountsWhatAllSamplesMeet) {
+  const ZooMesh mesh = mesh_with_field();
+  Scene scene = test::cube_scene(Projection::perspective, 40, 30);
+  const VisibilityOrder order = test::sorted(mesh, scene);
+  Progress progress;
+  const RenderStatistics found = render_supersampled(mesh, order, scene, {3, 5, 30, 23},
+                                                     {5, SampleFilter::box}, false, &progress)
+                                     .statistics;
+  EXPECT_EQ(progress.state().stage, "rows of samples");
+  EXPECT_EQ(progress.state().total, 115U);
+  EXPECT_EQ(progress.state().done, 115U);
+  scene.image = {200, 150};
+  const RenderStatistics expected = PartRenderer(mesh, order, scene, {}, nullptr)
+                                        .render({15, 25, 150, 115}, false, nullptr)
+                                        .statistics;
+  EXPECT_EQ(found.segments, expected.segments);
+  EXPECT_EQ(found.covered_pixels, expected.covered_pixels);
+  EXPECT_NEAR(found.largest_optical_depth, expected.largest_optical_depth, 1e-12);
+  EXPECT_NEAR(found.mean_optical_depth, expected.mean_optical_depth, 1e-12);
+  EXPECT_GT(found.segments, 1000U);
+  EXPECT_GT(found.prepare_seconds, 0);
+}
+
 // Against the sum over all samples of a picture with a margin of two pixels.
 TEST(Supersampling, BsplineWeighsWhatLiesAround) {
   const ZooMesh mesh = mesh_with_field();
