@@ -121,6 +121,39 @@ TEST(ErrorChannel, HoldsTheEndOfRays) {
   EXPECT_GT(largest, 1e-8);
 }
 
+// Two panes of different fields in one place: rounding decides which is in front, and the picture
+// is off by all that they differ by. A little apart, nothing is in doubt.
+TEST(ErrorChannel, DoubtsTheOrderOfSurfacesInOnePlace) {
+  for (const CellOrder cell_order : {CellOrder::linear, CellOrder::quadratic})
+    for (const Cut cut : {Cut::tetrahedra, Cut::bricks, Cut::prisms})
+      for (const double apart : {0.0, 1e-6}) {
+        ZooMesh mesh = test::structured(2, cut);
+        if (cell_order != CellOrder::linear) mesh = test::of_order(mesh, cell_order);
+        test::add_node_field(mesh, "z", [](const test::Position& p) { return p[2]; });
+        test::add_node_field(mesh, "twice", [](const test::Position& p) { return 2 * p[2]; });
+        Scene scene = cube_scene(Projection::orthographic, 6, 6);
+        scene.camera.eye = {0.51, 0.53, 4};
+        scene.camera.look_at = {0.51, 0.53, 0};
+        scene.camera.up = {0, 1, 0};
+        scene.camera.height = 0.7;
+        scene.volume = {};
+        scene.render.tolerance = 1e-9;
+        scene.isosurfaces = {surface_of("z", 0.4, 1), surface_of("twice", 0.8 + apart, 1)};
+        scene.isosurfaces[0].color = {1, 0, 0};
+        scene.isosurfaces[1].color = {0, 0, 1};
+        const Image image = draw_with(mesh, scene, {Channel::error});
+        for (std::uint32_t y = 0; y < 6; ++y)
+          for (std::uint32_t x = 0; x < 6; ++x) {
+            const double off = std::abs(image.at(x, y, 0) - image.at(x, y, 2));
+            ASSERT_GT(off, 0.3);
+            if (apart == 0)
+              EXPECT_GE(image.at(x, y, 4), off) << static_cast<int>(cut);
+            else
+              EXPECT_LT(image.at(x, y, 4), 1e-7) << static_cast<int>(cut);
+          }
+      }
+}
+
 TEST(ErrorChannel, IsNotClaimedOfOtherIntegrations) {
   const ZooMesh mesh = with_fields(test::random_delaunay(20, 4), 4);
   Scene scene = cube_scene(Projection::perspective, 8, 8);

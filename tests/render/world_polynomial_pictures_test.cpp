@@ -42,6 +42,27 @@ double difference(const Image& a, const Image& b) {
   return most;
 }
 
+// Cells that are splatted show the field at their centres of gravity, where a linear one has the
+// same value in either interpolation.
+TEST(WorldPolynomialPictures, SplatsHaveTheValueAtTheCentre) {
+  ZooMesh mesh =
+      test::moved(test::of_order(test::wedge_grid(2), CellOrder::quadratic), [](const Position& p) {
+        return Position{p[0] + 3, p[1] - 2, p[2] + 0.3 * p[0]};
+      });
+  test::add_node_field(mesh, "f", [](const Position& p) { return 0.3 * (p[0] - 3) + 0.5 * p[2]; });
+  Scene scene = cube_scene(Projection::perspective, 20, 18);
+  scene.camera.eye[0] += 3;
+  scene.camera.eye[1] -= 2;
+  scene.camera.look_at[0] += 3;
+  scene.camera.look_at[1] -= 2;
+  scene.render.splat_below = 1000;
+  const RenderResult expected = test::draw(mesh, scene);
+  ASSERT_EQ(expected.statistics.splatted_cells, mesh.cell_count());
+  scene.render.interpolation = Interpolation::polynomial;
+  EXPECT_LE(difference(test::draw(mesh, scene).image, expected.image), 1e-12);
+  EXPECT_GT(std::ranges::max(expected.image.values()), 0.1);
+}
+
 // What the paper's functions have exactly, they have in cells that are bent as one likes, where the
 // isoparametric interpolant has linear fields alone.
 TEST(WorldPolynomialPictures, HasItsOwnMonomialsOnDistortedCells) {

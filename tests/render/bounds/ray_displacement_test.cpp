@@ -105,6 +105,21 @@ TEST(EndDoubts, AreThoseOfTheFacesThatTheRayMeets) {
     }
 }
 
+// A face without area says nothing about where the ray ends.
+TEST(EndDoubts, OfFlatCellsAreInfinite) {
+  const std::array<Vector, 4> corners{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, 1}}};
+  const EndDoubts doubts(CellKind::tetrahedron4, corners);
+  const EndDoubts::Doubts d = doubts.at({0.25, 0, -1}, {0, 0.5, 1}, {.at_ends = 1e-3});
+  EXPECT_EQ(d.front, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(d.back, std::numeric_limits<double>::infinity());
+  for (std::size_t face = 0; face < 4; ++face) {
+    const auto& used = topology_of(CellKind::tetrahedron4).faces[face].corners;
+    const bool has_last = used[0] == 3 || used[1] == 3 || used[2] == 3;
+    const double by = doubts.through(face, {0, 0.5, 1}, {.at_ends = 1e-3});
+    EXPECT_EQ(std::isfinite(by), has_last) << face;
+  }
+}
+
 // Pictures of 8 x 8 pixels, one of them a world unit, or at a depth of 4.
 class RayDisplacementTest : public testing::Test {
  protected:

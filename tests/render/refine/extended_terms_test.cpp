@@ -49,8 +49,8 @@ ExtendedLight integrated(const Volume& volume, double length, const ExtendedEnds
   const auto color_function = volume.color->function();
   std::vector<double> cuts{0, 1};
   const auto add = [&](const ExtendedEnds& ends, double s) {
-    const auto u = static_cast<double>((s - ends.front) / (ends.back - ends.front));
-    if (u > 0 && u < 1) cuts.push_back(u);
+    const auto place = static_cast<double>((s - ends.front) / (ends.back - ends.front));
+    if (place > 0 && place < 1) cuts.push_back(place);
   };
   for (const auto& point : volume.extinction->points) add(extinction, point.scalar);
   for (const auto& point : volume.color->points) add(color, point.scalar);
@@ -62,10 +62,11 @@ ExtendedLight integrated(const Volume& volume, double length, const ExtendedEnds
     const double from = cuts[k], to = cuts[k + 1], inset = 1e-9 * (to - from);
     if (!(to - from > 1e-12)) continue;
     // linear in between: two values say all
-    const auto at = [&](const auto& function, const ExtendedEnds& ends, std::size_t c, double u) {
+    const auto at = [&](const auto& function, const ExtendedEnds& ends, std::size_t c,
+                        double at_place) {
       const double first = function(static_cast<double>(ends.at(from + inset)))[c];
       const double last = function(static_cast<double>(ends.at(to - inset)))[c];
-      return first + (last - first) * (u - from) / (to - from);
+      return first + (last - first) * (at_place - from) / (to - from);
     };
     const double b = at(tau_function, extinction, 0, from), a = at(tau_function, extinction, 0, to);
     for (int i = 0; i <= kSteps; ++i) {
