@@ -1,5 +1,6 @@
 #include "hiac/geometry/bezier_patch.hpp"
 
+#include <algorithm>
 #include <random>
 #include <vector>
 
@@ -12,19 +13,23 @@
 namespace hiac {
 namespace {
 
-// Every face of every kind, as a patch, against the cell's own shape functions there.
+// Every face of every kind, as a patch, against the cell's own shape functions there. The patch
+// begins at the lowest node, and nodes are numbered at random.
 TEST(BezierPatch, IsTheTraceOfTheShapeFunctionsOnEveryFace) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> number(0, 1);
-  for (std::size_t k = 0; k < kKindCount; ++k) {
-    const auto kind = static_cast<CellKind>(k);
+  for (std::size_t k = 0; k < 4 * kKindCount; ++k) {
+    const auto kind = static_cast<CellKind>(k % kKindCount);
     const auto reference = reference_nodes(kind);
     std::vector<test::Position> positions(reference.begin(), reference.end());
     test::Cell cell{kind, {}};
     for (NodeId i = 0; i < positions.size(); ++i) cell.nodes.push_back(i);
+    if (k >= kKindCount) std::ranges::shuffle(cell.nodes, random);
     for (test::Position& p : positions)
       for (double& x : p) x += 0.2 * (number(random) - 0.5);
-    const ZooMesh mesh = test::make_mesh(positions, {cell});
+    std::vector<test::Position> numbered(positions.size());
+    for (std::size_t i = 0; i < positions.size(); ++i) numbered[cell.nodes[i]] = positions[i];
+    const ZooMesh mesh = test::make_mesh(numbered, {cell});
     for (std::size_t f = 0; f < face_count(kind); ++f) {
       const FaceForm form = face_form(mesh, 0, f, 1e-10);
       const auto points = control_points(mesh, 0, f, form);

@@ -1,5 +1,6 @@
 #include "hiac/geometry/face_form.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -99,6 +100,63 @@ TEST(FaceForm, ACellHasCurvedFacesWhereAFaceIsCurved) {
     // triangles are planar
     EXPECT_GE(count[k][1], kind == CellKind::tetrahedron4 ? 0U : 10U) << kind_name(kind);
   }
+}
+
+// The centre node of a cubic tetrahedron's face, moved along its normal: as far as counts, it is
+// off by more than the fraction of both edges at the face's first corner.
+TEST(FaceForm, ACentreNodeMayBeOffItsFace) {
+  constexpr double kFraction = 0.01;
+  const auto reference = reference_nodes(CellKind::tetrahedron20);
+  test::Cell cell{CellKind::tetrahedron20, {}};
+  for (NodeId i = 0; i < 20; ++i) cell.nodes.push_back(i);
+  for (const std::array<double, 3>& sides :
+       {std::array<double, 3>{1, 1, 1}, {3, 1, 1}, {1, 3, 1}, {1, 1, 3}})
+    for (std::size_t f = 0; f < 4; ++f) {
+      std::vector<test::Position> positions(reference.begin(), reference.end());
+      for (test::Position& p : positions)
+        for (std::size_t c = 0; c < 3; ++c) p[c] *= sides[c];
+      const auto& corners = topology_of(CellKind::tetrahedron20).faces[f].corners;
+      std::array<std::size_t, 3> sorted{corners[0], corners[1], corners[2]};
+      std::ranges::sort(sorted);
+      const auto along = [&](std::size_t k) {
+        std::array<double, 3> v;
+        for (std::size_t c = 0; c < 3; ++c)
+          v[c] = positions[sorted[k]][c] - positions[sorted[0]][c];
+        return v;
+      };
+      const auto u = along(1), v = along(2);
+      std::array<double, 3> n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                              u[0] * v[1] - u[1] * v[0]};
+      const double area = std::hypot(n[0], n[1], n[2]);
+      const double most =
+          kFraction * std::max(std::hypot(u[0], u[1], u[2]), std::hypot(v[0], v[1], v[2]));
+      for (const double by : {0.0, 0.99, -0.99, 1.01, -1.01}) {
+        auto moved = positions;
+        for (std::size_t c = 0; c < 3; ++c) moved[16 + f][c] += by * most * n[c] / area;
+        const ZooMesh mesh = test::make_mesh(moved, {cell});
+        for (std::size_t g = 0; g < 4; ++g) {
+          const FaceForm form = face_form(mesh, 0, g, kFraction);
+          const bool off = g == f && std::abs(by) > 1;
+          EXPECT_EQ(form.curved, off) << f << ' ' << g << ' ' << by;
+          EXPECT_EQ(form.shape.degree, off ? 3 : 1);
+          EXPECT_EQ(form.shape.centre, off);
+        }
+        EXPECT_EQ(has_curved_faces(mesh, 0, kFraction), std::abs(by) > 1);
+      }
+    }
+}
+
+// By hand: of a unit square with a corner raised by h, the diagonals (1, 1, h) and (-1, 1, 0) are
+// apart by h / sqrt(4 + 2 h^2).
+TEST(FaceForm, DeviationIsRelativeToTheLongerDiagonal) {
+  constexpr double h = 0.25;
+  const std::array<std::array<double, 3>, 4> p{{{0, 0, 0}, {1, 0, 0}, {1, 1, h}, {0, 1, 0}}};
+  const double expected = h / std::sqrt(4 + 2 * h * h) / std::sqrt(2 + h * h);
+  for (std::size_t k = 0; k < 4; ++k)
+    EXPECT_NEAR(quadrilateral_deviation(p[k], p[(k + 1) % 4], p[(k + 2) % 4], p[(k + 3) % 4]),
+                expected, 1e-15);
+  EXPECT_EQ(quadrilateral_deviation(p[0], p[0], p[0], p[0]), 0);
+  EXPECT_EQ(quadrilateral_deviation(p[0], p[1], p[0], p[1]), 0);
 }
 
 }  // namespace

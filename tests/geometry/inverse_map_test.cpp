@@ -162,5 +162,72 @@ TEST(InverseMap, CornersAreFound) {
   }
 }
 
+// Every node between corners is measured from its place on the straight edge, or in the straight
+// face, by its largest coordinate, and by the largest distance of a corner from the first one.
+TEST(InverseMap, EdgeDeviationIsTheLargestOffsetOfANode) {
+  for (const CellKind kind : kLinearKinds)
+    for (const CellOrder order : {CellOrder::quadratic, CellOrder::cubic}) {
+      const CellKind higher = kind_of(shape_of(kind), order);
+      // thirds of the coordinates are whole numbers; corners are 48 apart at most
+      std::vector<Point> nodes;
+      for (const Point& node : reference_nodes(higher))
+        nodes.push_back({24 * node[0] + 1, 48 * node[1] - 3, 12 * node[2] + 2});
+      EXPECT_NEAR(edge_deviation(higher, nodes), 0, 1e-15) << kind_name(higher);
+      for (std::size_t k = corner_count(kind); k < nodes.size(); ++k)
+        for (std::size_t c = 0; c < 3; ++c)
+          for (const double by : {3.0, -3.0}) {
+            auto moved = nodes;
+            moved[k][c] += by;
+            moved[k][(c + 1) % 3] += 0.5 * by;
+            constexpr double kSize = 48;
+            EXPECT_NEAR(edge_deviation(higher, moved), 3 / kSize, 1e-15)
+                << kind_name(higher) << " node " << k;
+            const CellMap map(higher, moved, 0.1);
+            EXPECT_TRUE(map.straight());
+            EXPECT_NEAR(map.straightened(), 4 * 3, 1e-13);
+            EXPECT_FALSE(CellMap(higher, moved, 0.99 * 3 / kSize).straight());
+            EXPECT_TRUE(CellMap(higher, moved, 1.01 * 3 / kSize).straight());
+          }
+    }
+  for (const CellKind kind : kLinearKinds)
+    EXPECT_EQ(edge_deviation(kind, moved_corners(kind, tapered)), 0);
+}
+
+// The inverse of the Jacobian, by central differences of the map; its steepest row.
+TEST(InverseMap, TheInverseInTheMiddleIsThatOfTheMap) {
+  const auto bent = [](const Point& p) {
+    return Point{p[0] + 0.12 * std::sin(2 * p[1] + p[2]), p[1] + 0.1 * p[0] * p[2],
+                 p[2] - 0.1 * std::cos(2 * p[0])};
+  };
+  for (std::size_t k = 0; k < kKindCount; ++k) {
+    const auto kind = static_cast<CellKind>(k);
+    for (const bool curved : {false, true}) {
+      const CellMap map(kind, curved ? moved_corners(kind, bent) : moved_corners(kind, affine));
+      const Point middle = map.middle();
+      Point mean{};
+      for (std::size_t c = 0; c < corner_count(kind); ++c)
+        for (std::size_t a = 0; a < 3; ++a)
+          mean[a] += reference_nodes(kind)[c][a] / static_cast<double>(corner_count(kind));
+      EXPECT_LE(distance(middle, mean), 1e-15);
+      double steepest = 0;
+      for (std::size_t row = 0; row < 3; ++row) {
+        const Point& r = map.inverse_in_middle()[row];
+        steepest = std::max(steepest, std::hypot(r[0], r[1], r[2]));
+        for (std::size_t a = 0; a < 3; ++a) {
+          constexpr double kStep = 1e-5;
+          Point before = middle, after = middle;
+          before[a] -= kStep;
+          after[a] += kStep;
+          const Point x = map.position(before), y = map.position(after);
+          double product = 0;
+          for (std::size_t c = 0; c < 3; ++c) product += r[c] * (y[c] - x[c]) / (2 * kStep);
+          EXPECT_NEAR(product, a == row ? 1 : 0, 1e-8) << kind_name(kind) << ' ' << curved;
+        }
+      }
+      EXPECT_DOUBLE_EQ(map.steepness(), steepest);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace hiac

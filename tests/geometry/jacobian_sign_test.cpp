@@ -122,5 +122,60 @@ TEST(JacobianSign, CornersAloneDoNotDecide) {
   EXPECT_GT(at_corners, 0);
 }
 
+// The largest product of the lengths of the map's columns at the corners of a straight cell, of the
+// cube that is collapsed to it: there (1 - z)^2 of a pyramid's, 2 - y - z of a wedge's count.
+double largest_box(CellKind kind, const std::vector<Point>& nodes) {
+  double largest = 0;
+  for (int i = 0; i <= 2; ++i)
+    for (int j = 0; j <= 2; ++j)
+      for (int l = 0; l <= 2; ++l) {
+        Point xi{i / 2.0, j / 2.0, l / 2.0};
+        double factor = 1;
+        if (shape_of(kind) == CellShape::pyramid) {
+          factor = (1 - xi[2]) * (1 - xi[2]);
+          xi[0] *= 1 - xi[2], xi[1] *= 1 - xi[2];
+        } else if (shape_of(kind) == CellShape::wedge) {
+          factor = 2 - xi[1] - xi[2];
+          xi[0] *= factor;
+        }
+        if (factor == 0) continue;
+        std::array<Point, kMaxNodesPerCell> gradients;
+        shape_gradients<double>(kind, xi, gradients);
+        double box = factor;
+        for (std::size_t a = 0; a < 3; ++a) {
+          Point column{};
+          for (std::size_t k = 0; k < nodes.size(); ++k)
+            for (std::size_t c = 0; c < 3; ++c) column[c] += gradients[k][a] * nodes[k][c];
+          box *= std::hypot(column[0], column[1], column[2]);
+        }
+        largest = std::max(largest, box);
+      }
+  return largest;
+}
+
+// A corner of the bottom pushed inwards until the cell is inside out there, which counts from a
+// fraction of the cell's size on.
+TEST(JacobianSign, ToleranceIsRelativeToTheLargestProductOfColumns) {
+  for (const CellKind kind : {CellKind::pyramid5, CellKind::wedge7, CellKind::brick8})
+    for (const double scale : {1.0, 1e-5, 1e7})
+      for (const bool mirrored : {false, true}) {
+        auto nodes = nodes_of(kind);
+        for (Point& p : nodes) p = {3 * p[0], p[1], 0.5 * p[2]};
+        nodes[0][0] += 0.52 * nodes[1][0];
+        nodes[0][1] += 0.52;
+        for (Point& p : nodes)
+          for (std::size_t c = 0; c < 3; ++c) p[c] *= mirrored && c == 2 ? -scale : scale;
+        const double factor = shape_of(kind) == CellShape::wedge ? 2 : 1;
+        const double corner = factor * determinant(kind, nodes, {0, 0, 0});
+        const double fraction = std::abs(corner) / largest_box(kind, nodes);
+        EXPECT_GT(fraction, 0.001);
+        EXPECT_EQ(jacobian_sign(kind, nodes, 0.99 * fraction), JacobianSign::mixed)
+            << kind_name(kind);
+        EXPECT_EQ(jacobian_sign(kind, nodes, 1.01 * fraction),
+                  mirrored ? JacobianSign::negative : JacobianSign::positive)
+            << kind_name(kind);
+      }
+}
+
 }  // namespace
 }  // namespace hiac
