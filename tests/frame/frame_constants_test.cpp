@@ -80,6 +80,9 @@ TEST_F(FrameConstantsTest, DepthsAreTheMeshs) {
   scene_.camera.look_at = {0.5, 0.5, 100};  // from behind: depths beyond 1
   scene_.camera.eye = {0.5, 0.5, -9};
   EXPECT_NEAR(frame().depth, 1, 1e-13);
+  mesh_ = test::moved(mesh_, [](const Position& p) { return Position{p[0], p[1], 4 * p[2]}; });
+  EXPECT_NEAR(frame().depth, 4, 1e-13);
+  EXPECT_NEAR(frame_->witness_tolerance, 4e-9, 1e-21);
 }
 
 // A ray at the border of the picture, which sees 90 degrees by 60 pixels' width to 40 pixels'
