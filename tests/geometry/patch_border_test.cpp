@@ -157,6 +157,35 @@ TEST(PatchBorder, OfSeveralPointsOnTheRayTheLeastDeepOrTheNearestIsTaken) {
     }
 }
 
+// A linear function that vanishes on edge k.
+Linear vanishing_on(const PatchShape& shape, std::size_t k) {
+  if (shape.triangle) return std::array<Linear, 3>{{{0, 0, 1}, {1, -1, -1}, {0, 1, 0}}}[k];
+  return std::array<Linear, 4>{{{0, 0, 1}, {1, -1, 0}, {1, 0, -1}, {0, 1, 0}}}[k];
+}
+
+// The parameter along edge k.
+Linear along(const PatchShape& shape, std::size_t k) {
+  if (shape.triangle) return std::array<Linear, 3>{{{0, 1, 0}, {0, 0, 1}, {1, 0, -1}}}[k];
+  return std::array<Linear, 4>{{{0, 1, 0}, {0, 0, 1}, {1, -1, 0}, {1, 0, -1}}}[k];
+}
+
+// Within a 64th of what rounding may do, a point of the border is as good as any nearer one.
+TEST(PatchBorder, PointsThatAreOnTheRayStay) {
+  constexpr double kStays = 0x1p-6 * kRounding;
+  for (const PatchShape& shape : kBorderShapes)
+    for (std::size_t k = 0; k < shape.corner_count(); ++k)
+      for (const double by : {0.9 * kStays, -0.9 * kStays, 1.1 * kStays, -1.1 * kStays}) {
+        Linear a = along(shape, k);
+        a[0] -= 0.4;
+        const Seen seen = seen_as(shape, a, vanishing_on(shape, k), {0, 1, 1});
+        const Parameter from = seen.on_edge(k, 0.4 + by);
+        const BorderPlace found = nearest_on_border(seen.question(), from[0], from[1]);
+        const Parameter expected = std::abs(by) < kStays ? from : seen.on_edge(k, 0.4);
+        EXPECT_NEAR(found.u, expected[0], 1e-15) << int{shape.degree} << " edge " << k << ' ' << by;
+        EXPECT_NEAR(found.v, expected[1], 1e-15) << int{shape.degree} << " edge " << k << ' ' << by;
+      }
+}
+
 TEST(PatchBorder, IsFoundWhereNumbersAreNone) {
   for (const PatchShape& shape : kBorderShapes) {
     Seen seen = seen_as(shape, {-0.3, 1, 0}, {-0.4, 0, 1}, {0, 1, 1});
@@ -168,12 +197,6 @@ TEST(PatchBorder, IsFoundWhereNumbersAreNone) {
       EXPECT_LE(shape.triangle ? place.u + place.v : std::max(place.u, place.v), 1);
     }
   }
-}
-
-// A linear function that vanishes on edge k.
-Linear vanishing_on(const PatchShape& shape, std::size_t k) {
-  if (shape.triangle) return std::array<Linear, 3>{{{0, 0, 1}, {1, -1, -1}, {0, 1, 0}}}[k];
-  return std::array<Linear, 4>{{{0, 0, 1}, {1, -1, 0}, {1, 0, -1}, {0, 1, 0}}}[k];
 }
 
 TEST(PatchBorder, ARayAlongAnEdgeIsAtItsLessDeepCorner) {

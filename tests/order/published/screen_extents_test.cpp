@@ -77,6 +77,94 @@ TEST(ScreenExtents, OneWindowBeforeTheEyeAndSixAroundIt) {
   EXPECT_EQ(screen_extents(mesh, from_eye("inside", {0.4, 0.5, 0.6}).view, cells).size(), 6U);
 }
 
+// Along z, the window's x is the world's y and its y the other way round the world's x: both are
+// scaled so that the mesh just fills the window.
+TEST(ScreenExtents, OfAParallelViewAreThoseOfTheCornersInTheFittedWindow) {
+  constexpr float kWider = 4e-7F;
+  const ZooMesh mesh = moved(structured(2, Cut::bricks), [](const Position& p) {
+    return Position{4 * p[0] + 7, 2 * p[1] - 9, p[2]};
+  });
+  std::vector<CellId> cells(mesh.cell_count());
+  std::iota(cells.begin(), cells.end(), 0U);
+  const auto windows = screen_extents(mesh, along("z", {0, 0, 3}).view, cells);
+  ASSERT_EQ(windows.size(), 1U);
+  ASSERT_EQ(windows[0].ranks, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7}));
+  for (const CellId cell : cells) {
+    const ScreenExtent& e = windows[0].extents[cell];
+    const float x = cell / 2 % 2 == 0 ? -1.F : 0.F, y = cell % 2 == 0 ? 0.F : -1.F;
+    EXPECT_EQ(e.x_low, x - kWider);
+    EXPECT_EQ(e.x_high, x + 1 + kWider);
+    EXPECT_EQ(e.y_low, y - kWider);
+    EXPECT_EQ(e.y_high, y + 1 + kWider);
+    EXPECT_EQ(e.sum_low, x + y - kWider);
+    EXPECT_EQ(e.sum_high, x + y + 2 + kWider);
+    EXPECT_EQ(e.difference_low, x - y - 1 - kWider);
+    EXPECT_EQ(e.difference_high, x - y + 1 + kWider);
+  }
+}
+
+// Three tetrahedra that look as large as a quarter, a half and a quarter: places are quotients by
+// the depth.
+TEST(ScreenExtents, InPerspectiveAreThoseOfPlacesBeforeTheEye) {
+  std::vector<Position> positions;
+  std::vector<Cell> cells;
+  for (const auto& [depth, scale] : {std::pair{1.0, 0.25}, {2.0, 1.0}, {4.0, 1.0}}) {
+    Cell cell{CellKind::tetrahedron4, {}};
+    for (const auto& [x, y] : {std::pair{-1.0, -1.0}, {1.0, -1.0}, {0.0, 1.0}, {0.5, 0.0}}) {
+      cell.nodes.push_back(static_cast<NodeId>(positions.size()));
+      positions.push_back({5 + scale * x, 6 + scale * y, 7 + depth});
+    }
+    cells.push_back(cell);
+  }
+  // its middle is straight ahead of the eye
+  const auto windows = screen_extents(make_mesh(positions, cells), from_eye("eye", {5, 6, 7}).view,
+                                      std::vector<CellId>{2, 0, 1});
+  ASSERT_EQ(windows.size(), 1U);
+  const std::vector<double> sizes{0.5, 0.5, 1};  // of cells 2, 0 and 1, in the fitted window
+  for (std::size_t rank = 0; rank < 3; ++rank) {
+    const ScreenExtent& e = windows[0].extents[rank];
+    const double size = sizes[rank];
+    EXPECT_NEAR(e.x_low, -size, 1e-6);
+    EXPECT_NEAR(e.x_high, size, 1e-6);
+    EXPECT_NEAR(e.y_low, -size, 1e-6);
+    EXPECT_NEAR(e.y_high, size, 1e-6);
+    // x is y and y is -x: of (-1, -1), (1, -1), (0, 1) and (0.5, 0)
+    EXPECT_NEAR(e.sum_low, -2 * size, 1e-6);
+    EXPECT_NEAR(e.sum_high, size, 1e-6);
+    EXPECT_NEAR(e.difference_low, -2 * size, 1e-6);
+    EXPECT_NEAR(e.difference_high, size, 1e-6);
+  }
+}
+
+// Around the eye, a window sees the cells that are not beside one of its sides.
+TEST(ScreenExtents, WindowsAroundTheEyeSeeWhatIsNotBesideThem) {
+  std::vector<Position> positions;
+  std::vector<Cell> cells;
+  for (std::size_t c = 0; c < 3; ++c)
+    for (const double sign : {-1.0, 1.0}) {
+      Cell cell{CellKind::tetrahedron4, {}};
+      for (std::size_t k = 0; k < 4; ++k) {
+        Position p{0.25, 0.5, 0.75};
+        p[c] += sign * (k == 3 ? 1.5 : 1);
+        p[(c + 1) % 3] += k == 1 ? 0.2 : -0.1;
+        p[(c + 2) % 3] += k == 2 ? 0.2 : -0.1;
+        cell.nodes.push_back(static_cast<NodeId>(positions.size()));
+        positions.push_back(p);
+      }
+      cells.push_back(cell);
+    }
+  const std::vector<CellId> ids{0, 1, 2, 3, 4, 5};
+  const auto windows =
+      screen_extents(make_mesh(positions, cells), from_eye("eye", {0.25, 0.5, 0.75}).view, ids);
+  ASSERT_EQ(windows.size(), 6U);
+  for (std::uint32_t w = 0; w < 6; ++w) {
+    ASSERT_EQ(windows[w].ranks, std::vector<std::uint32_t>{w});
+    const ScreenExtent& e = windows[w].extents[0];
+    for (const float low : {e.x_low, e.y_low}) EXPECT_TRUE(low > -0.21F && low < -0.09F);
+    for (const float high : {e.x_high, e.y_high}) EXPECT_TRUE(high > 0.09F && high < 0.21F);
+  }
+}
+
 // Every pair that meets is paired in one tile, and its cells are in the tiles' lists by rank.
 TEST(SortingTiles, PairEveryTwoCellsThatMeetOnce) {
   const ZooMesh mesh = random_delaunay(20, 3);
