@@ -154,6 +154,10 @@ TEST(AbaqusGeneration, ElementsInRowsAndLayers) {
   // one direction alone, with the default increments
   const Reading row = read_any(folder.write("b.inp", kBlock + "*ELGEN\n1,2\n"));
   EXPECT_EQ(row.mesh.cell_count(), 2U);
+  // what stands behind the layers is not read
+  const Reading more =
+      read_any(folder.write("c.inp", kBlock + "*ELGEN\n1, 2,1,1, 3,10,10, 4,100,100, 1.5, x\n"));
+  EXPECT_EQ(more.mesh.cell_count(), 24U);
 }
 
 TEST(AbaqusGeneration, QuadraticElementsRoundAnArc) {

@@ -264,10 +264,21 @@ TEST(MfemComplaints, RefinedMeshesAreStraight) {
     for (int i = 0; i < count; i += 4) text += corners;
     return text;
   };
-  expect_complaints("a.mesh",
-                    {{refined("H1_3D_P1", 4), ""},
-                     {refined("H1_3D_P2", 12),
-                      ": has nodes of order 2 and hanging nodes, which are not read together"}});
+  const std::string both = ": has nodes of order 2 and hanging nodes, which are not read together";
+  expect_complaints("a.mesh", {{refined("H1_3D_P1", 4), ""}, {refined("H1_3D_P2", 12), both}});
+  // a title tells so, too, and so do parents of vertices under another title
+  const auto without_parents = [&](std::string text) {
+    const std::string parents = "vertex_parents\n0\ncoordinates\n";
+    return text.replace(text.find(parents), parents.size(), "vertices\n");
+  };
+  const auto plain = [](std::string text) {
+    text.erase(text.find("NC "), 3);
+    return text.replace(text.find("\n0 1 4 0 "), 9, "\n1 4 ");
+  };
+  expect_complaints("a.mesh", {{without_parents(refined("H1_3D_P1", 4)), ""},
+                               {without_parents(refined("H1_3D_P2", 12)), both},
+                               {plain(refined("H1_3D_P1", 4)), ""},
+                               {plain(refined("H1_3D_P2", 12)), both}});
 }
 
 TEST(MfemSpaces, AreToldByTheirNames) {
