@@ -181,9 +181,9 @@ class ExodusReader {
 
   [[nodiscard]] std::size_t steps() const { return mesh_.times.size(); }
 
-  void add_field(ForeignField field) {
-    if (field.name.empty()) field.name = fmt::format("variable {}", mesh_.fields.size() + 1);
-    mesh_.fields.push_back(std::move(field));
+  /// A variable has one name at all steps, though a file may leave it blank.
+  static std::string name_of(const std::vector<std::string>& names, std::size_t variable) {
+    return names[variable].empty() ? fmt::format("variable {}", variable + 1) : names[variable];
   }
 
   void add_node_fields() {
@@ -196,14 +196,14 @@ class ExodusReader {
       if (!file_->has(variable)) continue;
       for (std::size_t step = 0; step < steps(); ++step) {
         ForeignField field;
-        field.name = names[v];
+        field.name = name_of(names, v);
         field.step = step;
         field.type = file_->type(variable);
         field.values = [file = file_, variable, together, v, step, points = points_] {
           return together ? file->reals(variable, {step, v, 0}, {1, 1, points})
                           : file->reals(variable, {step, 0}, {1, points});
         };
-        add_field(std::move(field));
+        mesh_.fields.push_back(std::move(field));
       }
     }
   }
@@ -227,7 +227,7 @@ class ExodusReader {
       if (first == blocks_.end()) continue;
       for (std::size_t step = 0; step < steps(); ++step) {
         ForeignField field;
-        field.name = names[v];
+        field.name = name_of(names, v);
         field.location = FieldLocation::cell;
         field.step = step;
         field.type = file_->type(variable(first->number));
@@ -244,7 +244,7 @@ class ExodusReader {
           }
           return values;
         };
-        add_field(std::move(field));
+        mesh_.fields.push_back(std::move(field));
       }
     }
   }

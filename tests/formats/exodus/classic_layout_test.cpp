@@ -151,12 +151,32 @@ TEST(ClassicLayout, NumbersThatLeadBeyondTheFile) {
   EXPECT_EQ(large(std::uint64_t{1} << 32, 2), "declares more values of 'v' than it can hold");
   EXPECT_EQ(large((std::uint64_t{1} << 32) - 1, 2),
             "ended before the data of 'v' (18446744065119617025 values expected)");
+  // as many values as the file has bytes, of which the header takes some
+  const std::size_t size = [] {
+    ClassicFile file(5);
+    file.variable("v", {file.dimension("n", 1)}, 1, "x");
+    return file.bytes().size();
+  }();
+  EXPECT_EQ(large(size, 1),
+            fmt::format("ended before the data of 'v' ({} bytes expected, {} found)", 2 * size - 4,
+                        size));
+  EXPECT_EQ(large(size + 1, 1),
+            fmt::format("ended before the data of 'v' ({} values expected)", size + 1));
   // only the first dimension makes records
   ClassicFile file;
   const std::size_t time = file.dimension("time", 0);
   const std::size_t two = file.dimension("two", 2);
   file.variable("v", {two, time}, 4, "");
   EXPECT_EQ(layout_verdict(file.bytes()), fmt::format("ends at {}", file.bytes().size()));
+}
+
+TEST(ClassicLayout, BeginningsBeyondTheFileDoNotWrapRound) {
+  ClassicFile file(5);
+  file.variable("v", {file.dimension("sixteen", 16)}, 1, std::string(16, 'x'));
+  std::string bytes = file.bytes();
+  // the header's last number is where the variable begins
+  bytes.replace(bytes.size() - 24, 8, ClassicFile::big_endian(~std::uint64_t{7}, 8));
+  EXPECT_THAT(layout_verdict(bytes), testing::StartsWith("ended before the data of 'v'"));
 }
 
 TEST(ClassicLayout, ListsHaveTheirTags) {

@@ -1,6 +1,9 @@
 // Exodus files whose variables do not fit one another, written byte by byte: the whole complaint,
 // and the nearest file that is read.
 
+#include <tuple>
+
+#include "tests/formats/cell_volumes.hpp"
 #include "tests/formats/exodus/classic_file.hpp"
 #include "tests/formats/field_named.hpp"
 #include "tests/formats/files.hpp"
@@ -169,6 +172,24 @@ TEST(ExodusRefusals, FacesOfPolyhedra) {
   EXPECT_EQ(exodus_refusal(made.file()), "facconn1: names face 4 more than twice");
 }
 
+// Faces of one number of corners may stand in rows.
+TEST(ExodusRefusals, FacesInRows) {
+  ClassicFile made;
+  const std::size_t nodes = made.dimension("num_nodes", 4);
+  const std::size_t three = made.dimension("num_dim", 3);
+  const std::size_t one = made.dimension("num_el_blk", 1);
+  made.dimension("num_fa_blk", 1);
+  made.doubles("coordx", {nodes}, {0, 1, 0, 0});
+  made.doubles("coordy", {nodes}, {0, 0, 1, 0});
+  made.doubles("coordz", {nodes}, {0, 0, 0, 1});
+  made.ints("fbconn1", {nodes, three}, {1, 3, 2, 1, 2, 4, 2, 3, 4, 3, 1, 4});
+  made.ints("facconn1", {one, nodes}, {1, 2, 3, 4});
+  const Reading reading = exodus_reading(made);
+  ASSERT_EQ(reading.mesh.cell_count(), 1U);
+  EXPECT_NEAR(volume_of(reading.mesh, 0), 1.0 / 6, 1e-15);
+  EXPECT_THAT(reading.notes, Contains(HasSubstr("1 polyhedra have the faces")));
+}
+
 TEST(ExodusRefusals, PolygonsHaveNoVolume) {
   // a second block, whose corners stand in one row
   ClassicFile two;
@@ -208,6 +229,59 @@ TEST(ExodusRefusals, StepsThatAreNotWhole) {
   flat.file.doubles("vals_nod_var1", {time}, {1, 2});
   EXPECT_EQ(exodus_refusal(flat.file),
             "vals_nod_var1: does not have the extents that the mesh asks for");
+}
+
+std::vector<std::string> field_names(const ZooMesh& mesh) {
+  std::vector<std::string> names;
+  for (const Field& field : mesh.fields) names.push_back(field.name);
+  return names;
+}
+
+// A variable is listed by its name even where the file holds no value of it.
+TEST(ExodusRefusals, VariablesWithoutANameOrWithoutValues) {
+  OneTetrahedron made;
+  const std::size_t time = made.file.dimension("time_step", 2);
+  const std::size_t two = made.file.dimension("two", 2);
+  const std::size_t width = made.file.dimension("len_string", 3);
+  made.file.doubles("time_whole", {time}, {0.5, 2});
+  made.file.variable("name_nod_var", {two, width}, 2, "abs   ");
+  made.file.variable("name_elem_var", {two, width}, 2, "   abs");
+  made.file.doubles("vals_nod_var2", {time, made.nodes}, {1, 2, 3, 4, 5, 6, 7, 8});
+  made.file.doubles("vals_elem_var1eb1", {time, made.one}, {9, 10});
+  const ScratchFolder folder;
+  const std::string path = folder.write("a.exo", made.file.bytes());
+  for (const std::size_t step : {0, 1}) {
+    ReadOptions options;
+    options.step = step;
+    const Reading reading = read_any(path, options);
+    EXPECT_THAT(field_names(reading.mesh), ElementsAre("variable 2", "variable 1"));
+    EXPECT_EQ(field_named(reading.mesh, "variable 2").values[3], step == 0 ? 4 : 8);
+    EXPECT_EQ(field_named(reading.mesh, "variable 1").values[0], step == 0 ? 9 : 10);
+    EXPECT_THAT(reading.notes, testing::Not(Contains(HasSubstr("absent"))));
+  }
+}
+
+TEST(ExodusRefusals, VariablesOfEveryNumberType) {
+  // 1 byte, 3 short, 4 int, 5 float, 6 double, 7 to 9 unsigned, 10 and 11 of eight bytes
+  const std::vector<std::tuple<std::uint32_t, std::size_t, std::string>> types{
+      {1, 1, "int8"}, {3, 2, "int16"}, {4, 4, "int32"}, {5, 4, "float"},  {6, 8, "double"},
+      {7, 1, "int8"}, {8, 2, "int16"}, {9, 4, "int32"}, {10, 8, "int64"}, {11, 8, "int64"}};
+  const ScratchFolder folder;
+  for (const auto& [type, bytes, name] : types) {
+    OneTetrahedron made(5);
+    const std::size_t width = made.file.dimension("len_string", 1);
+    made.file.doubles("time_whole", {made.one}, {0.5});
+    made.file.variable("name_nod_var", {made.one, width}, 2, "p");
+    made.file.variable("name_elem_var", {made.one, width}, 2, "c");
+    made.file.variable("vals_nod_var1", {made.one, made.nodes}, type, std::string(4 * bytes, '\0'));
+    made.file.variable("vals_elem_var1eb1", {made.one, made.one}, type, std::string(bytes, '\0'));
+    const std::string path = folder.write("a.exo", made.file.bytes());
+    const Inventory inventory = format_to_read(path).inspect(path);
+    ASSERT_EQ(inventory.fields.size(), 2U) << type;
+    for (const FieldSummary& field : inventory.fields) EXPECT_EQ(field.type, name) << type;
+    EXPECT_EQ(inventory.fields[0].tuples, 4U);
+    EXPECT_EQ(inventory.fields[1].tuples, 1U);
+  }
 }
 
 TEST(ExodusRefusals, FilesThatTheLibraryCannotOpen) {

@@ -382,6 +382,9 @@ TEST(ExodusRuns, PiecesAreOneMesh) {
     EXPECT_NEAR(volume_of(whole.mesh), 1.0 / 6 + 1.0 / 3, 1e-15);
     ASSERT_EQ(whole.mesh.fields.size(), 1U);
     EXPECT_THAT(field_named(whole.mesh, "p").values.view(), ElementsAre(6, 7));
+    EXPECT_THAT(whole.mesh.metadata, Contains(testing::Pair("pieces", "2")));
+    EXPECT_THAT(whole.mesh.metadata, Contains(testing::Pair("source", "a.e.2.1")));
+    EXPECT_THAT(whole.notes, Contains("read the 2 pieces of a run"));
     EXPECT_THAT(whole.notes,
                 Contains(HasSubstr(mapped ? "by their 'node_num_map'" : "by their equal")));
     const PieceMarking marking;
