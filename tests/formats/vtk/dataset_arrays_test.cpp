@@ -4,6 +4,8 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDataSetAttributes.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -17,6 +19,7 @@
 #include "formats/vtk/cells_from_vtk.hpp"
 #include "formats/vtk/dataset_cells.hpp"
 #include "formats/vtk/foreign_from_vtk.hpp"
+#include "formats/vtk/from_vtk.hpp"
 #include "tests/formats/files.hpp"
 
 namespace hiac::formats::vtk {
@@ -254,6 +257,62 @@ TEST(DatasetArrays, GhostsAmongOtherCellsAreLeftOut) {
     EXPECT_THAT(mesh.cell_nodes, ElementsAre(0, 1, 3, 4));
     EXPECT_THAT(mesh.notes, ElementsAre("dropped 1 ghost or hidden cells"));
   }
+}
+
+void set_time(vtkUnstructuredGrid& grid, double time) {
+  vtkNew<vtkDoubleArray> value;
+  value->SetName("TimeValue");
+  value->InsertNextValue(time);
+  grid.GetFieldData()->AddArray(value);
+}
+
+// Cells that the zoo has and cells that their faces tell are read in two ways.
+TEST(DatasetArrays, TheOneStepMayBeAskedFor) {
+  const auto grid = [](bool polyhedron) {
+    auto made = polyhedron ? polyhedron_with(-1, 0) : two_tetrahedra();
+    set_time(*made, 2.5);
+    return made;
+  };
+  for (const bool polyhedron : {false, true}) {
+    SCOPED_TRACE(polyhedron);
+    ReadOptions options;
+    const auto refused = [&]() -> std::string {
+      try {
+        mesh_from_vtk(grid(polyhedron), options, "file");
+      } catch (const UsageError& error) {
+        return error.what();
+      }
+      return "none";
+    };
+    options.step = 1;
+    EXPECT_EQ(refused(), "step 1: file holds one step (0 expected)");
+    options.step.reset();
+    options.time = 3;
+    EXPECT_EQ(refused(), "time 3: file holds another time (2.5 found)");
+    options.time = 2.5;
+    const Reading reading = mesh_from_vtk(grid(polyhedron), options, "file");
+    EXPECT_EQ(reading.mesh.cell_count(), polyhedron ? 1U : 2U);
+    EXPECT_EQ(reading.mesh.node_count(), polyhedron ? 4U : 6U);
+    EXPECT_THAT(reading.mesh.metadata, ElementsAre(testing::Pair("time", "2.5")));
+  }
+}
+
+TEST(DatasetArrays, WhatADatasetHoldsIsListed) {
+  const auto grid = two_tetrahedra();
+  set_time(*grid, 2.5);
+  const auto marks = array_with<vtkUnsignedCharArray>({0, 7});
+  marks->SetName("c");
+  grid->GetCellData()->AddArray(marks);
+  const Inventory inventory = inventory_from_vtk(*grid, "file");
+  EXPECT_EQ(inventory.points, 8U);
+  EXPECT_THAT(inventory.times, ElementsAre(2.5));
+  ASSERT_EQ(inventory.cells.size(), 1U);
+  EXPECT_EQ(inventory.cells[0].kind, "Tetra");
+  EXPECT_EQ(inventory.cells[0].count, 2U);
+  ASSERT_EQ(inventory.fields.size(), 1U);
+  EXPECT_EQ(inventory.fields[0].name, "c");
+  EXPECT_EQ(inventory.fields[0].type, "unsigned char");
+  EXPECT_EQ(inventory.fields[0].high, 7);
 }
 
 TEST(DatasetArrays, TypesOfNoNodesAreWrong) {
