@@ -3,6 +3,7 @@
 #include <cgns_io.h>
 #include <cgnslib.h>
 
+#include "formats/cgns/element_types.hpp"
 #include "tests/formats/files.hpp"
 #include "tests/formats/one_cell.hpp"
 
@@ -111,6 +112,46 @@ void put_counts_inline(const std::string& path, const std::string& section,
   check(cgio_set_dimensions(file, node, "I4", 1, &size));
   check(cgio_write_all_data(file, node, numbers.data()));
   check(cgio_close_file(file));
+}
+
+/// The linear kind of an element whose name begins so; nothing for points, lines and surfaces.
+std::optional<CellKind> corners_by_name(const std::string& name) {
+  if (name.starts_with("TETRA_")) return CellKind::tetrahedron4;
+  if (name.starts_with("PYRA_")) return CellKind::pyramid5;
+  if (name.starts_with("PENTA_")) return CellKind::prism6;
+  if (name.starts_with("HEXA_")) return CellKind::brick8;
+  return std::nullopt;
+}
+
+TEST(CgnsTypes, HaveTheNamesAndNodesOfTheLibrary) {
+  EXPECT_EQ(cgns::kMixed, CGNS_ENUMV(MIXED));
+  EXPECT_EQ(cgns::kPolygons, CGNS_ENUMV(NGON_n));
+  EXPECT_EQ(cgns::kPolyhedra, CGNS_ENUMV(NFACE_n));
+  for (int number = -1; number < NofValidElementTypes + 60; ++number) {
+    const auto type = cgns::element_numbered(number);
+    const bool single = number >= CGNS_ENUMV(NODE) && number < NofValidElementTypes &&
+                        number != cgns::kMixed && number != cgns::kPolygons &&
+                        number != cgns::kPolyhedra;
+    ASSERT_EQ(type.has_value(), single) << number;
+    if (!single) continue;
+    const std::string name = ElementTypeName[number];
+    int nodes = 0;
+    check(cg_npe(static_cast<CGNS_ENUMT(ElementType_t)>(number), &nodes));
+    EXPECT_EQ(type->name, name);
+    EXPECT_EQ(type->nodes, static_cast<std::size_t>(nodes)) << name;
+    const CellConversion& conversion = type->conversion;
+    const auto corners = corners_by_name(name);
+    if (!corners) {
+      EXPECT_EQ(conversion.fate, CellFate::no_volume) << name;
+    } else if (conversion.fate == CellFate::converted) {
+      EXPECT_EQ(shape_of(conversion.kind), shape_of(*corners)) << name;
+      EXPECT_EQ(node_count(conversion.kind), type->nodes) << name;
+    } else {
+      EXPECT_EQ(conversion.fate, CellFate::unsupported) << name;
+      EXPECT_EQ(conversion.corners, corners) << name;
+      EXPECT_EQ(conversion.permutation.empty(), *corners != CellKind::prism6) << name;
+    }
+  }
 }
 
 // Two bricks side by side, told by their faces: the shared one is entered from its back.

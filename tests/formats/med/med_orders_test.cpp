@@ -7,6 +7,7 @@
 
 #include <med.h>
 
+#include "formats/med/element_types.hpp"
 #include "tests/formats/cell_volumes.hpp"
 #include "tests/formats/damage.hpp"
 #include "tests/formats/field_named.hpp"
@@ -279,6 +280,36 @@ TEST(MedOrders, PolyhedraAreToldByTheirFaces) {
   const Reading reading = read_any(path);
   EXPECT_EQ(reading.mesh.cell_count(), 2U);
   EXPECT_EQ(reading.mesh.kinds[1], CellKind::tetrahedron4);
+}
+
+// MED numbers its types by their dimension and, in the last two digits, their nodes.
+TEST(MedTypes, HaveTheNodesThatTheirNumbersTell) {
+  const std::vector<std::pair<std::string, med_geometry_type>> rows{
+      {"PO1", MED_POINT1}, {"SE2", MED_SEG2},    {"SE3", MED_SEG3},    {"SE4", MED_SEG4},
+      {"TR3", MED_TRIA3},  {"QU4", MED_QUAD4},   {"TR6", MED_TRIA6},   {"TR7", MED_TRIA7},
+      {"QU8", MED_QUAD8},  {"QU9", MED_QUAD9},   {"TE4", MED_TETRA4},  {"PY5", MED_PYRA5},
+      {"PE6", MED_PENTA6}, {"HE8", MED_HEXA8},   {"T10", MED_TETRA10}, {"O12", MED_OCTA12},
+      {"P13", MED_PYRA13}, {"P15", MED_PENTA15}, {"P18", MED_PENTA18}, {"H20", MED_HEXA20},
+      {"H27", MED_HEXA27}};
+  for (const auto& [name, number] : rows) {
+    const auto element = med::element_named(name);
+    ASSERT_TRUE(element) << name;
+    EXPECT_EQ(element->name, name);
+    EXPECT_EQ(element->nodes, static_cast<std::size_t>(number % 100)) << name;
+    const CellConversion& conversion = element->conversion;
+    EXPECT_EQ(conversion.fate == CellFate::no_volume, number / 100 < 3) << name;
+    if (conversion.fate == CellFate::converted) {
+      EXPECT_EQ(node_count(conversion.kind), element->nodes) << name;
+    }
+  }
+  const auto corners = [](const char* name) {
+    return med::element_named(name)->conversion.corners;
+  };
+  EXPECT_EQ(corners("P18"), CellKind::prism6);
+  EXPECT_EQ(corners("H27"), CellKind::brick8);
+  EXPECT_EQ(corners("O12"), std::nullopt);
+  for (const char* other : {"POG", "POE", "PG2", "TE5", ""})
+    EXPECT_FALSE(med::element_named(other)) << other;
 }
 
 }  // namespace

@@ -359,5 +359,27 @@ TEST(VtkXml, ImagesAreBricks) {
               HasSubstr("wrong WholeExtent"));
 }
 
+TEST(VtkXml, InventoriesNameTheirFormats) {
+  const ScratchFolder folder;
+  const auto inventory = [&](const std::string& name, const std::string& text) {
+    const std::string path = folder.write(name, text);
+    return format_to_read(path).inspect(path);
+  };
+  const std::string data = array("p", "0 1 2 3 4 5 6 7");
+  const Inventory unstructured = inventory("a.xml", vtu(brick_piece(0, data)));
+  EXPECT_EQ(unstructured.format, "vtu");
+  const Inventory of_image = inventory("b.xml", image("0 1 0 1 0 1", "0 1 0 1 0 1", data));
+  EXPECT_EQ(of_image.format, "vti");
+  const Inventory rectilinear = inventory("c.xml", vtr_piece(0, "0 1 0 1 0 1"));
+  EXPECT_EQ(rectilinear.format, "vtr");
+  for (const Inventory& one : {unstructured, of_image, rectilinear}) {
+    EXPECT_EQ(one.points, 8U);
+    ASSERT_EQ(one.cells.size(), 1U) << one.format;
+    EXPECT_EQ(one.cells[0].kind, "Hexahedron");
+    ASSERT_EQ(one.fields.size(), 1U) << one.format;
+    EXPECT_EQ(one.fields[0].tuples, 8U);
+  }
+}
+
 }  // namespace
 }  // namespace hiac::formats
