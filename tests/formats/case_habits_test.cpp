@@ -398,7 +398,9 @@ TEST(EnSightHabits, Version6HasNumbersInColumnsAndOneListOfNodes) {
       "c.case",
       "# 6\nFORMAT\n\ntype:   ensight\n\nGEOMETRY\nmodel: g.geo\nVARIABLE\n"
       "constant per case: Cden .8\nvector per node: v v.vec\nscalar per element: c c.scl\n");
-  const ZooMesh mesh = read_any(path).mesh;
+  const Reading reading = read_any(path);
+  EXPECT_THAT(reading.notes, Contains("left out 'constant per case: Cden .8'"));
+  const ZooMesh& mesh = reading.mesh;
   expect_unit_tetrahedron(mesh);
   EXPECT_EQ(mesh.fields.at(0).values[3 * mesh.nodes[3] + 2], -15);
   EXPECT_EQ(mesh.fields.at(1).values[0], -7.5);

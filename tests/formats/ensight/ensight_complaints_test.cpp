@@ -81,6 +81,27 @@ TEST(EnSightCaseFiles, NumbersOfFilesAreListedOrMade) {
   EXPECT_THAT(files.time_sets[0].times, ElementsAre(0.5, 1.5, 2.5));
 }
 
+TEST(EnSightCaseFiles, ListsEndWithTheNextEntry) {
+  const std::string set = kCaseHead + "TIME\ntime set: 1\nnumber of steps: 1\n";
+  const auto numbers = case_file(set + "filename numbers: 1\nnumber of steps: 1\n7 8\n");
+  EXPECT_THAT(numbers.time_sets.at(0).file_numbers, ElementsAre(1));
+  const auto times = case_file(set + "time values: 0.5\nfilename numbers: 1\n2\n");
+  EXPECT_THAT(times.time_sets.at(0).times, ElementsAre(0.5));
+  EXPECT_THAT(times.time_sets[0].file_numbers, ElementsAre(1, 2));
+}
+
+TEST(EnSightCaseFiles, NamesMayBeQuoted) {
+  const auto model = [](const std::string& name) {
+    return case_file("FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: " + name + "\n").geometry;
+  };
+  EXPECT_EQ(model("\"g.geo\""), "g.geo");
+  EXPECT_EQ(model("g.geo\""), "g.geo\"");
+  EXPECT_EQ(model("\"g.geo"), "\"g.geo");
+  EXPECT_EQ(model("\""), "\"");
+  EXPECT_EQ(case_file("FORMAT\ntype: ensight gold\nGEOMETRY\nmodel: 3 g.geo\n").geometry_time_set,
+            3);
+}
+
 TEST(EnSightCaseFiles, VariablesOfEverySort) {
   const std::vector<std::tuple<std::string, FieldLocation, std::size_t>> rows{
       {"scalar per node", FieldLocation::node, 1},
@@ -392,6 +413,8 @@ TEST(EnSightComplaints, RecordsOfFortranHaveTwoMarks) {
   expect_gold(head + raw_bytes<std::int32_t>({2}) + "12" + raw_bytes<std::int32_t>({3}), "",
               "g.geo: byte 88: " + said);
   expect_gold(head + raw_bytes<std::int32_t>({-2, 7, 7}), "", "g.geo: byte 88: " + said);
+  // the last record may be empty
+  expect_gold(head + record(""), "", "g.geo: byte 80: ended in a text");
   expect_gold(head + record("") + record(std::string(9, ' ')), "",
               "g.geo: byte 80: ended in a text");
 }

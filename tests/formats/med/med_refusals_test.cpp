@@ -351,5 +351,24 @@ TEST(MedRefusals, StepsInTheOrderOfTheirNumbers) {
   }
 }
 
+// What a file does not tell: version, kind of mesh, axes and dimension are those of most files.
+TEST(MedRefusals, AttributesMayBeMissing) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("a.med");
+  {
+    const MedFile med;
+    Hdf5Output file(path);
+    file.put(kMedStep + "/NOE/COO", med.coordinates);
+    file.put(kMedStep + "/MAI/TE4/NOD", med.nodes);
+    file.put("/CHA/f/t/NOE/" + kMedWhole + "/CO", MedReals{5, 6, 7, 8});
+    file.attribute("/CHA/f", "NCO", MedIntegers{1});
+  }
+  const Reading reading = read_any(path);
+  expect_unit_tetrahedron(reading.mesh);
+  EXPECT_EQ(field_named(reading.mesh, "f").values.size(), 4U);
+  EXPECT_EQ(field_named(reading.mesh, "f").unit, "");
+  EXPECT_THAT(format_to_read(path).inspect(path).times, testing::IsEmpty());
+}
+
 }  // namespace
 }  // namespace hiac::formats

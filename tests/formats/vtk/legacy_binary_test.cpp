@@ -188,5 +188,11 @@ TEST(LegacyBinary, TextsWithLengthsOfOneToEightBytes) {
                         at));
 }
 
+TEST(LegacyBinary, ArraysWithoutValuesNeedNoLine) {
+  EXPECT_EQ(binary_refusal(kBinaryGrid + "FIELD f 1\nn 1 0 int"), "");
+  EXPECT_THAT(binary_refusal(kBinaryGrid + "FIELD f 1\nn 1 1 int"),
+              HasSubstr("the file ends too soon (binary values expected)"));
+}
+
 }  // namespace
 }  // namespace hiac::formats

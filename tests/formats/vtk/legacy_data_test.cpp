@@ -49,6 +49,10 @@ TEST(LegacyData, AttributesAreRefusedByTheirParts) {
        {"keyword", "CELL_DATA 1\nEDGE_FLAGS e int\n1\n",
         "line 12: unexpected 'edge_flags' (SCALARS, VECTORS, FIELD, ... expected)"},
        {"edge flags of points", "POINT_DATA 4\nEDGE_FLAGS e int" + four, ""},
+       {"colours", "CELL_DATA 1\nCOLOR_SCALARS c 1\n3e38\n", ""},
+       {"colours beyond floats", "CELL_DATA 1\nCOLOR_SCALARS c 1\n1e300\n",
+        "line 13: wrong value 0 of 1 (a finite number expected, '1e300' found)"},
+       {"texts of identifiers", "CELL_DATA 1\nPEDIGREE_IDS i string\na%20b\n", ""},
        {"type", "POINT_DATA 4\nSCALARS s quad 1\n", "line 12: unknown data type 'quad'"},
        {"variants", "POINT_DATA 4\nFIELD f 1\na 1 4 variant\n",
         "line 13: data type 'variant' cannot be read here"},
@@ -369,6 +373,27 @@ TEST(LegacyData, TitlesAndCutEnds) {
   EXPECT_THAT(ends_with(" "), Not(Contains(HasSubstr("cut off"))));
   EXPECT_THAT(ends_with(""), Contains("the file does not end with a line end: its last number may "
                                       "have been cut off"));
+}
+
+TEST(LegacyData, WhatFilesHoldIsListed) {
+  const ScratchFolder folder;
+  const std::string path = folder.write(
+      "a.vtk", kTetrahedronFile + "POINT_DATA 4\nSCALARS p int\nLOOKUP_TABLE default\n1 2 3 4\n" +
+                   "SCALARS p float\nLOOKUP_TABLE default\n5 6 7 8\n");
+  const Inventory inventory = format_to_read(path).inspect(path);
+  EXPECT_EQ(inventory.format, "vtk");
+  EXPECT_EQ(inventory.points, 4U);
+  ASSERT_EQ(inventory.fields.size(), 1U);
+  EXPECT_EQ(inventory.fields[0].type, "float");
+  EXPECT_EQ(inventory.fields[0].low, 5);
+  EXPECT_THAT(inventory.notes, Contains("several arrays have the name 'p': the last is read"));
+}
+
+TEST(LegacyData, ArraysWithoutValuesNeedNoLine) {
+  expect_data_rows({{"numbers", "FIELD f 1\nn 1 0 int", ""},
+                    {"texts", "FIELD f 1\nt 1 0 string", ""},
+                    {"texts that lack", "FIELD f 1\nt 1 1 string",
+                     "line 12: the file ends too soon (1 texts expected)"}});
 }
 
 }  // namespace

@@ -26,6 +26,7 @@
 #include <vtkRectilinearGrid.h>
 #include <vtkStringArray.h>
 #include <vtkStructuredGrid.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include "formats/vtk/reading_process.hpp"
@@ -156,6 +157,31 @@ TEST(PackedDataset, UnstructuredGridsArriveWhole) {
   }
   const auto empty = vtkSmartPointer<vtkUnstructuredGrid>::New();
   expect_same(*empty, *passed_on(*empty));
+}
+
+// From a mebibyte on arrays are mapped, smaller ones copied.
+TEST(PackedDataset, ArraysOnBothSidesOfTheLimit) {
+  constexpr vtkIdType kMebibyte = 1 << 20;
+  for (const vtkIdType bytes : {kMebibyte - 1, kMebibyte, kMebibyte + 1}) {
+    const auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetDimensions(2, 2, 2);
+    auto large = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    large->SetName("large");
+    large->SetNumberOfValues(bytes);
+    for (vtkIdType i = 0; i < bytes; ++i)
+      large->SetValue(i, static_cast<unsigned char>(i * 7 + i / 251));
+    image->GetFieldData()->AddArray(large);
+    image->GetFieldData()->AddArray(array<vtkIntArray>("behind", 1, 3, 5));
+    const auto found = passed_on(*image);
+    vtkFieldData* const data = found->GetFieldData();
+    ASSERT_EQ(data->GetNumberOfArrays(), 2);
+    auto* const same = vtkUnsignedCharArray::SafeDownCast(data->GetArray("large"));
+    ASSERT_NE(same, nullptr);
+    ASSERT_EQ(same->GetNumberOfValues(), bytes);
+    EXPECT_EQ(
+        std::memcmp(same->GetPointer(0), large->GetPointer(0), static_cast<std::size_t>(bytes)), 0);
+    EXPECT_EQ(data->GetArray("behind")->GetComponent(2, 0), 10);
+  }
 }
 
 TEST(PackedDataset, StructuredDatasetsArriveWhole) {

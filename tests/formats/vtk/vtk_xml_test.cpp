@@ -98,6 +98,7 @@ TEST(VtkXml, ParallelStructuredFilesAreReadThroughTheirPieces) {
   const ZooMesh mesh = read_any(path).mesh;
   EXPECT_EQ(mesh.node_count(), 12U);
   EXPECT_EQ(mesh.cell_count(), 2U);
+  EXPECT_THAT(mesh.metadata, Contains(testing::Pair("source", "run.pvtr")));
   for (NodeId node = 0; node < 12; ++node)
     EXPECT_EQ(mesh.fields[0].values[node], mesh.position(node)[0]);
   EXPECT_EQ(format_to_read(path).inspect(path).format, "pvtr");
@@ -342,6 +343,7 @@ TEST(VtkXml, ImagesAreBricks) {
   const ZooMesh mesh =
       read_any(folder.write("i.vti", image("0 1 0 1 0 1", "0 1 0 1 0 1", data))).mesh;
   EXPECT_EQ(mesh.cell_count(), 1U);
+  EXPECT_THAT(mesh.metadata, Contains(testing::Pair("source", "i.vti")));
   EXPECT_EQ(mesh.position(7)[0], 1.5);
   EXPECT_EQ(mesh.position(7)[2], 5);
   EXPECT_THAT(refusal(folder.write("i.vti", image("0 2 0 1 0 1", "0 1 0 1 0 1", data))),

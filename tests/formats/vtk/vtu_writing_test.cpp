@@ -61,6 +61,20 @@ TEST(VtuWriting, EverythingComesBackBitForBit) {
   EXPECT_EQ(back.fields[0].unit, "m/s");
 }
 
+// Only a number, and all of the text, is the time; a number of another name is none.
+TEST(VtuWriting, MetadataThatLookLikeTimes) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("a.vtu");
+  ZooMesh mesh = mesh_of({CellKind::tetrahedron4});
+  for (const char* text : {"soon", "0.5 s", "0.5"}) {
+    mesh.metadata = {{"source", "a.vtu"}, {"revision", "7"}, {"time", text}};
+    vtu().write(path, mesh);
+    EXPECT_THAT(read_any(path).mesh.metadata, testing::UnorderedElementsAreArray(mesh.metadata));
+    const std::size_t times = std::string(text) == "0.5" ? 1 : 0;
+    EXPECT_EQ(vtu().inspect(path).times.size(), times) << text;
+  }
+}
+
 TEST(VtuWriting, KindsThatVtuLacksAreRefusedByName) {
   const ScratchFolder folder;
   for (const CellKind kind :
@@ -165,6 +179,22 @@ TEST(VtkHdfWriting, WhatCannotBeHeldIsToldOrRefused) {
   EXPECT_THROW(vtkhdf()->write(folder.file("b.vtkhdf"), mesh_of({CellKind::brick32})), InputError);
   EXPECT_FALSE(std::filesystem::exists(folder.file("b.vtkhdf")));
   EXPECT_THROW(vtkhdf()->write(folder.file("no/a.vtkhdf"), mesh), InputError);
+}
+
+TEST(VtkHdfWriting, MetadataThatLookLikeTimes) {
+  if (vtkhdf() == nullptr) GTEST_SKIP() << "this build has no HDF5";
+  const ScratchFolder folder;
+  const std::string path = folder.file("a.vtkhdf");
+  ZooMesh mesh = mesh_of({CellKind::tetrahedron4});
+  mesh.fields.clear();
+  for (const char* text : {"soon", "0.5 s", "0.5"}) {
+    mesh.metadata = {{"source", "a.vtkhdf"}, {"revision", "7"}, {"time", text}};
+    const bool timed = std::string(text) == "0.5";
+    std::vector<std::string> left_out{"metadata 'revision' is left out"};
+    if (!timed) left_out.emplace_back("metadata 'time' is left out");
+    EXPECT_EQ(vtkhdf()->write(path, mesh), left_out) << text;
+    EXPECT_EQ(vtkhdf()->inspect(path).times.size(), timed ? 1U : 0U) << text;
+  }
 }
 
 }  // namespace

@@ -99,6 +99,19 @@ TEST_F(XmlLists, FieldsOfSomeStepsAreToldInTheInventory) {
   EXPECT_THAT(inventory.notes, Contains(testing::AllOf(HasSubstr("q"), HasSubstr("1 of 3 steps"))));
 }
 
+TEST_F(XmlLists, BytesOfAppendedDataAreNoFields) {
+  std::string text = listed_tetrahedron(0, "p", 7);
+  const std::size_t end = text.find("</VTKFile>");
+  static_cast<void>(folder_.write(
+      "raw.vtu", text.insert(end,
+                             "<AppendedData encoding=\"raw\">_<CellData><D Name=\"z\"/>"
+                             "</CellData></AppendedData>")));
+  const std::string path =
+      folder_.write("a.pvd", collection_of("<DataSet timestep=\"1\" file=\"raw.vtu\"/>"
+                                           "<DataSet timestep=\"2\" file=\"t1.vtu\"/>"));
+  EXPECT_THAT(format_to_read(path).inspect(path).notes, testing::IsEmpty());
+}
+
 std::string tree_of(const std::string& type, const std::string& blocks) {
   return fmt::format("<VTKFile type=\"{0}\"><{0}>{1}</{0}></VTKFile>", type, blocks);
 }

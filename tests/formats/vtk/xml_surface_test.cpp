@@ -131,6 +131,31 @@ TEST(XmlSurface, WhatIsNoSurfaceIsRefused) {
   EXPECT_THAT(complaint(ghosts), HasSubstr("ghost cells"));
 }
 
+// Without a step that is asked for, the last one counts.
+TEST(XmlSurface, OfSeveralStepsTheLastIsRead) {
+  const ScratchFolder folder;
+  const auto polys = [](const std::string& mark, const std::string& connectivity) {
+    return "<DataArray" + mark + " type=\"Int64\" Name=\"connectivity\" format=\"ascii\">" +
+           connectivity + "</DataArray>";
+  };
+  const auto surface = [&](const std::string& times, const std::string& arrays) {
+    std::string text = file(
+        "PolyData",
+        poly_data("NumberOfPolys=\"1\"",
+                  "<Polys>" + arrays +
+                      "<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">3</DataArray>"
+                      "</Polys>"));
+    const std::size_t at = text.find("<PolyData>") + 9;
+    return read_xml_surface(
+        folder.write("a.vtp", text.insert(at, " TimeValues=\"" + times + "\"")));
+  };
+  const XmlSurface last =
+      surface("1 2.5", polys(" TimeStep=\"0\"", "0 1 2") + polys(" TimeStep=\"1\"", "3 1 2"));
+  EXPECT_THAT(last.polygons, ElementsAre(ElementsAre(3, 1, 2)));
+  EXPECT_THAT(last.notes, ElementsAre(HasSubstr("the last of 2 steps, time 2.5")));
+  EXPECT_TRUE(surface("1", polys(" TimeStep=\"0\"", "0 1 2")).notes.empty());
+}
+
 TEST(XmlSurface, CellsThatCannotHaveSoManyPoints) {
   const ScratchFolder folder;
   const auto said = [&](int type, int count) -> std::string {

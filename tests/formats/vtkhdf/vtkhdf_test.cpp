@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "formats/hdf5/hdf5_file.hpp"
 #include "tests/formats/cell_volumes.hpp"
 #include "tests/formats/field_named.hpp"
 #include "tests/formats/files.hpp"
@@ -239,6 +240,77 @@ TEST(VtkHdf, WhatDoesNotFitIsRefused) {
   EXPECT_NE(refusal(path), "");
   write({0, 4}, {0, 1, 2, -1});
   EXPECT_NE(refusal(path), "");
+}
+
+// As "VTKHDF" of "VTK File Formats" describes a file of one part: version 1 has no steps.
+TEST(VtkHdf, WrittenFilesHaveTheListsOfTheirVersion) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("a.vtkhdf");
+  for (const bool timed : {false, true}) {
+    ZooMesh mesh;
+    mesh.kinds = std::vector{CellKind::tetrahedron4, CellKind::pyramid5};
+    mesh.elems = std::vector<std::uint64_t>{0, 4, 9};
+    mesh.nodes = std::vector<NodeId>{0, 1, 2, 3, 4, 5, 6, 7, 8};
+    Reals xyz{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+    xyz.insert(xyz.end(), {5, 0, 0, 6, 0, 0, 6, 1, 0, 5, 1, 0, 5, 0, 1});
+    mesh.xyz = Reals(xyz);
+    mesh.fields.push_back({"c", "", FieldLocation::cell, 1, Reals{7, 8}});
+    mesh.fields.push_back({"v", "", FieldLocation::node, 2, Reals(18, 0.5)});
+    mesh.metadata = {{"remark", "none"}};
+    if (timed) mesh.metadata.emplace_back("time", "0.25");
+    EXPECT_THAT(format_named("vtkhdf").write(path, mesh),
+                ElementsAre("metadata 'remark' is left out"));
+    const hdf5::File file(path);
+    EXPECT_THAT(file.real_attribute("/VTKHDF", "Version"), ElementsAre(timed ? 2 : 1, 0));
+    EXPECT_EQ(file.text_attribute("/VTKHDF", "Type"), "UnstructuredGrid");
+    const auto integers = [&](const std::string& name) { return file.integers("/VTKHDF/" + name); };
+    EXPECT_THAT(integers("NumberOfPoints"), ElementsAre(9));
+    EXPECT_THAT(integers("NumberOfCells"), ElementsAre(2));
+    EXPECT_THAT(integers("NumberOfConnectivityIds"), ElementsAre(9));
+    EXPECT_THAT(integers("Types"), ElementsAre(10, 14));
+    EXPECT_EQ(file.info("/VTKHDF/Types").type, "uint8");
+    EXPECT_THAT(integers("Offsets"), ElementsAre(0, 4, 9));
+    EXPECT_THAT(integers("Connectivity"), ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8));
+    EXPECT_EQ(file.reals("/VTKHDF/Points"), xyz);
+    EXPECT_THAT(file.info("/VTKHDF/Points").shape, ElementsAre(9, 3));
+    EXPECT_THAT(file.info("/VTKHDF/PointData/v").shape, ElementsAre(9, 2));
+    EXPECT_THAT(file.info("/VTKHDF/CellData/c").shape, ElementsAre(2));
+    EXPECT_EQ(file.is_group("/VTKHDF/Steps"), timed);
+    if (!timed) continue;
+    EXPECT_EQ(file.integer_attribute("/VTKHDF/Steps", "NSteps"), 1);
+    EXPECT_THAT(file.reals("/VTKHDF/Steps/Values"), ElementsAre(0.25));
+    EXPECT_THAT(integers("Steps/NumberOfParts"), ElementsAre(1));
+    for (const char* list : {"PartOffsets", "PointOffsets", "CellOffsets", "ConnectivityIdOffsets",
+                             "PointDataOffsets/v", "CellDataOffsets/c"})
+      EXPECT_THAT(integers(std::string("Steps/") + list), ElementsAre(0)) << list;
+    // these have a column a topology
+    EXPECT_THAT(file.info("/VTKHDF/Steps/CellOffsets").shape, ElementsAre(1, 1));
+    EXPECT_THAT(file.info("/VTKHDF/Steps/ConnectivityIdOffsets").shape, ElementsAre(1, 1));
+  }
+}
+
+TEST(VtkHdf, TypesOfFieldsAreListed) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("a.vtkhdf");
+  {
+    Hdf5Output file(path);
+    begin(file, "UnstructuredGrid");
+    file.put("/VTKHDF/NumberOfPoints", Integers{4});
+    file.put("/VTKHDF/NumberOfCells", Integers{1});
+    file.put("/VTKHDF/NumberOfConnectivityIds", Integers{4});
+    file.put("/VTKHDF/Points", Reals{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, {4, 3});
+    file.put("/VTKHDF/Types", std::vector<std::uint8_t>{10});
+    file.put("/VTKHDF/Offsets", Integers{0, 4});
+    file.put("/VTKHDF/Connectivity", Integers{0, 1, 2, 3});
+    file.put("/VTKHDF/PointData/a", std::vector<float>{1, 2, 3, 4});
+    file.put("/VTKHDF/PointData/b", Reals{1, 2, 3, 4});
+    file.put("/VTKHDF/CellData/c", Integers{1});
+    file.put("/VTKHDF/CellData/d", std::vector<std::uint8_t>{1});
+  }
+  std::vector<std::string> types;
+  for (const FieldSummary& field : format_to_read(path).inspect(path).fields)
+    types.push_back(field.name + " " + field.type);
+  EXPECT_THAT(types, ElementsAre("a float32", "b float64", "c int64", "d uint8"));
 }
 
 }  // namespace

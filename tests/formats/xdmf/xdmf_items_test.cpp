@@ -120,6 +120,30 @@ TEST(XdmfItems, TextsAreNumbers) {
   expect_item(xdmf_item("4", "a.h5", " Format=\"h5\""), "'a.h5' names no FILE:/DATASET");
 }
 
+// Without a type, numbers are floats of four bytes; the older name of the type is DataType.
+TEST(XdmfItems, TypesOfNumbersAreListed) {
+  const std::vector<std::pair<std::string, std::string>> rows{
+      {"", "float"},
+      {" Precision=\"8\"", "double"},
+      {" NumberType=\"float\" Precision=\"4\"", "float"},
+      {" NumberType=\"Char\" Precision=\"8\"", "int8"},
+      {" NumberType=\"UChar\"", "uint8"},
+      {" NumberType=\"Int\"", "int32"},
+      {" NumberType=\"UInt\" Precision=\"8\"", "uint64"},
+      {" DataType=\"Int\" Precision=\"2\"", "int16"},
+      {" NumberType=\"UInt\" DataType=\"Float\"", "uint32"}};
+  const ScratchFolder folder;
+  for (const auto& [attributes, type] : rows) {
+    const std::string path =
+        folder.write("a.xmf", with_item(xdmf_item("4", "1 2 3 4", attributes)));
+    const Inventory inventory = format_named("xdmf").inspect(path);
+    ASSERT_EQ(inventory.fields.size(), 1U);
+    EXPECT_EQ(inventory.fields[0].type, type) << attributes;
+    EXPECT_EQ(inventory.fields[0].location, "node");
+    EXPECT_EQ(inventory.fields[0].tuples, 4U);
+  }
+}
+
 TEST(XdmfItems, BinaryFilesHaveNumbersOfEveryType) {
   const auto read = [](const std::string& bytes, const std::string& attributes) {
     const ScratchFolder folder;
