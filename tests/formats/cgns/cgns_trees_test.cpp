@@ -288,6 +288,8 @@ std::string polyhedron_refusal(const TreeIntegers& faces, const TreeIntegers& fa
 TEST(CgnsTrees, FacesOfPolyhedra) {
   const TreeIntegers starts{0, 3, 6, 9, 12};
   EXPECT_EQ(polyhedron_refusal(kTreeFaces, starts, {1, -2, 3, -4}, {0, 4}), "");
+  // no cell uses the last face, which has no nodes
+  EXPECT_EQ(polyhedron_refusal(kTreeFaces, {0, 3, 6, 9, 12, 12}, {1, 2, 3, 4}, {0, 4}), "");
   EXPECT_EQ(polyhedron_refusal(kTreeFaces, {0, 3, 2, 9, 12}, {1, 2, 3, 4}, {0, 4}),
             "DataArray_t 'ElementStartOffset': does not rise");
   EXPECT_EQ(polyhedron_refusal(kTreeFaces, {0, 3, 6, 9, 13}, {1, 2, 3, 4}, {0, 4}),

@@ -243,6 +243,30 @@ TEST(CgnsZones, SolutionsOfStepsAreThoseThatThePointersName) {
   }
 }
 
+TEST(CgnsZones, LinksLeadToFilesOfTheFolder) {
+  const ScratchFolder outside;
+  const ScratchFolder folder;
+  const auto write = [](const std::string& path, const std::string& linked) {
+    CgnsFileInMaking file(path, CG_FILE_ADF);
+    file.zone_of("zone", {5, 2, 0}, CGNS_ENUMV(Unstructured));
+    if (linked.empty()) {
+      file.points(kTwo);
+    } else {
+      check(cg_goto(file.file, file.base, "Zone_t", file.zone, "end"));
+      check(cg_link_write("GridCoordinates", linked.c_str(), "/base/zone/GridCoordinates"));
+    }
+    file.section("cells", CGNS_ENUMV(TETRA_4), 1, 2, {1, 2, 3, 4, 2, 3, 4, 5});
+  };
+  write(folder.file("points.cgns"), "");
+  write(outside.file("points.cgns"), "");
+  const std::string path = folder.file("a.cgns");
+  write(path, folder.file("points.cgns"));
+  EXPECT_NEAR(volume_of(read_any(path).mesh), 1.0 / 6 + 1.0 / 3, 1e-15);
+  std::filesystem::remove(path);
+  write(path, outside.file("points.cgns"));
+  EXPECT_THAT(refusal(path), HasSubstr("outside the input's folder"));
+}
+
 TEST(CgnsZones, DamagedFilesAreRefusedOrValid) {
   const ScratchFolder folder;
   for (const int sort : {CG_FILE_HDF5, CG_FILE_ADF}) {

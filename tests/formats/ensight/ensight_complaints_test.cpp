@@ -88,6 +88,11 @@ TEST(EnSightCaseFiles, ListsEndWithTheNextEntry) {
   const auto times = case_file(set + "time values: 0.5\nfilename numbers: 1\n2\n");
   EXPECT_THAT(times.time_sets.at(0).times, ElementsAre(0.5));
   EXPECT_THAT(times.time_sets[0].file_numbers, ElementsAre(1, 2));
+  for (const char* list : {"time values: 1\n", "filename numbers: 1\n"}) {
+    const auto ended = case_file(set + list + "VARIABLE\n2 3\n");
+    EXPECT_LE(ended.time_sets.at(0).times.size(), 1U);
+    EXPECT_LE(ended.time_sets[0].file_numbers.size(), 1U);
+  }
 }
 
 TEST(EnSightCaseFiles, NamesMayBeQuoted) {
@@ -206,6 +211,8 @@ TEST(EnSightComplaints, GeometriesHavePartsOfElements) {
   expect_gold(kGeoHead + "part\n65536\n", "",
               "g.geo:6: the number of a part expected (65536 found)");
   expect_gold(kGeoHead + "part\n65535\n" + kGeoPart.substr(7) + "tetra4\n1\n1 2 3 4\n", "", "");
+  // no elements of a type
+  expect_gold(kGeoHead + kGeoPart + "tria3\n0\ntetra4\n1\n1 2 3 4\n", "", "");
   expect_gold(kGeo + "tetra5\n1\n1 2 3 4\n", "",
               "g.geo:25: an element's name expected ('tetra5' found)");
   expect_gold(kGeoHead + kGeoPart + "tetra4\n9\n1 2 3 4\n", "",
@@ -277,6 +284,7 @@ TEST(EnSightComplaints, PartialValuesHavePlacesInThePart) {
   expect_gold(kGeo, partial("4"), "");
   expect_gold(kGeo, partial("5"), "p.var:7: a place of partial values (1 to 4 expected, 5 found)");
   expect_gold(kGeo, partial("0"), "p.var:7: a place of partial values (1 to 4 expected, 0 found)");
+  expect_gold(kGeo, "p\npart\n1\ncoordinates partial\n0\npart\n1\ncoordinates\n1\n2\n3\n4\n", "");
   expect_gold(kGeo, "p\npart\n1\ntetra4 partial\n1\n2\n8.5\n",
               "p.var:6: a place of partial values (1 to 1 expected, 2 found)",
               "scalar per element");
@@ -289,6 +297,7 @@ TEST(EnSightValues, UndefinedOnesAreNone) {
       folder.write("p.var", "p\npart\n1\ncoordinates undef\n-1e9\n5\n-1e9\n7\n-1e8\n"));
   const std::string path =
       folder.write("c.case", kCaseHead + "VARIABLE\nscalar per node: p p.var\n");
+  EXPECT_EQ(format_named("ensight").inspect(path).points, 4U);
   const ZooMesh mesh = read_any(path).mesh;
   const auto values = mesh.fields.at(0).values.view();
   EXPECT_EQ(values[0], 5);

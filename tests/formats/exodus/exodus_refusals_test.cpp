@@ -164,6 +164,9 @@ TEST(ExodusRefusals, FacesOfPolyhedra) {
   made.corner_counts = {3, 3, 3, 4};
   EXPECT_EQ(exodus_refusal(made.file()), "fbepecnt1: does not fit 'fbconn1' (12 numbers)");
   made = {};
+  made.corner_counts = {3, 3, 3, 3, 0};  // no cell uses the last face
+  EXPECT_EQ(exodus_refusal(made.file()), "");
+  made = {};
   made.faces = {1, 2, 3, 4, 1, 2, 3, 4};
   made.face_counts = {4, 4};
   EXPECT_EQ(exodus_refusal(made.file()), "");

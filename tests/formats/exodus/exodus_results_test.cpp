@@ -399,7 +399,7 @@ TEST(ExodusRuns, PiecesAreOneMesh) {
 
 TEST(ExodusRuns, OtherNamesAreReadAlone) {
   const ScratchFolder folder;
-  for (const char* name : {"a.2.2", "b.02.1", "c.1.0", "d.10.1", "2.0"}) {
+  for (const char* name : {"a.2.2", "b.02.1", "c.1.0", "d.10.1", "2.0", "e.2a.1b", "f.2.b"}) {
     write_run_piece(folder.file(name), false, {1, 2, 3, 4});
     EXPECT_EQ(read_any(folder.file(name)).mesh.cell_count(), 1U) << name;
   }

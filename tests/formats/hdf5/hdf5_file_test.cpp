@@ -2,6 +2,10 @@
 // and parts of arrays.
 #include "formats/hdf5/hdf5_file.hpp"
 
+#include <array>
+
+#include <hdf5.h>
+
 #include "tests/formats/files.hpp"
 #include "tests/formats/hdf5_output.hpp"
 
@@ -133,6 +137,71 @@ TEST(Hdf5Files, ThatTheLibraryCannotOpen) {
   EXPECT_EQ(complaint(path), path + ": is no whole HDF5 file (the library cannot open it)");
   const std::string none = folder.file("none.h5");
   EXPECT_EQ(complaint(none), none + ": cannot be read (No such file or directory)");
+}
+
+// What is declared has to be in the file, though packed by any filter.
+TEST(Hdf5Files, DeclareNoMoreThanTheyHold) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("a.h5");
+  const auto said = [&](hsize_t count, bool packed) -> std::string {
+    const hid_t out = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t space = H5Screate_simple(1, &count, nullptr);
+    const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+    if (packed) {
+      EXPECT_GE(H5Pset_chunk(properties, 1, &count), 0);
+      EXPECT_GE(H5Pset_deflate(properties, 9), 0);
+    }
+    const hid_t set =
+        H5Dcreate2(out, "/x", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, properties, H5P_DEFAULT);
+    // without values, nothing is stored
+    if (packed) {
+      const std::vector<double> zeros(count, 0);
+      EXPECT_GE(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, zeros.data()), 0);
+    }
+    H5Dclose(set);
+    H5Pclose(properties);
+    H5Sclose(space);
+    H5Fclose(out);
+    try {
+      const File file(path);
+      EXPECT_EQ(file.reals("/x").size(), count);
+    } catch (const InputError& error) {
+      return std::string(error.what()).substr(path.size() + 2);
+    }
+    return "none";
+  };
+  EXPECT_EQ(said(100'000, true), "none");
+  EXPECT_EQ(said(100'000, false), "/x: declares 800000 bytes where the file holds 0");
+  EXPECT_EQ(said(1, false), "none");
+}
+
+TEST(Hdf5Files, TextsOfVariableLength) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("a.h5");
+  {
+    const hid_t out = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    for (const auto& [name, set] : {std::pair{"ascii", H5T_CSET_ASCII}, {"utf8", H5T_CSET_UTF8}}) {
+      const hid_t type = H5Tcopy(H5T_C_S1);
+      EXPECT_GE(H5Tset_size(type, H5T_VARIABLE), 0);
+      EXPECT_GE(H5Tset_cset(type, set), 0);
+      for (const hsize_t count : {1, 2}) {
+        const hid_t space = H5Screate_simple(1, &count, nullptr);
+        const std::string attribute = name + std::to_string(count);
+        const hid_t id = H5Acreate2(out, attribute.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT);
+        const std::array<const char*, 2> texts{"some words  ", "more"};
+        EXPECT_GE(H5Awrite(id, type, texts.data()), 0);
+        H5Aclose(id);
+        H5Sclose(space);
+      }
+      H5Tclose(type);
+    }
+    H5Fclose(out);
+  }
+  const File file(path);
+  for (const std::string name : {"ascii", "utf8"}) {
+    EXPECT_EQ(file.text_attribute("/", name + "1"), "some words") << name;
+    EXPECT_EQ(file.text_attribute("/", name + "2"), std::nullopt) << name;
+  }
 }
 
 }  // namespace

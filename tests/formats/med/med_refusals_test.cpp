@@ -152,6 +152,8 @@ TEST(MedRefusals, FacesOfPolyhedraThatDoNotFit) {
   EXPECT_EQ(polyhedra({1, 5}, {0, 4, 7, 10, 13}), group + "0 to 4 of 13)");
   EXPECT_EQ(polyhedra({1, 5}, {1, 4, 3, 10, 13}), group + "4 to 3 of 13)");
   EXPECT_EQ(polyhedra({1}, {1}), "");
+  // a face without nodes fits the lists
+  EXPECT_THAT(polyhedra({1, 6}, {1, 4, 7, 10, 13, 13}), testing::Not(HasSubstr("fit itself")));
 }
 
 /// A field's group with its number of components.

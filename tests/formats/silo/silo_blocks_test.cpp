@@ -228,5 +228,21 @@ TEST(SiloBlocks, MeshesOfOtherDimensionsAreLeftOut) {
   EXPECT_THAT(reading.notes, Contains("left out 'plane', a mesh of 2 dimensions"));
 }
 
+TEST(SiloBlocks, TimesOfStructuredMeshesAreTold) {
+  const ZooMesh mesh = block_reading([](DBfile* file) {
+                         std::array<double, 2> axis{0, 1};
+                         const std::array<double*, 3> axes{axis.data(), axis.data(), axis.data()};
+                         const std::array<int, 3> dimensions{2, 2, 2};
+                         double time = 0.25;
+                         DBoptlist* options = DBMakeOptlist(1);
+                         DBAddOption(options, DBOPT_DTIME, &time);
+                         DBPutQuadmesh(file, "mesh", nullptr, axes.data(), dimensions.data(), 3,
+                                       DB_DOUBLE, DB_COLLINEAR, options);
+                         DBFreeOptlist(options);
+                       }).mesh;
+  EXPECT_EQ(mesh.cell_count(), 1U);
+  EXPECT_THAT(mesh.metadata, testing::Contains(testing::Pair("time", "0.25")));
+}
+
 }  // namespace
 }  // namespace hiac::formats

@@ -194,5 +194,33 @@ TEST(LegacyBinary, ArraysWithoutValuesNeedNoLine) {
               HasSubstr("the file ends too soon (binary values expected)"));
 }
 
+// Of every kind of data a dataset may have several.
+TEST(LegacyData, SeveralArraysOfEveryKindAreRead) {
+  const std::string grid =
+      "# vtk DataFile Version 4.2\nt\nASCII\nDATASET UNSTRUCTURED_GRID\n"
+      "POINTS 4 double\n0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n";
+  std::string data = "CELL_DATA 1\n";
+  std::vector<std::string> names;
+  for (const char* kind : {"SCALARS {} float\nLOOKUP_TABLE default\n", "VECTORS {} float\n",
+                           "NORMALS {} float\n", "TENSORS {} float\n", "COLOR_SCALARS {} 2\n",
+                           "TEXTURE_COORDINATES {} 2 float\n", "FIELD more 1\n{} 3 1 float\n"})
+    for (int copy = 0; copy < 2; ++copy) {
+      const std::string head(kind);
+      names.push_back(fmt::format("a{}", names.size()));
+      const std::size_t values = head.starts_with("SCALARS")                                ? 1
+                                 : head.starts_with("TENSORS")                              ? 9
+                                 : head.starts_with("COLOR") || head.starts_with("TEXTURE") ? 2
+                                                                                            : 3;
+      data += fmt::format(fmt::runtime(head), names.back());
+      for (std::size_t i = 0; i < values; ++i) data += "1 ";
+      data += "\n";
+    }
+  const ScratchFolder folder;
+  const ZooMesh mesh = read_any(folder.write("a.vtk", grid + data)).mesh;
+  std::vector<std::string> found;
+  for (const Field& field : mesh.fields) found.push_back(field.name);
+  EXPECT_THAT(found, testing::UnorderedElementsAreArray(names));
+}
+
 }  // namespace
 }  // namespace hiac::formats

@@ -49,6 +49,8 @@ TEST(LegacyData, AttributesAreRefusedByTheirParts) {
        {"keyword", "CELL_DATA 1\nEDGE_FLAGS e int\n1\n",
         "line 12: unexpected 'edge_flags' (SCALARS, VECTORS, FIELD, ... expected)"},
        {"edge flags of points", "POINT_DATA 4\nEDGE_FLAGS e int" + four, ""},
+       {"long type", "POINT_DATA 4\nSCALARS s " + std::string(41, 'q') + "\n",
+        "line 12: unknown data type '" + std::string(40, 'q') + "'"},
        {"colours", "CELL_DATA 1\nCOLOR_SCALARS c 1\n3e38\n", ""},
        {"colours beyond floats", "CELL_DATA 1\nCOLOR_SCALARS c 1\n1e300\n",
         "line 13: wrong value 0 of 1 (a finite number expected, '1e300' found)"},

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstring>
 #include <fstream>
+#include <span>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -31,6 +32,7 @@
 
 #include "formats/vtk/reading_process.hpp"
 #include "hiac/base/process/isolated_process.hpp"
+#include "hiac/base/process/pack.hpp"
 #include "tests/formats/files.hpp"
 
 namespace hiac::formats::vtk {
@@ -265,6 +267,41 @@ TEST(ReadingProcess, VtkReadsThere) {
     EXPECT_THAT(error.what(), testing::HasSubstr("a.vtk: VTK breaks down on it (a damaged file; "
                                                  "signal 11)"));
   }
+}
+
+TEST(ReadingProcess, StepsThatAnotherProcessMadeUpAreRefused) {
+  const auto opened = [](std::uint64_t step, const std::vector<double>& times,
+                         const std::vector<std::size_t>& of_field) -> std::string {
+    const auto memory = std::make_shared<SharedMemory>();
+    PackWriter out(memory->descriptor());
+    out.number(1);
+    out.array(std::span<const double>(times));
+    out.number(step);
+    out.number(1);
+    out.text("p");
+    out.array(std::span<const std::size_t>(of_field));
+    out.number(1);
+    out.text("a note");
+    const PackedAnswer answer(memory, 0, out.end());
+    PackReader in(answer.bytes(), "file");
+    try {
+      const OpenedXml found = unpack_opened(in);
+      EXPECT_EQ(found.pieces, 1U);
+      EXPECT_EQ(found.times, times);
+      EXPECT_EQ(found.step, step);
+      EXPECT_EQ(found.field_steps.at("p").size(), of_field.size());
+      EXPECT_THAT(found.notes, testing::ElementsAre("a note"));
+    } catch (const InputError&) {
+      return "refused";
+    }
+    return "read";
+  };
+  EXPECT_EQ(opened(0, {}, {}), "read");
+  EXPECT_EQ(opened(1, {0.5, 2}, {0, 1}), "read");
+  EXPECT_EQ(opened(2, {0.5, 2}, {0}), "refused");
+  EXPECT_EQ(opened(3, {0.5, 2}, {0}), "refused");
+  EXPECT_EQ(opened(0, {0.5, 2}, {2}), "refused");
+  EXPECT_EQ(opened(0, {}, {0}), "refused");
 }
 
 TEST(ReadingProcess, IsNewWhenNobodyHoldsIt) {

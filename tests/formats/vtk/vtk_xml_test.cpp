@@ -274,6 +274,20 @@ TEST(VtkXml, TextArraysOnPointsAreLeftOut) {
   const Reading reading =
       read_any(folder.write("s.vtu", vtu(brick_piece(0, texts + array("p", "0 1 2 3 4 5 6 7")))));
   EXPECT_EQ(reading.mesh.fields.size(), 1U);
+  const std::string of_cell = "<Array type=\"String\" Name=\"label\" format=\"ascii\">65 0</Array>";
+  const Reading cells =
+      read_any(folder.write("c.vtu", vtu(brick_piece(0, "", of_cell + array("c", "3")))));
+  ASSERT_EQ(cells.mesh.fields.size(), 1U);
+  EXPECT_EQ(cells.mesh.fields[0].values[0], 3);
+  for (const Reading* one : {&reading, &cells})
+    EXPECT_THAT(one->notes, testing::Not(Contains(HasSubstr("label"))));
+}
+
+TEST(VtkXml, WarningsOfVtkAreNotes) {
+  const ScratchFolder folder;
+  std::string text = vtu(brick_piece(0));
+  text.replace(text.find("version=\"1.0\" "), 14, "version=\"9.0\" ");
+  EXPECT_THAT(read_any(folder.write("a.vtu", text)).notes, Contains(HasSubstr("9.0")));
 }
 
 struct Malformed {

@@ -59,6 +59,9 @@ TEST(VtuWriting, EverythingComesBackBitForBit) {
   EXPECT_EQ(content_hash(back), content_hash(mesh));
   EXPECT_EQ(back.metadata, mesh.metadata);
   EXPECT_EQ(back.fields[0].unit, "m/s");
+  const std::string text = text_of(path);
+  EXPECT_THAT(text, HasSubstr("header_type=\"UInt64\""));
+  EXPECT_THAT(text, HasSubstr("<AppendedData encoding=\"raw\">"));
 }
 
 // Only a number, and all of the text, is the time; a number of another name is none.

@@ -217,11 +217,21 @@ TEST(XdmfComplaints, StructuredMeshesHaveThreeDimensions) {
   expect_xdmf(xdmf_lattice("3DRectMesh", d222, axis + axis + axis, values), "Topology", "");
   expect_xdmf(xdmf_lattice("3DRectMesh", d222, axis + axis + long_axis, values), "Geometry",
               "Geometry: has 3 places along an axis (2 expected)");
+  // a field on the one cell is as large as the mesh
+  expect_xdmf(
+      XdmfGrid{.topology = "<Topology TopologyType=\"3DRectMesh\" " + d222 + "/>",
+               .geometry = "<Geometry>" + axis + axis + axis + "</Geometry>",
+               .attribute = "<Attribute Center=\"Cell\">" + xdmf_item("1", "7") + "</Attribute>"}
+          .text(),
+      "Topology", "");
   expect_xdmf(xdmf_lattice("3DRectMesh", d222, axis + axis + axis, ""), "Topology",
               "Topology: has no attribute over its points or cells");
   const std::string origin = xdmf_item("3", "0 0 0");
   expect_xdmf(xdmf_lattice("3DCoRectMesh", d222, origin + origin.substr(0), values), "Topology",
               "");
+  expect_xdmf_file(
+      xdmf_lattice("3DCoRectMesh", "Dimensions=\"2 65536 65536\"", origin + origin, values),
+      "a structured block of 65536 x 65536 x 2 points is more than the file can hold");
   expect_xdmf(xdmf_lattice("3DCoRectMesh", d222, origin + axis, values), "Geometry",
               "Geometry: does not have an origin and a spacing of three numbers");
   expect_xdmf(xdmf_lattice("3DCoRectMesh", d222, axis + origin, values), "Geometry",

@@ -215,6 +215,14 @@ TEST(XdmfItems, EntitiesStandForTextsUpToTenTimesTheFile) {
   expect_xdmf_file(text(40), "its entities make it more than ten times as large");
 }
 
+TEST(XdmfItems, EntitiesWithoutAValueAreNone) {
+  const auto text = [](const std::string& declarations) {
+    return "<!DOCTYPE Xdmf [" + declarations + "]>" + with_item(xdmf_item("4", "1 2 3 &four;"));
+  };
+  expect_xdmf_file(text("<!ENTITY four \"4\">"), "");
+  expect_xdmf_file(text("<!ENTITY four><!ENTITY four \"4\">"), "");
+}
+
 TEST(XdmfTimes, MayBeFewerThanTheirGrids) {
   const ScratchFolder folder;
   const auto series = [&](const std::string& time) {
