@@ -163,7 +163,7 @@ TEST(EnSightCases, BinaryFilesOfBothByteOrders) {
 
 // ---- OpenFOAM
 
-std::string foam(const std::string& type, const std::string& body) {
+std::string foam_file_text(const std::string& type, const std::string& body) {
   return "FoamFile\n{\n    version 2.0;\n    format ascii;\n    class " + type + ";\n}\n" + body;
 }
 
@@ -175,14 +175,16 @@ void write_two_bricks(const ScratchFolder& folder) {
     for (int j = 0; j < 2; ++j)
       for (int i = 0; i < 3; ++i) points += fmt::format("({} {} {})", i, j, k);
   const std::string mesh = "constant/polyMesh/";
-  static_cast<void>(folder.write(mesh + "points", foam("vectorField", points + ")\n")));
+  static_cast<void>(folder.write(mesh + "points", foam_file_text("vectorField", points + ")\n")));
   static_cast<void>(folder.write(
       mesh + "faces",
-      foam("faceList",
-           "11(4(1 4 10 7)4(0 6 9 3)4(2 5 11 8)4(0 1 7 6)4(1 2 8 7)4(3 9 10 4)4(4 10 11 5)"
-           "4(0 3 4 1)4(1 4 5 2)4(6 7 10 9)4(7 8 11 10))\n")));
-  static_cast<void>(folder.write(mesh + "owner", foam("labelList", "11(0 0 1 0 1 0 1 0 1 0 1)\n")));
-  static_cast<void>(folder.write(mesh + "neighbour", foam("labelList", "1(1)\n")));
+      foam_file_text(
+          "faceList",
+          "11(4(1 4 10 7)4(0 6 9 3)4(2 5 11 8)4(0 1 7 6)4(1 2 8 7)4(3 9 10 4)4(4 10 11 5)"
+          "4(0 3 4 1)4(1 4 5 2)4(6 7 10 9)4(7 8 11 10))\n")));
+  static_cast<void>(
+      folder.write(mesh + "owner", foam_file_text("labelList", "11(0 0 1 0 1 0 1 0 1 0 1)\n")));
+  static_cast<void>(folder.write(mesh + "neighbour", foam_file_text("labelList", "1(1)\n")));
 }
 
 void write_field(const ScratchFolder& folder, const std::string& time, const std::string& name,
@@ -191,7 +193,7 @@ void write_field(const ScratchFolder& folder, const std::string& time, const std
   std::filesystem::create_directories(folder.file(time));
   static_cast<void>(folder.write(
       time + "/" + name,
-      foam(type, "dimensions [" + dimensions + "];\ninternalField " + values + ";\n")));
+      foam_file_text(type, "dimensions [" + dimensions + "];\ninternalField " + values + ";\n")));
 }
 
 TEST(OpenFoamCases, WhatFollowsAListOfTheMeshIsTold) {
@@ -199,7 +201,8 @@ TEST(OpenFoamCases, WhatFollowsAListOfTheMeshIsTold) {
   write_two_bricks(folder);
   const std::string path = folder.write("case.foam", "");
   const auto behind = HasSubstr("behind the end of");
-  const std::string owner = foam("labelList", "11(0 0 1 0 1 0 1 0 1 0 1)\n// ****** //\n");
+  const std::string owner =
+      foam_file_text("labelList", "11(0 0 1 0 1 0 1 0 1 0 1)\n// ****** //\n");
   static_cast<void>(folder.write("constant/polyMesh/owner", owner));
   EXPECT_THAT(read_any(path).notes, testing::Not(Contains(behind)));
   static_cast<void>(folder.write("constant/polyMesh/owner", owner + "11(0"));
@@ -354,7 +357,7 @@ const H1::Shape kPrism{6,
                        {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}}};
 
 /// A quadratic map.
-std::vector<double> bent(const Vector& p) {
+std::vector<double> bent_place(const Vector& p) {
   return {p[0] + 0.125 * p[1] * p[1], p[1] - 0.0625 * p[2] * p[0], p[2] + 0.25 * p[0] * p[1]};
 }
 /// A polynomial of degree 2 or 3.
@@ -380,7 +383,7 @@ TEST(MfemCases, CurvedTetrahedraOfOrdersTwoAndThreeShareTheirEdges) {
       std::vector<std::vector<double>> nodes;
       std::vector<std::vector<double>> values;
       for (const Vector& p : cells.places(inside, order == 3 ? 3 : 9)) {
-        nodes.push_back(bent(p));
+        nodes.push_back(bent_place(p));
         values.push_back({function_at(order, p)});
       }
       static_cast<void>(folder.write("m.gf", function_text(space, together, values)));
@@ -404,7 +407,7 @@ TEST(MfemCases, CurvedTetrahedraOfOrdersTwoAndThreeShareTheirEdges) {
             p[c] = (1 - xi[0] - xi[1] - xi[2]) * corners[cell][0][c] + xi[0] * corners[cell][1][c] +
                    xi[1] * corners[cell][2][c] + xi[2] * corners[cell][3][c];
           const auto found = mesh.position(own[n]);
-          for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c], bent(p)[c], 1e-14) << n;
+          for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c], bent_place(p)[c], 1e-14) << n;
           EXPECT_NEAR(f.values[own[n]], function_at(order, p), 1e-14) << n;
         }
       }
@@ -416,7 +419,7 @@ TEST(MfemCases, CurvedPrismsLoseTheNodesInTheirFaces) {
   const ScratchFolder folder;
   const H1 cells(kPrism, kPrismCorners, {{0, 1, 2, 3, 4, 5}});
   std::vector<std::vector<double>> nodes;
-  for (const Vector& p : cells.places({0.5}, 4)) nodes.push_back(bent(p));
+  for (const Vector& p : cells.places({0.5}, 4)) nodes.push_back(bent_place(p));
   const std::string path =
       folder.write("m.mesh", cells.elements() + "nodes\n" + function_text("H1_3D_P2", true, nodes));
   const ZooMesh mesh = read_any(path).mesh;
@@ -424,7 +427,7 @@ TEST(MfemCases, CurvedPrismsLoseTheNodesInTheirFaces) {
   ASSERT_EQ(mesh.kinds[0], CellKind::prism15);
   EXPECT_EQ(mesh.node_count(), 15U);
   for (std::size_t n = 0; n < 15; ++n) {
-    const std::vector<double> expected = bent(reference_nodes(CellKind::prism15)[n]);
+    const std::vector<double> expected = bent_place(reference_nodes(CellKind::prism15)[n]);
     const auto found = mesh.position(mesh.cell_nodes(0)[n]);
     for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c], expected[c], 1e-15) << n;
   }

@@ -31,19 +31,19 @@ TEST(AbaqusHabits, BlanksBeforeStarsAndCommentsWithinKeywords) {
           .mesh);
 }
 
-const std::string kGrids =
+const std::string kDeckGrids =
     "GRID,1,,0.,0.,0. $ c\nGRID,2,,1.,0.,0.$c\n  GRID,3,,0.,1.,0.\n"
     "GRID    4                               1.    $ c\n";
 
 TEST(NastranHabits, CommentsBlanksAndFreeContinuations) {
   const ScratchFolder folder;
-  expect_unit_tetrahedron(
-      read_any(folder.write("a.bdf", "BEGIN BULK\n" + kGrids + " CTETRA,1,1,1,2,3,4 $ c\nENDDATA"))
-          .mesh);
+  expect_unit_tetrahedron(read_any(folder.write("a.bdf", "BEGIN BULK\n" + kDeckGrids +
+                                                             " CTETRA,1,1,1,2,3,4 $ c\nENDDATA"))
+                              .mesh);
   const std::string corners =
       "GRID,5,,1.,1.,0.\nGRID,6,,1.,0.,1.\nGRID,7,,1.,1.,1.\nGRID,8,,0.,1.,1.\n";
   const ZooMesh brick =
-      read_any(folder.write("b.bdf", "BEGIN BULK\n" + kGrids + corners +
+      read_any(folder.write("b.bdf", "BEGIN BULK\n" + kDeckGrids + corners +
                                          "CIHEX1,1,1,1,2,5,3,4,6\n $ between\n ,7,8\n"))
           .mesh;
   ASSERT_EQ(brick.cell_count(), 1U);
@@ -53,7 +53,7 @@ TEST(NastranHabits, CommentsBlanksAndFreeContinuations) {
 
 TEST(NastranHabits, LongTitlesIncludesOverLinesAndReplication) {
   const ScratchFolder folder;
-  static_cast<void>(folder.write("part.inc", kGrids + "CTETRA,1,1,1,2,3,4\n"));
+  static_cast<void>(folder.write("part.inc", kDeckGrids + "CTETRA,1,1,1,2,3,4\n"));
   std::string filler;
   for (int i = 0; i < 200; ++i) filler += "$ a line of comment that is about that long\n";
   expect_unit_tetrahedron(
@@ -62,7 +62,7 @@ TEST(NastranHabits, LongTitlesIncludesOverLinesAndReplication) {
           .mesh);
   EXPECT_THAT(refusal(folder.write("b.bdf", "BEGIN BULK\nGRID,1,,0.,0.,0.\n=,*1,=,*1.\n")),
               HasSubstr("b.bdf:3: replicated entries"));
-  EXPECT_THAT(refusal(folder.write("c.bdf", "BEGIN BULK\n" + kGrids + "CIHEX2,1,1,1,2,3,4\n")),
+  EXPECT_THAT(refusal(folder.write("c.bdf", "BEGIN BULK\n" + kDeckGrids + "CIHEX2,1,1,1,2,3,4\n")),
               HasSubstr("1 CIHEX2"));
 }
 

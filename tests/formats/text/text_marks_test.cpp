@@ -16,7 +16,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 // Nodes 1 to 4 make the unit tetrahedron, 2 to 5 one over its slanted face; node 6 is of no cell.
-constexpr std::array<std::array<int, 3>, 6> kPoints{
+constexpr std::array<std::array<int, 3>, 6> kMarkedPoints{
     {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}, {7, 8, 9}}};
 constexpr double kFirst = 1.0 / 6;
 constexpr double kSecond = 1.0 / 3;
@@ -24,8 +24,8 @@ constexpr double kSecond = 1.0 / 3;
 /// The points, each in a line after its number (from 1) where the pattern has four places.
 std::string points(const char* pattern, bool numbered) {
   std::string text;
-  for (std::size_t i = 0; i < kPoints.size(); ++i) {
-    const auto& [x, y, z] = kPoints[i];
+  for (std::size_t i = 0; i < kMarkedPoints.size(); ++i) {
+    const auto& [x, y, z] = kMarkedPoints[i];
     text += numbered ? fmt::format(fmt::runtime(pattern), i + 1, x, y, z)
                      : fmt::format(fmt::runtime(pattern), x, y, z);
   }
@@ -41,7 +41,7 @@ const Field& located_field(const ZooMesh& mesh, const std::string& name, FieldLo
 }
 
 /// Both tetrahedra in the file's order and no point besides theirs.
-void expect_two_tetrahedra(const ZooMesh& mesh) {
+void expect_both_tetrahedra(const ZooMesh& mesh) {
   ASSERT_EQ(mesh.cell_count(), 2U);
   EXPECT_EQ(mesh.node_count(), 5U);
   EXPECT_EQ(mesh.kinds[0], CellKind::tetrahedron4);
@@ -54,7 +54,7 @@ void expect_marks(const std::string& path, const std::string& field, double firs
                   const std::string& block) {
   SCOPED_TRACE(path);
   const ZooMesh mesh = read_any(path).mesh;
-  expect_two_tetrahedra(mesh);
+  expect_both_tetrahedra(mesh);
   EXPECT_THAT(located_field(mesh, field, FieldLocation::cell).values.view(),
               ElementsAre(first, second));
   EXPECT_EQ(format_to_read(path).inspect(path).points, 6U);
@@ -78,8 +78,9 @@ TEST(TextMarks, MaterialsOfUcdAreAField) {
 TEST(TextMarks, ReferencesOfMeditAreFieldsOfNodesAndCells) {
   const ScratchFolder folder;
   std::string text = "MeshVersionFormatted 2\nDimension 3\nVertices\n6\n";
-  for (std::size_t i = 0; i < kPoints.size(); ++i)
-    text += fmt::format("{} {} {} {}\n", kPoints[i][0], kPoints[i][1], kPoints[i][2], 10 + i);
+  for (std::size_t i = 0; i < kMarkedPoints.size(); ++i)
+    text += fmt::format("{} {} {} {}\n", kMarkedPoints[i][0], kMarkedPoints[i][1],
+                        kMarkedPoints[i][2], 10 + i);
   const std::string path = folder.write(
       "a.mesh", text + "Triangles\n1\n1 2 3 44\nTetrahedra\n2\n1 2 3 4 5\n2 3 4 5 6\nEnd\n");
   expect_marks(path, "ref", 5, 6, "");
@@ -126,9 +127,9 @@ TEST(TextMarks, GroupsOfGambitAreMaterialsAndBoundariesMarkNodes) {
 TEST(TextMarks, AttributesOfTetgenAreReadThroughEitherFile) {
   const ScratchFolder folder;
   std::string nodes = "6 3 1 1\n";
-  for (std::size_t i = 0; i < kPoints.size(); ++i)
-    nodes += fmt::format("{} {} {} {} {} {}\n", i, kPoints[i][0], kPoints[i][1], kPoints[i][2],
-                         0.5 * double(i), i == 4 ? 1 : 0);
+  for (std::size_t i = 0; i < kMarkedPoints.size(); ++i)
+    nodes += fmt::format("{} {} {} {} {} {}\n", i, kMarkedPoints[i][0], kMarkedPoints[i][1],
+                         kMarkedPoints[i][2], 0.5 * double(i), i == 4 ? 1 : 0);
   const std::string node = folder.write("a.node", nodes);
   const std::string ele = folder.write("a.ele", "2 4 1\n0 0 1 2 3 21\n1 1 2 3 4 22\n");
   for (const std::string& path : {node, ele}) {
@@ -150,7 +151,7 @@ TEST(TextMarks, ElementSetsOfAbaqusAreBlocks) {
                    "3, 2, 3, 4, 5\n*ELSET, ELSET=Both\nEB1, EB5\n*ELSET, ELSET=Row, GENERATE\n"
                    "3, 6, 1\n");
   const Reading reading = read_any(path);
-  expect_two_tetrahedra(reading.mesh);
+  expect_both_tetrahedra(reading.mesh);
   EXPECT_THAT(reading.notes, Contains(HasSubstr("1 S3")));
   const std::vector<std::pair<std::string, std::vector<double>>> rows{
       {"EB5", {kSecond}}, {"EB1", {kFirst}}, {"Row", {kSecond}}, {"Both", {kFirst, kSecond}}};
