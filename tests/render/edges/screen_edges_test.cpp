@@ -244,12 +244,12 @@ TEST(ScreenEdges, AreInTheTilesThatTheyReach) {
 
 // What covers a pixel, by how much, and the place of the edge that is nearest to its centre.
 TEST(TileEdges, SayWhatCoversEveryPixel) {
-  constexpr double kWidth = 3;
+  constexpr double kLineWidth = 3;
   for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
     Scene scene = test::cube_scene(projection, 100, 50);
     scene.camera.eye = {1.9, 1.4, 1.7};  // near: places along an edge are far from its middle's
     scene.camera.fov = 45;
-    const EdgesView view(test::structured(1, Cut::bricks), scene, kWidth);
+    const EdgesView view(test::structured(1, Cut::bricks), scene, kLineWidth);
     std::size_t seen = 0, at_ends = 0;
     for (const TileRect& tile : view.tiles()) {
       const TileEdges edges(view.frame(), view.edges(), tile);
@@ -275,7 +275,7 @@ TEST(TileEdges, SayWhatCoversEveryPixel) {
         const auto on_screen = view.on_screen(p);
         EXPECT_NEAR(std::hypot(on_screen[0] - x, on_screen[1] - y), nearest, 1e-6);
         // half the width and half a pixel from an end
-        const double reach = (kWidth / 2 + 0.5) / length;
+        const double reach = (kLineWidth / 2 + 0.5) / length;
         if (std::abs(std::min(s, 1 - s) - reach) > 1e-6) {
           const bool is_near = std::min(s, 1 - s) < reach;
           EXPECT_EQ(place.node, is_near ? piece.ends[s < 0.5 ? 0 : 1] : kNoNode);
@@ -287,7 +287,8 @@ TEST(TileEdges, SayWhatCoversEveryPixel) {
       for (const auto& [key, p] : view.pieces())
         for (int y = tile.y0; y < tile.y1; ++y)
           for (int x = tile.x0; x < tile.x1; ++x) {
-            const double share = strip_coverage({p.x0, p.y0, p.x1, p.y1, kWidth}, x + 0.5, y + 0.5);
+            const double share =
+                strip_coverage({p.x0, p.y0, p.x1, p.y1, kLineWidth}, x + 0.5, y + 0.5);
             const auto entry = found.find({tile.index(x, y), p.edge});
             EXPECT_EQ(entry == found.end() ? 0 : entry->second, share) << x << ' ' << y;
           }
