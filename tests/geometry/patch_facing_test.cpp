@@ -1,8 +1,13 @@
 #include "hiac/geometry/patch_facing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <random>
+#include <span>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -31,33 +36,45 @@ double determinant_at(const PatchShape& shape, const Nets& nets, double u, doubl
          z[0] * (x[1] * y[2] - x[2] * y[1]);
 }
 
+using Place = std::array<double, 2>;
+
+std::vector<Place> node_places(const PatchShape& shape) {
+  const std::size_t corners = shape.corner_count(), n = shape.degree;
+  const std::array<Place, 4> square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  const std::array<Place, 4> triangle{{{0, 0}, {1, 0}, {0, 1}, {0, 0}}};
+  const auto& corner = shape.triangle ? triangle : square;
+  std::vector<Place> places(corner.begin(), corner.begin() + static_cast<int>(corners));
+  for (std::size_t edge = 0; edge < corners; ++edge)
+    for (std::size_t i = 1; i < n; ++i) {
+      const Place &from = corner[edge], &to = corner[(edge + 1) % corners];
+      const double s = static_cast<double>(i) / static_cast<double>(n);
+      places.push_back({from[0] + s * (to[0] - from[0]), from[1] + s * (to[1] - from[1])});
+    }
+  if (shape.centre) places.push_back({1.0 / 3, 1.0 / 3});
+  return places;
+}
+
+// The patch through the points that `position` gives for the places of nodes.
+template <typename Position>
+Nets nets_through(const PatchShape& shape, const Position& position) {
+  std::array<std::vector<double>, 3> nodes;
+  for (const Place& place : node_places(shape)) {
+    const std::array<double, 3> p = position(place[0], place[1]);
+    for (std::size_t c = 0; c < 3; ++c) nodes[c].push_back(p[c]);
+  }
+  Nets nets;
+  for (std::size_t c = 0; c < 3; ++c) patch_net(shape, nodes[c], nets[c]);
+  return nets;
+}
+
 // The patch (u - 0.4, v - 0.3, 1), or its mirror image, as the eye sees it, with bumps: nodes are
 // moved at random.
 Nets bumpy(const PatchShape& shape, double bumps, bool mirrored, std::mt19937& random) {
   std::uniform_real_distribution<double> number(-1, 1);
-  std::array<std::array<double, kMostPatchNodes>, 3> nodes;
-  const std::size_t corners = shape.corner_count(), n = shape.degree;
-  const std::array<std::array<double, 2>, 4> square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
-  const std::array<std::array<double, 2>, 4> triangle{{{0, 0}, {1, 0}, {0, 1}, {0, 0}}};
-  const auto& corner = shape.triangle ? triangle : square;
-  for (std::size_t k = 0; k < shape.node_count(); ++k) {
-    double u = 1.0 / 3, v = 1.0 / 3;
-    if (k < corners * n) {
-      const std::size_t edge = k < corners ? k : (k - corners) / (n - 1);
-      const std::size_t i = k < corners ? 0 : (k - corners) % (n - 1) + 1;
-      const auto &from = corner[edge], &to = corner[(edge + 1) % corners];
-      const double s = static_cast<double>(i) / static_cast<double>(n);
-      u = from[0] + s * (to[0] - from[0]);
-      v = from[1] + s * (to[1] - from[1]);
-    }
-    nodes[0][k] = (mirrored ? -1 : 1) * (u - 0.4) + bumps * number(random);
-    nodes[1][k] = v - 0.3 + bumps * number(random);
-    nodes[2][k] = 1 + bumps * number(random);
-  }
-  Nets nets;
-  for (std::size_t c = 0; c < 3; ++c)
-    patch_net(shape, std::span(nodes[c]).first(shape.node_count()), nets[c]);
-  return nets;
+  return nets_through(shape, [&](double u, double v) {
+    return std::array{(mirrored ? -1 : 1) * (u - 0.4) + bumps * number(random),
+                      v - 0.3 + bumps * number(random), 1 + bumps * number(random)};
+  });
 }
 
 struct Range {
@@ -134,6 +151,39 @@ TEST(PatchFacing, APlaneThroughTheEyeHasNoSide) {
         for (std::size_t k = 0; k < shape.control_count(); ++k) out[k] += 1e-6 * kept[k];
         EXPECT_EQ(patch_facing(shape, nets), 1) << int{shape.degree} << ' ' << c;
       }
+}
+
+// What a triangle's surface does beyond its third edge does not matter: it turns over where u + v
+// is 5/4.
+TEST(PatchFacing, OfTrianglesTheSquareBeyondDoesNotCount) {
+  for (const PatchShape& shape : kFacingShapes) {
+    if (!shape.triangle || shape.degree == 1) continue;
+    for (const double sign : {1.0, -1.0}) {
+      const Nets nets = nets_through(shape, [&](double u, double v) {
+        return std::array{sign * (u - 0.4 * (u + v) * (u + v)), v, 1.0};
+      });
+      EXPECT_LT(sign * determinant_at(shape, nets, 1, 1), 0);
+      EXPECT_EQ(patch_facing(shape, nets), sign) << int{shape.degree};
+    }
+  }
+}
+
+// (x, y, x + h), with x and y from -1/2 to 1/2, has the determinant h, a difference of products of
+// which the largest sum is 1. Rounding counts as 64 epsilon of that.
+TEST(PatchFacing, CountsRoundingOfTheLargestProducts) {
+  constexpr double kLeast = 64 * std::numeric_limits<double>::epsilon();
+  const PatchShape shape{1, false, false};
+  for (std::size_t turn = 0; turn < 3; ++turn)
+    for (const double times : {1.05, 0.95, -0.95, -1.05}) {
+      Nets nets = nets_through(shape, [&](double u, double v) {
+        return std::array{u - 0.5, v - 0.5, u - 0.5 + times * kLeast};
+      });
+      std::rotate(nets.begin(), nets.begin() + static_cast<std::ptrdiff_t>(turn), nets.end());
+      EXPECT_EQ(patch_facing(shape, nets), times > 1    ? 1
+                                           : times < -1 ? -1
+                                                        : 0)
+          << turn << ' ' << times;
+    }
 }
 
 }  // namespace

@@ -72,6 +72,8 @@ TEST(TileSummary, StatisticsAreMeansOverPixelsThatTellADepth) {
 
 TEST(Statistics, OfPicturesAreJoined) {
   RenderStatistics sum, other;
+  sum += other;  // neither has a pixel
+  EXPECT_EQ(sum.mean_optical_depth, 0);
   other.segments = 3, other.violations = 2, other.covered_pixels = 9, other.depth_pixels = 4;
   other.mean_optical_depth = 2, other.largest_optical_depth = 5, other.splatted_cells = 6;
   other.prepare_seconds = 1, other.tile_seconds = 10;
