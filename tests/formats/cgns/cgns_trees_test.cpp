@@ -1,5 +1,6 @@
 // CGNS files written node by node, so that they can lack what the library always writes: what is
 // said of it, and the nearest tree that is read.
+#include <array>
 #include <functional>
 
 #include <cgns_io.h>
@@ -331,6 +332,45 @@ TEST(CgnsTrees, LayersRoundAZone) {
   EXPECT_EQ(brick({0, 0, 0, 0, 0, 1000}, 1), "DataArray_t 'p': holds 1 values (1001 expected)");
   EXPECT_EQ(brick({0, 0, 0, 1001, 0, 0}, 1), "Rind_t 'Rind': has no sensible layers");
   EXPECT_EQ(brick({0, 0, 0, 0, -1, 0}, 1), "Rind_t 'Rind': has no sensible layers");
+}
+
+// Layers before and behind the values along every axis.
+TEST(CgnsTrees, ValuesBetweenTheLayers) {
+  for (std::size_t round = 0; round < 27; ++round) {
+    const std::array<std::size_t, 6> rind{round % 3,       (round + 1) % 3, round / 3 % 3,
+                                          (round + 2) % 3, round / 9,       round % 2};
+    const std::array<std::size_t, 3> all{2 + rind[0] + rind[1], 1 + rind[2] + rind[3],
+                                         3 + rind[4] + rind[5]};
+    const ZooMesh mesh =
+        tree_reading([&](CgnsTree& tree) {
+          const double zone =
+              tree.integers(add_base(tree), "zone", "Zone_t", {3, 2, 4, 2, 1, 3, 0, 0, 0}, {3, 3});
+          const double grid = tree.node(zone, "GridCoordinates", "GridCoordinates_t");
+          std::array<TreeReals, 3> axes;
+          for (int n = 0; n < 24; ++n) {
+            axes[0].push_back(n % 3);
+            axes[1].push_back(n / 3 % 2);
+            axes[2].push_back(n / 6);
+          }
+          tree.reals(grid, "CoordinateX", axes[0]);
+          tree.reals(grid, "CoordinateY", axes[1]);
+          tree.reals(grid, "CoordinateZ", axes[2]);
+          const double solution = tree.node(zone, "s", "FlowSolution_t");
+          tree.text(solution, "GridLocation", "GridLocation_t", "CellCenter");
+          tree.integers(solution, "Rind", "Rind_t", {rind.begin(), rind.end()});
+          TreeReals values;
+          for (std::size_t k = 0; k < all[2]; ++k)
+            for (std::size_t j = 0; j < all[1]; ++j)
+              for (std::size_t i = 0; i < all[0]; ++i)
+                values.push_back(static_cast<double>(100 * k + 10 * j + i));
+          tree.reals(solution, "p", values);
+        }).mesh;
+    std::vector<double> expected;
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t i = 0; i < 2; ++i)
+        expected.push_back(static_cast<double>(100 * (k + rind[4]) + 10 * rind[2] + i + rind[0]));
+    EXPECT_THAT(field_named(mesh, "p").values.view(), testing::ElementsAreArray(expected)) << round;
+  }
 }
 
 TEST(CgnsTrees, ValuesOfCellsByTheirNumbers) {

@@ -297,7 +297,9 @@ TEST(EnSightValues, UndefinedOnesAreNone) {
       folder.write("p.var", "p\npart\n1\ncoordinates undef\n-1e9\n5\n-1e9\n7\n-1e8\n"));
   const std::string path =
       folder.write("c.case", kCaseHead + "VARIABLE\nscalar per node: p p.var\n");
-  EXPECT_EQ(format_named("ensight").inspect(path).points, 4U);
+  const Inventory inventory = format_named("ensight").inspect(path);
+  EXPECT_EQ(inventory.points, 4U);
+  EXPECT_EQ(inventory.fields.at(0).type, "float");
   const ZooMesh mesh = read_any(path).mesh;
   const auto values = mesh.fields.at(0).values.view();
   EXPECT_EQ(values[0], 5);

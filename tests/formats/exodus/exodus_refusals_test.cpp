@@ -130,11 +130,11 @@ struct OnePolyhedron {
   std::vector<std::int32_t> faces{1, 2, 3, 4};
   std::vector<std::int32_t> face_counts{4};
 
-  [[nodiscard]] ClassicFile file() const {
+  [[nodiscard]] ClassicFile file(std::size_t blocks = 1) const {
     ClassicFile made;
     const std::size_t nodes = made.dimension("num_nodes", 4);
     made.dimension("num_dim", 3);
-    made.dimension("num_el_blk", 1);
+    made.dimension("num_el_blk", blocks);
     made.dimension("num_fa_blk", 1);
     made.doubles("coordx", {nodes}, {0, 1, 0, 0});
     made.doubles("coordy", {nodes}, {0, 0, 1, 0});
@@ -173,6 +173,19 @@ TEST(ExodusRefusals, FacesOfPolyhedra) {
   made.faces = {1, 2, 3, 4, 1, 2, 3, 4, 4};
   made.face_counts = {4, 5};
   EXPECT_EQ(exodus_refusal(made.file()), "facconn1: names face 4 more than twice");
+}
+
+TEST(ExodusRefusals, FacesAreSharedByTheCellsOfAllBlocks) {
+  ClassicFile made = OnePolyhedron().file(2);
+  made.ints("facconn2", {made.dimension("e", 4)}, {4, 3, 2, 1});
+  made.ints("ebepecnt2", {made.dimension("f", 1)}, {4});
+  EXPECT_EQ(exodus_reading(made).mesh.cell_count(), 2U);
+  ClassicFile third = OnePolyhedron().file(3);
+  for (const std::string block : {"2", "3"}) {
+    third.ints("facconn" + block, {third.dimension("e" + block, 4)}, {4, 3, 2, 1});
+    third.ints("ebepecnt" + block, {third.dimension("f" + block, 1)}, {4});
+  }
+  EXPECT_EQ(exodus_refusal(third), "facconn3: names face 4 more than twice");
 }
 
 // Faces of one number of corners may stand in rows.

@@ -204,5 +204,42 @@ TEST(Hdf5Files, TextsOfVariableLength) {
   }
 }
 
+TEST(Hdf5Files, PackedDataThatAreDamaged) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("a.h5");
+  {
+    const hsize_t count = 4096;
+    std::vector<double> values;
+    for (hsize_t i = 0; i < count; ++i) values.push_back(static_cast<double>(i * i % 977));
+    const hid_t out = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t space = H5Screate_simple(1, &count, nullptr);
+    const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_chunk(properties, 1, &count);
+    H5Pset_deflate(properties, 6);
+    const hid_t set =
+        H5Dcreate2(out, "/x", H5T_NATIVE_DOUBLE, space, H5P_DEFAULT, properties, H5P_DEFAULT);
+    EXPECT_GE(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
+    H5Dclose(set);
+    H5Pclose(properties);
+    H5Sclose(space);
+    H5Fclose(out);
+    EXPECT_EQ(File(path).reals("/x"), values);
+  }
+  // the head of zlib's data
+  std::string text = text_of(path);
+  const std::size_t packed = text.find("\x78\x9c");
+  ASSERT_NE(packed, std::string::npos);
+  text.replace(packed + 2, 8, std::string(8, '\xff'));
+  static_cast<void>(folder.write("a.h5", text));
+  try {
+    static_cast<void>(File(path).reals("/x"));
+    ADD_FAILURE() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.what(), path +
+                                ": /x: cannot be read (damaged, or packed by a filter that is "
+                                "not here)");
+  }
+}
+
 }  // namespace
 }  // namespace hiac::formats::hdf5

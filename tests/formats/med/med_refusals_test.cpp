@@ -190,6 +190,24 @@ TEST(MedRefusals, FieldsThatDoNotFit) {
             "/CHA/f/t/NOE.TE4/MED_NO_PROFILE_INTERNAL/CO: holds 9 values (8 expected)");
 }
 
+TEST(MedRefusals, CornersOfEveryCell) {
+  // two tetrahedra in one place
+  const MedFile two{.nodes = {1, 1, 3, 3, 2, 2, 4, 4}};
+  const ZooMesh mesh =
+      med_reading(
+          [](Hdf5Output& file) {
+            file.put(med_field(file, "f", 2) + "/t/NOE.TE4/" + kMedWhole + "/CO",
+                     MedReals{1, 2, 3, 4, 5, 6, 7, 8, 11, 12, 13, 14, 15, 16, 17, 18});
+          },
+          two)
+          .mesh;
+  const Field& field = field_named(mesh, "f");
+  EXPECT_EQ(field.location, FieldLocation::corner);
+  // MED counts the second node of a cell where the mesh has its third
+  EXPECT_THAT(field.values.view(),
+              ElementsAre(1, 11, 3, 13, 2, 12, 4, 14, 5, 15, 7, 17, 6, 16, 8, 18));
+}
+
 TEST(MedRefusals, ProfilesNameItemsThatThereAre) {
   const auto profile = [](const MedIntegers& items) {
     return [=](Hdf5Output& file) {
@@ -235,6 +253,9 @@ TEST(MedRefusals, GroupsAreRunsOfCells) {
     return [=](Hdf5Output& file) {
       put_family(file, "a", -1, {"left", "all"});
       put_family(file, "b", -2, {"all"});
+      // a family of no group
+      file.group("/FAS/mesh/ELEME/c");
+      file.attribute("/FAS/mesh/ELEME/c", "NUM", MedIntegers{0});
       file.put(kMedStep + "/MAI/TE4/FAM", numbers);
       file.put(med_field(file, "f") + "/t/MAI.TE4/" + kMedWhole + "/CO", MedReals{5, 6, 7, 8});
     };
@@ -367,6 +388,7 @@ TEST(MedRefusals, AttributesMayBeMissing) {
   }
   const Reading reading = read_any(path);
   expect_unit_tetrahedron(reading.mesh);
+  EXPECT_THAT(reading.notes, testing::IsEmpty());
   EXPECT_EQ(field_named(reading.mesh, "f").values.size(), 4U);
   EXPECT_EQ(field_named(reading.mesh, "f").unit, "");
   EXPECT_THAT(format_to_read(path).inspect(path).times, testing::IsEmpty());

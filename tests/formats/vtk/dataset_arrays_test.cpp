@@ -149,9 +149,10 @@ TEST(DatasetArrays, MarksSayWhichCellsAreNotHere) {
     EXPECT_EQ(cells.is_ghost(1), ghost) << mark;
     std::vector<std::string> notes;
     EXPECT_EQ(convert_cells(*grid, {}, "file", notes).kinds.size(), ghost ? 1U : 2U);
-    if (ghost) {
+    if (ghost)
       EXPECT_THAT(notes, Contains("dropped 1 ghost or hidden cells"));
-    }
+    else
+      EXPECT_THAT(notes, testing::IsEmpty());
   }
 }
 
@@ -218,6 +219,7 @@ TEST(DatasetArrays, FacesOfPolyhedraStayInTheirList) {
   EXPECT_EQ(array_complaint([&] { foreign_from_vtk(*without, "file"); }), damaged);
   const ForeignMesh mesh = foreign_from_vtk(*polyhedron_with(-1, 0), "file");
   EXPECT_THAT(mesh.polyhedra.faces, ElementsAre(3, 0, 3, 1, 3, 0, 1, 4, 3, 1, 3, 4, 3, 3, 0, 4));
+  EXPECT_THAT(mesh.notes, testing::IsEmpty());
 }
 
 TEST(DatasetArrays, PrismsOverPolygonsAreToldByTheirFaces) {
@@ -309,6 +311,11 @@ TEST(DatasetArrays, WhatADatasetHoldsIsListed) {
   ASSERT_EQ(inventory.cells.size(), 1U);
   EXPECT_EQ(inventory.cells[0].kind, "Tetra");
   EXPECT_EQ(inventory.cells[0].count, 2U);
+  EXPECT_EQ(inventory.cells[0].fate, "tetrahedron4");
+  const auto polyhedra = count_cells(*polyhedron_with(-1, 0), "file");
+  ASSERT_EQ(polyhedra.size(), 1U);
+  EXPECT_EQ(polyhedra[0].kind, "Polyhedron");
+  EXPECT_EQ(polyhedra[0].fate, "what its faces make it");
   ASSERT_EQ(inventory.fields.size(), 1U);
   EXPECT_EQ(inventory.fields[0].name, "c");
   EXPECT_EQ(inventory.fields[0].type, "unsigned char");

@@ -11,9 +11,11 @@
 #include <vtkInformation.h>
 #include <vtkInformationStringKey.h>
 #include <vtkIntArray.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkOutputWindow.h>
 #include <vtkPointData.h>
+#include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 #include <vtkTypeInt64Array.h>
 
@@ -110,6 +112,7 @@ TEST(DatasetData, IntegersBeyondWhatDoublesHoldAreTold) {
   };
   constexpr double kExact = 9007199254740992.0;
   EXPECT_THAT(notes(named_array<vtkTypeInt64Array>("i", {kExact, -kExact}).Get()), IsEmpty());
+  EXPECT_THAT(notes(named_array<vtkTypeInt64Array>("i", {1, -2}).Get()), IsEmpty());
   EXPECT_THAT(notes(named_array<vtkTypeInt64Array>("i", {0, kExact + 2}).Get()),
               ElementsAre("field 'i' holds integers beyond 2^53, which are rounded"));
   EXPECT_THAT(notes(named_array<vtkTypeInt64Array>("i", {-kExact - 2, 0}).Get()),
@@ -146,6 +149,9 @@ TEST(DatasetData, DataOfTheWholeAreMetadata) {
   data->AddArray(named_array<vtkIntArray>("short", std::vector<double>(16, 3)));
   data->AddArray(named_array<vtkIntArray>("long", std::vector<double>(17, 3)));
   data->AddArray(named_array<vtkIntArray>("none", {}));
+  const auto rows = named_array<vtkIntArray>("rows", {1, 2, 3, 4, 5, 6});
+  rows->SetNumberOfComponents(3);
+  data->AddArray(rows);
   for (const auto& [name, count] : {std::pair<const char*, int>{"text", 1}, {"texts", 2}}) {
     vtkNew<vtkStringArray> texts;
     texts->SetName(name);
@@ -157,7 +163,8 @@ TEST(DatasetData, DataOfTheWholeAreMetadata) {
   std::vector<std::string> notes;
   add_metadata(*data, mesh, notes);
   EXPECT_THAT(mesh.metadata, ElementsAre(Entry("text", "words"), Entry("time", "0.5"),
-                                         Entry("short", "3 3 3 3 3 3 3 3 3 3 3 3 3 3 3 3")));
+                                         Entry("short", "3 3 3 3 3 3 3 3 3 3 3 3 3 3 3 3"),
+                                         Entry("rows", "1 2 3 4 5 6")));
   EXPECT_THAT(
       notes, ElementsAre("left out data of the whole dataset: long (17 values), texts (2 values)"));
   EXPECT_THAT(times_of(*data), ElementsAre(0.5));
@@ -222,7 +229,9 @@ TEST(DatasetData, MessagesOfVtkBecomeErrorsAndNotes) {
     }
     return "none";
   };
-  vtkOutputWindow* const outer = vtkOutputWindow::GetInstance();
+  const vtkSmartPointer<vtkOutputWindow> outer = vtkOutputWindow::GetInstance();
+  const vtkLogger::Verbosity verbosity = vtkLogger::GetCurrentVerbosityCutoff();
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_WARNING);
   {
     const MessageCapture messages;
     vtkOutputWindow* const window = vtkOutputWindow::GetInstance();
@@ -242,6 +251,8 @@ TEST(DatasetData, MessagesOfVtkBecomeErrorsAndNotes) {
     EXPECT_EQ(said(messages), "file: cannot be read: it breaks  down");
   }
   EXPECT_EQ(vtkOutputWindow::GetInstance(), outer);
+  EXPECT_EQ(vtkLogger::GetCurrentVerbosityCutoff(), vtkLogger::VERBOSITY_WARNING);
+  vtkLogger::SetStderrVerbosity(verbosity);
   const MessageCapture generic;
   vtkOutputWindow::GetInstance()->DisplayGenericWarningText(
       "Generic Warning: In a.cxx, line 9\nno number\n\n");

@@ -101,6 +101,11 @@ TEST(LegacyBinary, OffsetsOfEightAndFourBytes) {
     EXPECT_THAT(binary_refusal(head + "CELLS 2 4\n" + wrong + kBinaryTypes),
                 HasSubstr("cell 0: wrong offset 1 (0 to 4 expected, 5 found)"));
   }
+  EXPECT_EQ(
+      binary_refusal(head + "CELLS 3 8\nOFFSETS int\n" + big_endian<std::int32_t>({0, 4, 8}) +
+                     "\nCONNECTIVITY int\n" + big_endian<std::int32_t>({0, 1, 2, 3, 3, 2, 1, 0}) +
+                     "\nCELL_TYPES 2\n" + big_endian<std::int32_t>({10, 10}) + "\n"),
+      "");
   std::string high = wide;
   high[high.find('\n') + 9] = 1;  // the highest byte of the second offset
   EXPECT_THAT(binary_refusal(head + "CELLS 2 4\n" + high + kBinaryTypes),

@@ -49,6 +49,12 @@ TEST(LegacyData, AttributesAreRefusedByTheirParts) {
        {"keyword", "CELL_DATA 1\nEDGE_FLAGS e int\n1\n",
         "line 12: unexpected 'edge_flags' (SCALARS, VECTORS, FIELD, ... expected)"},
        {"edge flags of points", "POINT_DATA 4\nEDGE_FLAGS e int" + four, ""},
+       {"long keyword", "POINT_DATA 4\n" + std::string(41, 'q') + " e int\n",
+        "line 12: unexpected '" + std::string(40, 'q') +
+            "' (SCALARS, VECTORS, FIELD, ... expected)"},
+       {"long value", "CELL_DATA 1\nSCALARS s int\nLOOKUP_TABLE t\n" + std::string(41, 'q') + "\n",
+        "line 14: wrong value 0 of 1 (a fitting integer expected, '" + std::string(40, 'q') +
+            "' found)"},
        {"long type", "POINT_DATA 4\nSCALARS s " + std::string(41, 'q') + "\n",
         "line 12: unknown data type '" + std::string(40, 'q') + "'"},
        {"colours", "CELL_DATA 1\nCOLOR_SCALARS c 1\n3e38\n", ""},
@@ -270,6 +276,7 @@ TEST(LegacyData, MetadataBehindArraysArePassedOver) {
   const std::size_t size = kTetrahedronFile.size() + declared("100").size();
   expect_data_rows(
       {{"negative", declared("-1"), "line 18: wrong METADATA (a length expected, -1 found)"},
+       {"empty", declared("0"), ""},
        {"as long as the file", declared(fmt::format("{}", size)), ""},
        {"longer", declared(fmt::format("{}", size + 1)),
         fmt::format("line 18: wrong METADATA (a length expected, {} found)", size + 1)}});

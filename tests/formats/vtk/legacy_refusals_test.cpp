@@ -76,6 +76,8 @@ TEST(LegacyRefusals, SectionsToldAgainOrMissing) {
        {"other order", kLegacyHead + kLegacyTypes + kLegacyCells + kLegacyPoints, ""},
        {"unknown", kLegacyHead + "NODES 4\n",
         "line 5: unexpected 'nodes' (a section of the dataset expected)"},
+       {"a long word", kLegacyHead + std::string(41, 'q') + " 4\n",
+        "line 5: unexpected '" + std::string(40, 'q') + "' (a section of the dataset expected)"},
        {"section of grids", kLegacyHead + "DIMENSIONS 2 2 2\n",
         "line 5: unexpected 'dimensions' (a section of the dataset expected)"}});
 }

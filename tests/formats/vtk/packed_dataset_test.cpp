@@ -116,6 +116,11 @@ void add_data(vtkDataSet& dataset) {
   texts->InsertNextValue("a mesh");
   texts->InsertNextValue("");
   dataset.GetFieldData()->AddArray(texts);
+  vtkNew<vtkStringArray> pairs;
+  pairs->SetName("pairs");
+  pairs->SetNumberOfComponents(2);
+  for (const char* word : {"a", "b", "c", "d"}) pairs->InsertNextValue(word);
+  dataset.GetFieldData()->AddArray(pairs);
   dataset.GetFieldData()->AddArray(array<vtkDoubleArray>("TimeValue", 1, 1, 1.0));
 }
 
@@ -220,8 +225,18 @@ TEST(PackedDataset, WhatAnotherProcessMadeUpIsRefusedOrHarmless) {
   for (int p = 0; p < 8; ++p) points->InsertNextPoint(p % 2, p / 2 % 2, p / 4);
   structured->SetPoints(points);
   add_data(*structured);
-  for (vtkDataSet* dataset :
-       {static_cast<vtkDataSet*>(grid), static_cast<vtkDataSet*>(structured)}) {
+  const auto rectilinear = vtkSmartPointer<vtkRectilinearGrid>::New();
+  rectilinear->SetExtent(0, 2, 0, 1, 5, 6);
+  rectilinear->SetXCoordinates(array<vtkDoubleArray>("x", 1, 3, 0.5));
+  rectilinear->SetYCoordinates(array<vtkDoubleArray>("y", 1, 2, 0.1));
+  rectilinear->SetZCoordinates(array<vtkDoubleArray>("z", 1, 2, 3.0));
+  const auto longer = vtkSmartPointer<vtkRectilinearGrid>::New();
+  longer->DeepCopy(rectilinear);
+  longer->SetYCoordinates(array<vtkDoubleArray>("y", 1, 3, 0.1));
+  EXPECT_NO_THROW(passed_on(*rectilinear));
+  EXPECT_THROW(passed_on(*longer), InputError);
+  for (vtkDataSet* dataset : {static_cast<vtkDataSet*>(grid), static_cast<vtkDataSet*>(structured),
+                              static_cast<vtkDataSet*>(rectilinear)}) {
     const std::size_t size = [&] {
       const auto copy = vtkSmartPointer<vtkDataSet>::Take(dataset->NewInstance());
       copy->DeepCopy(dataset);

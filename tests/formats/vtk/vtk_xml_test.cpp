@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "formats/common/pieces/piece_field.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
 #include "tests/formats/files.hpp"
 
@@ -173,12 +174,15 @@ TEST(VtkXml, StepsOfOneFileAreReadOneByOne) {
   EXPECT_TRUE(std::isnan(last.mesh.fields[0].values[7]));
   EXPECT_THAT(last.mesh.metadata, Contains(std::pair<std::string, std::string>("time", "2")));
   EXPECT_THAT(last.notes, Contains(HasSubstr("the last of 3 steps, time 2 ")));
+  EXPECT_THAT(last.notes, Contains(HasSubstr("field 'q' is absent at step 2, time 2")));
   ReadOptions options;
   options.step = 0;
   EXPECT_EQ(read_any(path, options).mesh.fields[0].values[7], 7);
   options.step.reset();
   options.time = 0.5;
-  EXPECT_EQ(read_any(path, options).mesh.fields.size(), 3U);
+  const Reading second = read_any(path, options);
+  EXPECT_EQ(second.mesh.fields.size(), 3U);
+  EXPECT_THAT(second.notes, testing::Not(Contains(HasSubstr("the last of"))));
   options.time = 3;
   EXPECT_THROW(read_any(path, options), UsageError);
   EXPECT_THAT(format_to_read(path).inspect(path).times, testing::ElementsAre(0, 0.5, 2));
@@ -266,6 +270,23 @@ TEST(VtkXml, TextsAndTimeOfTheDatasetAreMetadata) {
   EXPECT_THAT(format_to_read(path).inspect(path).times, testing::ElementsAre(0.125));
 }
 
+// The time of a step stands for the dataset's own; other data of the whole stay.
+TEST(VtkXml, FilesOfOneStepTellItsTime) {
+  const ScratchFolder folder;
+  const Reading reading = read_any(folder.write(
+      "t.vtu",
+      "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid TimeValues=\"4\"><FieldData>"
+      "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" format=\"ascii\">0.125"
+      "</DataArray><Array type=\"String\" Name=\"run\" NumberOfTuples=\"1\" format=\"ascii\">"
+      "65 66 0</Array></FieldData>" +
+          brick_piece(0) + "</UnstructuredGrid></VTKFile>"));
+  using Entry = std::pair<std::string, std::string>;
+  EXPECT_THAT(reading.mesh.metadata,
+              testing::UnorderedElementsAre(Entry("source", "t.vtu"), Entry("run", "AB"),
+                                            Entry("time", "4")));
+  EXPECT_THAT(reading.notes, testing::Not(Contains(HasSubstr("the last of"))));
+}
+
 TEST(VtkXml, TextArraysOnPointsAreLeftOut) {
   const ScratchFolder folder;
   const std::string texts =
@@ -311,6 +332,8 @@ TEST(VtkXml, MalformedFilesAreRefused) {
       {"<UnstructuredGrid>", "<UnstructuredGrid TimeValues=\"inf\">", "not finite"},
       {"Name=\"Points\"", "Name=\"Points\" TimeStep=\"0\"", "TimeValues expected"},
       {"NumberOfPoints=\"8\"", "", "wrong NumberOfPoints"},
+      {"NumberOfPoints=\"8\"", "NumberOfPoints=\"" + std::string(41, '9') + "\"",
+       "(a count expected, '" + std::string(40, '9') + "' found)"},
       {"NumberOfPoints=\"8\"", "NumberOfPoints=\"9\"", "27 values expected, 24 found"},
       {"NumberOfPoints=\"8\"", "NumberOfPoints=\"99999999999\"", "data end too soon"},
       {"NumberOfPoints=\"8\"", "NumberOfPoints=\"-8\"", "wrong NumberOfPoints"},
@@ -341,6 +364,53 @@ TEST(VtkXml, MalformedFilesAreRefused) {
     EXPECT_THAT(refusal(folder.write("bad.vtu", text)), HasSubstr(c.message))
         << c.from << " -> " << c.to;
   }
+}
+
+// Only lists of faces with their ends make polyhedra.
+TEST(VtkXml, ListsOfFacesWithoutEndsAreNotLookedAt) {
+  const ScratchFolder folder;
+  std::string text = vtu(brick_piece(0));
+  const std::string cells = "<Cells>";
+  text.insert(text.find(cells) + cells.size(), array("faces", "99", "Int64"));
+  EXPECT_EQ(refusal(folder.write("a.vtu", text)), "");
+}
+
+TEST(VtkXml, ComplaintsNameThePieceOfSeveral) {
+  const ScratchFolder folder;
+  std::string wrong = brick_piece(1);
+  wrong.replace(wrong.find(">12<"), 4, ">13<");
+  const std::string path = folder.file("a.vtu");
+  static_cast<void>(folder.write("a.vtu", vtu(wrong)));
+  EXPECT_THAT(refusal(path), testing::StartsWith(path + ": cell 0: "));
+  static_cast<void>(folder.write("a.vtu", vtu(brick_piece(0) + wrong)));
+  EXPECT_THAT(refusal(path), testing::StartsWith(path + ": piece 1: cell 0: "));
+}
+
+TEST(VtkXml, CellsAreMarkedByTheirPieces) {
+  const ScratchFolder folder;
+  const auto pieces = [&](const std::string& path) {
+    const PieceMarking marking;
+    ZooMesh mesh = read_any(path).mesh;
+    return take_pieces(mesh);
+  };
+  const std::string one = folder.write("one.vtu", vtu(brick_piece(0)));
+  EXPECT_EQ(pieces(one), std::nullopt);
+  const std::string two = folder.write("two.vtu", vtu(brick_piece(0) + brick_piece(1)));
+  EXPECT_THAT(*pieces(two), testing::ElementsAre(0, 1));
+  static_cast<void>(folder.write("far.vtu", vtu(brick_piece(5))));
+  const auto listed = [](const std::string& sets) {
+    return "<VTKFile type=\"Collection\"><Collection>" + sets + "</Collection></VTKFile>";
+  };
+  const std::string sets = "<DataSet file=\"two.vtu\"/>";
+  EXPECT_EQ(pieces(folder.write("a.pvd", listed("<DataSet file=\"one.vtu\"/>"))), std::nullopt);
+  EXPECT_THAT(*pieces(folder.write("a.pvd", listed(sets))), testing::ElementsAre(0, 1));
+  EXPECT_THAT(*pieces(folder.write("a.pvd", listed("<DataSet file=\"far.vtu\"/>" + sets))),
+              testing::ElementsAre(0, 1, 1));
+  EXPECT_THAT(*pieces(folder.write("a.pvtu",
+                                   "<VTKFile type=\"PUnstructuredGrid\"><PUnstructuredGrid>"
+                                   "<Piece Source=\"one.vtu\"/><Piece Source=\"far.vtu\"/>"
+                                   "</PUnstructuredGrid></VTKFile>")),
+              testing::ElementsAre(0, 1));
 }
 
 std::string image(const std::string& whole, const std::string& piece, const std::string& data) {

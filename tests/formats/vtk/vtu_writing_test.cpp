@@ -182,6 +182,17 @@ TEST(VtkHdfWriting, WhatCannotBeHeldIsToldOrRefused) {
   EXPECT_THROW(vtkhdf()->write(folder.file("b.vtkhdf"), mesh_of({CellKind::brick32})), InputError);
   EXPECT_FALSE(std::filesystem::exists(folder.file("b.vtkhdf")));
   EXPECT_THROW(vtkhdf()->write(folder.file("no/a.vtkhdf"), mesh), InputError);
+  // a name stands once on the nodes and once on the cells
+  ZooMesh twice = mesh_of({CellKind::tetrahedron4});
+  twice.fields.push_back({"region", "", FieldLocation::node, 1, std::vector<double>(4, 1)});
+  EXPECT_NO_THROW(vtkhdf()->write(path, twice));
+  twice.fields.push_back(twice.fields.back());
+  for (const std::string name : {"region", ""}) {
+    twice.fields.back().name = name;
+    EXPECT_THAT([&] { vtkhdf()->write(path, twice); },
+                testing::ThrowsMessage<InputError>(
+                    HasSubstr("nor one without a name ('" + name + "' found")));
+  }
 }
 
 TEST(VtkHdfWriting, MetadataThatLookLikeTimes) {

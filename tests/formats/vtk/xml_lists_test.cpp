@@ -112,6 +112,44 @@ TEST_F(XmlLists, BytesOfAppendedDataAreNoFields) {
   EXPECT_THAT(format_to_read(path).inspect(path).notes, testing::IsEmpty());
 }
 
+TEST_F(XmlLists, MetadataOfTheFilesAreKept) {
+  std::string text = listed_tetrahedron(0, "p", 7);
+  const std::string grid = "<UnstructuredGrid>";
+  text.insert(text.find(grid) + grid.size(),
+              "<FieldData><Array type=\"String\" Name=\"run\" NumberOfTuples=\"1\" "
+              "format=\"ascii\">65 66 0</Array></FieldData>");
+  static_cast<void>(folder_.write("run.vtu", text));
+  const ZooMesh mesh =
+      read_any(folder_.write("a.pvd", collection_of("<DataSet timestep=\"3\" file=\"run.vtu\"/>")))
+          .mesh;
+  using Entry = std::pair<std::string, std::string>;
+  EXPECT_THAT(mesh.metadata, testing::UnorderedElementsAre(Entry("source", "a.pvd"),
+                                                           Entry("run", "AB"), Entry("time", "3")));
+}
+
+// What the points and the cells' lists are called is not looked at.
+TEST_F(XmlLists, OnlyArraysOfPointsAndCellsAreFields) {
+  const auto file = [&](const std::string& name, const std::string& data,
+                        const std::string& points) {
+    std::string text = listed_tetrahedron(0, "p", 7);
+    text.insert(text.find("<Points>"), data);
+    const std::string array = "<DataArray type=\"Float64\" NumberOfComponents=\"3\"";
+    text.insert(text.find(array) + array.size(), points);
+    static_cast<void>(folder_.write(name, text));
+  };
+  for (const std::string data :
+       {"<PointData/>",
+        "<PointData><DataArray type=\"Float64\" Name=\"q\" format=\"ascii\">1 2 3 4</DataArray>"
+        "</PointData>"}) {
+    file("a.vtu", data, " Name=\"places\"");
+    file("b.vtu", data, "");
+    const std::string path =
+        folder_.write("a.pvd", collection_of("<DataSet timestep=\"1\" file=\"a.vtu\"/>"
+                                             "<DataSet timestep=\"2\" file=\"b.vtu\"/>"));
+    EXPECT_THAT(format_to_read(path).inspect(path).notes, testing::IsEmpty()) << data;
+  }
+}
+
 std::string tree_of(const std::string& type, const std::string& blocks) {
   return fmt::format("<VTKFile type=\"{0}\"><{0}>{1}</{0}></VTKFile>", type, blocks);
 }
@@ -179,6 +217,9 @@ TEST_F(XmlLists, SurfacesAndTablesAreLeftOut) {
                                              "<DataSet file=\"s.xml\"/>")));
     EXPECT_EQ(reading.mesh.cell_count(), 1U) << type;
     EXPECT_THAT(reading.notes, Contains("left out 2 files of surfaces or tables")) << type;
+    EXPECT_THAT(format_to_read(folder_.file("a.pvd")).inspect(folder_.file("a.pvd")).notes,
+                Contains("left out 2 files of surfaces or tables"))
+        << type;
   }
 }
 

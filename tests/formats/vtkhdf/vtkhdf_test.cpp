@@ -178,6 +178,39 @@ TEST(VtkHdf, StepsHaveTheirFieldsAndTheirPoints) {
   }
 }
 
+// One tetrahedron at first, then two of other points: every list goes on where the step begins.
+TEST(VtkHdf, StepsMayHaveOtherNumbersOfCells) {
+  const ScratchFolder folder;
+  const std::string path = folder.file("a.vtkhdf");
+  {
+    Hdf5Output file(path);
+    begin(file, "UnstructuredGrid");
+    file.put("/VTKHDF/NumberOfPoints", Integers{4, 5});
+    file.put("/VTKHDF/NumberOfCells", Integers{1, 2});
+    file.put("/VTKHDF/NumberOfConnectivityIds", Integers{4, 8});
+    file.put("/VTKHDF/Points",
+             Reals{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 2, 0, 0, 0, 2, 2, 2, 2},
+             {9, 3});
+    file.put("/VTKHDF/Types", std::vector<std::uint8_t>{10, 10, 10});
+    file.put("/VTKHDF/Offsets", Integers{0, 4, 0, 4, 8});
+    file.put("/VTKHDF/Connectivity", Integers{0, 1, 2, 3, 0, 1, 2, 3, 1, 2, 3, 4});
+    file.put("/VTKHDF/CellData/c", Integers{5, 6, 7});
+    file.put("/VTKHDF/Steps/Values", Reals{0.5, 2});
+    file.put("/VTKHDF/Steps/PartOffsets", Integers{0, 1});
+    file.put("/VTKHDF/Steps/PointOffsets", Integers{0, 4});
+    file.put("/VTKHDF/Steps/CellOffsets", Integers{0, 1}, {2, 1});
+    file.put("/VTKHDF/Steps/ConnectivityIdOffsets", Integers{0, 4}, {2, 1});
+  }
+  ReadOptions options;
+  options.step = 0;
+  expect_unit_tetrahedron(read_any(path, options).mesh);
+  const ZooMesh last = read_any(path).mesh;
+  ASSERT_EQ(last.cell_count(), 2U);
+  EXPECT_NEAR(volume_of(last, 0), 8.0 / 6, 1e-14);
+  EXPECT_NEAR(volume_of(last, 1), 8.0 / 3, 1e-14);
+  EXPECT_THAT(field_named(last, "c").values.view(), ElementsAre(6, 7));
+}
+
 TEST(VtkHdf, ImagesAreBricksInTheirDirections) {
   const ScratchFolder folder;
   const std::string path = folder.file("a.vtkhdf");

@@ -213,5 +213,44 @@ TEST(Xdmf, MixedTopologies) {
   EXPECT_NE(refusal(mixed("99 0 1 2 3")), "");
 }
 
+// FEniCS sorts the nodes of tetrahedra, whichever hand that gives them.
+TEST(Xdmf, TetrahedraWithSortedNodesAreTurned) {
+  const ScratchFolder folder;
+  std::string points;
+  std::string cells;
+  for (int t = 0; t < 24; ++t) {
+    // along x and y, or along y and x
+    const char* const second = t % 2 == 0 ? "{1} 0 0 {0} 1 0" : "{0} 1 0 {1} 0 0";
+    points += fmt::format("{0} 0 0 ", 3 * t) + fmt::format(fmt::runtime(second), 3 * t, 3 * t + 1) +
+              fmt::format(" {0} 0 1 ", 3 * t);
+    cells += fmt::format("{} {} {} {} ", 4 * t, 4 * t + 1, 4 * t + 2, 4 * t + 3);
+  }
+  const Reading reading = read_any(folder.write(
+      "a.xdmf", document("<Grid><Topology TopologyType=\"Tetrahedron\">" + item("24 4", cells) +
+                         "</Topology><Geometry>" + item("96 3", points) + "</Geometry></Grid>")));
+  ASSERT_EQ(reading.mesh.cell_count(), 24U);
+  for (CellId cell = 0; cell < 24; ++cell)
+    EXPECT_NEAR(volume_of(reading.mesh, cell), 1.0 / 6, 1e-12) << cell;
+  EXPECT_THAT(reading.notes,
+              testing::Contains(HasSubstr("numbered 12 of 24 tetrahedra right-handed")));
+}
+
+// A path may stand without the word xpointer, and end with a bracket all the same.
+TEST(Xdmf, PathsOfInclusions) {
+  const ScratchFolder folder;
+  const auto said = [&](const std::string& path) {
+    return refusal(folder.write(
+        "a.xdmf", document("<Grid Name=\"first\"><Topology TopologyType=\"Tetrahedron\">" +
+                           item("1 4", "0 1 2 3") + "</Topology><Geometry>" +
+                           item("4 3", "0 0 0 1 0 0 0 1 0 0 0 1") +
+                           "</Geometry></Grid><Grid Name=\"second\"><xi:include xpointer=\"" +
+                           path + "\"/></Grid>")));
+  };
+  EXPECT_EQ(said("xpointer(//Grid[1]/Topology | //Grid[1]/Geometry)"), "");
+  EXPECT_EQ(said("(//Grid[1]/Topology | //Grid[1]/Geometry)"), "");
+  EXPECT_EQ(said("//Grid[1]/Topology | //Grid[1]/Geometry"), "");
+  EXPECT_THAT(said("xpointer(//Grid[1]/Topology"), HasSubstr("is no XPath that is understood"));
+}
+
 }  // namespace
 }  // namespace hiac::formats
