@@ -40,7 +40,7 @@ TEST(CellSurface, IsMadeOfTrianglesOfAscendingNodes) {
   for (const CellKind kind : kSurfaceKinds)
     for (int trial = 0; trial < 50; ++trial) {
       std::set<NodeId> numbers;
-      while (numbers.size() < corner_count(kind)) numbers.insert(random());
+      while (numbers.size() < corner_count(kind)) numbers.insert(static_cast<NodeId>(random()));
       Nodes nodes(numbers.begin(), numbers.end());
       std::ranges::shuffle(nodes, random);
       const CellSurface surface = cell_surface(kind, nodes);

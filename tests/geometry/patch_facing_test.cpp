@@ -102,9 +102,15 @@ TEST(PatchFacing, WhatIsSaidToTurnOneWayDoesSoEverywhere) {
           const Nets nets = bumpy(shape, bumps, mirrored, random);
           const Range range = sampled(shape, nets, 12);
           const int facing = patch_facing(shape, nets);
-          if (facing > 0) EXPECT_GT(range.least, 0) << int{shape.degree};
-          if (facing < 0) EXPECT_LT(range.most, 0) << int{shape.degree};
-          if (bumps < 0.05) EXPECT_EQ(facing, mirrored ? -1 : 1) << int{shape.degree};
+          if (facing > 0) {
+            EXPECT_GT(range.least, 0) << int{shape.degree};
+          }
+          if (facing < 0) {
+            EXPECT_LT(range.most, 0) << int{shape.degree};
+          }
+          if (bumps < 0.05) {
+            EXPECT_EQ(facing, mirrored ? -1 : 1) << int{shape.degree};
+          }
           ++said[static_cast<std::size_t>(facing + 1)];
         }
     EXPECT_GT(said[0], 20);
