@@ -35,6 +35,13 @@ std::vector<Point> nodes_in_form(CellKind kind, Form form) {
   return nodes;
 }
 
+CellField field_within(double least, double most) {
+  CellField field{};
+  field.least = least;
+  field.most = most;
+  return field;
+}
+
 CellField random_field(CellKind kind, std::mt19937& random) {
   std::uniform_real_distribution<double> number(-1, 1);
   CellField field{};
@@ -159,7 +166,7 @@ TEST(FieldAlongRay, OfConstantFieldsIsOnePiece) {
   const CellKind kind = CellKind::wedge18;
   const CellMap map(kind, nodes_in_form(kind, Form::bent));
   std::mt19937 random(3);
-  std::vector<CellField> fields(2, CellField{{}, 4, 4, 0, nullptr});
+  std::vector<CellField> fields(2, field_within(4, 4));
   const RayStretch stretch =
       stretch_between(map.position({0.2, 0.1, 0.1}), map.position(map.middle()));
   std::vector<Piece> pieces(7);
@@ -182,7 +189,7 @@ TEST(FieldAlongRay, LeavesOutTermsThatAreNegligibleTogether) {
   const CellKind kind = CellKind::tetrahedron20;
   const auto reference = reference_nodes(kind);
   const CellMap map(kind, std::vector<Point>(reference.begin(), reference.end()));
-  CellField field{{}, -2, 2, 0, nullptr};
+  CellField field = field_within(-2, 2);
   for (std::size_t k = 0; k < reference.size(); ++k) {
     const double z = 2 * reference[k][0] - 1;
     field.values[k] = z + 1e-3 * (2 * z * z - 1) - 1e-3 * (4 * z * z * z - 3 * z);
@@ -203,7 +210,7 @@ TEST(FieldAlongRay, LeavesOutTermsOfTheSizeOfRounding) {
   const CellKind kind = CellKind::brick8;
   const std::vector<Point> nodes = nodes_in_form(kind, Form::affine);
   const CellMap map(kind, nodes);
-  CellField field{{}, -10, 10, 0, nullptr};
+  CellField field = field_within(-10, 10);
   for (std::size_t k = 0; k < nodes.size(); ++k)
     field.values[k] = 0.7 * nodes[k][0] - 1.3 * nodes[k][1] + 0.1 * nodes[k][2];
   const std::vector<CellField> fields{field};
@@ -218,7 +225,7 @@ TEST(FieldAlongRay, LeavesOutTermsOfTheSizeOfRounding) {
 TEST(FieldAlongRay, OddFunctionsAreResolvedToo) {
   const CellKind kind = CellKind::brick8;
   std::vector<Point> nodes;
-  CellField field{{}, -1, 1, 0, nullptr};
+  CellField field = field_within(-1, 1);
   for (const Point& p : reference_nodes(kind)) {
     const Point q{2 * p[0] - 1, 2 * p[1] - 1, 2 * p[2] - 1};
     field.values[nodes.size()] = q[0];
@@ -286,15 +293,14 @@ TEST(FieldAlongRay, RoundingIsThatOfTheFieldAndOfTheRaysPoints) {
   const auto reference = reference_nodes(kind);
   const std::vector<Point> unit(reference.begin(), reference.end());
   const CellMap map(kind, unit);
-  const CellField field{{}, -7, 2, 0, nullptr};
+  const CellField field = field_within(-7, 2);
   const std::vector<CellField> fields{field};
   const FieldAlongRay along(kind, map, fields);
   const RayStretch forward{{1, -3, 2}, {0.5, 0, -2}, -5, 4};
   const RayStretch backward{{1, -3, 2}, {0.5, 2, 0}, 4, 5};
   for (const RayStretch& stretch : {forward, backward})
     EXPECT_DOUBLE_EQ(along.rounding(stretch, field), 0x1p-53 * (8 * 7 + 16 * 13 * 9));
-  EXPECT_DOUBLE_EQ(along.rounding(forward, {{}, 1, 10, 0, nullptr}),
-                   0x1p-53 * (8 * 10 + 16 * 13 * 9));
+  EXPECT_DOUBLE_EQ(along.rounding(forward, field_within(1, 10)), 0x1p-53 * (8 * 10 + 16 * 13 * 9));
   // half as large a cell
   std::vector<Point> half = unit;
   for (Point& p : half)

@@ -146,6 +146,38 @@ TEST(FaceForm, ACentreNodeMayBeOffItsFace) {
     }
 }
 
+// The same corners in the same order from both cells of a face, whatever their numbers are.
+TEST(FaceForm, CornersGoFromTheLowestNodeTowardsItsLowerNeighbour) {
+  std::mt19937 random(9);
+  for (int trial = 0; trial < 20; ++trial)
+    for (std::size_t k = 0; k < kKindCount; ++k) {
+      const auto kind = static_cast<CellKind>(k);
+      const auto reference = reference_nodes(kind);
+      std::vector<test::Position> positions(reference.begin(), reference.end());
+      test::Cell cell{kind, {}};
+      for (NodeId i = 0; i < positions.size(); ++i) cell.nodes.push_back(i);
+      std::ranges::shuffle(cell.nodes, random);
+      const ZooMesh mesh = test::make_mesh(positions, {cell});
+      for (std::size_t f = 0; f < face_count(kind); ++f) {
+        const FaceForm form = face_form(mesh, 0, f, kStraightness);
+        const ShapeFace& face = topology_of(kind).faces[f];
+        const std::size_t n = face.corner_count;
+        const auto node = [&](std::size_t c) { return cell.nodes[form.corners[c % n]]; };
+        const auto place = [&](std::size_t c) {
+          return static_cast<std::size_t>(std::ranges::find(face.corners, form.corners[c]) -
+                                          face.corners.begin());
+        };
+        EXPECT_LT(node(1), node(n - 1)) << kind_name(kind) << " face " << f;
+        for (std::size_t c = 1; c < n; ++c) {
+          EXPECT_LT(node(0), node(c)) << kind_name(kind) << " face " << f;
+          const std::size_t step = (place(c) + n - place(c - 1)) % n;
+          EXPECT_EQ(step, (place(1) + n - place(0)) % n);
+          EXPECT_TRUE(step == 1 || step == n - 1);
+        }
+      }
+    }
+}
+
 // By hand: of a unit square with a corner raised by h, the diagonals (1, 1, h) and (-1, 1, 0) are
 // apart by h / sqrt(4 + 2 h^2).
 TEST(FaceForm, DeviationIsRelativeToTheLongerDiagonal) {

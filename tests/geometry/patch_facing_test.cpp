@@ -104,8 +104,7 @@ TEST(PatchFacing, WhatIsSaidToTurnOneWayDoesSoEverywhere) {
           const int facing = patch_facing(shape, nets);
           if (facing > 0) {
             EXPECT_GT(range.least, 0) << int{shape.degree};
-          }
-          if (facing < 0) {
+          } else if (facing < 0) {
             EXPECT_LT(range.most, 0) << int{shape.degree};
           }
           if (bumps < 0.05) {

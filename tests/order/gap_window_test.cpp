@@ -61,10 +61,10 @@ TEST(GapWindow, PlacesAFaceInAParallelView) {
 TEST(GapWindow, PlacesAFaceInPerspective) {
   const Window window({true, {1, 2, 3}, {}}, {0, 0, 5}, false);
   const std::vector<Position> corners{
-      {1 + 2, 2 + 1, 3 + 2}, {1 - 4, 2 + 8, 3 + 4}, {1, 2 - 4, 3 + 2}};
+      {1 + 2, 2 + 1, 3 + 2}, {1, 2 - 4, 3 + 2}, {1 - 4, 2 + 8, 3 + 4}};
   Outline outline{};
   ASSERT_TRUE(window.place(face_of(corners), outline));
-  const std::array<double, 4> x{0.5, 2, -2, -2}, y{-1, 1, 0, 0};
+  const std::array<double, 4> x{0.5, -2, 2, 2}, y{-1, 0, 1, 1};
   for (std::size_t k = 0; k < 4; ++k) {
     EXPECT_DOUBLE_EQ(outline.at_x[k], x[k]);
     EXPECT_DOUBLE_EQ(outline.at_y[k], y[k]);
