@@ -225,6 +225,44 @@ TEST(PixelRefinement, FindsWhatTheEngineDrewFromWithin) {
   }
 }
 
+// What is said of a segment besides its light.
+TEST(ExtendedSegments, SayWhatTheirLightIs) {
+  for (const Cut cut : {Cut::tetrahedra, Cut::bricks}) {
+    ZooMesh mesh = test::structured(1, cut);
+    add_fields(mesh);
+    Scene scene = test::cube_scene(Projection::orthographic, 9, 9);
+    scene.volume.glow = Glow::emission;
+    const Projector projector(scene.camera, scene.image);
+    const Frame frame(mesh, scene, projector, Details::bounded);
+    ExtendedSegments in_tetrahedra(frame);
+    ExtendedCellSegments in_cells(frame);
+    std::size_t met = 0;
+    for (CellId cell = 0; cell < mesh.cell_count(); ++cell)
+      for (int y = 0; y < 9; ++y)
+        for (int x = 0; x < 9; ++x) {
+          ExtendedSegment s{};
+          const auto found = cut == Cut::tetrahedra ? in_tetrahedra.find(cell, x, y, s)
+                                                    : in_cells.find(cell, x, y, s);
+          if (found != ExtendedSegments::Met::once) continue;
+          ++met;
+          EXPECT_EQ(s.details.light, static_cast<double>(std::ranges::max(s.light.rgb)));
+          EXPECT_GT(s.details.light, 0);
+          EXPECT_EQ(s.details.transparency, static_cast<double>(s.light.transparency));
+          EXPECT_EQ(s.details.front, static_cast<double>(s.front));
+          EXPECT_EQ(s.details.back, static_cast<double>(s.back));
+          EXPECT_EQ(s.details.first, s.details.front);
+          EXPECT_LT(s.details.front, s.details.back);
+          EXPECT_GT(s.details.radiance_error, 0);
+          EXPECT_LT(s.details.radiance_error, 1e-13);
+          EXPECT_GT(s.details.front_edge, 0);
+          EXPECT_LT(s.details.front_edge, 1e-13);
+          EXPECT_GT(s.details.back_edge, 0);
+          EXPECT_LT(s.details.back_edge, 1e-13);
+        }
+    EXPECT_GT(met, 20U);
+  }
+}
+
 class PixelRefinementTest : public testing::Test {
  protected:
   PixelRefinementTest() {

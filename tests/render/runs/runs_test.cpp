@@ -255,6 +255,31 @@ TEST(MergedTile, DescribesPixelsAsTheEngineDoes) {
   EXPECT_GT(ended.error(4, 0), 0.25 * 2);
 }
 
+// Where a run begins at the very end of another part's, nothing in between is in doubt.
+TEST(MergedTile, DoubtsNoEndsAtWhichPartsMeet) {
+  MergeConstants constants = kMerge;
+  constants.with_details = true;
+  const auto error = [&](double begin) {
+    std::vector<TileRuns> parts;
+    for (const auto& [from, to] : {std::pair{1.0, 2.0}, {begin, 5.0}})
+      parts.push_back(folded({segment(4, from, to, 0.25, 0.5)}, false,
+                             {{.front = from,
+                               .back = to,
+                               .light = 0.75,
+                               .transparency = 0.5,
+                               .front_edge = 1e-3,
+                               .back_edge = 1e-4}}));
+    return MergedTile(constants, parts).error(4, 0);
+  };
+  // What the first front hides too much or too little of, both runs' light lacks or has besides: of
+  // the second run half is seen.
+  const double light = 0.75, front = 1e-3, back = 0.5 * 1e-4;
+  EXPECT_NEAR(error(2), front + front * light + 0.5 * front * light + back, 1e-6);
+  // a gap: the first run's back and the second run's front, before the second run's light
+  const double between = 1e-4 + 0.5 * 1e-3;
+  EXPECT_NEAR(error(2.5) - error(2), between + between * light, 1e-5);
+}
+
 TEST(MergedTile, CoversWithTheSkinsOfAllParts) {
   std::vector<TileRuns> parts(3);
   parts[0].covers = {{4, 0.5}, {9, 0.75}};
