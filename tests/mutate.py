@@ -16,7 +16,11 @@ first and --jobs of them at a time, unless --room-only is given; the first failu
 fails is run without the defect too, once; if it fails then as well, it says nothing from then on. A
 test that takes more than four times its usual processor time, or does not end, has noticed the defect.
 A defect that no test notices is printed as SURVIVED, but for the places in tests/mutate.equivalent,
-where the program behaves as before.
+where the program behaves as before: these are printed as such and do not count.
+
+With --functions, a file that tests/coverage.py writes, those tests of other rooms are not run that do not
+execute the function around the defect: they cannot notice it. Where the file does not know (a constant,
+a constexpr function, a template that no test executes, a source that has changed) all are.
 
 The same seed gives the same defects in the same sources. Every verdict is kept in a journal
 (--work/journal-SEED): started again, the program goes on where it was ended.
@@ -26,6 +30,7 @@ Exit status: 0 nothing survived, 1 something did, 2 wrong usage.
 import argparse
 import collections
 import fnmatch
+import hashlib
 import json
 import os
 import pathlib
@@ -46,6 +51,10 @@ Place = collections.namedtuple("Place", "path line start end kind before after")
 NUMBER = r"(?<![\w.])(?:0x[0-9a-f.]+p[+-]?\d+|\d+\.\d*(?:e[+-]?\d+)?|\d+e[+-]?\d+|\d+)(?![\w.])"
 NAME = r"[A-Za-z_]\w*(?:\.\w+|->\w+|\[\w+\])*"
 
+# not behind a function of two whose result does not depend on which is the first
+UNORDERED = ("max", "min", "Max", "Min", "Mul", "Add", "swap", "dot")
+NOT_UNORDERED = "".join(rf"(?<!\b{name}\()" for name in UNORDERED)
+
 
 def swapped(first, second):
     return lambda found: second if found.group() == first else first
@@ -53,8 +62,8 @@ def swapped(first, second):
 
 def scaled_number(found):
     text = found.group()
-    if text in ("0", "1"):
-        return None  # lengths and ends: other operators are for these
+    if text in ("0", "1") or re.fullmatch(r"0\.0*", text):
+        return None  # lengths and ends: other operators are for these; twice zero is zero
     if re.fullmatch(r"\d+", text):
         return str(int(text) * 2)
     return f"(2 * {text})"
@@ -79,12 +88,13 @@ OPERATORS = [
     ("factor dropped", rf"(?<=[\w)\]]) \* (?:{NAME}|{NUMBER})(?=[;,)])", lambda found: ""),
     ("check dropped", r"^ *if \(.*\) (?:return\b.*|throw .*|continue|break);$", lambda found: ";"),
     ("statement dropped", rf"^ *{NAME}(?:\(.*\)| [-+*/]?= .*);$", lambda found: ";"),
-    # the least and the largest do not depend on the order
-    ("arguments swapped", rf"(?<=\w\()(?<!max\()(?<!min\()({NAME}), ({NAME})(?=[,)])",
+    ("arguments swapped", rf"(?<=\w\(){NOT_UNORDERED}({NAME}), ({NAME})(?=[,)])",
      lambda f: None if f[1] == f[2] else f"{f[2]}, {f[1]}"),
 ]
 OPERATORS = [(kind, re.compile(pattern), change) for kind, pattern, change in OPERATORS]
-SKIPPED_LINE = re.compile(r"^\s*(?:#|template\b|static_assert\b|using\b|namespace\b|\}|//)")
+# Also what is reserved, which changes nothing but time.
+SKIPPED_LINE = re.compile(r"^\s*(?:#|template\b|static_assert\b|using\b|namespace\b|\}|//"
+                          r"|(?:if \(.*\) )?\S*\breserve(?:_large)?\(.*;$)")
 
 
 def blanked(text):
@@ -134,6 +144,41 @@ def equivalents():
 def room_of(path):
     parts = pathlib.PurePath(path).parts
     return parts[2] if parts[0] == "lib" else parts[0]
+
+
+class Executions:
+    """Which test executables execute which function, as tests/coverage.py has counted."""
+
+    def __init__(self, path):
+        known = json.loads(path.read_text()) if path else {"sha256": {}, "functions": []}
+        self.functions = collections.defaultdict(list)
+        for name, first, last, tests in known["functions"]:
+            self.functions[name].append((first, last, set(tests)))
+        self.hashes = known["sha256"]
+        self.lines = {}
+
+    def is_known(self, path):
+        if path not in self.lines:
+            data = (SOURCE / path).read_bytes()
+            same = self.hashes.get(path) == hashlib.sha256(data).hexdigest()
+            self.lines[path] = data.decode().split("\n") if same else None
+        return self.lines[path] is not None
+
+    def may_notice(self, place):
+        """A predicate of test executables."""
+        around = []
+        if self.is_known(place.path):
+            around = [f for f in self.functions[place.path] if f[0] <= place.line <= f[1]]
+        if not around:
+            return lambda target: True
+        first = max(f[0] for f in around)  # of the innermost
+        tests = set().union(*(f[2] for f in around if f[0] == first))
+        head = " ".join(self.lines[place.path][max(first - 3, 0):first + 2])
+        # what the compiler itself evaluates, and what it makes nothing of
+        unseen = r"\b(?:constexpr|consteval)\b" if tests else r"\b(?:constexpr|consteval|template)\b"
+        if re.search(unseen, head):
+            return lambda target: True
+        return lambda target: target in tests
 
 
 class Journal:
@@ -293,14 +338,14 @@ def noticed_by(copy, place, targets):
         file.write_text(whole)
 
 
-def verdict_on(copy, place, room_only):
+def verdict_on(copy, place, room_only, may_notice):
     """noticed_by, of the tests of the place's room and then of all others."""
     own = copy.tests[room_of(place.path)]
-    verdict = noticed_by(copy, place, own)
-    if verdict != "" or room_only:
-        return verdict
     rest = [target for targets in copy.tests.values() for target in targets if target not in own]
-    return noticed_by(copy, place, rest)
+    verdict = noticed_by(copy, place, own)
+    if verdict == "" and not room_only:
+        verdict = noticed_by(copy, place, filter(may_notice, rest))
+    return verdict
 
 
 def drawn(places, seed):
@@ -329,6 +374,8 @@ def arguments():
     parser.add_argument("--kind", action="append", help="only these operators")
     parser.add_argument("--room-only", action="store_true", help="run the tests of the room alone")
     parser.add_argument("--data", action="store_true", help="with the folder of real files")
+    parser.add_argument("--functions", type=pathlib.Path, metavar="FILE",
+                        help="the tests that execute each function, of tests/coverage.py")
     parser.add_argument("--nice", type=int, default=10, help="how far to give way (default 10)")
     parser.add_argument("--list", action="store_true", help="print the places and do nothing")
     parser.add_argument("--work", type=pathlib.Path, default=SOURCE / "build/mutants")
@@ -343,8 +390,6 @@ def main():
     places = all_places(wanted.files or ["*"])
     if wanted.kind:
         places = [place for place in places if place.kind in wanted.kind]
-    known = equivalents()
-    places = [p for p in places if (p.path, p.kind, p.before.strip()) not in known]
     if not places:
         print("no such place", file=sys.stderr)
         sys.exit(2)
@@ -358,12 +403,18 @@ def main():
     work.mkdir(parents=True, exist_ok=True)
     journal = Journal(work / f"journal-{wanted.seed}")
     copy = Copy(work, wanted.jobs, wanted.configure, wanted.data, journal)
+    known, executions = equivalents(), Executions(wanted.functions)
     noticed, survived, broken = 0, [], 0
     for place in drawn(places, wanted.seed):
         if noticed + len(survived) == wanted.count:
             break
+        if (place.path, place.kind, place.before.strip()) in known:
+            print(f"{shown(place)}\n    changes nothing", flush=True)
+            continue
         if shown(place) not in journal.verdicts:
-            journal.note_verdict(shown(place), verdict_on(copy, place, wanted.room_only))
+            may_notice = executions.may_notice(place)
+            journal.note_verdict(shown(place),
+                                 verdict_on(copy, place, wanted.room_only, may_notice))
         verdict = journal.verdicts[shown(place)]
         if verdict is None:
             broken += 1
