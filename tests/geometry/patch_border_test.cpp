@@ -8,16 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/geometry/patch_shapes.hpp"
+
 namespace hiac {
 namespace {
 
-constexpr std::array<PatchShape, 7> kBorderShapes{{{1, false, false},
-                                                   {2, false, false},
-                                                   {3, false, false},
-                                                   {1, true, false},
-                                                   {2, true, false},
-                                                   {3, true, false},
-                                                   {3, true, true}}};
 constexpr double kRounding = 1e-10;
 
 using Parameter = std::array<double, 2>;
@@ -78,7 +73,7 @@ Seen with_edge_on_ray(const PatchShape& shape, std::size_t k, double s, std::mt1
 TEST(PatchBorder, ThePointOfABentEdgeThatLiesOnTheRayIsFound) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> number(0, 1);
-  for (const PatchShape& shape : kBorderShapes)
+  for (const PatchShape& shape : test::kPatchShapes)
     for (std::size_t k = 0; k < shape.corner_count(); ++k)
       for (int i = 0; i < 30; ++i) {
         const double s = i == 0 ? 0 : i == 1 ? 1 : number(random);
@@ -139,7 +134,7 @@ TEST(PatchBorder, StraightEdgesAreSegmentsInThePlane) {
 // A ray in the patch passes the border at (0, 0.1) and (0.9, 1) of a square, (0.45, 0.55) of a
 // triangle.
 TEST(PatchBorder, OfSeveralPointsOnTheRayTheLeastDeepOrTheNearestIsTaken) {
-  for (const PatchShape& shape : kBorderShapes)
+  for (const PatchShape& shape : test::kPatchShapes)
     for (const double away : {1.0, -1.0}) {
       const Seen seen = seen_as(shape, {0.1, 1, -1}, {0.2, 2, -2}, {2, away, 3 * away});
       const Parameter low{0, 0.1};
@@ -172,7 +167,7 @@ Linear along(const PatchShape& shape, std::size_t k) {
 // Within a 64th of what rounding may do, a point of the border is as good as any nearer one.
 TEST(PatchBorder, PointsThatAreOnTheRayStay) {
   constexpr double kStays = 0x1p-6 * kRounding;
-  for (const PatchShape& shape : kBorderShapes)
+  for (const PatchShape& shape : test::kPatchShapes)
     for (std::size_t k = 0; k < shape.corner_count(); ++k)
       for (const double by : {0.9 * kStays, -0.9 * kStays, 1.1 * kStays, -1.1 * kStays}) {
         Linear a = along(shape, k);
@@ -187,7 +182,7 @@ TEST(PatchBorder, PointsThatAreOnTheRayStay) {
 }
 
 TEST(PatchBorder, IsFoundWhereNumbersAreNone) {
-  for (const PatchShape& shape : kBorderShapes) {
+  for (const PatchShape& shape : test::kPatchShapes) {
     Seen seen = seen_as(shape, {-0.3, 1, 0}, {-0.4, 0, 1}, {0, 1, 1});
     seen.a[0] = std::nan("");
     for (const BorderPlace& place :
@@ -200,7 +195,7 @@ TEST(PatchBorder, IsFoundWhereNumbersAreNone) {
 }
 
 TEST(PatchBorder, ARayAlongAnEdgeIsAtItsLessDeepCorner) {
-  for (const PatchShape& shape : kBorderShapes)
+  for (const PatchShape& shape : test::kPatchShapes)
     for (std::size_t k = 0; k < shape.corner_count(); ++k)
       for (const Linear& depth : {Linear{0, 1, 3}, {0, -1, -3}, {0, 3, -1}}) {
         const Linear f = vanishing_on(shape, k);
@@ -236,7 +231,7 @@ TEST(PatchBorder, ARayAlongAnEdgeIsAtItsLessDeepCorner) {
 TEST(PatchBorder, ARayThatABentEdgeLeavesDoesNotRunAlongIt) {
   const std::array<std::vector<std::vector<double>>, 4> profiles{
       {{}, {}, {{0, 2, 0}}, {{0, 3, -1.5, 0}, {0, -1.5, 3, 0}}}};  // 1 at a point, 0 at others
-  for (const PatchShape& shape : kBorderShapes)
+  for (const PatchShape& shape : test::kPatchShapes)
     for (std::size_t k = 0; k < shape.corner_count(); ++k) {
       if (shape.triangle && k == 1) continue;  // no line of control points
       const std::size_t n = shape.degree;
@@ -259,7 +254,7 @@ TEST(PatchBorder, ARayThatABentEdgeLeavesDoesNotRunAlongIt) {
 }
 
 TEST(PatchBorder, ARayInAllOfAPatchIsAtItsLeastDeepCorner) {
-  for (const PatchShape& shape : kBorderShapes)
+  for (const PatchShape& shape : test::kPatchShapes)
     for (std::size_t k = 0; k < shape.corner_count(); ++k) {
       Seen seen{shape};
       seen.depth.fill(2);
@@ -277,7 +272,7 @@ TEST(PatchBorder, ARayInAllOfAPatchIsAtItsLeastDeepCorner) {
 TEST(PatchBorder, APatchIsSeenEdgeOnWhereItsControlPointsLieOnALine) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> number(-1, 1);
-  for (const PatchShape& shape : kBorderShapes)
+  for (const PatchShape& shape : test::kPatchShapes)
     for (const double turn : {0.0, 0.5, 1.5707963267948966, 2.0, 4.0}) {
       const double along_a = std::cos(turn), along_b = std::sin(turn);
       Seen seen{shape};

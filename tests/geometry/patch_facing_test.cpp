@@ -11,16 +11,10 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/geometry/patch_shapes.hpp"
+
 namespace hiac {
 namespace {
-
-constexpr std::array<PatchShape, 7> kFacingShapes{{{1, false, false},
-                                                   {2, false, false},
-                                                   {3, false, false},
-                                                   {1, true, false},
-                                                   {2, true, false},
-                                                   {3, true, false},
-                                                   {3, true, true}}};
 
 using Nets = std::array<PatchNet<double>, 3>;
 
@@ -94,7 +88,7 @@ Range sampled(const PatchShape& shape, const Nets& nets, int intervals) {
 
 TEST(PatchFacing, WhatIsSaidToTurnOneWayDoesSoEverywhere) {
   std::mt19937 random(1);
-  for (const PatchShape& shape : kFacingShapes) {
+  for (const PatchShape& shape : test::kPatchShapes) {
     std::array<int, 3> said{};
     for (const double bumps : {0.02, 0.1, 0.3, 1.0})
       for (const bool mirrored : {false, true})
@@ -141,7 +135,7 @@ TEST(PatchFacing, CornersDecideInDegreeOne) {
 // the plane by far more than that.
 TEST(PatchFacing, APlaneThroughTheEyeHasNoSide) {
   std::mt19937 random(3);
-  for (const PatchShape& shape : kFacingShapes)
+  for (const PatchShape& shape : test::kPatchShapes)
     for (std::size_t c = 0; c < 3; ++c)
       for (int i = 0; i < 20; ++i) {
         Nets nets = bumpy(shape, 0.02, false, random);
@@ -161,7 +155,7 @@ TEST(PatchFacing, APlaneThroughTheEyeHasNoSide) {
 // What a triangle's surface does beyond its third edge does not matter: it turns over where u + v
 // is 5/4.
 TEST(PatchFacing, OfTrianglesTheSquareBeyondDoesNotCount) {
-  for (const PatchShape& shape : kFacingShapes) {
+  for (const PatchShape& shape : test::kPatchShapes) {
     if (!shape.triangle || shape.degree == 1) continue;
     for (const double sign : {1.0, -1.0}) {
       const Nets nets = nets_through(shape, [&](double u, double v) {

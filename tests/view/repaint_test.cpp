@@ -11,6 +11,7 @@
 #include "hiac/scene/toml/edited_text.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/view/open_window.hpp"
+#include "tests/view/small_view.hpp"
 #include "tools/view/pixel/depth_curve.hpp"
 #include "tools/view/transfer/transfer_curve.hpp"
 #include "tools/view/viewport/viewport.hpp"
@@ -53,15 +54,7 @@ class Paints : public QObject {
   int count_ = 0;
 };
 
-const std::string kRepaintedView = R"([image]
-width = 40
-height = 30
-[camera]
-eye = [0.5, -3.0, 0.5]
-look_at = [0.5, 0.5, 0.5]
-up = [0, 0, 1]
-fov = 30.0
-[volume.extinction]
+const std::string kRepaintedView = test::kSmallView + R"([volume.extinction]
 field = "f"
 points = [[0.0, 0.5], [1.0, 8.0]]
 )";

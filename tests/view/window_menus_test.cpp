@@ -29,19 +29,12 @@
 #include "hiac/scene/toml/edited_text.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/view/open_window.hpp"
+#include "tests/view/small_view.hpp"
 
 namespace hiac::view::test {
 namespace {
 
-const std::string kMenusView = R"([image]
-width = 40
-height = 30
-[camera]
-eye = [0.5, -3.0, 0.5]
-look_at = [0.5, 0.5, 0.5]
-up = [0, 0, 1]
-fov = 30.0
-[volume.color]
+const std::string kMenusView = kSmallView + R"([volume.color]
 field = "f"
 points = [[0, 0.0, 0.0, 1.0], [1, 1.0, 0.0, 0.0]]
 [volume.extinction]

@@ -19,6 +19,7 @@
 #include "hiac/mesh/shape_functions.hpp"
 #include "hiac/render/cells/curved/patch_curvature.hpp"
 #include "tests/render/truth/general_meshes.hpp"
+#include "tests/support/cell_points.hpp"
 
 namespace hiac {
 namespace {
@@ -62,29 +63,13 @@ class OneCell {
     ADD_FAILURE() << "no such face";
     return 0;
   }
-  [[nodiscard]] Vector reference_in(std::size_t face, double u, double v) const {
-    const ShapeFace& shape = topology_of(kind_).faces[face];
-    const auto reference = reference_nodes(kind_);
-    const auto corner = [&](std::size_t k) { return reference[shape.corners[k]]; };
-    Vector at;
-    for (std::size_t c = 0; c < 3; ++c)
-      at[c] = corner(0)[c] + u * (corner(1)[c] - corner(0)[c]) +
-              v * (corner(shape.corner_count - 1U)[c] - corner(0)[c]);
-    return at;
-  }
-  [[nodiscard]] Vector point(const Vector& reference) const {
-    std::array<double, kMaxNodesPerCell> weights;
-    shape_functions<double>(kind_, reference, weights);
-    Vector p{};
-    for (std::size_t k = 0; k < node_count(kind_); ++k)
-      for (std::size_t c = 0; c < 3; ++c)
-        p[c] += weights[k] * mesh_.position(mesh_.cell_nodes(0)[k])[c];
-    return p;
+  [[nodiscard]] Vector point(std::size_t face, double u, double v) const {
+    return test::point_of_cell(mesh_, 0, test::reference_on_face(kind_, face, u, v));
   }
   // Of the true face, by differences.
   [[nodiscard]] Vector normal(std::size_t face, double u, double v) const {
     constexpr double h = 1e-5;
-    const auto at = [&](double a, double b) { return point(reference_in(face, a, b)); };
+    const auto at = [&](double a, double b) { return point(face, a, b); };
     return unit(cross(minus(at(u + h, v), at(u - h, v)), minus(at(u, v + h), at(u, v - h))));
   }
 
@@ -291,10 +276,9 @@ TEST(CurvedNormalDoubt, HoldsBetweenPointsOfAFace) {
       }
       const double by = std::pow(10, -2.5 - any(random)), a = by * sign(random),
                    b = by * sign(random);
-      const Vector here = cell.reference_in(face, u, v);
-      const Vector there = cell.reference_in(face, u + a, v + b);
-      const double off = length(minus(cell.point(here), cell.point(there)));
-      const double doubt = curved_normal_doubt(cell.frame(), 0, face, here, off);
+      const double off = length(minus(cell.point(face, u, v), cell.point(face, u + a, v + b)));
+      const double doubt = curved_normal_doubt(cell.frame(), 0, face,
+                                               test::reference_on_face(kind, face, u, v), off);
       const double turned = angle_between(cell.normal(face, u, v), cell.normal(face, u + a, v + b));
       ASSERT_LE(turned, doubt + 1e-9) << kind_name(kind);
       closest = std::max(closest, turned / doubt);

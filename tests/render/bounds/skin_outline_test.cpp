@@ -18,8 +18,8 @@
 
 #include "hiac/geometry/face_form.hpp"
 #include "hiac/geometry/vector.hpp"
-#include "hiac/mesh/shape_functions.hpp"
 #include "tests/render/truth/general_meshes.hpp"
+#include "tests/support/cell_points.hpp"
 #include "tests/support/instrumented.hpp"
 
 namespace hiac {
@@ -53,14 +53,7 @@ class OutlineView {
   }
   // Camera coordinates of a point of a cell, by its reference coordinates.
   [[nodiscard]] Vector point(CellId cell, const Vector& reference) const {
-    const CellKind kind = mesh_.kinds[cell];
-    std::array<double, kMaxNodesPerCell> weights;
-    shape_functions<double>(kind, reference, weights);
-    Position p{};
-    const auto nodes = mesh_.cell_nodes(cell);
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-      for (std::size_t c = 0; c < 3; ++c) p[c] += weights[k] * mesh_.position(nodes[k])[c];
-    return projector_.camera_coordinates(p);
+    return projector_.camera_coordinates(test::point_of_cell(mesh_, cell, reference));
   }
   // How far a point passes the ray of a pixel by, times its depth in perspective, in pixels.
   [[nodiscard]] double beside(const Vector& p, int x, int y) const {

@@ -15,6 +15,7 @@
 #include "hiac/geometry/vector.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 #include "tests/render/truth/general_meshes.hpp"
+#include "tests/support/cell_points.hpp"
 
 namespace hiac {
 namespace {
@@ -72,16 +73,6 @@ struct BentCell {
       for (std::size_t c = 0; c < 3; ++c) p[c] += weights[k] * mapped.nodes[k][c];
     return p;
   }
-  [[nodiscard]] Vector reference_in(std::size_t face, double u, double v) const {
-    const ShapeFace& shape = topology_of(mapped.kind).faces[face];
-    const auto reference = reference_nodes(mapped.kind);
-    const auto corner = [&](std::size_t k) { return reference[shape.corners[k]]; };
-    Vector at;
-    for (std::size_t c = 0; c < 3; ++c)
-      at[c] = corner(0)[c] + u * (corner(1)[c] - corner(0)[c]) +
-              v * (corner(shape.corner_count - 1U)[c] - corner(0)[c]);
-    return at;
-  }
 };
 
 // All kinds but those whose faces collapse where differences are taken.
@@ -99,12 +90,13 @@ TEST(NormalAt, IsThatOfTheFaceThere) {
         constexpr double h = 1e-5;
         const double u = in(random), v = in(random);
         const auto at = [&](double a, double b) {
-          return cell.point(cell.reference_in(face, a, b));
+          return cell.point(test::reference_on_face(kind, face, a, b));
         };
         const Vector normal =
             cross(minus(at(u + h, v), at(u - h, v)), minus(at(u, v + h), at(u, v - h)));
-        expect_near(normal_at(projector, cell.mapped, face, cell.reference_in(face, u, v)),
-                    unit(projector.camera_vector(normal)), 1e-8);
+        expect_near(
+            normal_at(projector, cell.mapped, face, test::reference_on_face(kind, face, u, v)),
+            unit(projector.camera_vector(normal)), 1e-8);
       }
   }
 }
@@ -120,7 +112,7 @@ TEST(OneSide, EndsWhereAFaceTurnsOver) {
   const BentCell cell(CellKind::brick20, projector, {0, 0, 1});
   std::size_t top = 0;
   for (std::size_t f = 0; f < 6; ++f)
-    if (cell.reference_in(f, 0.3, 0.4)[2] == 1) top = f;
+    if (test::reference_on_face(cell.mapped.kind, f, 0.3, 0.4)[2] == 1) top = f;
   const auto one_side = [&](double from, double to) {
     return is_one_side(projector, cell.mapped, top, {from, 0.3, 1}, {to, 0.6, 1}, 4, 4);
   };

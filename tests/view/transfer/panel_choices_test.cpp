@@ -18,21 +18,13 @@
 #include "hiac/scene/toml/edited_text.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/view/open_window.hpp"
+#include "tests/view/small_view.hpp"
 #include "tools/view/transfer/spec_pane.hpp"
 #include "tools/view/transfer/transfer_panel.hpp"
 
 namespace hiac::view {
 namespace {
 
-const std::string kPlainView = R"([image]
-width = 40
-height = 30
-[camera]
-eye = [0.5, -3.0, 0.5]
-look_at = [0.5, 0.5, 0.5]
-up = [0, 0, 1]
-fov = 30.0
-)";
 const std::string kPlainColor =
     "[volume.color]\nfield = \"f\"\npoints = [[0, 0.0, 0.0, 1.0], [1, 1.0, 0.0, 0.0]]\n";
 const std::string kPlainExtinction =
@@ -45,11 +37,7 @@ class PanelChoices : public ::testing::Test {
                      [this](const QString& line) { messages_ << line; });
   }
   void open(const std::string& text) {
-    ZooMesh mesh = hiac::test::structured(2, hiac::test::Cut::tetrahedra);
-    hiac::test::add_node_field(mesh, "f", [](auto&& p) { return p[0]; });
-    hiac::test::add_node_field(mesh, "g", [](auto&& p) { return 10 * p[1] + 5; });
-    ASSERT_TRUE(document_.open(std::make_shared<const ZooMesh>(std::move(mesh)), "m.zoo", text,
-                               "view.toml", ""));
+    ASSERT_TRUE(document_.open(test::mesh_of_f_and_g(2), "m.zoo", text, "view.toml", ""));
     panel_.resize(460, 700);
     panel_.show();
     ASSERT_TRUE(test::wait_until([&] { return panel_.is_at_rest(); }));
@@ -86,7 +74,7 @@ class PanelChoices : public ::testing::Test {
 
 TEST_F(PanelChoices, AreThoseOfTheMeshAndOfTheMaps) {
   EXPECT_FALSE(panel_.isEnabled());
-  open(kPlainView + kPlainColor + kPlainExtinction);
+  open(test::kSmallView + kPlainColor + kPlainExtinction);
   EXPECT_TRUE(panel_.isEnabled());
   const QStringList fields{QStringLiteral("f"), QStringLiteral("g")};
   EXPECT_EQ(items(panel_.extinction_fields()), fields);
@@ -108,19 +96,20 @@ TEST_F(PanelChoices, AreThoseOfTheMeshAndOfTheMaps) {
 
 TEST_F(PanelChoices, NameFieldsThatNoListHas) {
   // without a mesh there are no lists
-  ASSERT_TRUE(document_.open_text(
-      kPlainView + kPlainColor + with_key(kPlainExtinction, "volume.extinction.field", "\"x\""), "",
-      ""));
+  ASSERT_TRUE(
+      document_.open_text(test::kSmallView + kPlainColor +
+                              with_key(kPlainExtinction, "volume.extinction.field", "\"x\""),
+                          "", ""));
   EXPECT_EQ(panel_.color_fields().currentText(), QStringLiteral("f"));
   EXPECT_EQ(panel_.extinction_fields().currentText(), QStringLiteral("x"));
   EXPECT_EQ(items(panel_.extinction_fields()), QStringList{QStringLiteral("x")});
-  ASSERT_TRUE(document_.edit(QStringLiteral("set"), kPlainView + kPlainColor));
+  ASSERT_TRUE(document_.edit(QStringLiteral("set"), test::kSmallView + kPlainColor));
   EXPECT_EQ(panel_.extinction_fields().currentText(), QString());
   EXPECT_EQ(items(panel_.extinction_fields()), QStringList{QStringLiteral("x")});
 }
 
 TEST_F(PanelChoices, BeginWhatIsNotThereYet) {
-  open(kPlainView + kPlainExtinction);
+  open(test::kSmallView + kPlainExtinction);
   EXPECT_EQ(panel_.color_fields().currentIndex(), -1);
   EXPECT_EQ(panel_.color_fields().currentText(), QString());
   choose(panel_.presets(), "magma");  // by the extinction's field
@@ -134,7 +123,7 @@ TEST_F(PanelChoices, BeginWhatIsNotThereYet) {
   EXPECT_EQ(volume().color->points.front().scalar, 5);
   EXPECT_EQ(volume().color->points.back().scalar, 15);
   EXPECT_EQ(panel_.presets().currentText(), QStringLiteral("viridis"));
-  ASSERT_TRUE(document_.edit(QStringLiteral("set"), kPlainView + kPlainColor));
+  ASSERT_TRUE(document_.edit(QStringLiteral("set"), test::kSmallView + kPlainColor));
   EXPECT_EQ(panel_.curve().field(), "f");
   choose(panel_.extinction_fields(), "g");
   ASSERT_TRUE(volume().extinction.has_value());
@@ -149,7 +138,7 @@ TEST_F(PanelChoices, BeginWhatIsNotThereYet) {
 }
 
 TEST_F(PanelChoices, ShowTheHistogramOfEachPlot) {
-  open(kPlainView + kPlainColor + kPlainExtinction);
+  open(test::kSmallView + kPlainColor + kPlainExtinction);
   choose(panel_.color_fields(), "g");
   for (TransferCurve* curve : {&panel_.curve(), &panel_.color_curve()}) {
     ASSERT_NE(curve->histogram(), nullptr) << curve->field();
@@ -169,7 +158,7 @@ TEST_F(PanelChoices, ShowTheHistogramOfEachPlot) {
 }
 
 TEST_F(PanelChoices, MultiplyTheDensityByKeysOnceAKey) {
-  open(kPlainView + kPlainColor + kPlainExtinction);
+  open(test::kSmallView + kPlainColor + kPlainExtinction);
   QSlider& slider = panel_.density();
   EXPECT_EQ(slider.minimum(), -200);
   EXPECT_EQ(slider.maximum(), 200);
@@ -203,7 +192,7 @@ TEST_F(PanelChoices, TellTheOpticalDepthAndTheLightThatPasses) {
 }
 
 TEST_F(PanelChoices, AddAndRemoveByButtons) {
-  open(kPlainView + kPlainColor + kPlainExtinction);
+  open(test::kSmallView + kPlainColor + kPlainExtinction);
   button("Add point").click();
   ASSERT_EQ(volume().extinction->points.size(), 3U);
   EXPECT_NEAR(volume().extinction->points[1].scalar, 0.5, 1e-3);
@@ -226,7 +215,7 @@ TEST_F(PanelChoices, AddAndRemoveByButtons) {
 }
 
 TEST_F(PanelChoices, ShowInTablesWhatIsChosenInPlotsAndBack) {
-  open(kPlainView + kPlainColor + kPlainExtinction);
+  open(test::kSmallView + kPlainColor + kPlainExtinction);
   panel_.curve().choose(ChosenHandle{Handle::color, 1});
   EXPECT_EQ(panel_.tables().currentWidget(), &panel_.tables().colors());
   EXPECT_EQ(panel_.tables().colors().currentRow(), 1);
@@ -240,7 +229,7 @@ TEST_F(PanelChoices, ShowInTablesWhatIsChosenInPlotsAndBack) {
 
 class SpecPaneTest : public ::testing::Test {
  protected:
-  SpecPaneTest() { EXPECT_TRUE(document_.open_text(kPlainView + kPlainColor, "v.toml", "")); }
+  SpecPaneTest() { EXPECT_TRUE(document_.open_text(test::kSmallView + kPlainColor, "v.toml", "")); }
   QPushButton& button(const char* text) {
     for (auto* found : pane_.findChildren<QPushButton*>())
       if (found->text() == QLatin1String(text)) return *found;
@@ -298,10 +287,10 @@ TEST_F(SpecPaneTest, KeepsWhatIsWrongAndRevertsIt) {
 TEST_F(SpecPaneTest, OpensATextWhereThereIsNone) {
   Document document;
   SpecPane pane(document);
-  pane.editor().setPlainText(QString::fromStdString(kPlainView + kPlainColor));
+  pane.editor().setPlainText(QString::fromStdString(test::kSmallView + kPlainColor));
   pane.apply();
   ASSERT_TRUE(document.has_scene());
-  EXPECT_EQ(document.text(), kPlainView + kPlainColor);
+  EXPECT_EQ(document.text(), test::kSmallView + kPlainColor);
   EXPECT_EQ(document.undo_stack().count(), 0);
 }
 

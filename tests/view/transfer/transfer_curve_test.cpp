@@ -14,19 +14,12 @@
 #include <gtest/gtest.h>
 
 #include "hiac/scene/toml/edited_text.hpp"
+#include "tests/view/small_view.hpp"
 
 namespace hiac::view {
 namespace {
 
-const std::string kCurveView = R"([image]
-width = 40
-height = 30
-[camera]
-eye = [0.5, -3.0, 0.5]
-look_at = [0.5, 0.5, 0.5]
-up = [0, 0, 1]
-fov = 30.0
-[volume.color]
+const std::string kCurveView = test::kSmallView + R"([volume.color]
 field = "f"
 points = [[0.125, 0.0, 0.0, 1.0], [0.875, 1.0, 0.5, 0.0]]
 [volume.extinction]

@@ -9,6 +9,7 @@
 
 #include "hiac/scene/toml/edited_text.hpp"
 #include "tests/view/recorded_paint.hpp"
+#include "tests/view/small_view.hpp"
 #include "tools/view/transfer/display_color.hpp"
 #include "tools/view/transfer/transfer_curve.hpp"
 
@@ -18,15 +19,7 @@ namespace {
 using test::Drawn;
 using test::RecordedPaint;
 
-const std::string kPaintedView = R"([image]
-width = 40
-height = 30
-[camera]
-eye = [0.5, -3.0, 0.5]
-look_at = [0.5, 0.5, 0.5]
-up = [0, 0, 1]
-fov = 30.0
-[volume.color]
+const std::string kPaintedView = test::kSmallView + R"([volume.color]
 field = "f"
 points = [[0, 0.0, 0.0, 1.0], [1, 1.0, 0.25, 0.0]]
 [volume.extinction]

@@ -19,6 +19,7 @@
 #include "tests/support/meshes.hpp"
 #include "tests/support/scratch_folder.hpp"
 #include "tests/view/open_window.hpp"
+#include "tests/view/small_view.hpp"
 #include "tools/view/transfer/bump.hpp"
 #include "tools/view/transfer/display_color.hpp"
 #include "tools/view/transfer/spec_pane.hpp"
@@ -28,16 +29,7 @@ namespace {
 
 using test::wait_until;
 
-const std::string kText = R"(# a view of mine
-[image]
-width = 40
-height = 30
-[camera]
-eye = [0.5, -3.0, 0.5]
-look_at = [0.5, 0.5, 0.5]
-up = [0, 0, 1]
-fov = 30.0
-[volume.color]
+const std::string kText = "# a view of mine\n" + test::kSmallView + R"([volume.color]
 field = "f"
 points = [
   [0, 0.0, 0.0, 1.0],  # blue
@@ -60,11 +52,7 @@ class TransferPanelTest : public ::testing::Test {
   TransferPanelTest() {
     QObject::connect(&document_, &Document::message, &document_,
                      [this](const QString& line) { messages_ << line; });
-    ZooMesh mesh = hiac::test::structured(3, hiac::test::Cut::tetrahedra);
-    hiac::test::add_node_field(mesh, "f", [](auto&& p) { return p[0]; });
-    hiac::test::add_node_field(mesh, "g", [](auto&& p) { return 10 * p[1] + 5; });
-    EXPECT_TRUE(document_.open(std::make_shared<const ZooMesh>(std::move(mesh)), "m.zoo", kText,
-                               "view.toml", ""));
+    EXPECT_TRUE(document_.open(test::mesh_of_f_and_g(3), "m.zoo", kText, "view.toml", ""));
     panel_.resize(460, 700);
     panel_.show();
     EXPECT_TRUE(wait_until([&] { return panel_.is_at_rest(); }));

@@ -11,20 +11,13 @@
 #include <gtest/gtest.h>
 
 #include "hiac/scene/toml/edited_text.hpp"
+#include "tests/view/small_view.hpp"
 #include "tools/view/transfer/display_color.hpp"
 
 namespace hiac::view {
 namespace {
 
-const std::string kTablesView = R"([image]
-width = 40
-height = 30
-[camera]
-eye = [0.5, -3.0, 0.5]
-look_at = [0.5, 0.5, 0.5]
-up = [0, 0, 1]
-fov = 30.0
-[volume.color]
+const std::string kTablesView = test::kSmallView + R"([volume.color]
 field = "f"
 points = [[0, 0.0, 0.0, 1.0], [1, 0.25, 0.5, 2.0]]
 [volume.extinction]
