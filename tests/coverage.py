@@ -226,6 +226,7 @@ def main():
               for path in sorted({place[0] for place in places})}
     (build.work / "functions.json").write_text(json.dumps({
         "sha256": hashes,
+        "tests": build.tests,
         "functions": [[*place, sorted(tests)] for place, tests in sorted(places.items())]}))
     if wanted.lines:
         for path, line in lines_not_executed(build):

@@ -20,7 +20,8 @@ where the program behaves as before: these are printed as such and do not count.
 
 With --functions, a file that tests/coverage.py writes, those tests of other rooms are not run that do not
 execute the function around the defect: they cannot notice it. Where the file does not know (a constant,
-a constexpr function, a template that no test executes, a source that has changed) all are.
+a constexpr function, a template that no test executes, a source that has changed) all are, and so are
+tests that were not counted.
 
 The same seed gives the same defects in the same sources. Every verdict is kept in a journal
 (--work/journal-SEED): started again, the program goes on where it was ended.
@@ -51,7 +52,7 @@ Place = collections.namedtuple("Place", "path line start end kind before after")
 NUMBER = r"(?<![\w.])(?:0x[0-9a-f.]+p[+-]?\d+|\d+\.\d*(?:e[+-]?\d+)?|\d+e[+-]?\d+|\d+)(?![\w.])"
 NAME = r"[A-Za-z_]\w*(?:\.\w+|->\w+|\[\w+\])*"
 
-# not behind a function of two whose result does not depend on which is the first
+# The result of these does not depend on which of two arguments is the first.
 UNORDERED = ("max", "min", "Max", "Min", "Mul", "Add", "swap", "dot")
 NOT_UNORDERED = "".join(rf"(?<!\b{name}\()" for name in UNORDERED)
 
@@ -150,11 +151,11 @@ class Executions:
     """Which test executables execute which function, as tests/coverage.py has counted."""
 
     def __init__(self, path):
-        known = json.loads(path.read_text()) if path else {"sha256": {}, "functions": []}
+        known = json.loads(path.read_text()) if path else {"sha256": {}, "tests": [], "functions": []}
         self.functions = collections.defaultdict(list)
         for name, first, last, tests in known["functions"]:
             self.functions[name].append((first, last, set(tests)))
-        self.hashes = known["sha256"]
+        self.hashes, self.counted = known["sha256"], set(known["tests"])
         self.lines = {}
 
     def is_known(self, path):
@@ -174,11 +175,11 @@ class Executions:
         first = max(f[0] for f in around)  # of the innermost
         tests = set().union(*(f[2] for f in around if f[0] == first))
         head = " ".join(self.lines[place.path][max(first - 3, 0):first + 2])
-        # what the compiler itself evaluates, and what it makes nothing of
+        # the compiler itself evaluates the first, and counts nothing of a template that it never makes
         unseen = r"\b(?:constexpr|consteval)\b" if tests else r"\b(?:constexpr|consteval|template)\b"
         if re.search(unseen, head):
             return lambda target: True
-        return lambda target: target in tests
+        return lambda target: target in tests or target not in self.counted
 
 
 class Journal:
@@ -382,7 +383,10 @@ def arguments():
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--configure", action="append", default=[], metavar="-DNAME=VALUE",
                         help="further arguments of cmake")
-    return parser.parse_args()
+    wanted = parser.parse_args()
+    if wanted.data and wanted.functions:
+        parser.error("--functions: the tests were counted without real files, so not with --data")
+    return wanted
 
 
 def main():

@@ -370,7 +370,7 @@ class Walk {
     const Real direct = emits ? 0 : largest_color_ * length_ * cuts.extinction_doubt;
     const Real transparency = std::exp(-depth_);
     const auto error = static_cast<double>(error_ + color_weight * cuts.color_doubt + direct);
-    // nothing visible times an unbounded error, which is no number
+    // 0, of what is not visible, times an unbounded error is no number
     return {rgb_, transparency, std::isnan(error) ? std::numeric_limits<double>::infinity() : error,
             static_cast<double>(
                 std::min<Real>(1, transparency * growth(depth_error_ + 4 * kRuleUnit<Real>) +
