@@ -115,8 +115,10 @@ class PatchJoiner {
       points += part.point_count();
       const std::string path = part.mesh_file("boundary");
       patches_.push_back(FoamFile(path).patches());
-      std::erase_if(patches_.back(), [](const Patch& patch) { return patch.type != "processor"; });
-      for (const Patch& patch : patches_.back()) check(patch, part, path);
+      std::erase_if(patches_.back(), [](const Patch& patch) {
+        return patch.type != "processor" || patch.faces == 0;
+      });
+      for (const Patch& patch : patches_.back()) check(patch, patches_.size() - 1, path);
     }
     first_point_.push_back(points);
   }
@@ -124,9 +126,10 @@ class PatchJoiner {
   JoinedParts run() {
     UnitedPoints united(first_point_.back());
     for (std::size_t p = 0; p < parts_.size(); ++p)
-      for (const Patch& patch : patches_[p])
-        if (static_cast<std::size_t>(patch.neighbour) > p)
-          join(p, patch, other_side(p, patch), united);
+      for (const Patch& patch : patches_[p]) {
+        const Patch& other = other_side(p, patch);  // also of a patch that is joined from there
+        if (static_cast<std::size_t>(patch.neighbour) > p) join(p, patch, other, united);
+      }
     JoinedParts joined;
     std::vector<std::size_t> places(first_point_.back(), kNowhere);
     for (std::size_t p = 0; p < parts_.size(); ++p) {
@@ -143,8 +146,8 @@ class PatchJoiner {
   }
 
  private:
-  void check(const Patch& patch, const CasePart& part, const std::string& path) const {
-    const std::size_t faces = part.starts.size() - 1;
+  void check(const Patch& patch, std::size_t p, const std::string& path) const {
+    const std::size_t faces = parts_[p].starts.size() - 1;
     if (patch.faces < 0 || patch.start_face < 0 ||
         static_cast<std::uint64_t>(patch.start_face) > faces ||
         static_cast<std::uint64_t>(patch.faces) >
@@ -155,6 +158,8 @@ class PatchJoiner {
       throw InputError(path,
                        fmt::format("a patch to part {}, which there is not (0 to {} expected)",
                                    patch.neighbour, parts_.size() - 1));
+    if (static_cast<std::size_t>(patch.neighbour) == p)
+      throw InputError(path, fmt::format("a patch of part {} to itself", p));
   }
 
   const Patch& other_side(std::size_t p, const Patch& patch) const {

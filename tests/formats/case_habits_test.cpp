@@ -237,6 +237,20 @@ TEST(OpenFoamParts, WhatDoesNotMeetIsRefused) {
   EXPECT_THAT(folder.refused(), HasSubstr("a patch of 2 faces from face 3 on (4 faces found)"));
   folder.write_boundary(1, 1, 2, 0);
   EXPECT_THAT(folder.refused(), HasSubstr("its patch to part 0 does not meet that part's face 3"));
+  folder.write_boundary(1, 1, 3, 1);
+  EXPECT_THAT(folder.refused(), HasSubstr("processor1/constant/polyMesh/boundary: "
+                                          "a patch of part 1 to itself"));
+  // only part 1 has a patch to the other
+  folder.write_boundary(1, 1, 3, 0);
+  folder.write_part_file(0, "constant/polyMesh/boundary",
+                         foam("polyBoundaryMesh", "1(a { type wall; nFaces 4; startFace 0; })"));
+  EXPECT_THAT(folder.refused(),
+              HasSubstr("processor0/constant/polyMesh/boundary: "
+                        "no patch of 1 faces to part 1, as part 1 has one to it"));
+  // one without faces joins nothing
+  folder.write_boundary(1, 0, 3, 0);
+  EXPECT_EQ(read_any(folder.file("a.foam")).mesh.node_count(), 8U);
+  folder.write_boundary(0, 1, 3, 1);
   folder.write_boundary(1, 1, 3, 0);
   folder.write_part(1, "(1 1 1)(1 0 0)(0 1 0)(0 0 1)", "3(1 2 0) 3(2 3 0) 3(3 1 0) 3(1 3 9)");
   EXPECT_THAT(folder.refused(), HasSubstr("there is no point 9 (4 points found)"));

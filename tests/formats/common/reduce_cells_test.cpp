@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "formats/common/cells/lattice.hpp"
+#include "formats/common/cells/recognized_cells.hpp"
 #include "formats/common/io/written_digits.hpp"
 #include "formats/common/mesh/assemble.hpp"
 #include "hiac/mesh/face_adjacency.hpp"
@@ -144,6 +145,41 @@ TEST(ReduceCells, ACentreThatIsMovedIsNotLeftOutSilently) {
 }
 
 // coordinates and fields written with 7 digits: nodes in faces are off by their rounding
+/// A unit tetrahedron's corners and the middles of its edges, these moved away from its centre.
+NodePositions moved_middles(double by) {
+  constexpr Point kCentre{0.25, 0.25, 0.25};
+  NodePositions cell{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (std::size_t a = 0; a < 4; ++a)
+    for (std::size_t b = a + 1; b < 4; ++b) {
+      Point middle{};
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double half = (cell[a][c] + cell[b][c]) / 2;
+        middle[c] = half + by / std::sqrt(3.0 / 16) * (half - kCentre[c]);
+      }
+      cell.push_back(middle);
+    }
+  return cell;
+}
+
+// The root mean square of all ten distances, in units of half an edge: 2 sqrt(6 / 10) by.
+TEST(RecognizedCells, HaveNodesWithinAThirdOfTheSpacing) {
+  const CellConversion conversion = unsupported_with(CellKind::tetrahedron4);
+  const double limit = 1 / (6 * std::sqrt(0.6));
+  const auto recognized = [&](double by) {
+    const std::vector<NodePositions> cells{moved_middles(by)};
+    return recognized_cell(conversion, cells);
+  };
+  for (const double by : {0.0, 0.5 * limit, 0.999 * limit}) {
+    const auto cell = recognized(by);
+    ASSERT_TRUE(cell.has_value()) << by;
+    EXPECT_EQ(cell->kind, CellKind::tetrahedron10);
+    EXPECT_EQ(cell->order, 2U);
+    EXPECT_TRUE(cell->left_out.empty());
+  }
+  EXPECT_FALSE(recognized(1.001 * limit).has_value());
+  EXPECT_FALSE(recognized(1.1 * limit).has_value());
+}
+
 TEST(ReduceCells, RoundedDigitsAreAllowedAndStated) {
   const auto rounded = [](double value) { return std::stod(fmt::format("{:.6e}", value)); };
   const auto mesh_of = [&](double off) {

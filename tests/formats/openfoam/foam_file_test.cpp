@@ -76,6 +76,12 @@ TEST(FoamHeaders, AreEntriesBetweenBraces) {
       "volScalarField");
 }
 
+TEST(FoamHeaders, CommentsMayBeEmpty) {
+  EXPECT_EQ(from_foam("/**/ FoamFile /***/ { /*/ class b; */ class a; }", kNothing), "a");
+  EXPECT_EQ(from_foam("FoamFile { class a; // }\n/* */ note b; }", kNothing), "a");
+  EXPECT_EQ(foam_refusal("/*/ FoamFile { class a; }", kNothing), ":1: 'FoamFile' expected");
+}
+
 TEST(FoamLists, OfWholeNumbers) {
   const auto labels = [](const std::string& body) { return from_foam(foam_text(body), kLabels); };
   EXPECT_THAT(labels("3(7 -8\n9)"), ElementsAre(7, -8, 9));
