@@ -127,7 +127,7 @@ class PatchJoiner {
     UnitedPoints united(first_point_.back());
     for (std::size_t p = 0; p < parts_.size(); ++p)
       for (const Patch& patch : patches_[p]) {
-        const Patch& other = other_side(p, patch);  // also of a patch that is joined from there
+        const Patch& other = other_side(p, patch);  // refuses a patch that has none
         if (static_cast<std::size_t>(patch.neighbour) > p) join(p, patch, other, united);
       }
     JoinedParts joined;

@@ -22,8 +22,9 @@ struct JoinedParts {
 /// Joins parts, in the order of their numbers: by pointProcAddressing and cellProcAddressing, which
 /// give the places of the parts' points and cells in the whole mesh, if all parts have them and
 /// they are consistent; otherwise by the patches of type "processor", whose faces coincide one by
-/// one with those of the patch on the other side; the cells then follow part after part. Throws
-/// InputError naming the file when a patch does not match its other side.
+/// one with those of the patch on the other side; the cells then follow part after part. Patches
+/// without faces are passed over. Throws InputError naming the file when a patch leads to its own
+/// part, has no other side or does not match it.
 ///
 /// OpenFOAM User Guide, "Running applications in parallel"; processorPolyPatch.H (the order of
 /// faces and of their points).

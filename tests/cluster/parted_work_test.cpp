@@ -127,8 +127,9 @@ TEST(PartedStatistics, AreThoseOfTheWholeOnEveryRank) {
     }
 }
 
-// A pause makes longer what is measured from outside, at times: one of some tries is enough.
-TEST(PartedStatistics, TheFirstPictureCountsHowTheRendererIsMade) {
+// A pause of the process can lengthen what is measured from outside: one of several tries is
+// enough.
+TEST(PartedStatistics, TheFirstPictureIncludesMakingTheRenderer) {
   const ZooMesh mesh = work_mesh();
   const Scene scene = work_scene();
   const test::Parts parts(mesh, std::vector<std::uint32_t>(mesh.cell_count(), 0), 1, scene);

@@ -247,7 +247,7 @@ TEST(OpenFoamParts, WhatDoesNotMeetIsRefused) {
   EXPECT_THAT(folder.refused(),
               HasSubstr("processor0/constant/polyMesh/boundary: "
                         "no patch of 1 faces to part 1, as part 1 has one to it"));
-  // one without faces joins nothing
+  // a patch without faces joins nothing and needs no other side
   folder.write_boundary(1, 0, 3, 0);
   EXPECT_EQ(read_any(folder.file("a.foam")).mesh.node_count(), 8U);
   folder.write_boundary(0, 1, 3, 1);

@@ -144,8 +144,8 @@ TEST(ReduceCells, ACentreThatIsMovedIsNotLeftOutSilently) {
   EXPECT_THAT(refusal_of(mesh), HasSubstr("nodes move by up to 0.0625"));
 }
 
-// coordinates and fields written with 7 digits: nodes in faces are off by their rounding
-/// A unit tetrahedron's corners and the middles of its edges, these moved away from its centre.
+/// A unit tetrahedron's corners and the middles of its edges, which are moved away
+/// from its centre.
 NodePositions moved_middles(double by) {
   constexpr Point kCentre{0.25, 0.25, 0.25};
   NodePositions cell{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -161,7 +161,7 @@ NodePositions moved_middles(double by) {
   return cell;
 }
 
-// The root mean square of all ten distances, in units of half an edge: 2 sqrt(6 / 10) by.
+// The root mean square of all ten distances is 2 sqrt(6 / 10) by, in units of half an edge.
 TEST(RecognizedCells, HaveNodesWithinAThirdOfTheSpacing) {
   const CellConversion conversion = unsupported_with(CellKind::tetrahedron4);
   const double limit = 1 / (6 * std::sqrt(0.6));
@@ -180,6 +180,7 @@ TEST(RecognizedCells, HaveNodesWithinAThirdOfTheSpacing) {
   EXPECT_FALSE(recognized(1.1 * limit).has_value());
 }
 
+// coordinates and fields written with 7 digits: nodes in faces are off by their rounding
 TEST(ReduceCells, RoundedDigitsAreAllowedAndStated) {
   const auto rounded = [](double value) { return std::stod(fmt::format("{:.6e}", value)); };
   const auto mesh_of = [&](double off) {

@@ -287,7 +287,7 @@ TEST_F(ShadeBoundTest, CountsWhatHighlightsChangeBy) {
   // where it begins, c^s is as steep as can be for s < 1
   const double c = 1.5 * e, edge = std::sqrt((1 + c) / 2);
   expect_near(highlight(0.5, {std::sqrt(1 - edge * edge), 0, -edge}, angle), std::sqrt(c + e));
-  // all of it at most
+  // a highlight is in doubt by the whole of it at most
   expect_near(highlight(100, kTowards, 1e-2), 1);
   // turned away by more than the error: none
   EXPECT_LT(highlight(0.5, {0.8, 0, -0.6}, angle), 1e-14);
