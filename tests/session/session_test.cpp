@@ -1,6 +1,7 @@
 #include "hiac/session/session.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <set>
@@ -295,6 +296,81 @@ TEST(Session, AStepOfTheSameGeometryKeepsTheOrder) {
   other.camera.eye[0] += 1;
   EXPECT_NE(session.picture(other).order, before.order);
   expect_same(session.picture(other).image, alone.picture(other).image);
+}
+
+// Pictures of few pixels, in which rays are followed from cell to cell.
+void expect_by_rays(Session& session, const Scene& scene) {
+  const auto by_rays = session.picture_by_rays(scene);
+  ASSERT_TRUE(by_rays.has_value());
+  const Picture by_order = session.picture(scene);
+  EXPECT_EQ(by_rays->order, nullptr);
+  EXPECT_EQ(by_rays->mesh_hash, by_order.mesh_hash);
+  EXPECT_EQ(by_rays->segments, by_order.segments);
+  EXPECT_EQ(by_rays->covered_pixels, by_order.covered_pixels);
+  ASSERT_EQ(by_rays->image.values().size(), by_order.image.values().size());
+  double largest = 0;
+  for (std::size_t k = 0; k < by_order.image.values().size(); ++k)
+    largest = std::max(largest, std::abs(by_rays->image.values()[k] - by_order.image.values()[k]));
+  EXPECT_LE(largest, 1e-12);
+}
+
+Scene coarse_view(const ZooMesh& mesh) {
+  Scene scene = small_view(mesh);
+  scene.image = {32, 24};
+  scene.background.color = {0.2, 0.4, 0.6};
+  return scene;
+}
+
+TEST(Session, PicturesByRaysAreThoseOfAnOrder) {
+  ZooMesh mesh = test::random_delaunay(250, 1);
+  test::add_node_field(mesh, "f", test::smooth_field);
+  Scene scene = coarse_view(mesh);
+  ASSERT_TRUE(scene.edges.has_value());
+  Session session(mesh);
+  expect_by_rays(session, scene);
+  scene.edges->show = EdgeChoice::boundary;
+  expect_by_rays(session, scene);
+  scene.edges.reset();
+  expect_by_rays(session, scene);
+  scene.camera.eye[0] += 1;
+  expect_by_rays(session, scene);
+  const auto without = session.picture_by_rays(scene, false);
+  ASSERT_TRUE(without.has_value());
+  PictureRequest request;
+  request.background = false;
+  EXPECT_NEAR(without->image.at(0, 0, 2), session.picture(scene, request).image.at(0, 0, 2), 1e-12);
+  EXPECT_NE(without->image.at(0, 0, 2), session.picture_by_rays(scene)->image.at(0, 0, 2));
+  // another step's field
+  ZooMesh step = mesh;
+  step.fields.clear();
+  test::add_node_field(step, "f", [](const test::Position& p) { return p[0] * p[2]; });
+  ASSERT_TRUE(session.take_step(step));
+  expect_by_rays(session, scene);
+}
+
+TEST(Session, PicturesByRaysAreNotMadeWhereAnOrderIsFasterOrDecides) {
+  const ZooMesh prisms = small_mesh();
+  EXPECT_FALSE(Session(prisms).picture_by_rays(coarse_view(prisms)).has_value());
+  ZooMesh mesh = test::structured(4, test::Cut::tetrahedra);
+  test::add_node_field(mesh, "f", test::smooth_field);
+  Scene scene = coarse_view(mesh);
+  Session session(mesh);
+  EXPECT_TRUE(session.picture_by_rays(scene).has_value());
+  scene.image = {320, 240};
+  EXPECT_FALSE(session.picture_by_rays(scene).has_value());
+  scene = coarse_view(mesh);
+  session.look_for_overlaps(scene.render.planarity);
+  EXPECT_FALSE(session.picture_by_rays(scene).has_value());
+
+  ZooMesh overlapping = test::side_by_side(
+      test::structured(4, test::Cut::tetrahedra),
+      test::moved(test::structured(4, test::Cut::tetrahedra), [](const test::Position& p) {
+        return test::Position{p[0] + 0.3, p[1] + 0.2, p[2] + 0.1};
+      }));
+  overlapping.fields.clear();
+  test::add_node_field(overlapping, "f", test::smooth_field);
+  const Scene view = coarse_view(overlapping);
+  EXPECT_FALSE(Session(overlapping).picture_by_rays(view).has_value());
 }
 
 TEST(Session, AStepOfAnotherGeometryIsNotTaken) {

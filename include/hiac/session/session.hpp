@@ -117,6 +117,16 @@ class Session {
   /// and whatever `order` throws.
   Picture picture(const Scene& scene, const PictureRequest& request = {});
 
+  /// The picture of a scene of one frame without an order, by following each ray from cell to cell:
+  /// the same numbers to within rounding, in less time where many cells lie behind one pixel, as
+  /// while a large mesh is turned in a window. Without further channels; its `order` is null.
+  ///
+  /// None where `picture` is to be asked: where it is as fast, or rays are not followed so, because
+  /// of other cells than linear tetrahedra, cells that overlap or are searched for overlaps,
+  /// anything but edges and a medium of one field of nodes with the exact rule of integration, a
+  /// clipping slab, or a node beside or behind the eye.
+  std::optional<Picture> picture_by_rays(const Scene& scene, bool background = true);
+
   /// Explains how one pixel of a scene of one frame is computed.
   Explanation explain(const Scene& scene, std::uint32_t x, std::uint32_t y, bool background = true);
 

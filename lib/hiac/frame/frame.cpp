@@ -19,11 +19,14 @@ FrameField zero_field(const ZooMesh& mesh) {
 
 }  // namespace
 
-Frame::Frame(const ZooMesh& of_mesh, const Scene& scene, const Projector& of_scene, Details details)
+Frame::Frame(const ZooMesh& of_mesh, const Scene& scene, const Projector& of_scene, Details details,
+             Kernels kernels)
     : mesh(of_mesh),
       projector(of_scene),
       nodes(project_nodes(mesh, projector)),
-      kernel_cells(hiac::kernel_cells(mesh, nodes, scene.render.planarity)),
+      kernel_cells(kernels == Kernels::none
+                       ? std::vector<CellKernel>{}
+                       : hiac::kernel_cells(mesh, nodes, scene.render.planarity)),
       isosurfaces(make_isosurfaces(mesh, scene, projector)),
       skin(make_skin(mesh, scene, projector)),
       with_details(details != Details::none),

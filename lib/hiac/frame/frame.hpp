@@ -22,12 +22,15 @@ enum class Details : std::uint8_t {
   bounded     ///< PixelDetails with error bounds
 };
 
+/// Whether cells are drawn by kernels: not where rays are followed from cell to cell.
+enum class Kernels : bool { none, chosen };
+
 /// Everything that does not change while one image is made. Shared by all tiles, read only.
 struct Frame {
   /// The frame of a scene. `projector` is that of the scene; it and the mesh must outlive the
   /// frame. Mesh and scene must pass check_renderable (renderable.hpp).
   Frame(const ZooMesh& mesh, const Scene& scene, const Projector& projector,
-        Details details = Details::none);
+        Details details = Details::none, Kernels kernels = Kernels::chosen);
   Frame(const Frame&) = delete;
   Frame& operator=(const Frame&) = delete;
   ~Frame() = default;
@@ -35,7 +38,7 @@ struct Frame {
   const ZooMesh& mesh;
   const Projector& projector;
   std::vector<ProjectedNode> nodes;
-  std::vector<CellKernel> kernel_cells;  ///< result of kernel_cells()
+  std::vector<CellKernel> kernel_cells;  ///< result of kernel_cells(); empty with Kernels::none
   OpticsTables optics;
   FrameField color, extinction;  ///< equal if optics.same_field
   Isosurfaces isosurfaces;

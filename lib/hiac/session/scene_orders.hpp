@@ -38,6 +38,8 @@ class SceneOrders {
 
   /// The mesh's adjacency, if an order needed it.
   [[nodiscard]] const FaceAdjacency* adjacency() const { return ordering_.adjacency(); }
+  /// The same, computed if no order has needed it yet.
+  const FaceAdjacency& required_adjacency() { return ordering_.basis().adjacency; }
 
  private:
   MeshOrder of_all_cells(const Scene& scene, const LoopCrew* crew);

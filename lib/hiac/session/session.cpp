@@ -15,6 +15,7 @@
 #include "hiac/render/engine.hpp"
 #include "hiac/render/explain_pixel.hpp"
 #include "hiac/render/supersampling.hpp"
+#include "hiac/render/walk/walked_picture.hpp"
 #include "hiac/session/scene_orders.hpp"
 #include "hiac/session/stages.hpp"
 
@@ -38,6 +39,20 @@ RenderResult draw(const ZooMesh& mesh, const VisibilityOrder& order, const Scene
   return result;
 }
 
+Picture picture_of(RenderResult result, std::shared_ptr<const MeshOrder> order,
+                   const std::string& mesh_hash) {
+  const RenderStatistics& met = result.statistics;
+  return {std::move(result.image),
+          met.segments,
+          met.violations,
+          met.covered_pixels,
+          met.mean_optical_depth,
+          met.largest_optical_depth,
+          mesh_hash,
+          std::move(order),
+          std::make_shared<const RenderStatistics>(met)};
+}
+
 }  // namespace
 
 struct Session::State {
@@ -49,6 +64,11 @@ struct Session::State {
   std::string last_view;                        // its hash
   std::vector<CellId> left_out;                 // of all orders
   bool has_boundary = false;                    // the mesh has the adjacency that pictures need
+  bool sorts_overlaps = false;                  // pairs of cells are sorted pixel by pixel
+  std::optional<WalkableMesh> walkable;
+  bool knows_walkable = false;
+  std::optional<Edges> chosen;  // what edges_of_mesh are, apart from their look
+  MeshEdges edges_of_mesh;
 
   State(ZooMesh drawn, Monitor watching)
       : mesh(std::move(drawn)), monitor(std::move(watching)), orders(mesh, monitor) {}
@@ -79,6 +99,23 @@ struct Session::State {
     has_boundary = true;
   }
 
+  const WalkableMesh* walkable_mesh() {
+    if (sorts_overlaps) return nullptr;
+    if (!knows_walkable) walkable = WalkableMesh::of(mesh, orders.required_adjacency());
+    knows_walkable = true;
+    return walkable ? &*walkable : nullptr;
+  }
+
+  // Null if the scene draws no edges.
+  const MeshEdges* edges_for(const Scene& scene) {
+    if (!scene.edges) return nullptr;
+    prepare_boundary(scene);
+    const Edges wanted{.show = scene.edges->show, .angle = scene.edges->angle};
+    if (chosen != wanted) edges_of_mesh = mesh_edges(mesh, wanted);
+    chosen = wanted;
+    return &edges_of_mesh;
+  }
+
   const std::string& hash_of_geometry() {
     if (geometry.empty()) geometry = geometry_hash(mesh);
     return geometry;
@@ -95,6 +132,8 @@ const ZooMesh& Session::mesh() const { return state_->mesh; }
 bool Session::take_step(ZooMesh& mesh) {
   if (geometry_hash(mesh) != state_->hash_of_geometry()) return false;
   if (state_->has_boundary) mesh.adjacency = state_->mesh.adjacency;
+  state_->walkable.reset();  // it refers to the arrays of the mesh before
+  state_->knows_walkable = false;
   state_->mesh = std::move(mesh);
   state_->content.clear();
   return true;
@@ -119,6 +158,7 @@ std::vector<CellId> Session::skip_invalid_cells(const Scene& scene) {
 
 void Session::look_for_overlaps(double planarity) {
   state_->orders.look_for_overlaps(planarity);
+  state_->sorts_overlaps = true;
   state_->last_order.reset();
 }
 
@@ -142,16 +182,25 @@ Picture Session::picture(const Scene& scene, const PictureRequest& request) {
     return draw(s.mesh, made->record.order, scene, request, part, s.monitor.progress);
   });
   if (request.under != nullptr) composite_over(result.image, *request.under);
-  const RenderStatistics& met = result.statistics;
-  return {std::move(result.image),
-          met.segments,
-          met.violations,
-          met.covered_pixels,
-          met.mean_optical_depth,
-          met.largest_optical_depth,
-          s.content_hash_of_mesh(),
-          made,
-          std::make_shared<const RenderStatistics>(met)};
+  return picture_of(std::move(result), made, s.content_hash_of_mesh());
+}
+
+std::optional<Picture> Session::picture_by_rays(const Scene& scene, bool background) {
+  State& s = *state_;
+  const CancellationScope scope(s.monitor.cancellation);
+  const std::uint64_t pixels = std::uint64_t{scene.image.width} * scene.image.height;
+  if (!is_faster_walked(s.mesh.cell_count(), pixels)) return std::nullopt;
+  const WalkableMesh* const walkable = s.walkable_mesh();
+  if (walkable == nullptr) return std::nullopt;
+  std::optional<RenderResult> result = run_stage(s.monitor, "render", [&] {
+    return walked_picture(*walkable, scene, s.edges_for(scene), background);
+  });
+  if (!result) return std::nullopt;
+  if (result->statistics.violations > 0) {  // cells overlap, which an order treats in its own way
+    s.walkable.reset();
+    return std::nullopt;
+  }
+  return picture_of(*std::move(result), nullptr, s.content_hash_of_mesh());
 }
 
 Explanation Session::explain(const Scene& scene, std::uint32_t x, std::uint32_t y,

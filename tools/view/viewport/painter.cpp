@@ -71,6 +71,14 @@ std::vector<Value> spread(std::span<const Value> values, std::size_t width, std:
   return all;
 }
 
+// Of few pixels, without background.
+Picture coarse_picture(Session& session, const Scene& scene) {
+  if (auto picture = session.picture_by_rays(scene, false)) return *std::move(picture);
+  PictureRequest request;
+  request.background = false;
+  return session.picture(scene, request);
+}
+
 }  // namespace
 
 Painter::Painter(const Cancellation& cancellation) : cancellation_(cancellation) {}
@@ -137,9 +145,7 @@ Painted Painter::paint(const Wanted& wanted, std::uint32_t step) {
   } else {
     Session& session = session_for(wanted);
     const CoarseScene coarse = coarse_scene(wanted.scene, step);
-    PictureRequest request;
-    request.background = false;
-    Picture picture = session.picture(coarse.scene, request);
+    Picture picture = coarse_picture(session, coarse.scene);
     require_numbers(picture.image);
     put_background_behind(picture.image, coarse, wanted.scene);
     const ImageSize size = wanted.scene.image;

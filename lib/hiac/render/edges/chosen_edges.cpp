@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "hiac/frame/surfaces/boundary_faces.hpp"
 #include "hiac/geometry/vector.hpp"
 
 namespace hiac {
@@ -89,6 +90,12 @@ std::vector<EdgeNodes> all_edges(const ZooMesh& mesh) {
   const auto repeated = std::ranges::unique(edges, {}, ends_of);
   edges.erase(repeated.begin(), repeated.end());
   return edges;
+}
+
+MeshEdges mesh_edges(const ZooMesh& mesh, const Edges& wanted) {
+  MeshEdges found{boundary_faces(mesh), {}};
+  found.edges = chosen_edges(mesh, wanted, found.boundary);
+  return found;
 }
 
 std::vector<EdgeNodes> chosen_edges(const ZooMesh& mesh, const Edges& wanted,

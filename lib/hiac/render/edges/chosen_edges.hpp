@@ -40,4 +40,11 @@ double cosine_of(const Edges& wanted);
 std::vector<EdgeNodes> chosen_edges(const ZooMesh& mesh, const Edges& wanted,
                                     std::span<const std::uint8_t> boundary);
 
+/// What ScreenEdges takes of a mesh, for many pictures.
+struct MeshEdges {
+  std::vector<std::uint8_t> boundary;  ///< boundary_faces
+  std::vector<EdgeNodes> edges;        ///< chosen_edges
+};
+MeshEdges mesh_edges(const ZooMesh& mesh, const Edges& wanted);
+
 }  // namespace hiac

@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "hiac/frame/surfaces/boundary_faces.hpp"
 #include "hiac/render/edges/chosen_edges.hpp"
 
 namespace hiac {
@@ -62,8 +61,9 @@ ProjectedNode on_screen(const Projector& projector, const Point& p) {
 ScreenEdges::ScreenEdges(const Frame& frame, const Scene& scene) {
   if (!scene.edges) return;
   look_ = *scene.edges;
-  boundary_ = boundary_faces(frame.mesh);
-  add_all(frame, chosen_edges(frame.mesh, look_, boundary_));
+  MeshEdges of_mesh = mesh_edges(frame.mesh, look_);
+  boundary_ = std::move(of_mesh.boundary);
+  add_all(frame, of_mesh.edges);
   deal_out(scene.image);
 }
 

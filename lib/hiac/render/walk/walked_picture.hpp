@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "hiac/frame/tiles/picture.hpp"
+#include "hiac/render/edges/chosen_edges.hpp"
+#include "hiac/render/walk/walkable_mesh.hpp"
+#include "hiac/scene/scene.hpp"
+
+namespace hiac {
+
+/// The picture of a scene as render() makes it, to within rounding, without an order of the cells:
+/// the ray of every pixel is followed from cell to cell (ray_walk.hpp). What it takes grows with
+/// the number of cells that rays meet, not with that of all cells, which makes it the faster way
+/// where a pixel has several cells. None for scenes that are not walkable (RayScene). Mesh and
+/// scene must pass check_renderable. `edges`: mesh_edges if the scene draws edges, otherwise null.
+std::optional<RenderResult> walked_picture(const WalkableMesh& mesh, const Scene& scene,
+                                           const MeshEdges* edges, bool with_background);
+
+/// Whether that takes less time than render() with an order that is yet to be made: measured with
+/// random tetrahedra, which is the case with up to so many pixels for each cell of a cross-section.
+bool is_faster_walked(std::size_t cells, std::uint64_t pixels);
+
+}  // namespace hiac
