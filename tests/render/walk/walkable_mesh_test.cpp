@@ -34,7 +34,11 @@ TEST(WalkableMesh, KnowsWhatLiesAcrossFaces) {
       ASSERT_EQ((*walkable)[cell].across[k], other);
       outside += other == kNoCell;
       const auto& boundary = walkable->boundary();
-      ASSERT_EQ(std::ranges::count(boundary, OppositeFace{cell, k}), other == kNoCell ? 1 : 0);
+      const auto found = std::ranges::find(boundary, OppositeFace{cell, k}, &BoundaryFace::face);
+      ASSERT_EQ(found != boundary.end(), other == kNoCell);
+      if (other == kNoCell) {
+        EXPECT_EQ(std::set(found->corners.begin(), found->corners.end()), face);
+      }
     }
   EXPECT_EQ(walkable->boundary().size(), outside);
   EXPECT_GT(outside, 10U);

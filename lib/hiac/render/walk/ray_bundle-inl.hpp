@@ -30,8 +30,9 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// So many rays that one waits for memory while others go on; their state stays in the first cache.
-inline constexpr std::size_t kRays = 64;
+// So many rays that one waits for memory while others go on, and that those in one interval of the
+// transfer functions fill vectors.
+inline constexpr std::size_t kRays = 128;
 
 // Where a ray passes a face: the ray parameter, and the field.
 template <class V>
@@ -264,7 +265,7 @@ class RayBundle {
   HWY_NOINLINE void leave_mesh(std::size_t ray, OppositeFace face) {
     const auto hits = starts_.of(column_[ray], row_[ray]);
     for (std::size_t n = 0; n < hits.size(); ++n)
-      if (scene_.mesh.boundary()[hits[n].face] == face) {
+      if (scene_.mesh.boundary()[hits[n].face].face == face) {
         passed_[ray][n] = true;
         return;
       }
@@ -278,8 +279,8 @@ class RayBundle {
     while (n < hits.size() && passed_[ray][n]) ++n;
     if (n == hits.size()) return false;
     passed_[ray][n] = true;
-    const OppositeFace face = scene_.mesh.boundary()[hits[n].face];
-    std::array<NodeId, 3> nodes = corners_of(scene_.mesh, face);
+    const auto& [face, corners] = scene_.mesh.boundary()[hits[n].face];
+    std::array<NodeId, 3> nodes = corners;
     if (!is_left(scene_.nodes[nodes[0]], nodes[0], scene_.nodes[nodes[1]], nodes[1], x_[ray],
                  y_[ray]))
       std::swap(nodes[0], nodes[1]);

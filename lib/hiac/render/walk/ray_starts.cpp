@@ -38,7 +38,7 @@ std::optional<double> depth_at(const RayScene& scene, const std::array<NodeId, 3
 
 void add_hits(const RayScene& scene, ImageSize size, std::uint32_t face,
               std::vector<PixelHit>& hits) {
-  const std::array<NodeId, 3> corners = corners_of(scene.mesh, scene.mesh.boundary()[face]);
+  const std::array<NodeId, 3>& corners = scene.mesh.boundary()[face].corners;
   const RayNode &a = scene.nodes[corners[0]], &b = scene.nodes[corners[1]],
                 &c = scene.nodes[corners[2]];
   const auto [left, right] = std::minmax({a.x, b.x, c.x});
@@ -53,14 +53,6 @@ void add_hits(const RayScene& scene, ImageSize size, std::uint32_t face,
 }
 
 }  // namespace
-
-std::array<NodeId, 3> corners_of(const WalkableMesh& mesh, OppositeFace face) {
-  const std::array<NodeId, 4>& nodes = mesh[face.cell].nodes;
-  std::array<NodeId, 3> corners{};
-  for (std::size_t k = 0, n = 0; k < 4; ++k)
-    if (k != face.opposite) corners[n++] = nodes[k];
-  return corners;
-}
 
 RayStarts::RayStarts(const RayScene& scene, ImageSize size) : width_(size.width) {
   std::vector<std::vector<PixelHit>> found;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -34,8 +33,5 @@ class RayStarts {
   std::vector<std::uint32_t> first_;  // of each pixel, row by row; one more entry
   std::vector<BoundaryHit> hits_;
 };
-
-/// The corners of a face of a tetrahedron: its nodes but the one opposite.
-std::array<NodeId, 3> corners_of(const WalkableMesh& mesh, OppositeFace face);
 
 }  // namespace hiac

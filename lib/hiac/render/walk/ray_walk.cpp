@@ -66,35 +66,35 @@ class SegmentShader {
     before_[ray] = std::exchange(last_in_[low], ray);
   }
 
-  // Some rays as a vector; lanes beyond them repeat the first with no length.
+  // Some rays as a vector, one at least; lanes beyond them repeat the last with no length. Nothing
+  // is set in advance, as that takes longer than all else.
   struct Pack {
-    std::array<std::uint8_t, 8> ray{};
-    std::size_t count = 0;
-    HWY_ALIGN double length[8]{}, front[8]{}, back[8]{};
+    std::uint8_t ray[hn::MaxLanes(D())];
+    std::size_t count;
+    HWY_ALIGN double length[hn::MaxLanes(D())], front[hn::MaxLanes(D())], back[hn::MaxLanes(D())];
   };
 
-  HWY_INLINE void add(std::uint8_t ray, Pack& pack) const {
-    const std::size_t n = pack.count++;
-    pack.ray[n] = ray;
-    pack.length[n] = rays_.length[ray];
-    pack.front[n] = rays_.front_field[ray];
-    pack.back[n] = rays_.back_field[ray];
+  HWY_INLINE void put(std::uint8_t ray, std::size_t lane, Pack& pack) const {
+    pack.ray[lane] = ray;
+    pack.length[lane] = rays_.length[ray];
+    pack.front[lane] = rays_.front_field[ray];
+    pack.back[lane] = rays_.back_field[ray];
   }
 
-  static HWY_INLINE void fill(Pack& pack) {
-    for (std::size_t n = pack.count; n < hn::Lanes(D()); ++n) {
-      pack.length[n] = 0;
-      pack.front[n] = pack.front[0];
-      pack.back[n] = pack.back[0];
+  HWY_INLINE void fill(std::uint8_t last, std::size_t count, Pack& pack) const {
+    pack.count = count;
+    for (std::size_t lane = count; lane < hn::Lanes(D()); ++lane) {
+      put(last, lane, pack);
+      pack.length[lane] = 0;
     }
   }
 
   HWY_INLINE void composite(const Pack& pack, const Radiance<V>& light) {
     const D d;
-    HWY_ALIGN double sum[4][8] = {};
+    HWY_ALIGN double sum[4][hn::MaxLanes(D())];
     double* const planes[4] = {rays_.red.data(), rays_.green.data(), rays_.blue.data(),
                                rays_.transparency.data()};
-    for (std::size_t n = 0; n < pack.count; ++n)
+    for (std::size_t n = 0; n < hn::Lanes(d); ++n)
       for (std::size_t c = 0; c < 4; ++c) sum[c][n] = planes[c][pack.ray[n]];
     Radiance<V> all{hn::Load(d, sum[0]), hn::Load(d, sum[1]), hn::Load(d, sum[2]),
                     hn::Load(d, sum[3])};
@@ -103,8 +103,10 @@ class SegmentShader {
     hn::Store(all.green, d, sum[1]);
     hn::Store(all.blue, d, sum[2]);
     hn::Store(all.transparency, d, sum[3]);
-    for (std::size_t n = 0; n < pack.count; ++n)
+    for (std::size_t n = 0; n < hn::Lanes(d); ++n) {
+      if (n == pack.count) break;
       for (std::size_t c = 0; c < 4; ++c) planes[c][pack.ray[n]] = sum[c][n];
+    }
   }
 
   HWY_NOINLINE void shade_within(std::size_t interval) {
@@ -112,8 +114,11 @@ class SegmentShader {
     std::uint8_t ray = std::exchange(last_in_[interval], kNobody);
     while (ray != kNobody) {
       Pack pack;
-      for (; ray != kNobody && pack.count < hn::Lanes(d); ray = before_[ray]) add(ray, pack);
-      fill(pack);
+      std::uint8_t last = ray;
+      std::size_t count = 0;
+      for (; ray != kNobody && count < hn::Lanes(d); ray = before_[ray])
+        put(last = ray, count++, pack);
+      fill(last, count, pack);
       const V front = hn::Load(d, pack.front), back = hn::Load(d, pack.back);
       composite(pack, uniform_radiance<Rule>(d, optics_, interval, interval,
                                              hn::Load(d, pack.length), front, back, front, back));
@@ -124,17 +129,18 @@ class SegmentShader {
     const D d;
     const std::vector<double>& upper = optics_.extinction.upper;
     Pack pack;
+    std::size_t count = 0;
     IntervalRange range{~std::size_t{0}, 0};
     for (std::size_t n = first; n < last; ++n) {
       const std::uint8_t ray = crossing_[n];
-      add(ray, pack);
+      put(ray, count++, pack);
       const double most = std::max(rays_.front_field[ray], rays_.back_field[ray]);
       std::size_t high = interval_[ray];
       while (high + 1 < upper.size() && upper[high] < most) ++high;
       range.low = std::min(range.low, interval_[ray]);
       range.high = std::max(range.high, high);
     }
-    fill(pack);
+    fill(crossing_[last - 1], count, pack);
     composite(pack, sliced_radiance<Rule>(d, optics_, range, hn::Load(d, pack.length),
                                           hn::Load(d, pack.front), hn::Load(d, pack.back),
                                           hn::FirstN(d, pack.count)));

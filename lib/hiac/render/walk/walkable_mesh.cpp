@@ -23,6 +23,13 @@ bool has_all(const Nodes& nodes, const Nodes& face, std::size_t lacking) {
   return true;
 }
 
+std::array<NodeId, 3> corners_of(const Nodes& nodes, std::size_t opposite) {
+  std::array<NodeId, 3> corners{};
+  for (std::size_t k = 0, n = 0; k < 4; ++k)
+    if (k != opposite) corners[n++] = nodes[k];
+  return corners;
+}
+
 // The number of the face opposite a node.
 constexpr std::array<std::size_t, 4> kFaceOpposite = [] {
   std::array<std::size_t, 4> face{};
@@ -78,7 +85,8 @@ bool WalkableMesh::is_sound(CellId cell) const {
 void WalkableMesh::find_boundary() {
   for (std::size_t cell = 0; cell < mesh_->cell_count(); ++cell)
     for (std::uint8_t k = 0; k < 4; ++k)
-      if (cells_[cell].across[k] == kNoCell) boundary_.push_back({static_cast<CellId>(cell), k});
+      if (cells_[cell].across[k] == kNoCell)
+        boundary_.push_back({{static_cast<CellId>(cell), k}, corners_of(cells_[cell].nodes, k)});
 }
 
 }  // namespace hiac

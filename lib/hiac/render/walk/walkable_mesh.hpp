@@ -18,6 +18,12 @@ struct OppositeFace {
   bool operator==(const OppositeFace&) const = default;
 };
 
+/// A face without a neighbour, and its nodes.
+struct BoundaryFace {
+  OppositeFace face;
+  std::array<NodeId, 3> corners;
+};
+
 /// A mesh of linear tetrahedra whose rays can be followed from cell to cell: what does not depend
 /// on the view.
 class WalkableMesh {
@@ -37,7 +43,7 @@ class WalkableMesh {
   };
   [[nodiscard]] const Cell& operator[](CellId cell) const { return cells_[cell]; }
   /// The faces without a neighbour, in ascending order of their cells.
-  [[nodiscard]] const std::vector<OppositeFace>& boundary() const { return boundary_; }
+  [[nodiscard]] const std::vector<BoundaryFace>& boundary() const { return boundary_; }
 
  private:
   explicit WalkableMesh(const ZooMesh& mesh) : mesh_(&mesh) {}
@@ -46,7 +52,7 @@ class WalkableMesh {
 
   const ZooMesh* mesh_;
   std::vector<Cell> cells_;
-  std::vector<OppositeFace> boundary_;
+  std::vector<BoundaryFace> boundary_;
 };
 
 }  // namespace hiac

@@ -1,7 +1,9 @@
 #include "hiac/render/walk/walked_picture.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -46,6 +48,17 @@ class WalkedTile : public DrawnTile {
   PixelFacts none_;
 };
 
+// Rows of a tile that are drawn at a time: few pictures' pixels occupy all threads then.
+constexpr int kStripRows = 16;
+
+std::vector<TileRect> strips_of(std::span<const TileRect> tiles) {
+  std::vector<TileRect> strips;
+  for (const TileRect& tile : tiles)
+    for (int y = tile.y0; y < tile.y1; y += kStripRows)
+      strips.push_back({tile.x0, y, tile.x1, std::min(y + kStripRows, tile.y1)});
+  return strips;
+}
+
 }  // namespace
 
 bool is_faster_walked(std::size_t cells, std::uint64_t pixels) {
@@ -63,7 +76,7 @@ std::optional<RenderResult> walked_picture(const WalkableMesh& mesh, const Scene
   const RayStarts starts(rays, scene.image);
   const double prepared = seconds_now();
   const PixelRect part = whole_picture(scene.image);
-  const std::vector<TileRect> tiles = tiles_of(scene.image, part);
+  const std::vector<TileRect> tiles = strips_of(tiles_of(scene.image, part));
   Image image(part.width, part.height, rgba_channels());
   std::vector<TileSummary> summaries(tiles.size());
   parallel_for(tiles.size(), 1, [&](IndexRange range) {
