@@ -239,6 +239,23 @@ TEST(TriangleBuffer, KeepsCornersToTheFineGrid) {
     })) << place;
 }
 
+TEST(TriangleBuffer, CountsPlacesFromThePartsCorner) {
+  const PixelRect part{100, 40, 50, 50};
+  TriangleBuffer of_part(kFlat, part), of_all(kFlat);
+  const TriangleBuffer::Corner a{110.3, 50.7, {}}, b{140.1, 45.2, {}}, c{99.6, 80.4, {}};
+  of_part.add(a, b, c);
+  of_all.add(a, b, c);
+  ASSERT_EQ(of_part.triangles(), 1U);
+  for (std::size_t v = 0; v < 3; ++v) {
+    const auto here = place(of_part.records().data(), v), there = place(of_all.records().data(), v);
+    EXPECT_EQ(here[0], there[0] - part.x);
+    EXPECT_EQ(here[1], there[1] - part.y);
+    EXPECT_NEAR(of_part.places()[2 * v], of_all.places()[2 * v] - static_cast<float>(part.x), 1e-4);
+    EXPECT_NEAR(of_part.places()[2 * v + 1],
+                of_all.places()[2 * v + 1] - static_cast<float>(part.y), 1e-4);
+  }
+}
+
 TEST(TriangleBuffer, LeavesOutTrianglesBetweenPixels) {
   struct {
     std::array<double, 6> at;

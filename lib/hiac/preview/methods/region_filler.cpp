@@ -131,7 +131,7 @@ void RegionFiller::fill(std::span<const CellId> back_to_front, TriangleBuffer& t
 void RegionFiller::fill(std::span<const CellId> back_to_front, std::vector<TriangleBuffer>& buffers,
                         RegionCounts& counts) {
   const std::size_t parts = (back_to_front.size() + kRegionFillerGrain - 1) / kRegionFillerGrain;
-  while (buffers.size() < parts) buffers.emplace_back(shape_);
+  while (buffers.size() < parts) buffers.emplace_back(shape_, part_);
   for (TriangleBuffer& buffer : buffers) buffer.clear();
   std::mutex joining;
   parallel_for(back_to_front.size(), kRegionFillerGrain, [&](IndexRange range) {

@@ -6,11 +6,11 @@ namespace {
 constexpr const char* kVertex = R"(
 layout(location = 0) in vec2 corner;
 layout(location = 1) in vec4 record[RECORD];
-uniform vec4 part;  // corner and size, pixels
+uniform vec2 scale;  // two over the part's size, pixels
 flat out vec4 data[RECORD];
 
 void main() {
-  gl_Position = vec4((corner - part.xy) / part.zw * 2.0 - 1.0, 0.0, 1.0);
+  gl_Position = vec4(corner * scale - 1.0, 0.0, 1.0);
   data = record;
 }
 )";
@@ -19,8 +19,7 @@ void main() {
 // the same number with the other sign.
 constexpr const char* kFragmentHead = R"(
 flat in vec4 data[RECORD];
-uniform vec4 part;
-uniform vec4 eye;  // the picture's centre, pixels; one over the pixels per unit at distance 1
+uniform vec3 eye;  // the picture's centre, pixels; one over the pixels per unit at distance 1
 out vec4 light;
 
 // 1 - exp(-x), also of small x
@@ -31,7 +30,7 @@ float opacity(float x) {
 }
 
 void main() {
-  vec2 pixel = gl_FragCoord.xy + part.xy;
+  vec2 pixel = gl_FragCoord.xy;
   // the first difference is exact
   precise vec2 a = (data[0].xy - pixel) + data[1].xy;
   precise vec2 b = (data[0].zw - pixel) + data[1].zw;

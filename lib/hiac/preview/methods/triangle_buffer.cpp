@@ -164,7 +164,8 @@ void TriangleBuffer::add(const Corner& a, const Corner& b, const Corner& c, cons
   }
   for (const Place& place :
        grown({{{drawn[0].x, drawn[0].y}, {drawn[1].x, drawn[1].y}, {drawn[2].x, drawn[2].y}}}))
-    for (const double x : place) places_.push_back(static_cast<float>(x));
+    for (std::size_t c = 0; c < 2; ++c)
+      places_.push_back(static_cast<float>(place[c] - origin_[c]));
   const std::size_t start = records_.size();
   records_.resize(start + shape_.floats());
   float* const record = records_.data() + start;
@@ -178,7 +179,7 @@ void TriangleBuffer::set_triangle(float* record, const Triangle& triangle) const
     for (std::size_t c = 0; c < 2; ++c) {
       const double x = coarse(triangle.at[k][c]);
       float* const to = record + (k < 2 ? 2 * k + c : 8 + c);
-      to[0] = static_cast<float>(x);
+      to[0] = static_cast<float>(x - origin_[c]);
       to[k < 2 ? 4 : 2] = static_cast<float>(triangle.at[k][c] - x);
     }
   for (std::size_t k = 0; k < 3; ++k)

@@ -5,12 +5,14 @@
 #include <span>
 #include <vector>
 
+#include "hiac/frame/crop.hpp"
+
 namespace hiac::preview {
 
 /// What shaders get of a triangle. Of each corner two floats, its place in a larger triangle (see
 /// kGrowth) for the rasteriser; of the whole triangle a record of floats, in this order:
 ///
-///     a.x a.y b.x b.y   corners, pixels of the frame: multiples of kCoarse
+///     a.x a.y b.x b.y   corners, pixels from the part's corner on: multiples of kCoarse
 ///     the same          what is missing of them, multiples of kFine
 ///     c.x c.y           and what is missing of them
 ///     least x 3         0 or the least float: a pixel's centre on the side opposite the corner
@@ -71,7 +73,10 @@ class TriangleBuffer {
  public:
   using Values = std::array<float, kMostValues>;
 
-  explicit TriangleBuffer(RecordShape shape) : shape_(shape) {}
+  /// `part`: what is drawn of the picture, from whose corner the shaders' places count. So they
+  /// need no uniform for it, which Mesa's llvmpipe reads pixel by pixel.
+  explicit TriangleBuffer(RecordShape shape, const PixelRect& part = {})
+      : shape_(shape), origin_{double(part.x), double(part.y)} {}
 
   struct Corner {
     double x, y;
@@ -109,6 +114,7 @@ class TriangleBuffer {
   void set_peak(float* record, const Triangle& triangle, const Corner& peak) const;
 
   RecordShape shape_;
+  Place origin_;
   std::vector<float> places_, records_;
 };
 
