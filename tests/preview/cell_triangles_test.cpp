@@ -239,6 +239,25 @@ TEST(TriangleBuffer, KeepsCornersToTheFineGrid) {
     })) << place;
 }
 
+// What a buffer held before says nothing about what it holds now.
+TEST(TriangleBuffer, IsAsNewWhenItIsCleared) {
+  const TriangleBuffer::Corner a{1, 2, {3, 4, 5, 6, 7}}, b{30, 4, {8, 7, 6, 5, 4}},
+      c{7, 40, {1, 5, 2, 6, 3}}, peak{12, 15, {9, 9, 9, 9, 9}};
+  TriangleBuffer used(kFlat), fresh(kFlat);
+  for (int k = 0; k < 500; ++k) used.add(a, b, c, peak);
+  EXPECT_EQ(used.triangles(), 500U);
+  EXPECT_EQ(used.records().size(), 500 * kFlat.floats());
+  EXPECT_EQ(used.places().size(), 3000U);
+  used.clear();
+  EXPECT_TRUE(used.records().empty());
+  used.add(a, b, c);
+  fresh.add(a, b, c);
+  EXPECT_TRUE(std::ranges::equal(used.places(), fresh.places()));
+  const std::size_t content = kFirstValue + 4 * kFlat.values;
+  EXPECT_TRUE(std::ranges::equal(used.records().first(content), fresh.records().first(content)));
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(used.records()[kSteep + k], 0);
+}
+
 TEST(TriangleBuffer, CountsPlacesFromThePartsCorner) {
   const PixelRect part{100, 40, 50, 50};
   TriangleBuffer of_part(kFlat, part), of_all(kFlat);

@@ -93,12 +93,16 @@ class TriangleBuffer {
     add(a, b, c, &peak, limits);
   }
 
-  void clear();
+  void clear() { triangles_ = 0; }
   /// Two a vertex, six a triangle.
-  [[nodiscard]] std::span<const float> places() const { return places_; }
+  [[nodiscard]] std::span<const float> places() const {
+    return std::span(places_).first(6 * triangles_);
+  }
   /// RecordShape::floats() a triangle.
-  [[nodiscard]] std::span<const float> records() const { return records_; }
-  [[nodiscard]] std::size_t triangles() const { return places_.size() / 6; }
+  [[nodiscard]] std::span<const float> records() const {
+    return std::span(records_).first(shape_.floats() * triangles_);
+  }
+  [[nodiscard]] std::size_t triangles() const { return triangles_; }
   [[nodiscard]] RecordShape shape() const { return shape_; }
 
  private:
@@ -110,12 +114,15 @@ class TriangleBuffer {
   };
   void add(const Corner& a, const Corner& b, const Corner& c, const Corner* peak,
            const SlabLimits& limits);
+  void make_room();
   void set_triangle(float* record, const Triangle& triangle) const;
+  void set_flat(float* record) const;
   void set_peak(float* record, const Triangle& triangle, const Corner& peak) const;
 
   RecordShape shape_;
   Place origin_;
-  std::vector<float> places_, records_;
+  std::vector<float> places_, records_;  // with room for more triangles than there are
+  std::size_t triangles_ = 0;
 };
 
 /// A triangle that contains a given one (counter-clockwise) with a margin of kGrowth around it.
