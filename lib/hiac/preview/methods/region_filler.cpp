@@ -13,7 +13,7 @@ namespace hiac::preview {
 namespace {
 
 // Cells a thread takes at a time.
-constexpr std::size_t kRegionFillerGrain = 2048;
+constexpr std::size_t kRegionFillerGrain = 512;
 // Coordinates beyond which cells are clipped at the picture's border, pixels: floats know others to
 // a thousandth of a pixel.
 constexpr double kReach = 16384;

@@ -42,7 +42,7 @@ void main() {
   precise vec2 c = (data[2].xy - pixel) + data[2].zw;
   precise vec3 area = vec3(b.x, c.x, a.x) * vec3(c.y, a.y, b.y) -
                       vec3(b.y, c.y, a.y) * vec3(c.x, a.x, b.x);
-  if (any(lessThan(area, LEAST))) discard;
+  bool outside = any(lessThan(area, LEAST));
   float one = 1.0 / (area.x + area.y + area.z);
   vec3 heights = (area + 1e-20) * STEEP;
   float height = min(min(heights.x, heights.y), heights.z) * one;
@@ -87,6 +87,13 @@ constexpr const char* kOfChord = R"(
 
 constexpr const char* kExponential = R"(
   float alpha = opacity(depth);
+)";
+
+// What lies outside is drawn as nothing, over which nothing changes: with a discard llvmpipe blends
+// by masks, also where all of a block's pixels are inside.
+constexpr const char* kEnd = R"(
+  light = outside ? vec4(0.0) : inside;
+}
 )";
 
 // Numbers of the record that follow one another, as a float or vector in GLSL.
@@ -145,13 +152,14 @@ Shaders shaders_of(Method method, Glow glow, RecordShape shape) {
                                                                 : kFlatValues);
   if (!interpolated) fragment += kExponential;
   if (glow == Glow::chromaticity)
-    fragment += "  light = vec4(alpha * color, alpha);\n}\n";
+    fragment += "  vec4 inside = vec4(alpha * color, alpha);\n";
   else if (interpolated)
-    fragment += "  light = vec4(color, alpha);\n}\n";
+    fragment += "  vec4 inside = vec4(color, alpha);\n";
   else
     fragment +=
         "  float ratio = depth > 1e-30 ? alpha / min(depth, 1e30) : 1.0;\n"
-        "  light = vec4(along * ratio * color, alpha);\n}\n";
+        "  vec4 inside = vec4(along * ratio * color, alpha);\n";
+  fragment += kEnd;
   return {head + kVertex, fragment};
 }
 
