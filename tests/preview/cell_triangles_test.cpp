@@ -239,6 +239,42 @@ TEST(TriangleBuffer, KeepsCornersToTheFineGrid) {
     })) << place;
 }
 
+// What a buffer held before says nothing about what it holds now.
+TEST(TriangleBuffer, IsAsNewWhenItIsCleared) {
+  const TriangleBuffer::Corner a{1, 2, {3, 4, 5, 6, 7}}, b{30, 4, {8, 7, 6, 5, 4}},
+      c{7, 40, {1, 5, 2, 6, 3}}, peak{12, 15, {9, 9, 9, 9, 9}};
+  TriangleBuffer used(kFlat), fresh(kFlat);
+  for (int k = 0; k < 500; ++k) used.add(a, b, c, peak);
+  EXPECT_EQ(used.triangles(), 500U);
+  EXPECT_EQ(used.records().size(), 500 * kFlat.floats());
+  EXPECT_EQ(used.places().size(), 3000U);
+  used.clear();
+  EXPECT_TRUE(used.records().empty());
+  used.add(a, b, c);
+  fresh.add(a, b, c);
+  EXPECT_TRUE(std::ranges::equal(used.places(), fresh.places()));
+  const std::size_t content = kFirstValue + 4 * kFlat.values;
+  EXPECT_TRUE(std::ranges::equal(used.records().first(content), fresh.records().first(content)));
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(used.records()[kSteep + k], 0);
+}
+
+TEST(TriangleBuffer, CountsPlacesFromThePartsCorner) {
+  const PixelRect part{100, 40, 50, 50};
+  TriangleBuffer of_part(kFlat, part), of_all(kFlat);
+  const TriangleBuffer::Corner a{110.3, 50.7, {}}, b{140.1, 45.2, {}}, c{99.6, 80.4, {}};
+  of_part.add(a, b, c);
+  of_all.add(a, b, c);
+  ASSERT_EQ(of_part.triangles(), 1U);
+  for (std::size_t v = 0; v < 3; ++v) {
+    const auto here = place(of_part.records().data(), v), there = place(of_all.records().data(), v);
+    EXPECT_EQ(here[0], there[0] - part.x);
+    EXPECT_EQ(here[1], there[1] - part.y);
+    EXPECT_NEAR(of_part.places()[2 * v], of_all.places()[2 * v] - static_cast<float>(part.x), 1e-4);
+    EXPECT_NEAR(of_part.places()[2 * v + 1],
+                of_all.places()[2 * v + 1] - static_cast<float>(part.y), 1e-4);
+  }
+}
+
 TEST(TriangleBuffer, LeavesOutTrianglesBetweenPixels) {
   struct {
     std::array<double, 6> at;

@@ -183,15 +183,19 @@ TEST(MethodScenes, WithoutSlicing) {
 
 TEST(MethodScenes, PartsHaveTheSamePixels) {
   // cells beside a part are left out of it and nothing else changes
-  Scene scene = bent_scene();
   const ZooMesh mesh = fine_mesh();
-  const Image whole = drawn(mesh, scene, Method::exact_at_vertices).image;
-  const PixelRect part{37, 21, 64, 50};
-  const Image image = drawn(mesh, scene, Method::exact_at_vertices, part).image;
-  for (std::uint32_t y = 0; y < part.height; ++y)
-    for (std::uint32_t x = 0; x < part.width; ++x)
-      for (std::size_t c = 0; c < 4; ++c)
-        ASSERT_EQ(image.at(x, y, c), whole.at(x + part.x, y + part.y, c)) << x << ' ' << y;
+  for (const Projection projection : {Projection::orthographic, Projection::perspective})
+    for (const Method method : {Method::mean_color, Method::exact_at_vertices}) {
+      Scene scene = bent_scene();
+      scene.camera.projection = projection;
+      const Image whole = drawn(mesh, scene, method).image;
+      const PixelRect part{37, 21, 64, 50};
+      const Image image = drawn(mesh, scene, method, part).image;
+      for (std::uint32_t y = 0; y < part.height; ++y)
+        for (std::uint32_t x = 0; x < part.width; ++x)
+          for (std::size_t c = 0; c < 4; ++c)
+            ASSERT_EQ(image.at(x, y, c), whole.at(x + part.x, y + part.y, c)) << x << ' ' << y;
+    }
 }
 
 }  // namespace

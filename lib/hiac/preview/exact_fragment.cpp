@@ -5,8 +5,7 @@ namespace {
 
 // Where the ray enters and leaves the cell, and the fields there.
 constexpr const char* kFaces = R"(
-uniform ivec4 part;
-uniform vec4 rays;  // center_x, center_y, 1 / pixels per unit
+uniform vec3 rays;  // center_x, center_y less the part's corner, 1 / pixels per unit
 #if STORED
 layout(std430, binding = 4) readonly buffer Records { vec4 records[]; };
 flat in uint row;
@@ -66,7 +65,7 @@ void ends_of(int f, vec2 at, real entry, real exit, real front, real back, out r
 }
 
 bool meet(out Segment segment) {
-  vec2 at = gl_FragCoord.xy - 0.5 + (vec2(part.xy) - DATA(2).xy);
+  vec2 at = gl_FragCoord.xy - 0.5 - DATA(2).xy;
   real4 v = meet_faces(at);
   int kinds = int(DATA(2).w);
   real exit = -v.w;
@@ -95,7 +94,7 @@ bool meet(out Segment segment) {
   segment.length = exit - entry;
 #if PERSPECTIVE
   real front = real(1) / (real(1) - entry), back = real(1) / (real(1) - exit);
-  vec2 slopes = (gl_FragCoord.xy + vec2(part.xy) - rays.xy) * rays.z;
+  vec2 slopes = (gl_FragCoord.xy - rays.xy) * rays.z;
   segment.length *= real(DATA(2).z * sqrt(1.0 + dot(slopes, slopes))) * front * back;
 #else
   const real front = real(1), back = real(1);

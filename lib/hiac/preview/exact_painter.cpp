@@ -43,12 +43,6 @@ void require_room(const Context& context, std::size_t bytes, const char* what) {
                     context.device().name, what, bytes, context.limits().storage_block_bytes));
 }
 
-void set_part(const ProgramName& program, const PixelRect& part) {
-  glProgramUniform4i(program.get(), place_of(program, "part"), static_cast<GLint>(part.x),
-                     static_cast<GLint>(part.y), static_cast<GLint>(part.width),
-                     static_cast<GLint>(part.height));
-}
-
 std::vector<DeviceNode> device_nodes(const ZooMesh& mesh, const Projector& projector) {
   std::vector<DeviceNode> nodes(mesh.node_count());
   parallel_for(nodes.size(), std::size_t{1} << 12, [&](IndexRange range) {
@@ -144,8 +138,7 @@ void ExactPainter::set_view(const Projector& projector) {
                      finite(projector.far()));
   glProgramUniform2uiv(setup_.get(), place_of(setup_, "layouts"),
                        static_cast<GLsizei>(variant_.fields), field_layouts_.data());
-  glProgramUniform4f(program_.get(), place_of(program_, "rays"), static_cast<float>(axes.center_x),
-                     static_cast<float>(axes.center_y), static_cast<float>(1 / scale), 0);
+  rays_ = {axes.center_x, axes.center_y, 1 / scale};
   std::vector<double> lights;
   for (const Light& light : scene_.lights) {
     std::array<double, 3> direction{};
@@ -158,9 +151,19 @@ void ExactPainter::set_view(const Projector& projector) {
   context_.check("setting the view");
 }
 
+void ExactPainter::set_part(const PixelRect& part) {
+  glProgramUniform4i(setup_.get(), place_of(setup_, "part"), static_cast<GLint>(part.x),
+                     static_cast<GLint>(part.y), static_cast<GLint>(part.width),
+                     static_cast<GLint>(part.height));
+  glProgramUniform2f(program_.get(), place_of(program_, "scale"),
+                     2 / static_cast<float>(part.width), 2 / static_cast<float>(part.height));
+  glProgramUniform3f(program_.get(), place_of(program_, "rays"),
+                     static_cast<float>(rays_[0] - part.x), static_cast<float>(rays_[1] - part.y),
+                     static_cast<float>(rays_[2]));
+}
+
 void ExactPainter::draw(const PixelRect& part, std::span<const CellId> back_to_front) {
-  set_part(setup_, part);
-  set_part(program_, part);
+  set_part(part);
   for (GLuint unit = 0; unit < table_textures_.size(); ++unit)
     if (tables_[unit].bytes() > 0) glBindTextureUnit(unit, table_textures_[unit].get());
   glBindVertexArray(layout_.get());

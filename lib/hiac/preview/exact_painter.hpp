@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -36,6 +37,7 @@ class ExactPainter {
  private:
   void compile();
   void upload_tables();
+  void set_part(const PixelRect& part);
   void set_closed_faces(std::span<const CellId> cells);
   void draw_chunk(std::span<const CellId> cells);
 
@@ -48,7 +50,8 @@ class ExactPainter {
   Buffer nodes_, values_, corners_, numbers_, records_, closed_, surfaces_, indices_;
   std::vector<Buffer> tables_;  // of transfer functions, and textures of these
   std::vector<TextureName> table_textures_;
-  VertexArrayName layout_;                    // refers to the indices
+  std::array<double, 3> rays_{};  // the picture's centre, pixels; one over the pixels per unit
+  VertexArrayName layout_;        // refers to the indices
   std::vector<std::uint32_t> field_layouts_;  // two a field: first value, location
   std::size_t chunk_ = 0;                     // cells
   std::vector<NodeId> chunk_corners_;

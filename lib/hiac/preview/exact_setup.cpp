@@ -365,7 +365,9 @@ void main() {
       kinds += power[slot] * order;
       ++slot;
     }
-  records[base + 2u] = vec4(vec2(anchor), float(t_ref), float(kinds));
+  // counted from the part's corner, so that pixels need no uniform for it: llvmpipe reads one for
+  // each of eight pixels apart
+  records[base + 2u] = vec4(vec2(anchor - part.xy), float(t_ref), float(kinds));
   for (int c = 0; c < 3; ++c) {
     records[base + 4u + uint(c)] = high[c];
     records[base + 7u + uint(c)] = low[c];

@@ -21,7 +21,7 @@ std::string defines_of(const ExactVariant& variant) {
 std::string exact_vertex_source(const ExactVariant& variant) {
   return "#version 450 core\n" + defines_of(variant) + R"(
 layout(std430, binding = 4) readonly buffer Records { vec4 records[]; };
-uniform ivec4 part;  // corner and size
+uniform vec2 scale;  // two over the part's size, pixels
 #if STORED
 flat out uint row;
 #else
@@ -37,8 +37,7 @@ void main() {
 #else
   for (int k = 2; k < RECORD; ++k) data[k - 2] = records[base + k];
 #endif
-  vec2 corner = vec2(part.xy) - 0.5;
-  gl_Position = vec4((at + (records[base + 2].xy - corner)) / vec2(part.zw) * 2.0 - 1.0, 0.0, 1.0);
+  gl_Position = vec4((at + (records[base + 2].xy + 0.5)) * scale - 1.0, 0.0, 1.0);
 }
 )";
 }

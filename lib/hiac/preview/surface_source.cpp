@@ -205,7 +205,7 @@ Crossing next_crossing(Crossing last) {
 // of glass does.
 vec4 lit_surface(dvec3 normal, vec3 color, vec4 phong, float log_transparency) {
 #if PERSPECTIVE
-  dvec2 at = dvec2(gl_FragCoord.xy + vec2(part.xy) - rays.xy) * double(rays.z);
+  dvec2 at = dvec2(gl_FragCoord.xy - rays.xy) * double(rays.z);
   dvec3 ray = normalize(dvec3(at.x, -at.y, 1.0lf));
 #else
   dvec3 ray = dvec3(0.0lf, 0.0lf, 1.0lf);

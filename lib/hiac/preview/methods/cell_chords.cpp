@@ -11,6 +11,7 @@ namespace {
 
 // Of a field: no end of the range.
 constexpr float kAnyField = 1e37F;
+constexpr std::array<float, 2> kWhole{-kAnyField, kAnyField};
 // Of lengths by fields: more is a field that does not change.
 constexpr double kMostRate = 1e30;
 
@@ -26,7 +27,7 @@ void CellTriangles::add_chords(const Cell& cell) {
   Chords chords = chords_of(cell, shape);
   if (common.least <= common.most) {
     ++counts_.whole;
-    add_chord(chords, common.most, {-kAnyField, kAnyField});
+    add_chord(chords, common.most, kWhole);
     return;
   }
   const std::vector<double>& upper = frame_.optics.extinction.upper;
@@ -115,7 +116,8 @@ void CellTriangles::add_chord(const Chords& chords, std::size_t interval,
   for (unsigned n = 0; n < chords.shape.outlines; ++n) {
     const auto [a, b, c] = chords.shape.outline[n];
     SlabLimits limits{{}, rest};
-    if (!is_in(chords, chords.shape.outline[n], range, limits.least_shares)) continue;
+    if (range != kWhole && !is_in(chords, chords.shape.outline[n], range, limits.least_shares))
+      continue;
     triangles_.add(chords.rim[a], chords.rim[b], chords.rim[c], chords.thickest, limits);
   }
 }

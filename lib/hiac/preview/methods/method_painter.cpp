@@ -11,8 +11,8 @@ namespace hiac::preview {
 namespace {
 
 // Cells a draw call: the device's memory is bounded, and cells are made triangles while others are
-// drawn.
-constexpr std::size_t kChunk = std::size_t{1} << 16;
+// drawn. Some 6 MB, which a processor that draws them itself still has in its caches.
+constexpr std::size_t kChunk = std::size_t{1} << 14;
 
 ProgramName program_of(const Frame& frame, Method method, RecordShape shape) {
   const Shaders shaders =
@@ -68,17 +68,18 @@ MethodPainter::MethodPainter(const Context& context, const Frame& frame, Method 
 RegionCounts MethodPainter::draw(const PixelRect& part, std::span<const CellId> back_to_front) {
   RegionFiller filler(frame_, method_, shape_, part);
   RegionCounts counts;
+  buffers_.clear();  // those of another part
   const auto axes = frame_.projector.axes();
   const GLuint program = program_.get();
   glUseProgram(program);
   glBindVertexArray(layout_.get());
   glProvokingVertex(GL_FIRST_VERTEX_CONVENTION);
-  glProgramUniform4f(program, glGetUniformLocation(program, "part"), static_cast<float>(part.x),
-                     static_cast<float>(part.y), static_cast<float>(part.width),
-                     static_cast<float>(part.height));
-  glProgramUniform4f(program, glGetUniformLocation(program, "eye"),
-                     static_cast<float>(axes.center_x), static_cast<float>(axes.center_y),
-                     static_cast<float>(1 / frame_.projector.pixels_per_unit()), 0);
+  glProgramUniform2f(program, glGetUniformLocation(program, "scale"),
+                     2 / static_cast<float>(part.width), 2 / static_cast<float>(part.height));
+  glProgramUniform3f(program, glGetUniformLocation(program, "eye"),
+                     static_cast<float>(axes.center_x - part.x),
+                     static_cast<float>(axes.center_y - part.y),
+                     static_cast<float>(1 / frame_.projector.pixels_per_unit()));
   const std::size_t record = shape_.floats();
   for (std::size_t first = 0; first < back_to_front.size(); first += kChunk) {
     const double start = seconds_now();

@@ -13,7 +13,7 @@ namespace hiac::preview {
 namespace {
 
 // Cells a thread takes at a time.
-constexpr std::size_t kRegionFillerGrain = 2048;
+constexpr std::size_t kRegionFillerGrain = 512;
 // Coordinates beyond which cells are clipped at the picture's border, pixels: floats know others to
 // a thousandth of a pixel.
 constexpr double kReach = 16384;
@@ -131,7 +131,7 @@ void RegionFiller::fill(std::span<const CellId> back_to_front, TriangleBuffer& t
 void RegionFiller::fill(std::span<const CellId> back_to_front, std::vector<TriangleBuffer>& buffers,
                         RegionCounts& counts) {
   const std::size_t parts = (back_to_front.size() + kRegionFillerGrain - 1) / kRegionFillerGrain;
-  while (buffers.size() < parts) buffers.emplace_back(shape_);
+  while (buffers.size() < parts) buffers.emplace_back(shape_, part_);
   for (TriangleBuffer& buffer : buffers) buffer.clear();
   std::mutex joining;
   parallel_for(back_to_front.size(), kRegionFillerGrain, [&](IndexRange range) {

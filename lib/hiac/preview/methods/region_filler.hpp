@@ -57,7 +57,7 @@ class RegionFiller {
   /// Adds the triangles of cells, in their order, to a buffer. From one thread at a time.
   void fill(std::span<const CellId> back_to_front, TriangleBuffer& triangles, RegionCounts& counts);
   /// The same from all threads: part after part of the cells in buffers of their own, which are
-  /// made as many as needed.
+  /// made as many as needed. Those that are there are of the same shape and part of the picture.
   void fill(std::span<const CellId> back_to_front, std::vector<TriangleBuffer>& buffers,
             RegionCounts& counts);
 

@@ -6,11 +6,11 @@ namespace {
 constexpr const char* kVertex = R"(
 layout(location = 0) in vec2 corner;
 layout(location = 1) in vec4 record[RECORD];
-uniform vec4 part;  // corner and size, pixels
+uniform vec2 scale;  // two over the part's size, pixels
 flat out vec4 data[RECORD];
 
 void main() {
-  gl_Position = vec4((corner - part.xy) / part.zw * 2.0 - 1.0, 0.0, 1.0);
+  gl_Position = vec4(corner * scale - 1.0, 0.0, 1.0);
   data = record;
 }
 )";
@@ -19,26 +19,30 @@ void main() {
 // the same number with the other sign.
 constexpr const char* kFragmentHead = R"(
 flat in vec4 data[RECORD];
-uniform vec4 part;
-uniform vec4 eye;  // the picture's centre, pixels; one over the pixels per unit at distance 1
+uniform vec3 eye;  // the picture's centre, pixels; one over the pixels per unit at distance 1
 out vec4 light;
 
-// 1 - exp(-x), also of small x
+// 1 - exp(-x) to single precision, also of small x: x is n ln 2 + r with r at most ln 2 / 2, and
+// the polynomial, through Chebyshev's points, is 1 - exp(-r) to a relative error of 2e-8.
 float opacity(float x) {
-  if (x > 0.5) return 1.0 - exp(-x);
-  return x * (1.0 - x * (1.0 / 2.0 - x * (1.0 / 6.0 - x * (1.0 / 24.0 - x * (1.0 / 120.0 -
-         x * (1.0 / 720.0 - x * (1.0 / 5040.0 - x * (1.0 / 40320.0))))))));
+  x = x < 87.0 ? x : 87.0;
+  float n = floor(x * 1.44269504 + 0.5);
+  float r = x - n * 0.693147181;
+  float power = intBitsToFloat((127 - int(n)) << 23);
+  float rest = r * (1.0 - r * (0.5 - r * (0.166665052 - r * (0.0416664649 -
+               r * (0.00836915567 - r * 0.00139336500)))));
+  return (1.0 - power) + power * rest;
 }
 
 void main() {
-  vec2 pixel = gl_FragCoord.xy + part.xy;
+  vec2 pixel = gl_FragCoord.xy;
   // the first difference is exact
   precise vec2 a = (data[0].xy - pixel) + data[1].xy;
   precise vec2 b = (data[0].zw - pixel) + data[1].zw;
   precise vec2 c = (data[2].xy - pixel) + data[2].zw;
   precise vec3 area = vec3(b.x, c.x, a.x) * vec3(c.y, a.y, b.y) -
                       vec3(b.y, c.y, a.y) * vec3(c.x, a.x, b.x);
-  if (any(lessThan(area, LEAST))) discard;
+  bool outside = any(lessThan(area, LEAST));
   float one = 1.0 / (area.x + area.y + area.z);
   vec3 heights = (area + 1e-20) * STEEP;
   float height = min(min(heights.x, heights.y), heights.z) * one;
@@ -82,7 +86,14 @@ constexpr const char* kOfChord = R"(
 )";
 
 constexpr const char* kExponential = R"(
-  float alpha = opacity(min(depth, 1e30));
+  float alpha = opacity(depth);
+)";
+
+// What lies outside is drawn as nothing, over which nothing changes: with a discard llvmpipe blends
+// by masks, also where all of a block's pixels are inside.
+constexpr const char* kEnd = R"(
+  light = outside ? vec4(0.0) : inside;
+}
 )";
 
 // Numbers of the record that follow one another, as a float or vector in GLSL.
@@ -141,13 +152,14 @@ Shaders shaders_of(Method method, Glow glow, RecordShape shape) {
                                                                 : kFlatValues);
   if (!interpolated) fragment += kExponential;
   if (glow == Glow::chromaticity)
-    fragment += "  light = vec4(alpha * color, alpha);\n}\n";
+    fragment += "  vec4 inside = vec4(alpha * color, alpha);\n";
   else if (interpolated)
-    fragment += "  light = vec4(color, alpha);\n}\n";
+    fragment += "  vec4 inside = vec4(color, alpha);\n";
   else
     fragment +=
         "  float ratio = depth > 1e-30 ? alpha / min(depth, 1e30) : 1.0;\n"
-        "  light = vec4(along * ratio * color, alpha);\n}\n";
+        "  vec4 inside = vec4(along * ratio * color, alpha);\n";
+  fragment += kEnd;
   return {head + kVertex, fragment};
 }
 

@@ -11,9 +11,15 @@ namespace {
 
 using Place = std::array<double, 2>;
 
-double on_grid(double x) { return std::nearbyint(x * (1 / kFine)) * kFine; }
-// The rest is at least -2^15 and less than 2^15 of kFine.
-double coarse(double x) { return std::floor(x * (1 / kCoarse) + 0.5) * kCoarse; }
+// The nearest multiple of a power of 2, and the even one of two: numbers as large as the shift are
+// multiples of it. Processors without SSE 4.1 call a function to round.
+template <double Step>
+double nearest_multiple(double x) {
+  constexpr double kShift = 0x1.8p52 * Step;
+  return (x + kShift) - kShift;
+}
+double on_grid(double x) { return nearest_multiple<kFine>(x); }
+double coarse(double x) { return nearest_multiple<kCoarse>(x); }
 
 // A triangle around the rectangle that contains a narrow one along its longest side.
 std::array<Place, 3> around_narrow(const std::array<Place, 3>& p,
@@ -91,7 +97,7 @@ bool has_side(const Place& from, const Place& to) {
 std::array<double, 3> shares_of_peak(const std::array<Place, 3>& at, const Place& peak) {
   std::array<double, 3> shares;
   std::size_t nearest = 0;
-  double least = HUGE_VAL;
+  double least = HUGE_VAL;  // of the distances from sides that are kFine or less
   for (std::size_t k = 0; k < 3; ++k) {
     const Place &p = at[(k + 1) % 3], &q = at[(k + 2) % 3];
     if (std::max(std::abs(peak[0] - at[k][0]), std::abs(peak[1] - at[k][1])) <= kFine) {
@@ -99,18 +105,20 @@ std::array<double, 3> shares_of_peak(const std::array<Place, 3>& at, const Place
       shares[k] = 1;
       return shares;
     }
-    const double dx = q[0] - p[0], dy = q[1] - p[1];
+    const double dx = q[0] - p[0], dy = q[1] - p[1], length2 = dx * dx + dy * dy;
     shares[k] = dx * (peak[1] - p[1]) - dy * (peak[0] - p[0]);
-    const double distance = shares[k] / std::sqrt(dx * dx + dy * dy);
+    if (shares[k] > 0 && shares[k] * shares[k] > kFine * kFine * length2) continue;
+    const double distance = shares[k] / std::sqrt(length2);
     if (distance >= least) continue;
     least = distance;
     nearest = k;
   }
   for (double& share : shares) share = std::max(share, 0.0);
-  if (least <= kFine) shares[nearest] = 0;
+  if (least < HUGE_VAL) shares[nearest] = 0;
   const double sum = shares[0] + shares[1] + shares[2];
   if (!(sum > 0)) return {1, 0, 0};  // narrower than kFine
-  for (double& share : shares) share /= sum;
+  const double one = 1 / sum;
+  for (double& share : shares) share *= one;
   return shares;
 }
 
@@ -137,9 +145,13 @@ std::array<Place, 3> grown(const std::array<Place, 3>& p) {
   return result;
 }
 
-void TriangleBuffer::clear() {
-  places_.clear();
-  records_.clear();
+// Grows by doubling and does not shrink, so that a triangle is written once: vectors would first
+// fill what it takes with zeros.
+void TriangleBuffer::make_room() {
+  if (6 * (triangles_ + 1) <= places_.size()) return;
+  const std::size_t most = std::max<std::size_t>(2 * triangles_, 64);
+  places_.resize(6 * most);
+  records_.resize(shape_.floats() * most);
 }
 
 void TriangleBuffer::add(const Corner& a, const Corner& b, const Corner& c, const Corner* peak,
@@ -162,15 +174,20 @@ void TriangleBuffer::add(const Corner& a, const Corner& b, const Corner& c, cons
     triangle.at[k] = {at[k].x, at[k].y};
     triangle.values[k] = &corners[k]->values;
   }
+  make_room();
+  float* to = places_.data() + 6 * triangles_;
   for (const Place& place :
        grown({{{drawn[0].x, drawn[0].y}, {drawn[1].x, drawn[1].y}, {drawn[2].x, drawn[2].y}}}))
-    for (const double x : place) places_.push_back(static_cast<float>(x));
-  const std::size_t start = records_.size();
-  records_.resize(start + shape_.floats());
-  float* const record = records_.data() + start;
+    for (std::size_t axis = 0; axis < 2; ++axis)
+      *to++ = static_cast<float>(place[axis] - origin_[axis]);
+  float* const record = records_.data() + shape_.floats() * triangles_;
   set_triangle(record, triangle);
-  if (peak != nullptr) set_peak(record, triangle, *peak);
+  if (peak != nullptr)
+    set_peak(record, triangle, *peak);
+  else
+    set_flat(record);
   std::ranges::copy(limits.rest, record + kFirstValue + 4 * shape_.values);
+  ++triangles_;
 }
 
 void TriangleBuffer::set_triangle(float* record, const Triangle& triangle) const {
@@ -178,7 +195,7 @@ void TriangleBuffer::set_triangle(float* record, const Triangle& triangle) const
     for (std::size_t c = 0; c < 2; ++c) {
       const double x = coarse(triangle.at[k][c]);
       float* const to = record + (k < 2 ? 2 * k + c : 8 + c);
-      to[0] = static_cast<float>(x);
+      to[0] = static_cast<float>(x - origin_[c]);
       to[k < 2 ? 4 : 2] = static_cast<float>(triangle.at[k][c] - x);
     }
   for (std::size_t k = 0; k < 3; ++k)
@@ -191,6 +208,12 @@ void TriangleBuffer::set_triangle(float* record, const Triangle& triangle) const
     to[n + shape_.values] = (*triangle.values[1])[n] - of_c;
     to[n + 2 * shape_.values] = of_c;
   }
+}
+
+// Values are linear in the whole triangle.
+void TriangleBuffer::set_flat(float* record) const {
+  std::fill_n(record + kSteep, 3, 0.0F);
+  std::fill_n(record + kFirstValue + 3 * shape_.values, shape_.values, 0.0F);
 }
 
 void TriangleBuffer::set_peak(float* record, const Triangle& triangle, const Corner& peak) const {

@@ -5,12 +5,14 @@
 #include <span>
 #include <vector>
 
+#include "hiac/frame/crop.hpp"
+
 namespace hiac::preview {
 
 /// What shaders get of a triangle. Of each corner two floats, its place in a larger triangle (see
 /// kGrowth) for the rasteriser; of the whole triangle a record of floats, in this order:
 ///
-///     a.x a.y b.x b.y   corners, pixels of the frame: multiples of kCoarse
+///     a.x a.y b.x b.y   corners, pixels from the part's corner on: multiples of kCoarse
 ///     the same          what is missing of them, multiples of kFine
 ///     c.x c.y           and what is missing of them
 ///     least x 3         0 or the least float: a pixel's centre on the side opposite the corner
@@ -71,7 +73,10 @@ class TriangleBuffer {
  public:
   using Values = std::array<float, kMostValues>;
 
-  explicit TriangleBuffer(RecordShape shape) : shape_(shape) {}
+  /// `part`: what is drawn of the picture, from whose corner the shaders' places count. So they
+  /// need no uniform for it, which Mesa's llvmpipe reads pixel by pixel.
+  explicit TriangleBuffer(RecordShape shape, const PixelRect& part = {})
+      : shape_(shape), origin_{double(part.x), double(part.y)} {}
 
   struct Corner {
     double x, y;
@@ -88,12 +93,16 @@ class TriangleBuffer {
     add(a, b, c, &peak, limits);
   }
 
-  void clear();
+  void clear() { triangles_ = 0; }
   /// Two a vertex, six a triangle.
-  [[nodiscard]] std::span<const float> places() const { return places_; }
+  [[nodiscard]] std::span<const float> places() const {
+    return std::span(places_).first(6 * triangles_);
+  }
   /// RecordShape::floats() a triangle.
-  [[nodiscard]] std::span<const float> records() const { return records_; }
-  [[nodiscard]] std::size_t triangles() const { return places_.size() / 6; }
+  [[nodiscard]] std::span<const float> records() const {
+    return std::span(records_).first(shape_.floats() * triangles_);
+  }
+  [[nodiscard]] std::size_t triangles() const { return triangles_; }
   [[nodiscard]] RecordShape shape() const { return shape_; }
 
  private:
@@ -105,11 +114,15 @@ class TriangleBuffer {
   };
   void add(const Corner& a, const Corner& b, const Corner& c, const Corner* peak,
            const SlabLimits& limits);
+  void make_room();
   void set_triangle(float* record, const Triangle& triangle) const;
+  void set_flat(float* record) const;
   void set_peak(float* record, const Triangle& triangle, const Corner& peak) const;
 
   RecordShape shape_;
-  std::vector<float> places_, records_;
+  Place origin_;
+  std::vector<float> places_, records_;  // with room for more triangles than there are
+  std::size_t triangles_ = 0;
 };
 
 /// A triangle that contains a given one (counter-clockwise) with a margin of kGrowth around it.
