@@ -10,7 +10,6 @@
 
 #  include <algorithm>
 #  include <array>
-#  include <cmath>
 #  include <cstddef>
 #  include <cstdint>
 #  include <limits>
@@ -23,6 +22,7 @@
 #  include "hiac/render/edges/edge_place.hpp"
 #  include "hiac/render/edges/tile_edges.hpp"
 #  include "hiac/render/pixels/compositor-inl.hpp"
+#  include "hiac/render/walk/ray_faces-inl.hpp"
 #  include "hiac/render/walk/ray_scene.hpp"
 #  include "hiac/render/walk/ray_starts.hpp"
 
@@ -30,39 +30,7 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// So many rays that one waits for memory while others go on, and that those in one interval of the
-// transfer functions fill vectors.
-inline constexpr std::size_t kRays = 128;
-
-// Where a ray passes a face: the ray parameter, and the field.
-template <class V>
-struct FacePoint {
-  V t, field;
-};
-
-// The point of a face where its corners have these weights, none of which is negative; not outside
-// the corners' values. In perspective fields are not affine on the screen, but fields times 1/t
-// are.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE FacePoint<V> face_point(D d, const V (&weight)[3], const V (&depth)[3],
-                                   const V (&field)[3], bool perspective) {
-  const auto mean = [d](V w0, V w1, V w2, const V(&value)[3]) HWY_ATTR {
-    const V rise =
-        hn::MulAdd(w0, hn::Sub(value[0], value[2]), hn::Mul(w1, hn::Sub(value[1], value[2])));
-    const V at = hn::Add(value[2], hn::Div(rise, hn::Add(hn::Add(w0, w1), w2)));
-    return hn::Min(hn::Max(at, hn::Min(hn::Min(value[0], value[1]), value[2])),
-                   hn::Max(hn::Max(value[0], value[1]), value[2]));
-  };
-  const V at = mean(weight[0], weight[1], weight[2], depth);
-  if (!perspective) return {at, mean(weight[0], weight[1], weight[2], field)};
-  return {hn::Div(hn::Set(d, -1.0), at),
-          mean(hn::Mul(weight[0], hn::Neg(depth[0])), hn::Mul(weight[1], hn::Neg(depth[1])),
-               hn::Mul(weight[2], hn::Neg(depth[2])), field)};
-}
-
-// The rays of a tile's pixels, some of them at a time, each of them in one cell. A ray is in front
-// of the face by which it has entered the cell, whose corners turn counter-clockwise around it
-// (is_left); a corner's weight is (q - p) x (r - p), q and r being the two other corners.
+// The rays of a tile's pixels, some of them at a time, each of them in one cell.
 class RayBundle {
  public:
   RayBundle(const RayScene& scene, const RayStarts& starts, const TileTarget& to, TileEdges& edges)
@@ -71,7 +39,7 @@ class RayBundle {
         to_(to),
         tile_(to.tile),
         edges_(edges),
-        perspective_(scene.frame.projector.perspective()),
+        faces_(scene),
         next_x_(tile_.x0),
         next_y_(tile_.y0) {
     for (std::size_t ray = 0; ray < kRays; ++ray) start(ray);
@@ -81,10 +49,11 @@ class RayBundle {
   HWY_INLINE bool advance() {
     if (followed_ == 0) return false;
     for (std::size_t ray = 0; ray < kRays; ++ray)
-      if (is_followed(ray)) find_apex(ray);
+      if (is_followed(ray)) faces_.find_apex(ray, scene_.mesh[cell_[ray]]);
     for (std::size_t ray = 0; ray < kRays; ++ray)
-      if (is_followed(ray)) put(apex_.node[ray], ray, apex_);
-    for (std::size_t ray = 0; ray < kRays; ray += hn::Lanes(D())) cross(ray);
+      if (is_followed(ray)) faces_.place_apex(ray);
+    for (std::size_t ray = 0; ray < kRays; ray += hn::Lanes(D()))
+      add_segment(ray, faces_.leave(ray));
     if (HWY_UNLIKELY(with_edges_ > 0))
       for (std::size_t ray = 0; ray < kRays; ++ray)
         if (meets_edges(ray)) take_edges_in_front(ray);
@@ -117,91 +86,6 @@ class RayBundle {
   using V = hn::Vec<D>;
   using M = hn::Mask<D>;
   using Numbers = std::array<double, kRays>;
-  // The least weight: of corners on whose edge the ray lies.
-  static constexpr double kLeastWeight = 1e-200;
-
-  struct Corner {
-    HWY_ALIGN Numbers x{}, y{}, depth{}, field{};  // places less the pixel's centre
-    std::array<NodeId, kRays> node{};
-  };
-
-  HWY_INLINE void put(NodeId node, std::size_t ray, Corner& corner) const {
-    const RayNode& at = scene_.nodes[node];
-    corner.x[ray] = at.x - x_[ray];
-    corner.y[ray] = at.y - y_[ray];
-    corner.depth[ray] = at.depth;
-    corner.field[ray] = at.field;
-    corner.node[ray] = node;
-  }
-
-  // The node of the cell that the ray has not met yet, by exclusive or.
-  HWY_INLINE void find_apex(std::size_t ray) {
-    const auto& [a, b, c, d] = scene_.mesh[cell_[ray]].nodes;
-    const NodeId apex =
-        a ^ b ^ c ^ d ^ corner_[0].node[ray] ^ corner_[1].node[ray] ^ corner_[2].node[ray];
-    apex_.node[ray] = apex;
-    hwy::Prefetch(&scene_.nodes[apex]);
-  }
-
-  // Finds the faces by which rays leave. Seen from the ray, the apex lies opposite the side of the
-  // entered triangle over which it leaves: the corner that this side lacks is replaced by the apex.
-  HWY_INLINE void cross(std::size_t ray) {
-    const D d;
-    V side[3];
-    find_sides(ray, side);
-    const V zero = hn::Zero(d);
-    const M left[3] = {hn::Gt(side[0], zero), hn::Gt(side[1], zero), hn::Gt(side[2], zero)};
-    M lacks[3];
-    for (std::size_t k = 0; k < 3; ++k) lacks[k] = hn::AndNot(left[(k + 1) % 3], left[(k + 2) % 3]);
-    hn::Store(
-        hn::IfThenElse(lacks[1], hn::Set(d, 1.0), hn::IfThenElseZero(lacks[2], hn::Set(d, 2.0))), d,
-        replaced_.data() + ray);
-    V weight[3], depth[3], field[3];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t next = (k + 1) % 3, last = (k + 2) % 3;
-      const M here = lacks[k];
-      const auto replace = [&](const Numbers& of_apex, Numbers& of_corner) HWY_ATTR {
-        const V value = hn::IfThenElse(here, hn::Load(d, of_apex.data() + ray),
-                                       hn::Load(d, of_corner.data() + ray));
-        hn::Store(value, d, of_corner.data() + ray);
-        return value;
-      };
-      replace(apex_.x, corner_[k].x);
-      replace(apex_.y, corner_[k].y);
-      depth[k] = replace(apex_.depth, corner_[k].depth);
-      field[k] = replace(apex_.field, corner_[k].field);
-      double* const place = weight_[k].data() + ray;
-      weight[k] = hn::IfThenElse(here, hn::Load(d, place),
-                                 hn::IfThenElse(lacks[last], side[next], hn::Neg(side[last])));
-      hn::Store(weight[k], d, place);
-    }
-    add_segment(ray, face_point(d, weight, depth, field, perspective_));
-  }
-
-  // (corner - p) x (apex - p), with exact signs.
-  HWY_INLINE void find_sides(std::size_t ray, V (&side)[3]) {
-    const D d;
-    const V x = hn::Load(d, apex_.x.data() + ray), y = hn::Load(d, apex_.y.data() + ray);
-    const V error = hn::Set(d, kSideError), least = hn::Set(d, kLeastSide);
-    M doubt[3];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const V one = hn::Mul(hn::Load(d, corner_[k].x.data() + ray), y);
-      const V two = hn::Mul(hn::Load(d, corner_[k].y.data() + ray), x);
-      side[k] = hn::Sub(one, two);
-      doubt[k] =
-          hn::Le(hn::Abs(side[k]), hn::MulAdd(error, hn::Add(hn::Abs(one), hn::Abs(two)), least));
-    }
-    if (HWY_LIKELY(hn::AllFalse(d, hn::Or(hn::Or(doubt[0], doubt[1]), doubt[2])))) return;
-    for (std::size_t k = 0; k < 3; ++k) {
-      HWY_ALIGN double sides[8], in_doubt[8];
-      hn::Store(side[k], d, sides);
-      hn::Store(hn::IfThenElseZero(doubt[k], hn::Set(d, 1.0)), d, in_doubt);
-      for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
-        if (in_doubt[lane] != 0 && is_followed(ray + lane))
-          sides[lane] = side_in_doubt(k, ray + lane, sides[lane]);
-      side[k] = hn::Load(d, sides);
-    }
-  }
 
   // Whether the ray's cell lies in empty space.
   HWY_NOINLINE bool is_empty_cell(std::size_t ray) const {
@@ -213,14 +97,6 @@ class RayBundle {
       range.high = std::max<std::size_t>(range.high, at.high);
     }
     return is_empty_space(scene_.frame.optics, range, range);
-  }
-
-  HWY_NOINLINE double side_in_doubt(std::size_t k, std::size_t ray, double side) const {
-    const NodeId corner = corner_[k].node[ray], apex = apex_.node[ray];
-    const bool left =
-        is_left(scene_.nodes[corner], corner, scene_.nodes[apex], apex, x_[ray], y_[ray]);
-    const double size = std::max(std::abs(side), kLeastWeight);
-    return left ? size : -size;
   }
 
   // The segments from where rays have entered to where they leave. Depths may go back in a mesh
@@ -247,18 +123,12 @@ class RayBundle {
 
   HWY_INLINE void settle(std::size_t ray) {
     if (HWY_UNLIKELY(meets_edges(ray))) take_edges_behind(ray);
-    Corner& changed = corner_[static_cast<std::size_t>(replaced_[ray])];
     const CellId cell = cell_[ray];
-    const WalkableMesh::Cell& left = scene_.mesh[cell];
-    const NodeId behind = changed.node[ray];  // opposite the face by which the ray leaves
-    const unsigned opposite = (left.nodes[1] == behind ? 1U : 0U) +
-                              (left.nodes[2] == behind ? 2U : 0U) +
-                              (left.nodes[3] == behind ? 3U : 0U);
-    changed.node[ray] = apex_.node[ray];
-    cell_[ray] = left.across[opposite];
+    const std::uint8_t opposite = faces_.settle(ray, scene_.mesh[cell]);
+    cell_[ray] = scene_.mesh[cell].across[opposite];
     if (HWY_UNLIKELY(!is_seen(ray))) return end(ray);
     if (HWY_LIKELY(is_followed(ray))) return hwy::Prefetch(&scene_.mesh[cell_[ray]]);
-    leave_mesh(ray, {cell, static_cast<std::uint8_t>(opposite)});
+    leave_mesh(ray, {cell, opposite});
     if (!enter_mesh(ray)) end(ray);
   }
 
@@ -280,23 +150,9 @@ class RayBundle {
     if (n == hits.size()) return false;
     passed_[ray][n] = true;
     const auto& [face, corners] = scene_.mesh.boundary()[hits[n].face];
-    std::array<NodeId, 3> nodes = corners;
-    if (!is_left(scene_.nodes[nodes[0]], nodes[0], scene_.nodes[nodes[1]], nodes[1], x_[ray],
-                 y_[ray]))
-      std::swap(nodes[0], nodes[1]);
-    for (std::size_t k = 0; k < 3; ++k) put(nodes[k], ray, corner_[k]);
-    using One = hn::CappedTag<double, 1>;
-    hn::Vec<One> weight[3], depth[3], field[3];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Corner &q = corner_[(k + 1) % 3], &r = corner_[(k + 2) % 3];
-      weight_[k][ray] = std::max(std::abs(q.x[ray] * r.y[ray] - q.y[ray] * r.x[ray]), kLeastWeight);
-      weight[k] = hn::Set(One(), weight_[k][ray]);
-      depth[k] = hn::Set(One(), corner_[k].depth[ray]);
-      field[k] = hn::Set(One(), corner_[k].field[ray]);
-    }
-    const auto at = face_point(One(), weight, depth, field, perspective_);
-    t_[ray] = hn::GetLane(at.t);
-    field_[ray] = hn::GetLane(at.field);
+    const FacePoint<double> at = faces_.enter(ray, corners);
+    t_[ray] = at.t;
+    field_[ray] = at.field;
     cell_[ray] = face.cell;
     return true;
   }
@@ -312,8 +168,7 @@ class RayBundle {
         if (hits.empty()) continue;
         column_[ray] = x;
         row_[ray] = next_y_;
-        x_[ray] = pixel_center(x);
-        y_[ray] = pixel_center(next_y_);
+        faces_.set_pixel(ray, pixel_center(x), pixel_center(next_y_));
         scale_[ray] = to_.buffer.ray_scale[tile_.index(x, next_y_)];
         has_edges_[ray] = edges_.left().holds(x - tile_.x0, next_y_ - tile_.y0);
         with_edges_ += has_edges_[ray] ? 1 : 0;
@@ -367,33 +222,21 @@ class RayBundle {
     return has_edges_[ray] && is_followed(ray) && scene_.edges.may_touch(cell_[ray]);
   }
 
-  // Whether a place on an edge lies on the face by which the ray has entered its cell, or on the
-  // one by which it leaves.
-  [[nodiscard]] bool lies_on_entered(std::size_t ray, const TileEdges::Place& place) const {
-    return lies_on(
-        {corner_[0].node[ray], corner_[1].node[ray], corner_[2].node[ray], corner_[0].node[ray]},
-        place);
-  }
-  [[nodiscard]] bool lies_on_left(std::size_t ray, const TileEdges::Place& place) const {
-    std::array<NodeId, 4> corners{corner_[0].node[ray], corner_[1].node[ray], corner_[2].node[ray],
-                                  0};
-    corners[static_cast<std::size_t>(replaced_[ray])] = apex_.node[ray];
-    corners[3] = corners[0];
-    return lies_on(corners, place);
-  }
-  static bool lies_on(const std::array<NodeId, 4>& corners, const TileEdges::Place& place) {
-    return lies_on_face<NodeId>(corners, {place.piece->edge, place.along, place.node});
+  static bool lies_on(const std::array<NodeId, 3>& corners, const TileEdges::Place& place) {
+    return lies_on_face<NodeId>({corners[0], corners[1], corners[2], corners[0]},
+                                {place.piece->edge, place.along, place.node});
   }
 
   HWY_NOINLINE void take_edges_in_front(std::size_t ray) {
     const double middle = 0.5 * (front_[ray] + back_[ray]);
     take_edges(ray, front_[ray], true, [&](const TileEdges::Place& place) {
-      return lies_on_entered(ray, place) || (place.t < middle && !lies_on_left(ray, place));
+      return lies_on(faces_.entered(ray), place) ||
+             (place.t < middle && !lies_on(faces_.left(ray), place));
     });
   }
   HWY_NOINLINE void take_edges_behind(std::size_t ray) {
     take_edges(ray, back_[ray], false,
-               [&](const TileEdges::Place& place) { return lies_on_left(ray, place); });
+               [&](const TileEdges::Place& place) { return lies_on(faces_.left(ray), place); });
   }
   template <typename LiesHere>
   void take_edges(std::size_t ray, double t, bool or_nearer, const LiesHere& lies_here) {
@@ -407,21 +250,16 @@ class RayBundle {
   const TileTarget& to_;
   const TileRect& tile_;
   TileEdges& edges_;
-  bool perspective_;
+  RayFaces faces_;
   int next_x_, next_y_;         // of the next pixel
   std::size_t followed_ = 0;    // how many rays are
   std::size_t with_edges_ = 0;  // how many of these have edges on their pixels
   // of every ray
-  HWY_ALIGN Numbers x_{}, y_{};         // the pixel's centre
   HWY_ALIGN Numbers scale_{};           // world length per unit of the ray parameter
   HWY_ALIGN Numbers t_{}, field_{};     // where it has entered its cell
   HWY_ALIGN Numbers front_{}, back_{};  // of its segment
   HWY_ALIGN Numbers last_{};            // the largest ray parameter so far
   HWY_ALIGN Numbers is_there_{};        // 1 of rays that are followed
-  HWY_ALIGN Numbers replaced_{};        // the corner that the cell's apex has replaced
-  std::array<Corner, 3> corner_;        // of the face by which it has entered
-  HWY_ALIGN std::array<Numbers, 3> weight_{};
-  Corner apex_;
   std::array<CellId, kRays> cell_{};
   std::array<bool, kRays> has_edges_{};
   std::array<bool, kRays> is_met_{};  // a cell that is not empty has been
