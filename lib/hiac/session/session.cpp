@@ -65,9 +65,9 @@ struct Session::State {
   std::vector<CellId> left_out;                 // of all orders
   bool has_boundary = false;                    // the mesh has the adjacency that pictures need
   bool sorts_overlaps = false;                  // pairs of cells are sorted pixel by pixel
-  std::optional<WalkableMesh> walkable;
-  bool knows_walkable = false;
-  std::optional<Edges> chosen;  // what edges_of_mesh are, apart from their look
+  std::optional<WalkableMesh> walkable;         // while no picture is made in an order
+  std::optional<bool> is_walkable;              // once it is known
+  std::optional<Edges> chosen;                  // what edges_of_mesh are, apart from their look
   MeshEdges edges_of_mesh;
 
   State(ZooMesh drawn, Monitor watching)
@@ -100,9 +100,15 @@ struct Session::State {
   }
 
   const WalkableMesh* walkable_mesh() {
-    if (sorts_overlaps) return nullptr;
-    if (!knows_walkable) walkable = WalkableMesh::of(mesh, orders.required_adjacency());
-    knows_walkable = true;
+    if (sorts_overlaps || is_walkable == false) return nullptr;
+    if (!walkable) {
+      const FaceAdjacency& adjacency = orders.required_adjacency();
+      if (is_walkable.has_value())
+        walkable = WalkableMesh::again(mesh, adjacency);
+      else
+        walkable = WalkableMesh::of(mesh, adjacency);
+      is_walkable = walkable.has_value();
+    }
     return walkable ? &*walkable : nullptr;
   }
 
@@ -133,7 +139,6 @@ bool Session::take_step(ZooMesh& mesh) {
   if (geometry_hash(mesh) != state_->hash_of_geometry()) return false;
   if (state_->has_boundary) mesh.adjacency = state_->mesh.adjacency;
   state_->walkable.reset();  // it refers to the arrays of the mesh before
-  state_->knows_walkable = false;
   state_->mesh = std::move(mesh);
   state_->content.clear();
   return true;
@@ -176,6 +181,7 @@ std::shared_ptr<const MeshOrder> Session::order(const Scene& scene) {
 Picture Session::picture(const Scene& scene, const PictureRequest& request) {
   State& s = *state_;
   const PixelRect part = require_possible(request, scene.image);
+  s.walkable.reset();  // its memory is free while the picture is made
   const std::shared_ptr<const MeshOrder> made = s.order(scene, request.crew);
   s.prepare_boundary(scene);
   RenderResult result = run_stage(s.monitor, "render", [&] {
@@ -198,6 +204,7 @@ std::optional<Picture> Session::picture_by_rays(const Scene& scene, bool backgro
   if (!result) return std::nullopt;
   if (result->statistics.violations > 0) {  // cells overlap, which an order treats in its own way
     s.walkable.reset();
+    s.is_walkable = false;
     return std::nullopt;
   }
   return picture_of(*std::move(result), nullptr, s.content_hash_of_mesh());

@@ -44,6 +44,21 @@ TEST(WalkableMesh, KnowsWhatLiesAcrossFaces) {
   EXPECT_GT(outside, 10U);
 }
 
+TEST(WalkableMesh, IsMadeAgainAsItWas) {
+  const ZooMesh mesh = test::random_delaunay(30, 4);
+  const FaceAdjacency adjacency = build_face_adjacency(mesh);
+  const auto first = WalkableMesh::of(mesh, adjacency);
+  ASSERT_TRUE(first.has_value());
+  const WalkableMesh second = WalkableMesh::again(mesh, adjacency);
+  for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {
+    EXPECT_EQ((*first)[cell].nodes, second[cell].nodes);
+    EXPECT_EQ((*first)[cell].across, second[cell].across);
+  }
+  EXPECT_TRUE(std::ranges::equal(first->boundary(), second.boundary(), {}, &BoundaryFace::face,
+                                 &BoundaryFace::face));
+  EXPECT_FALSE(second.boundary().empty());
+}
+
 TEST(WalkableMesh, IsOfLinearTetrahedraAlone) {
   for (const test::Cut cut : {test::Cut::bricks, test::Cut::prisms, test::Cut::pyramids}) {
     const ZooMesh mesh = test::structured(2, cut);

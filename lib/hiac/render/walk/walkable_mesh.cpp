@@ -41,21 +41,30 @@ constexpr std::array<std::size_t, 4> kFaceOpposite = [] {
 
 }  // namespace
 
+WalkableMesh::WalkableMesh(const ZooMesh& mesh, const FaceAdjacency& adjacency)
+    : mesh_(&mesh), cells_(large_vector<Cell>(mesh.cell_count())) {
+  parallel_for(cells_.size(), kWalkableGrain, [&](IndexRange range) {
+    for (std::size_t cell = range.begin; cell < range.end; ++cell)
+      for (std::size_t k = 0; k < 4; ++k) {
+        cells_[cell].nodes[k] = mesh.nodes[4 * cell + k];
+        cells_[cell].across[k] = adjacency.neighbors[4 * cell + kFaceOpposite[k]];
+      }
+  });
+}
+
+WalkableMesh WalkableMesh::again(const ZooMesh& mesh, const FaceAdjacency& adjacency) {
+  WalkableMesh walkable(mesh, adjacency);
+  walkable.find_boundary();
+  return walkable;
+}
+
 std::optional<WalkableMesh> WalkableMesh::of(const ZooMesh& mesh, const FaceAdjacency& adjacency) {
   const std::size_t count = mesh.cell_count();
   if (!std::ranges::all_of(mesh.kinds.view(),
                            [](CellKind kind) { return kind == CellKind::tetrahedron4; }) ||
       adjacency.neighbors.size() != 4 * count)
     return std::nullopt;
-  WalkableMesh walkable(mesh);
-  walkable.cells_ = large_vector<Cell>(count);
-  parallel_for(count, kWalkableGrain, [&](IndexRange range) {
-    for (std::size_t cell = range.begin; cell < range.end; ++cell)
-      for (std::size_t k = 0; k < 4; ++k) {
-        walkable.cells_[cell].nodes[k] = mesh.nodes[4 * cell + k];
-        walkable.cells_[cell].across[k] = adjacency.neighbors[4 * cell + kFaceOpposite[k]];
-      }
-  });
+  WalkableMesh walkable(mesh, adjacency);
   std::atomic<bool> sound = true;
   parallel_for(count, kWalkableGrain, [&](IndexRange range) {
     for (std::size_t cell = range.begin; cell < range.end && sound; ++cell)

@@ -32,6 +32,8 @@ class WalkableMesh {
   /// that of the mesh: a neighbour that does not have the face, or has another neighbour there.
   /// The mesh must outlive the object. Takes linear time, in parallel, and 32 bytes a cell.
   static std::optional<WalkableMesh> of(const ZooMesh& mesh, const FaceAdjacency& adjacency);
+  /// The same of a mesh of which `of` has made one before: nothing is checked again.
+  static WalkableMesh again(const ZooMesh& mesh, const FaceAdjacency& adjacency);
 
   [[nodiscard]] const ZooMesh& mesh() const { return *mesh_; }
 
@@ -46,7 +48,7 @@ class WalkableMesh {
   [[nodiscard]] const std::vector<BoundaryFace>& boundary() const { return boundary_; }
 
  private:
-  explicit WalkableMesh(const ZooMesh& mesh) : mesh_(&mesh) {}
+  WalkableMesh(const ZooMesh& mesh, const FaceAdjacency& adjacency);
   [[nodiscard]] bool is_sound(CellId cell) const;
   void find_boundary();
 
