@@ -149,6 +149,34 @@ TEST(WalkedPicture, RaysAlongFacesAndThroughNodesLoseNothing) {
   }
 }
 
+// Diagonals through pixels' centres to within rounding: the sign of a rounded area is often wrong.
+TEST(WalkedPicture, RaysThatRoundingPutsOnEdgesLoseNothing) {
+  // the lattice turned so that the diagonals of its squares, of five pixels, meet in centres
+  ZooMesh mesh =
+      test::moved(test::structured(7, test::Cut::tetrahedra), [](const test::Position& p) {
+        const double x = p[0] - 0.5, y = p[1] - 0.5;
+        return test::Position{0.5 + 0.6 * x - 0.8 * y, 0.5 + 0.8 * x + 0.6 * y, p[2]};
+      });
+  test::add_node_field(mesh, "f", test::smooth_field);
+  for (const double z : {5.0, -4.0})
+    for (const double turned : {0.0, 1.0}) {
+      Scene scene = walked_scene(Projection::orthographic, 41, 41);
+      scene.camera.eye = {0.5, 0.5, z};
+      scene.camera.look_at = {0.5, 0.5, 0.5};
+      scene.camera.up = {turned, 1 - turned, 0};
+      scene.camera.height = 41.0 / 35;
+      const auto colored = walked(mesh, scene);
+      ASSERT_TRUE(colored.has_value());
+      EXPECT_EQ(colored->statistics.violations, 0U);
+      EXPECT_LE(largest_difference(colored->image, ordered(mesh, scene).image), 1e-12);
+      scene.volume.extinction->points = {{0, {0.7}}};
+      const auto rays = walked(mesh, scene);
+      ASSERT_TRUE(rays.has_value());
+      EXPECT_NEAR(rays->image.at(20, 20, 3), 1 - std::exp(-0.7), 1e-14);
+      EXPECT_NEAR(rays->image.at(23, 24, 3), 1 - std::exp(-0.7), 1e-14);
+    }
+}
+
 // Hollow, in parts that touch in faces or do not, and one part behind another.
 TEST(WalkedPicture, RaysThatEnterAMeshSeveralTimesTakeTheirWaysByDepth) {
   const auto with_field = [](ZooMesh mesh) {
