@@ -220,6 +220,15 @@ TEST(WalkedPicture, StepsAndManyBreakpointsAreCut) {
   expect_same_picture(mesh, scene, "many");
 }
 
+// Steps are continuous from the right.
+TEST(WalkedPicture, AFieldOnAStepHasTheValueBehindIt) {
+  ZooMesh mesh = test::random_delaunay(40, 11);
+  test::add_node_field(mesh, "f", [](const test::Position&) { return 0.5; });
+  Scene scene = walked_scene(Projection::orthographic, 30, 30);
+  scene.volume.extinction->points = {{0.5, {0.1}}, {0.5, {3}}};
+  expect_same_picture(mesh, scene, "on a step");
+}
+
 // Where nothing more is seen, rays end: fewer segments, the same picture.
 TEST(WalkedPicture, RaysEndInOpaqueMedia) {
   const ZooMesh mesh = random_mesh(400, 7);
