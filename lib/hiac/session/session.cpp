@@ -15,6 +15,7 @@
 #include "hiac/render/engine.hpp"
 #include "hiac/render/explain_pixel.hpp"
 #include "hiac/render/supersampling.hpp"
+#include "hiac/render/walk/ray_scene.hpp"
 #include "hiac/render/walk/walked_picture.hpp"
 #include "hiac/session/scene_orders.hpp"
 #include "hiac/session/stages.hpp"
@@ -195,7 +196,8 @@ std::optional<Picture> Session::picture_by_rays(const Scene& scene, bool backgro
   State& s = *state_;
   const CancellationScope scope(s.monitor.cancellation);
   const std::uint64_t pixels = std::uint64_t{scene.image.width} * scene.image.height;
-  if (!is_faster_walked(s.mesh.cell_count(), pixels)) return std::nullopt;
+  if (!has_medium_and_edges_alone(scene) || !is_faster_walked(s.mesh.cell_count(), pixels))
+    return std::nullopt;
   const WalkableMesh* const walkable = s.walkable_mesh();
   if (walkable == nullptr) return std::nullopt;
   std::optional<RenderResult> result = run_stage(s.monitor, "render", [&] {

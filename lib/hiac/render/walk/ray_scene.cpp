@@ -7,14 +7,11 @@
 #include "hiac/base/parallel.hpp"
 
 namespace hiac {
-namespace {
 
 bool has_medium_and_edges_alone(const Scene& scene) {
   return scene.isosurfaces.empty() && !scene.skin && !scene.camera.clip &&
          scene.render.splat_below == 0;
 }
-
-}  // namespace
 
 RayScene::RayScene(const WalkableMesh& of_mesh, const Scene& scene, const Projector& projector,
                    const MeshEdges* edges_of_mesh)

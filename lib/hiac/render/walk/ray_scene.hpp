@@ -12,6 +12,10 @@
 
 namespace hiac {
 
+/// Whether a scene shows nothing but a medium, without clipping or splats, and edges. Rays are not
+/// followed in any other, which is known before anything is computed.
+bool has_medium_and_edges_alone(const Scene& scene);
+
 /// What rays need to know of one picture.
 struct RayScene {
   /// `projector` is that of the scene; it and the mesh must outlive the object. Mesh and scene must
