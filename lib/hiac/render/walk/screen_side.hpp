@@ -25,10 +25,10 @@ bool is_left_exactly(const RayNode& a, NodeId id_a, const RayNode& b, NodeId id_
 
 /// Whether (a - p) x (b - p) > 0 on the screen, p being the point (x, y). Never undecided, and
 /// exact: p counts as moved to the right by an infinitesimal amount and down by a much smaller one,
-/// and of two nodes in one place the one with the smaller number counts as moved down by one
-/// smaller still (H. Edelsbrunner, E. Muecke, "Simulation of Simplicity", 1990). So exchanging a
-/// and b negates the result, and p lies in just two faces of every tetrahedron that covers it, in
-/// none of any other.
+/// and of two nodes in one place the one with the smaller number counts as moved down by an
+/// amount smaller still (H. Edelsbrunner, E. Muecke, "Simulation of Simplicity", 1990). So
+/// exchanging a and b negates the result, and p lies in just two faces of every tetrahedron that
+/// covers it, in none of any other.
 inline bool is_left(const RayNode& a, NodeId id_a, const RayNode& b, NodeId id_b, double x,
                     double y) {
   const double one = (a.x - x) * (b.y - y), two = (a.y - y) * (b.x - x);
