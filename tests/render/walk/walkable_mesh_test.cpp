@@ -11,35 +11,49 @@
 namespace hiac {
 namespace {
 
+// The nodes of a face, as the mesh numbers them.
+std::set<NodeId> nodes_of(const WalkableMesh& walkable, OppositeFace face) {
+  std::set<NodeId> nodes;
+  for (std::size_t k = 0; k < 4; ++k)
+    if (k != face.opposite()) nodes.insert(walkable.node_of_mesh(walkable[face.cell()].nodes[k]));
+  return nodes;
+}
+
+TEST(WalkableMesh, HasTheCellsOfTheMesh) {
+  const ZooMesh mesh = test::random_delaunay(30, 4);
+  const auto walkable = WalkableMesh::of(mesh, build_face_adjacency(mesh));
+  ASSERT_TRUE(walkable.has_value());
+  ASSERT_EQ(walkable->cell_count(), mesh.cell_count());
+  ASSERT_EQ(walkable->node_count(), mesh.node_count());
+  for (CellId cell = 0; cell < mesh.cell_count(); ++cell)
+    for (std::size_t k = 0; k < 4; ++k)
+      EXPECT_EQ(walkable->node_of_mesh((*walkable)[cell].nodes[k]),
+                mesh.cell_nodes(walkable->cell_of_mesh(cell))[k]);
+}
+
 TEST(WalkableMesh, KnowsWhatLiesAcrossFaces) {
   const ZooMesh mesh = test::random_delaunay(30, 4);
-  const FaceAdjacency adjacency = build_face_adjacency(mesh);
-  const auto walkable = WalkableMesh::of(mesh, adjacency);
+  const auto walkable = WalkableMesh::of(mesh, build_face_adjacency(mesh));
   ASSERT_TRUE(walkable.has_value());
-  std::size_t outside = 0;
+  std::vector<OppositeFace> faces;
   for (CellId cell = 0; cell < mesh.cell_count(); ++cell)
-    for (std::uint8_t k = 0; k < 4; ++k) {
-      std::set<NodeId> face;
-      for (std::uint8_t n = 0; n < 4; ++n)
-        if (n != k) face.insert((*walkable)[cell].nodes[n]);
-      // by brute force
-      CellId other = kNoCell;
-      for (CellId c = 0; c < mesh.cell_count(); ++c) {
-        const auto nodes = mesh.cell_nodes(c);
-        if (c != cell && std::ranges::all_of(face, [&](NodeId node) {
-              return std::ranges::find(nodes, node) != nodes.end();
-            }))
-          other = c;
-      }
-      ASSERT_EQ((*walkable)[cell].across[k], other);
-      outside += other == kNoCell;
-      const auto& boundary = walkable->boundary();
-      const auto found = std::ranges::find(boundary, OppositeFace{cell, k}, &BoundaryFace::face);
-      ASSERT_EQ(found != boundary.end(), other == kNoCell);
-      if (other == kNoCell) {
-        EXPECT_EQ(std::set(found->corners.begin(), found->corners.end()), face);
-      }
-    }
+    for (std::size_t k = 0; k < 4; ++k) faces.emplace_back(cell, k);
+  std::size_t outside = 0;
+  for (const OppositeFace face : faces) {
+    // by brute force
+    OppositeFace other;
+    for (const OppositeFace f : faces)
+      if (f != face && nodes_of(*walkable, f) == nodes_of(*walkable, face)) other = f;
+    ASSERT_EQ((*walkable)[face.cell()].across[face.opposite()], other);
+    outside += other.exists() ? 0 : 1;
+    const auto& boundary = walkable->boundary();
+    const auto found = std::ranges::find(boundary, face, &BoundaryFace::face);
+    ASSERT_EQ(found != boundary.end(), !other.exists());
+    if (other.exists()) continue;
+    std::set<NodeId> corners;
+    for (const NodeId corner : found->corners) corners.insert(walkable->node_of_mesh(corner));
+    EXPECT_EQ(corners, nodes_of(*walkable, face));
+  }
   EXPECT_EQ(walkable->boundary().size(), outside);
   EXPECT_GT(outside, 10U);
 }
@@ -53,6 +67,7 @@ TEST(WalkableMesh, IsMadeAgainAsItWas) {
   for (CellId cell = 0; cell < mesh.cell_count(); ++cell) {
     EXPECT_EQ((*first)[cell].nodes, second[cell].nodes);
     EXPECT_EQ((*first)[cell].across, second[cell].across);
+    EXPECT_EQ(first->cell_of_mesh(cell), second.cell_of_mesh(cell));
   }
   EXPECT_TRUE(std::ranges::equal(first->boundary(), second.boundary(), {}, &BoundaryFace::face,
                                  &BoundaryFace::face));
@@ -74,6 +89,17 @@ TEST(WalkableMesh, HasNoCellWithANodeTwice) {
   EXPECT_TRUE(WalkableMesh::of(mesh, build_face_adjacency(mesh)).has_value());
   mesh.nodes = std::vector<NodeId>{0, 1, 2, 1};
   EXPECT_FALSE(WalkableMesh::of(mesh, build_face_adjacency(mesh)).has_value());
+}
+
+// Its node that is there twice is the one beyond the face.
+TEST(WalkableMesh, HasNoNeighbourWithANodeTwice) {
+  ZooMesh mesh = test::make_mesh(
+      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}},
+      {{CellKind::tetrahedron4, {0, 1, 2, 3}}, {CellKind::tetrahedron4, {1, 0, 2, 4}}});
+  const FaceAdjacency adjacency = build_face_adjacency(mesh);
+  EXPECT_TRUE(WalkableMesh::of(mesh, adjacency).has_value());
+  mesh.nodes = std::vector<NodeId>{0, 1, 2, 3, 1, 0, 2, 2};
+  EXPECT_FALSE(WalkableMesh::of(mesh, adjacency).has_value());
 }
 
 // An adjacency may come from a file.

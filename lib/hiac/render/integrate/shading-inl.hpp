@@ -68,10 +68,10 @@ class IntervalReader {
   bool is_uniform_;
 };
 
-// The table's function of channel c.
-template <class D, class Interval, std::size_t N, class V = hn::Vec<D>>
-HWY_INLINE V value_in(D d, const Interval& interval, const TransferTable<N>& table, std::size_t c,
-                      V scalar) {
+// The table's function of channel c. `Table`: TransferTable, or another with the same columns that
+// the reader of intervals knows.
+template <class D, class Interval, class Table, class V = hn::Vec<D>>
+HWY_INLINE V value_in(D d, const Interval& interval, const Table& table, std::size_t c, V scalar) {
   return hn::MulAdd(interval(d, table.slope[c]), hn::Sub(scalar, interval(d, table.anchor)),
                     interval(d, table.value[c]));
 }
@@ -145,17 +145,17 @@ class ScalarWalk {
 };
 
 // How a piece's weights are computed: the PieceRule, resolved at compile time for the inner loop.
-// The weights of emission include the length.
+// The weights of emission include the length. `Optics`: OpticsTables, or a part of it.
 struct ExactChromaticity {
-  template <class D, class V>
-  static HWY_INLINE PieceWeights<V> weights(D d, const OpticsTables&, V, V b, V a) {
+  template <class D, class Optics, class V>
+  static HWY_INLINE PieceWeights<V> weights(D d, const Optics&, V, V b, V a) {
     return linear_piece_weights(d, b, a);
   }
 };
 
 struct ExactEmission {
-  template <class D, class V>
-  static HWY_INLINE PieceWeights<V> weights(D d, const OpticsTables&, V length, V b, V a) {
+  template <class D, class Optics, class V>
+  static HWY_INLINE PieceWeights<V> weights(D d, const Optics&, V length, V b, V a) {
     const auto w = linear_piece_emission(d, b, a);
     return {w.transparency, hn::Mul(w.front, length), hn::Mul(w.back, length)};
   }
@@ -212,8 +212,8 @@ HWY_INLINE void add_behind(const Radiance<V>& piece, M where, Radiance<V>& sum) 
 // tables. The colours at both ends are value + slope (scalar - anchor), so that their sum with the
 // weights w is value (w_front + w_back) + slope (w_front (front - anchor) + w_back (back -
 // anchor)).
-template <class D, class Interval, class V = hn::Vec<D>>
-HWY_INLINE V color_channel(D d, const OpticsTables& optics, const Interval& interval, std::size_t c,
+template <class D, class Optics, class Interval, class V = hn::Vec<D>>
+HWY_INLINE V color_channel(D d, const Optics& optics, const Interval& interval, std::size_t c,
                            V constant, V linear) {
   return hn::MulAdd(interval(d, optics.color.slope[c]), linear,
                     hn::Mul(interval(d, optics.color.value[c]), constant));
@@ -221,14 +221,14 @@ HWY_INLINE V color_channel(D d, const OpticsTables& optics, const Interval& inte
 
 // The optical depth that a piece would have if its extinction were constant, with its value at
 // `scalar`.
-template <class D, class Interval, class V = hn::Vec<D>>
-HWY_INLINE V optical_density(D d, const OpticsTables& optics, const Interval& interval, V scalar,
+template <class D, class Optics, class Interval, class V = hn::Vec<D>>
+HWY_INLINE V optical_density(D d, const Optics& optics, const Interval& interval, V scalar,
                              V length) {
   return hn::Mul(hn::Max(value_in(d, interval, optics.extinction, 0, scalar), hn::Zero(d)), length);
 }
 
-template <class Rule, class D, class Interval, class V = hn::Vec<D>>
-HWY_INLINE Radiance<V> piece_radiance(D d, const OpticsTables& optics, const Interval& color,
+template <class Rule, class D, class Optics, class Interval, class V = hn::Vec<D>>
+HWY_INLINE Radiance<V> piece_radiance(D d, const Optics& optics, const Interval& color,
                                       const Interval& extinction, V length, V front_color,
                                       V back_color, V front_extinction, V back_extinction) {
   const V b = optical_density(d, optics, extinction, front_extinction, length);

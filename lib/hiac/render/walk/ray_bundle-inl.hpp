@@ -49,11 +49,14 @@ class RayBundle {
   HWY_INLINE bool advance() {
     if (followed_ == 0) return false;
     for (std::size_t ray = 0; ray < kRays; ++ray)
-      if (is_followed(ray)) faces_.find_apex(ray, scene_.mesh[cell_[ray]]);
+      if (is_followed(ray)) faces_.find_apex(ray, cell_of(ray), entered_[ray]);
     for (std::size_t ray = 0; ray < kRays; ++ray)
       if (is_followed(ray)) faces_.place_apex(ray);
-    for (std::size_t ray = 0; ray < kRays; ray += hn::Lanes(D()))
-      add_segment(ray, faces_.leave(ray));
+    const D d;
+    for (std::size_t ray = 0; ray < kRays; ray += hn::Lanes(d)) {
+      const M there = followed(ray);
+      if (!hn::AllFalse(d, there)) add_segment(ray, faces_.leave(ray, there), there);
+    }
     if (HWY_UNLIKELY(with_edges_ > 0))
       for (std::size_t ray = 0; ray < kRays; ++ray)
         if (meets_edges(ray)) take_edges_in_front(ray);
@@ -67,13 +70,34 @@ class RayBundle {
       if (is_followed(ray)) settle(ray);
   }
 
-  [[nodiscard]] HWY_INLINE bool is_followed(std::size_t ray) const { return cell_[ray] != kNoCell; }
+  [[nodiscard]] HWY_INLINE bool is_followed(std::size_t ray) const {
+    return entered_[ray].exists();
+  }
 
-  // Counts a ray's segment, unless it is hidden or belongs to a cell of empty space.
-  HWY_INLINE void count(std::size_t ray, bool empty_segment) {
-    if (HWY_UNLIKELY(!is_seen(ray) || (empty_segment && is_empty_cell(ray)))) return;
-    is_met_[ray] = true;
-    ++to_.counts.segments;
+  // Which of consecutive rays are followed.
+  [[nodiscard]] HWY_INLINE hn::Mask<hn::CappedTag<double, 8>> followed(std::size_t first) const {
+    const D d;
+    return hn::Ne(hn::Load(d, is_there_.data() + first), hn::Zero(d));
+  }
+
+  // Counts the segments of consecutive rays, those of a mask, unless they are hidden or belong to
+  // cells of empty space. `is_empty`: segments in empty space.
+  HWY_INLINE void count(std::size_t first, hn::Mask<hn::CappedTag<double, 8>> where,
+                        hn::Mask<hn::CappedTag<double, 8>> is_empty) {
+    const D d;
+    const V least = hn::Set(d, scene_.frame.least_transparency);
+    where = hn::And(where, hn::Gt(hn::Load(d, transparency.data() + first), least));
+    is_empty = hn::And(where, is_empty);
+    if (HWY_UNLIKELY(!hn::AllFalse(d, is_empty))) {
+      std::uint8_t bits[8] = {};
+      hn::StoreMaskBits(d, is_empty, bits);
+      for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
+        if ((bits[0] >> lane & 1U) != 0 && is_empty_cell(first + lane)) bits[0] ^= 1U << lane;
+      where = hn::And(where, hn::Or(hn::Not(is_empty), hn::LoadMaskBits(d, bits)));
+    }
+    hn::Store(hn::IfThenElse(where, hn::Set(d, 1.0), hn::Load(d, is_met_.data() + first)), d,
+              is_met_.data() + first);
+    to_.counts.segments += hn::CountTrue(d, where);
   }
 
   // of every ray's segment
@@ -87,12 +111,17 @@ class RayBundle {
   using M = hn::Mask<D>;
   using Numbers = std::array<double, kRays>;
 
+  [[nodiscard]] HWY_INLINE const WalkableMesh::Cell& cell_of(std::size_t ray) const {
+    return scene_.mesh[entered_[ray].cell()];
+  }
+
   // Whether the ray's cell lies in empty space.
   HWY_NOINLINE bool is_empty_cell(std::size_t ray) const {
-    const std::array<NodeId, 4>& nodes = scene_.mesh[cell_[ray]].nodes;
+    const std::array<NodeId, 4>& nodes = cell_of(ray).nodes;
     IntervalRange range{~std::size_t{0}, 0};
     for (std::size_t k = 0; k < 4; ++k) {
-      const ScalarIntervals at = scene_.frame.extinction.intervals[nodes[k]];
+      const ScalarIntervals at =
+          scene_.frame.extinction.intervals[scene_.mesh.node_of_mesh(nodes[k])];
       range.low = std::min<std::size_t>(range.low, at.low);
       range.high = std::max<std::size_t>(range.high, at.high);
     }
@@ -101,7 +130,7 @@ class RayBundle {
 
   // The segments from where rays have entered to where they leave. Depths may go back in a mesh
   // that is folded, or by rounding.
-  HWY_INLINE void add_segment(std::size_t ray, const FacePoint<V>& leave) {
+  HWY_INLINE void add_segment(std::size_t ray, const FacePoint<V>& leave, M followed) {
     const D d;
     const V entered = hn::Load(d, t_.data() + ray), field = hn::Load(d, field_.data() + ray);
     const V front = hn::Min(entered, leave.t), back = hn::Max(entered, leave.t);
@@ -114,7 +143,6 @@ class RayBundle {
     hn::Store(back, d, back_.data() + ray);
     hn::Store(leave.t, d, t_.data() + ray);
     hn::Store(leave.field, d, field_.data() + ray);
-    const M followed = hn::Ne(hn::Load(d, is_there_.data() + ray), hn::Zero(d));
     const V last = hn::Load(d, last_.data() + ray);
     to_.counts.violations +=
         count_out_of_order(d, front, back, last, followed, scene_.frame.witness_tolerance);
@@ -123,12 +151,12 @@ class RayBundle {
 
   HWY_INLINE void settle(std::size_t ray) {
     if (HWY_UNLIKELY(meets_edges(ray))) take_edges_behind(ray);
-    const CellId cell = cell_[ray];
-    const std::uint8_t opposite = faces_.settle(ray, scene_.mesh[cell]);
-    cell_[ray] = scene_.mesh[cell].across[opposite];
+    const WalkableMesh::Cell& cell = cell_of(ray);
+    const OppositeFace left{entered_[ray].cell(), faces_.settle(ray, cell)};
+    entered_[ray] = cell.across[left.opposite()];
     if (HWY_UNLIKELY(!is_seen(ray))) return end(ray);
-    if (HWY_LIKELY(is_followed(ray))) return hwy::Prefetch(&scene_.mesh[cell_[ray]]);
-    leave_mesh(ray, {cell, opposite});
+    if (HWY_LIKELY(is_followed(ray))) return hwy::Prefetch(&cell_of(ray));
+    leave_mesh(ray, left);
     if (!enter_mesh(ray)) end(ray);
   }
 
@@ -153,13 +181,13 @@ class RayBundle {
     const FacePoint<double> at = faces_.enter(ray, corners);
     t_[ray] = at.t;
     field_[ray] = at.field;
-    cell_[ray] = face.cell;
+    entered_[ray] = face;
     return true;
   }
 
   // Takes the tile's next pixel whose ray meets the mesh, if there is one.
   HWY_NOINLINE void start(std::size_t ray) {
-    cell_[ray] = kNoCell;
+    entered_[ray] = {};
     is_there_[ray] = 0;
     for (; next_y_ < tile_.y1; ++next_y_, next_x_ = tile_.x0)
       while (next_x_ < tile_.x1) {
@@ -175,7 +203,7 @@ class RayBundle {
         red[ray] = green[ray] = blue[ray] = 0;
         transparency[ray] = 1;
         last_[ray] = -std::numeric_limits<double>::infinity();
-        is_met_[ray] = false;
+        is_met_[ray] = 0;
         passed_[ray].assign(hits.size(), false);
         enter_mesh(ray);
         is_there_[ray] = 1;
@@ -200,7 +228,7 @@ class RayBundle {
     buffer.green[at] = green[ray];
     buffer.blue[at] = blue[ray];
     buffer.transparency[at] = transparency[ray];
-    if (is_met_[ray]) buffer.last[at] = last_[ray];
+    if (is_met_[ray] != 0) buffer.last[at] = last_[ray];
   }
   void load(std::size_t ray) {
     const std::size_t at = tile_.index(column_[ray], row_[ray]);
@@ -219,11 +247,14 @@ class RayBundle {
 
   // Whether edges that are yet to be drawn may lie on the ray's cell.
   [[nodiscard]] HWY_INLINE bool meets_edges(std::size_t ray) const {
-    return has_edges_[ray] && is_followed(ray) && scene_.edges.may_touch(cell_[ray]);
+    return has_edges_[ray] && is_followed(ray) &&
+           scene_.edges.may_touch(scene_.mesh.cell_of_mesh(entered_[ray].cell()));
   }
 
-  static bool lies_on(const std::array<NodeId, 3>& corners, const TileEdges::Place& place) {
-    return lies_on_face<NodeId>({corners[0], corners[1], corners[2], corners[0]},
+  [[nodiscard]] bool lies_on(const std::array<NodeId, 3>& corners,
+                             const TileEdges::Place& place) const {
+    const auto node = [&](std::size_t k) { return scene_.mesh.node_of_mesh(corners[k]); };
+    return lies_on_face<NodeId>({node(0), node(1), node(2), node(0)},
                                 {place.piece->edge, place.along, place.node});
   }
 
@@ -255,14 +286,14 @@ class RayBundle {
   std::size_t followed_ = 0;    // how many rays are
   std::size_t with_edges_ = 0;  // how many of these have edges on their pixels
   // of every ray
-  HWY_ALIGN Numbers scale_{};           // world length per unit of the ray parameter
-  HWY_ALIGN Numbers t_{}, field_{};     // where it has entered its cell
-  HWY_ALIGN Numbers front_{}, back_{};  // of its segment
-  HWY_ALIGN Numbers last_{};            // the largest ray parameter so far
-  HWY_ALIGN Numbers is_there_{};        // 1 of rays that are followed
-  std::array<CellId, kRays> cell_{};
+  HWY_ALIGN Numbers scale_{};                  // world length per unit of the ray parameter
+  HWY_ALIGN Numbers t_{}, field_{};            // where it has entered its cell
+  HWY_ALIGN Numbers front_{}, back_{};         // of its segment
+  HWY_ALIGN Numbers last_{};                   // the largest ray parameter so far
+  HWY_ALIGN Numbers is_there_{};               // 1 of rays that are followed
+  HWY_ALIGN Numbers is_met_{};                 // 1 if a cell that is not empty has been
+  std::array<OppositeFace, kRays> entered_{};  // by which it has entered its cell
   std::array<bool, kRays> has_edges_{};
-  std::array<bool, kRays> is_met_{};  // a cell that is not empty has been
   std::array<int, kRays> column_{}, row_{};
   std::array<std::vector<char>, kRays> passed_;  // of its hits
 };

@@ -26,7 +26,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 // So many rays that one waits for memory while others go on, and that those in one interval of the
 // transfer functions fill vectors.
-inline constexpr std::size_t kRays = 128;
+inline constexpr std::size_t kRays = 64;
 
 // Where a ray passes a face: the ray parameter, and the field.
 template <class V>
@@ -90,11 +90,9 @@ class RayFaces {
     return {hn::GetLane(at.t), hn::GetLane(at.field)};
   }
 
-  // The node of the cell that the ray has not met yet, by exclusive or.
-  HWY_INLINE void find_apex(std::size_t ray, const WalkableMesh::Cell& cell) {
-    const auto& [a, b, c, d] = cell.nodes;
-    const NodeId apex =
-        a ^ b ^ c ^ d ^ corner_[0].node[ray] ^ corner_[1].node[ray] ^ corner_[2].node[ray];
+  // Takes the node of the ray's cell that it has not met yet.
+  HWY_INLINE void find_apex(std::size_t ray, const WalkableMesh::Cell& cell, OppositeFace entered) {
+    const NodeId apex = cell.nodes[entered.opposite()];
     apex_.node[ray] = apex;
     hwy::Prefetch(&scene_.nodes[apex]);
   }
@@ -103,11 +101,11 @@ class RayFaces {
 
   // Finds the faces by which rays leave their cells, and the points there. Seen from the ray, the
   // apex lies opposite the side of the entered triangle over which it leaves: the corner that this
-  // side lacks is replaced by the apex.
-  HWY_INLINE FacePoint<V> leave(std::size_t ray) {
+  // side lacks is replaced by the apex. Rays that are not followed are in no cell.
+  HWY_INLINE FacePoint<V> leave(std::size_t ray, hn::Mask<D> followed) {
     const D d;
     V side[3];
-    find_sides(ray, side);
+    find_sides(ray, followed, side);
     const V zero = hn::Zero(d);
     const M left[3] = {hn::Gt(side[0], zero), hn::Gt(side[1], zero), hn::Gt(side[2], zero)};
     M lacks[3];
@@ -139,13 +137,11 @@ class RayFaces {
 
   // Makes the face by which the ray leaves the one by which it enters the next cell. Returns the
   // number of the node opposite it in the cell that it leaves.
-  HWY_INLINE std::uint8_t settle(std::size_t ray, const WalkableMesh::Cell& cell) {
-    NodeId& replaced = corner_[static_cast<std::size_t>(replaced_[ray])].node[ray];
-    const unsigned opposite = (cell.nodes[1] == replaced ? 1U : 0U) +
-                              (cell.nodes[2] == replaced ? 2U : 0U) +
-                              (cell.nodes[3] == replaced ? 3U : 0U);
+  HWY_INLINE std::size_t settle(std::size_t ray, const WalkableMesh::Cell& cell) {
+    NodeId& replaced = corner_[replaced_of(ray)].node[ray];
+    const std::size_t opposite = WalkableMesh::number_of(replaced, cell.nodes);
     replaced = apex_.node[ray];
-    return static_cast<std::uint8_t>(opposite);
+    return opposite;
   }
 
   // The corners of the face by which the ray has entered its cell and, once that is found, of the
@@ -155,7 +151,7 @@ class RayFaces {
   }
   [[nodiscard]] std::array<NodeId, 3> left(std::size_t ray) const {
     std::array<NodeId, 3> corners = entered(ray);
-    corners[static_cast<std::size_t>(replaced_[ray])] = apex_.node[ray];
+    corners[replaced_of(ray)] = apex_.node[ray];
     return corners;
   }
 
@@ -170,6 +166,10 @@ class RayFaces {
     std::array<NodeId, kRays> node{};
   };
 
+  [[nodiscard]] HWY_INLINE std::size_t replaced_of(std::size_t ray) const {
+    return static_cast<std::size_t>(static_cast<std::int64_t>(replaced_[ray]));
+  }
+
   HWY_INLINE void put(NodeId node, std::size_t ray, Corner& corner) const {
     const RayNode& at = scene_.nodes[node];
     corner.x[ray] = at.x - x_[ray];
@@ -180,7 +180,7 @@ class RayFaces {
   }
 
   // (corner - p) x (apex - p), with exact signs.
-  HWY_INLINE void find_sides(std::size_t ray, V (&side)[3]) {
+  HWY_INLINE void find_sides(std::size_t ray, M followed, V (&side)[3]) {
     const D d;
     const V x = hn::Load(d, apex_.x.data() + ray), y = hn::Load(d, apex_.y.data() + ray);
     const V error = hn::Set(d, kSideError), least = hn::Set(d, kLeastSide);
@@ -189,8 +189,8 @@ class RayFaces {
       const V one = hn::Mul(hn::Load(d, corner_[k].x.data() + ray), y);
       const V two = hn::Mul(hn::Load(d, corner_[k].y.data() + ray), x);
       side[k] = hn::Sub(one, two);
-      doubt[k] =
-          hn::Le(hn::Abs(side[k]), hn::MulAdd(error, hn::Add(hn::Abs(one), hn::Abs(two)), least));
+      const V size = hn::Add(hn::Abs(one), hn::Abs(two));
+      doubt[k] = hn::And(followed, hn::Le(hn::Abs(side[k]), hn::MulAdd(error, size, least)));
     }
     if (HWY_LIKELY(hn::AllFalse(d, hn::Or(hn::Or(doubt[0], doubt[1]), doubt[2])))) return;
     for (std::size_t k = 0; k < 3; ++k) {

@@ -26,11 +26,12 @@ RayScene::RayScene(const WalkableMesh& of_mesh, const Scene& scene, const Projec
   if (!is_walkable_) return;
   if (edges_of_mesh != nullptr)
     edges = ScreenEdges(frame, scene, edges_of_mesh->boundary, edges_of_mesh->edges);
-  nodes = large_vector<RayNode>(frame.nodes.size());
+  nodes = large_vector<RayNode>(mesh.node_count());
   parallel_for(nodes.size(), std::size_t{1} << 14, [&](IndexRange range) {
     for (std::size_t n = range.begin; n < range.end; ++n) {
-      const ProjectedNode& at = frame.nodes[n];
-      nodes[n] = {at.x, at.y, at.depth, frame.extinction.values[n]};
+      const NodeId node = mesh.node_of_mesh(static_cast<NodeId>(n));
+      const ProjectedNode& at = frame.nodes[node];
+      nodes[n] = {at.x, at.y, at.depth, frame.extinction.values[node]};
     }
   });
 }

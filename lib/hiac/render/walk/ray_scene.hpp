@@ -32,7 +32,7 @@ struct RayScene {
   const WalkableMesh& mesh;
   Frame frame;
   ScreenEdges edges;
-  std::vector<RayNode> nodes;  ///< empty unless is_walkable
+  std::vector<RayNode> nodes;  ///< by the mesh's numbers; empty unless is_walkable
 
  private:
   bool is_walkable_ = false;

@@ -62,7 +62,7 @@ std::vector<TileRect> strips_of(std::span<const TileRect> tiles) {
 }  // namespace
 
 bool is_faster_walked(std::size_t cells, std::uint64_t pixels) {
-  constexpr double kPixelsPerCell = 16;
+  constexpr double kPixelsPerCell = 64;
   return static_cast<double>(pixels) <
          kPixelsPerCell * std::pow(static_cast<double>(cells), 2.0 / 3.0);
 }

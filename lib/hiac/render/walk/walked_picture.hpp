@@ -20,7 +20,7 @@ std::optional<RenderResult> walked_picture(const WalkableMesh& mesh, const Scene
                                            const MeshEdges* edges, bool with_background);
 
 /// Whether following rays takes less time than making an order and drawing in it. With random
-/// tetrahedra it does up to sixteen pixels for each cell of a cross-section (cells^(2/3)).
+/// tetrahedra it does up to 64 pixels for each cell of a cross-section (cells^(2/3)).
 bool is_faster_walked(std::size_t cells, std::uint64_t pixels);
 
 }  // namespace hiac
