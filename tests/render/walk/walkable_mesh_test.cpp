@@ -102,6 +102,26 @@ TEST(WalkableMesh, HasNoNeighbourWithANodeTwice) {
   EXPECT_FALSE(WalkableMesh::of(mesh, adjacency).has_value());
 }
 
+// The exclusive or of both faces' nodes is the same, 7.
+TEST(WalkableMesh, RefusesANeighbourWithOtherNodes) {
+  const std::vector<test::Position> positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, 0, 0},
+                                              {0, 2, 0}, {0, 0, 2}, {3, 0, 0}, {0, 3, 0}};
+  const ZooMesh mesh = test::make_mesh(
+      positions, {{CellKind::tetrahedron4, {0, 1, 2, 4}}, {CellKind::tetrahedron4, {8, 3, 5, 1}}});
+  FaceAdjacency adjacency = build_face_adjacency(mesh);
+  const std::vector<CellId> alone(8, kNoCell);
+  ASSERT_TRUE(std::ranges::equal(adjacency.neighbors, alone));
+  EXPECT_TRUE(WalkableMesh::of(mesh, adjacency).has_value());
+  // the face opposite the first node, whatever its number
+  for (std::size_t face = 0; face < 4; ++face) {
+    std::vector<CellId> joined = alone;
+    joined[face] = 1;
+    joined[4 + face] = 0;
+    adjacency.neighbors = std::vector<CellId>(joined);
+    EXPECT_FALSE(WalkableMesh::of(mesh, adjacency).has_value()) << face;
+  }
+}
+
 // An adjacency may come from a file.
 TEST(WalkableMesh, RefusesAnAdjacencyOfAnotherMesh) {
   const ZooMesh mesh = test::random_delaunay(20, 5);

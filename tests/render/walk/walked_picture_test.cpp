@@ -229,6 +229,36 @@ TEST(WalkedPicture, AFieldOnAStepHasTheValueBehindIt) {
   expect_same_picture(mesh, scene, "on a step");
 }
 
+// Rays come to the step from both sides and go on along it.
+TEST(WalkedPicture, APlateauOnAStepHasTheValueBehindIt) {
+  const std::array<double (*)(const test::Position&), 4> fields{
+      [](const test::Position& p) { return std::min(p[0], 0.5); },
+      [](const test::Position& p) { return std::min(1 - p[0], 0.5); },
+      [](const test::Position& p) { return std::max(p[0], 0.5); },
+      [](const test::Position& p) { return std::max(1 - p[0], 0.5); }};
+  for (std::size_t n = 0; n < fields.size(); ++n) {
+    ZooMesh mesh = test::random_delaunay(300, 12);
+    test::add_node_field(mesh, "f", fields[n]);
+    Scene scene = walked_scene(Projection::orthographic, 30, 30);
+    scene.volume.extinction->points = {{0.5, {0.1}}, {0.5, {3}}};
+    expect_same_picture(mesh, scene, "plateau " + std::to_string(n));
+  }
+}
+
+// Segments that pass a breakpoint between empty intervals are those of empty cells.
+TEST(WalkedPicture, EmptySpaceOfSeveralIntervalsIsNotMet) {
+  const ZooMesh mesh = random_mesh(300, 13);
+  Scene scene = walked_scene(Projection::perspective, 50, 50);
+  scene.volume.extinction->points = {{0, {0}},   {0.3, {0}}, {0.4, {0}}, {0.45, {0}},
+                                     {0.5, {0}}, {0.5, {2}}, {0.7, {0}}, {0.8, {0}}};
+  const auto rays = walked(mesh, scene);
+  ASSERT_TRUE(rays.has_value());
+  expect_same_picture(mesh, scene, "empty");
+  scene.volume.extinction->points = {{0, {1}}};
+  EXPECT_LT(rays->statistics.segments,
+            0.8 * static_cast<double>(walked(mesh, scene)->statistics.segments));
+}
+
 // Where nothing more is seen, rays end: fewer segments, the same picture.
 TEST(WalkedPicture, RaysEndInOpaqueMedia) {
   const ZooMesh mesh = random_mesh(400, 7);

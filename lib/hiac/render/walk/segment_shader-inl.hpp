@@ -112,7 +112,7 @@ class SegmentShader {
     for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
       if ((leaving >> lane & 1U) != 0 && cut_first(first + lane, whole[lane])) cut |= 1U << lane;
     const M is_empty = hn::Ne(hn::Load(d, empty_.data() + first), hn::Zero(d));
-    rays_.count(first, now, hn::AndNot(mask_of(cut), is_empty));
+    rays_.count(first, now, is_empty);
     for (;;) {
       add(first, now);
       unsigned next = 0;
