@@ -24,8 +24,8 @@ HWY_BEFORE_NAMESPACE();
 namespace hiac::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// So many rays that one waits for memory while others go on, and that those in one interval of the
-// transfer functions fill vectors.
+// So many rays that one waits for memory while others go on, and so few that what is kept of them
+// fits the first cache.
 inline constexpr std::size_t kRays = 64;
 
 // Where a ray passes a face: the ray parameter, and the field.
