@@ -139,7 +139,6 @@ const ZooMesh& Session::mesh() const { return state_->mesh; }
 bool Session::take_step(ZooMesh& mesh) {
   if (geometry_hash(mesh) != state_->hash_of_geometry()) return false;
   if (state_->has_boundary) mesh.adjacency = state_->mesh.adjacency;
-  state_->walkable.reset();  // it refers to the arrays of the mesh before
   state_->mesh = std::move(mesh);
   state_->content.clear();
   return true;
