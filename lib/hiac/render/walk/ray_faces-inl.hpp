@@ -40,7 +40,7 @@ struct FacePoint {
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE FacePoint<V> face_point(D d, const V (&weight)[3], const V (&depth)[3],
                                    const V (&field)[3], bool perspective) {
-  const auto mean = [d](V w0, V w1, V w2, const V(&value)[3]) HWY_ATTR {
+  const auto mean = [](V w0, V w1, V w2, const V(&value)[3]) HWY_ATTR {
     const V rise =
         hn::MulAdd(w0, hn::Sub(value[0], value[2]), hn::Mul(w1, hn::Sub(value[1], value[2])));
     const V at = hn::Add(value[2], hn::Div(rise, hn::Add(hn::Add(w0, w1), w2)));
