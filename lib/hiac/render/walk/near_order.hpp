@@ -19,7 +19,8 @@ struct NearOrder {
 /// Oriented Geodetic Data Base", 1966).
 std::uint32_t morton_code(std::uint32_t x, std::uint32_t y, std::uint32_t z);
 
-/// Nodes and cells in one place keep their order. Takes n log n time for nodes, linear time for
+/// Sorts the nodes and the cells of a mesh. Nodes in one part of the cube, and cells with one first
+/// node, keep the order that they have in the mesh. Takes n log n time for nodes, linear time for
 /// cells; the result does not depend on the number of threads. Throws Cancelled.
 NearOrder near_order(const ZooMesh& mesh);
 

@@ -33,6 +33,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 // The rays of a tile's pixels, some of them at a time, each of them in one cell.
 class RayBundle {
  public:
+  using D = RayFaces::D;
+  using V = hn::Vec<D>;
+  using M = hn::Mask<D>;
+
   RayBundle(const RayScene& scene, const RayStarts& starts, const TileTarget& to, TileEdges& edges)
       : scene_(scene),
         starts_(starts),
@@ -75,15 +79,14 @@ class RayBundle {
   }
 
   // Which of consecutive rays are followed.
-  [[nodiscard]] HWY_INLINE hn::Mask<hn::CappedTag<double, 8>> followed(std::size_t first) const {
+  [[nodiscard]] HWY_INLINE M followed(std::size_t first) const {
     const D d;
     return hn::Ne(hn::Load(d, is_there_.data() + first), hn::Zero(d));
   }
 
   // Counts the segments of consecutive rays, those of a mask, unless they are hidden or belong to
   // cells of empty space. `is_empty`: segments in empty space.
-  HWY_INLINE void count(std::size_t first, hn::Mask<hn::CappedTag<double, 8>> where,
-                        hn::Mask<hn::CappedTag<double, 8>> is_empty) {
+  HWY_INLINE void count(std::size_t first, M where, M is_empty) {
     const D d;
     const V least = hn::Set(d, scene_.frame.least_transparency);
     where = hn::And(where, hn::Gt(hn::Load(d, transparency.data() + first), least));
@@ -101,16 +104,11 @@ class RayBundle {
   }
 
   // of every ray's segment
-  HWY_ALIGN std::array<double, kRays> length{}, front_field{}, back_field{};
+  HWY_ALIGN RayNumbers length{}, front_field{}, back_field{};
   // of every ray so far
-  HWY_ALIGN std::array<double, kRays> red{}, green{}, blue{}, transparency{};
+  HWY_ALIGN RayNumbers red{}, green{}, blue{}, transparency{};
 
  private:
-  using D = hn::CappedTag<double, 8>;
-  using V = hn::Vec<D>;
-  using M = hn::Mask<D>;
-  using Numbers = std::array<double, kRays>;
-
   [[nodiscard]] HWY_INLINE const WalkableMesh::Cell& cell_of(std::size_t ray) const {
     return scene_.mesh[entered_[ray].cell()];
   }
@@ -286,12 +284,12 @@ class RayBundle {
   std::size_t followed_ = 0;    // how many rays are
   std::size_t with_edges_ = 0;  // how many of these have edges on their pixels
   // of every ray
-  HWY_ALIGN Numbers scale_{};                  // world length per unit of the ray parameter
-  HWY_ALIGN Numbers t_{}, field_{};            // where it has entered its cell
-  HWY_ALIGN Numbers front_{}, back_{};         // of its segment
-  HWY_ALIGN Numbers last_{};                   // the largest ray parameter so far
-  HWY_ALIGN Numbers is_there_{};               // 1 of rays that are followed
-  HWY_ALIGN Numbers is_met_{};                 // 1 if a cell that is not empty has been
+  HWY_ALIGN RayNumbers scale_{};               // world length per unit of the ray parameter
+  HWY_ALIGN RayNumbers t_{}, field_{};         // where it has entered its cell
+  HWY_ALIGN RayNumbers front_{}, back_{};      // of its segment
+  HWY_ALIGN RayNumbers last_{};                // the largest ray parameter so far
+  HWY_ALIGN RayNumbers is_there_{};            // 1 if it is followed
+  HWY_ALIGN RayNumbers is_met_{};              // 1 if a cell that is not empty has been
   std::array<OppositeFace, kRays> entered_{};  // by which it has entered its cell
   std::array<bool, kRays> has_edges_{};
   std::array<int, kRays> column_{}, row_{};

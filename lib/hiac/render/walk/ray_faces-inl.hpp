@@ -28,6 +28,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 // fits the first cache.
 inline constexpr std::size_t kRays = 64;
 
+// A number of every ray.
+using RayNumbers = std::array<double, kRays>;
+
 // Where a ray passes a face: the ray parameter, and the field.
 template <class V>
 struct FacePoint {
@@ -61,6 +64,7 @@ class RayFaces {
  public:
   using D = hn::CappedTag<double, 8>;
   using V = hn::Vec<D>;
+  using M = hn::Mask<D>;
 
   explicit RayFaces(const RayScene& scene)
       : scene_(scene), perspective_(scene.frame.projector.perspective()) {}
@@ -102,7 +106,7 @@ class RayFaces {
   // Finds the faces by which rays leave their cells, and the points there. Seen from the ray, the
   // apex lies opposite the side of the entered triangle over which it leaves: the corner that this
   // side lacks is replaced by the apex. Rays that are not followed are in no cell.
-  HWY_INLINE FacePoint<V> leave(std::size_t ray, hn::Mask<D> followed) {
+  HWY_INLINE FacePoint<V> leave(std::size_t ray, M followed) {
     const D d;
     V side[3];
     find_sides(ray, followed, side);
@@ -117,7 +121,7 @@ class RayFaces {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t next = (k + 1) % 3, last = (k + 2) % 3;
       const M here = lacks[k];
-      const auto replace = [&](const Numbers& of_apex, Numbers& of_corner) HWY_ATTR {
+      const auto replace = [&](const RayNumbers& of_apex, RayNumbers& of_corner) HWY_ATTR {
         const V value = hn::IfThenElse(here, hn::Load(d, of_apex.data() + ray),
                                        hn::Load(d, of_corner.data() + ray));
         hn::Store(value, d, of_corner.data() + ray);
@@ -156,13 +160,11 @@ class RayFaces {
   }
 
  private:
-  using M = hn::Mask<D>;
-  using Numbers = std::array<double, kRays>;
   // The least weight: of corners on whose edge the ray lies.
   static constexpr double kLeastWeight = 1e-200;
 
   struct Corner {
-    HWY_ALIGN Numbers x{}, y{}, depth{}, field{};  // places less the pixel's centre
+    HWY_ALIGN RayNumbers x{}, y{}, depth{}, field{};  // places less the pixel's centre
     std::array<NodeId, kRays> node{};
   };
 
@@ -213,11 +215,11 @@ class RayFaces {
 
   const RayScene& scene_;
   bool perspective_;
-  HWY_ALIGN Numbers x_{}, y_{};
+  HWY_ALIGN RayNumbers x_{}, y_{};
   std::array<Corner, 3> corner_;  // of the face by which a ray has entered
-  HWY_ALIGN std::array<Numbers, 3> weight_{};
-  Corner apex_;                   // the cell's fourth node
-  HWY_ALIGN Numbers replaced_{};  // the corner that it has replaced
+  HWY_ALIGN std::array<RayNumbers, 3> weight_{};
+  Corner apex_;                      // the cell's fourth node
+  HWY_ALIGN RayNumbers replaced_{};  // the corner that it has replaced
 };
 
 }  // namespace hiac::HWY_NAMESPACE

@@ -29,9 +29,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 // The entries of a transfer table for the interval of every ray.
 template <std::size_t N>
 struct RayTable {
-  using Numbers = std::array<double, kRays>;
-  HWY_ALIGN Numbers anchor{};
-  HWY_ALIGN std::array<Numbers, N> value{}, slope{};
+  HWY_ALIGN RayNumbers anchor{};
+  HWY_ALIGN std::array<RayNumbers, N> value{}, slope{};
 
   HWY_INLINE void take(std::size_t ray, const TransferTable<N>& table, std::size_t interval) {
     anchor[ray] = table.anchor[interval];
@@ -47,7 +46,7 @@ struct RaysFrom {
   std::size_t first;
 
   template <class D>
-  HWY_INLINE hn::Vec<D> operator()(D d, const std::array<double, kRays>& column) const {
+  HWY_INLINE hn::Vec<D> operator()(D d, const RayNumbers& column) const {
     return hn::Load(d, column.data() + first);
   }
 };
@@ -73,10 +72,9 @@ class SegmentShader {
   }
 
  private:
-  using D = hn::CappedTag<double, 8>;
+  using D = RayBundle::D;
   using V = hn::Vec<D>;
   using M = hn::Mask<D>;
-  using Numbers = std::array<double, kRays>;
   static constexpr std::size_t kLanes = hn::MaxLanes(D());
 
   // The rays' part of OpticsTables.
@@ -215,7 +213,7 @@ class SegmentShader {
   std::vector<bool> is_empty_;  // of every interval: whether it is empty space
   // of every ray: the interval of its last piece, its bounds, and 1 if it is empty space
   std::array<std::size_t, kRays> interval_{};
-  HWY_ALIGN Numbers low_{}, high_{}, empty_{};
+  HWY_ALIGN RayNumbers low_{}, high_{}, empty_{};
   RayOptics here_;
 };
 

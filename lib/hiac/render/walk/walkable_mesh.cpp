@@ -44,34 +44,34 @@ NodeId node_beyond(const Nodes& own, std::size_t opposite, const Nodes& other) {
   return mixed(other) ^ mixed(own) ^ own[opposite];
 }
 
-// A cell's nodes, and the cells opposite each of them, as the mesh numbers them.
-struct Linked {
-  Nodes nodes;
-  std::array<CellId, 4> across;
-};
-Linked linked(const ZooMesh& mesh, const FaceAdjacency& adjacency, CellId cell) {
-  Linked at{};
+Nodes nodes_of(const ZooMesh& mesh, CellId cell) {
   const std::size_t first = std::size_t{4} * cell;
-  for (std::size_t k = 0; k < 4; ++k) {
-    at.nodes[k] = mesh.nodes[first + k];
-    at.across[k] = adjacency.neighbors[first + kFaceOpposite[k]];
-  }
-  return at;
+  return {mesh.nodes[first], mesh.nodes[first + 1], mesh.nodes[first + 2], mesh.nodes[first + 3]};
+}
+
+// The cells opposite a cell's nodes.
+std::array<CellId, 4> across_of(const FaceAdjacency& adjacency, CellId cell) {
+  std::array<CellId, 4> across{};
+  for (std::size_t k = 0; k < 4; ++k)
+    across[k] = adjacency.neighbors[std::size_t{4} * cell + kFaceOpposite[k]];
+  return across;
 }
 
 // Whether every neighbour has the face, and this cell as its neighbour there.
 bool is_sound(const ZooMesh& mesh, const FaceAdjacency& adjacency, CellId cell) {
-  const Linked own = linked(mesh, adjacency, cell);
+  const Nodes own = nodes_of(mesh, cell);
+  const std::array<CellId, 4> across = across_of(adjacency, cell);
   for (std::size_t k = 0; k < 4; ++k) {
-    if (std::ranges::count(own.nodes, own.nodes[k]) != 1) return false;
-    if (own.across[k] == kNoCell) continue;
-    if (own.across[k] >= mesh.cell_count()) return false;
-    const Linked other = linked(mesh, adjacency, own.across[k]);
-    if (!has_all(other.nodes, own.nodes, k)) return false;
-    const NodeId beyond = node_beyond(own.nodes, k, other.nodes);
-    const std::size_t opposite = WalkableMesh::number_of(beyond, other.nodes);
-    // of a node that a cell has twice there is no number
-    if (opposite > 3 || other.nodes[opposite] != beyond || other.across[opposite] != cell)
+    if (std::ranges::count(own, own[k]) != 1) return false;
+    if (across[k] == kNoCell) continue;
+    if (across[k] >= mesh.cell_count()) return false;
+    const Nodes other = nodes_of(mesh, across[k]);
+    if (!has_all(other, own, k)) return false;
+    const NodeId beyond = node_beyond(own, k, other);
+    const std::size_t opposite = WalkableMesh::number_of(beyond, other);
+    // a node that the other cell has twice has no number there
+    if (opposite > 3 || other[opposite] != beyond ||
+        across_of(adjacency, across[k])[opposite] != cell)
       return false;
   }
   return true;
@@ -91,11 +91,11 @@ WalkableMesh::WalkableMesh(const ZooMesh& mesh, const FaceAdjacency& adjacency)
   const std::vector<std::uint32_t> cell_number = numbers_in(order_.cells);
   const std::vector<std::uint32_t> node_number = numbers_in(order_.nodes);
   for_all_cells(cells_.size(), [&](std::size_t cell) {
-    for (std::size_t k = 0; k < 4; ++k)
-      cells_[cell].nodes[k] = node_number[mesh.nodes[std::size_t{4} * order_.cells[cell] + k]];
+    const Nodes nodes = nodes_of(mesh, order_.cells[cell]);
+    for (std::size_t k = 0; k < 4; ++k) cells_[cell].nodes[k] = node_number[nodes[k]];
   });
   for_all_cells(cells_.size(), [&](std::size_t cell) {
-    const std::array<CellId, 4> across = linked(mesh, adjacency, order_.cells[cell]).across;
+    const std::array<CellId, 4> across = across_of(adjacency, order_.cells[cell]);
     for (std::size_t k = 0; k < 4; ++k) {
       if (across[k] == kNoCell) continue;
       const CellId other = cell_number[across[k]];
@@ -112,7 +112,7 @@ WalkableMesh WalkableMesh::again(const ZooMesh& mesh, const FaceAdjacency& adjac
 
 std::optional<WalkableMesh> WalkableMesh::of(const ZooMesh& mesh, const FaceAdjacency& adjacency) {
   const std::size_t count = mesh.cell_count();
-  if (count >= OppositeFace::kMostCells || adjacency.neighbors.size() != 4 * count ||
+  if (count > OppositeFace::kMostCells || adjacency.neighbors.size() != 4 * count ||
       !std::ranges::all_of(mesh.kinds.view(),
                            [](CellKind kind) { return kind == CellKind::tetrahedron4; }))
     return std::nullopt;

@@ -16,7 +16,7 @@ namespace hiac {
 /// lacks; or no face.
 class OppositeFace {
  public:
-  static constexpr std::size_t kMostCells = std::size_t{1} << 30;  ///< below this number
+  static constexpr std::size_t kMostCells = (std::size_t{1} << 30) - 1;
 
   constexpr OppositeFace() = default;
   constexpr OppositeFace(CellId cell, std::size_t opposite)
@@ -43,7 +43,7 @@ struct BoundaryFace {
 /// other lie near one another in memory.
 class WalkableMesh {
  public:
-  /// None if the mesh has other cells, cells with one node twice, or 2^30 cells, or if the
+  /// None if the mesh has other cells, cells with one node twice, or 2^30 cells or more, or if the
   /// adjacency is not that of the mesh: a neighbour that does not have the face, or has another
   /// neighbour there. The mesh must outlive the object. Takes the time of near_order, in parallel,
   /// 36 bytes a cell and 4 a node.
