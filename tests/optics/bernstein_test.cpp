@@ -97,14 +97,31 @@ TEST(ChebyshevPolynomial, RestrictionIsTheSameFunctionOnAPart) {
   }
 }
 
-TEST(ChebyshevPolynomial, EllipseBoundHoldsOnTheRealAxisAndIsSharpForOneTerm) {
+TEST(ChebyshevPolynomial, EllipseBoundIsSharpWhereAllTermsAreLargestInOnePlace) {
+  // every T_k is largest at the ellipse's right end
+  for (const std::size_t degree : {std::size_t{0}, std::size_t{3}, kMaxFieldDegree + 1}) {
+    ChebyshevPolynomial f;
+    f.degree = degree;
+    for (std::size_t k = 0; k <= degree; ++k) f.c[k] = 1 / static_cast<double>(k + 1);
+    for (const double rho : {1.0, 1.5, 2.0, 4.0}) {
+      const double tip = 0.5 * (rho + 1 / rho), value = evaluate(f, tip);
+      const BasicBernsteinEllipse<double> ellipse(rho);
+      EXPECT_NEAR(ellipse_bound(f, ellipse, 0), value, 1e-12 * value) << degree << ' ' << rho;
+      EXPECT_NEAR(ellipse_bound(f, ellipse, 1), value - f.c[0], 1e-12 * value) << degree;
+      EXPECT_EQ(ellipse_bound(f, ellipse, degree + 1), 0) << degree;
+    }
+    EXPECT_NEAR(magnitude_sum(f, 0), evaluate(f, 1), 1e-14) << degree;
+  }
+}
+
+TEST(ChebyshevPolynomial, EllipseBoundTakesMagnitudes) {
   ChebyshevPolynomial f;
-  f.degree = 3;
-  f.c = {0, 0, 0, 2};
-  const double rho = 2;
-  const double tip = 0.5 * (rho + 1 / rho);  // the ellipse's largest real number
-  EXPECT_NEAR(ellipse_bound(f, rho, 0), evaluate(f, tip), 1e-12);
-  EXPECT_EQ(ellipse_bound(f, rho, 4), 0);
+  f.degree = 2;
+  f.c = {1, -2, -4};
+  const BasicBernsteinEllipse<double> ellipse(2);
+  EXPECT_EQ(ellipse_bound(f, ellipse, 0), 1 + 2 * 1.25 + 4 * 2.125);
+  EXPECT_EQ(magnitude_sum(f, 0), 7);
+  EXPECT_EQ(magnitude_sum(f, 2), 4);
 }
 
 TEST(BernsteinPolynomial, RefusesNoCoefficientsAndTooMany) {

@@ -188,16 +188,28 @@ Real evaluate(const BasicChebyshev<Real>& f, std::type_identity_t<Real> x) {
 }
 
 template <class Real>
-Real ellipse_bound(const BasicChebyshev<Real>& f, double rho, std::size_t first) {
+BasicBernsteinEllipse<Real>::BasicBernsteinEllipse(double rho) {
   const double inverse = 1 / rho;
-  Real sum = 0;
-  Real power = 1;
-  Real inverse_power = 1;
-  for (std::size_t k = 0; k <= f.degree; ++k) {
-    if (k >= first) sum += std::abs(f.c[k]) * static_cast<Real>(0.5) * (power + inverse_power);
+  Real power = 1, inverse_power = 1;
+  for (Real& value : largest) {
+    value = static_cast<Real>(0.5) * (power + inverse_power);
     power *= rho;
     inverse_power *= inverse;
   }
+}
+
+template <class Real>
+Real ellipse_bound(const BasicChebyshev<Real>& f, const BasicBernsteinEllipse<Real>& ellipse,
+                   std::size_t first) {
+  Real sum = 0;
+  for (std::size_t k = first; k <= f.degree; ++k) sum += std::abs(f.c[k]) * ellipse.largest[k];
+  return sum;
+}
+
+template <class Real>
+Real magnitude_sum(const BasicChebyshev<Real>& f, std::size_t first) {
+  Real sum = 0;
+  for (std::size_t k = first; k <= f.degree; ++k) sum += std::abs(f.c[k]);
   return sum;
 }
 
@@ -282,7 +294,10 @@ template double evaluate(const BernsteinPolynomial&, double);
 template BernsteinHalves<double> halves(const BernsteinPolynomial&);
 template BernsteinPolynomial derivative(const BernsteinPolynomial&);
 template double evaluate(const ChebyshevPolynomial&, double);
-template double ellipse_bound(const ChebyshevPolynomial&, double, std::size_t);
+template struct BasicBernsteinEllipse<double>;
+template double ellipse_bound(const ChebyshevPolynomial&, const BasicBernsteinEllipse<double>&,
+                              std::size_t);
+template double magnitude_sum(const ChebyshevPolynomial&, std::size_t);
 template ChebyshevPolynomial chebyshev_from_bernstein(const BernsteinPolynomial&);
 template ChebyshevPolynomial chebyshev_interpolant(const BasicCoefficients<double>&, std::size_t);
 template double chebyshev_point(std::size_t, std::size_t);
@@ -293,7 +308,10 @@ template long double evaluate(const ExtendedBernstein&, long double);
 template BernsteinHalves<long double> halves(const ExtendedBernstein&);
 template ExtendedBernstein derivative(const ExtendedBernstein&);
 template long double evaluate(const BasicChebyshev<long double>&, long double);
-template long double ellipse_bound(const BasicChebyshev<long double>&, double, std::size_t);
+template struct BasicBernsteinEllipse<long double>;
+template long double ellipse_bound(const BasicChebyshev<long double>&,
+                                   const BasicBernsteinEllipse<long double>&, std::size_t);
+template long double magnitude_sum(const BasicChebyshev<long double>&, std::size_t);
 template BasicChebyshev<long double> chebyshev_from_bernstein(const ExtendedBernstein&);
 template BasicChebyshev<long double> chebyshev_interpolant(const BasicCoefficients<long double>&,
                                                            std::size_t);

@@ -62,10 +62,22 @@ using ChebyshevPolynomial = BasicChebyshev<double>;
 template <class Real>
 Real evaluate(const BasicChebyshev<Real>& f, std::type_identity_t<Real> x);
 
-/// sum_{k >= first} |c[k]| (rho^k + rho^-k) / 2: with first = 0 a bound of |f| on the Bernstein
-/// ellipse of parameter rho >= 1 (foci -1 and 1, semi-axes summing to rho).
+/// A Bernstein ellipse: foci -1 and 1, semi-axes summing to rho >= 1. rho = 1 is [-1, 1] itself.
 template <class Real>
-Real ellipse_bound(const BasicChebyshev<Real>& f, double rho, std::size_t first);
+struct BasicBernsteinEllipse {
+  BasicCoefficients<Real> largest{};  ///< of |T_k| on the ellipse, (rho^k + rho^-k) / 2
+
+  explicit BasicBernsteinEllipse(double rho);
+};
+
+/// sum_{k >= first} |c[k]| max |T_k|: with first = 0 a bound of |f| on the ellipse.
+template <class Real>
+Real ellipse_bound(const BasicChebyshev<Real>& f, const BasicBernsteinEllipse<Real>& ellipse,
+                   std::size_t first);
+
+/// sum_{k >= first} |c[k]|: with first = 0 a bound of |f| on [-1, 1].
+template <class Real>
+Real magnitude_sum(const BasicChebyshev<Real>& f, std::size_t first);
 
 /// Converts f(t) with t = (1 + x) / 2 into a function of x.
 template <class Real>

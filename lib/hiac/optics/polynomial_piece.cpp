@@ -47,6 +47,7 @@ struct Piece {
   BasicChebyshev<Real> tau;
   BasicChebyshev<Real> depth;  ///< A(x), with A(-1) = 0
   Real total_depth;            ///< A(1)
+  Real steepest_color;         ///< largest slope of a channel, as a function of the field
   Real largest_color;          ///< bounds of |colour| and of
   Real largest_tau;            ///< |tau| on the piece
   Real color_error;            ///< rounding bound of colour values
@@ -56,21 +57,19 @@ struct Piece {
   /// The constant Chebyshev coefficient of channel c's colour; the others are slope times the
   /// field's.
   [[nodiscard]] Real mean_color(std::size_t c) const { return color->channel(c, color_field.c[0]); }
-  [[nodiscard]] Real steepest_color() const {
-    Real steepest = 0;
-    for (const Real s : color->slope) steepest = std::max(steepest, std::abs(s));
-    return steepest;
-  }
   [[nodiscard]] Real largest_mean_color() const {
     Real largest = 0;
     for (std::size_t c = 0; c < 3; ++c) largest = std::max(largest, std::abs(mean_color(c)));
     return largest;
   }
-  /// Bounds |colour| on the ellipse of parameter rho.
-  [[nodiscard]] Real color_bound(double rho) const {
-    return largest_mean_color() + steepest_color() * ellipse_bound(color_field, rho, 1);
-  }
 };
+
+template <class Real>
+Real steepest_slope(const FunctionPiece<3, Real>& color) {
+  Real steepest = 0;
+  for (const Real s : color.slope) steepest = std::max(steepest, std::abs(s));
+  return steepest;
+}
 
 /// A(x) = half_length int_{-1}^x tau, term by term.
 template <class Real>
@@ -96,45 +95,55 @@ struct Rule {
   Real bound;
 };
 
-/// The Bernstein ellipses to choose from, largest first: rho, 2 log(rho), log(64/15 / (1 -
-/// rho^-2)).
-struct Ellipse {
-  double rho;
-  double log_rate;
-  double log_factor;
+/// An ellipse to choose, and what its error bound 64/15 M rho^(-2n) / (1 - rho^-2) is made of.
+template <class Real>
+struct RuleEllipse {
+  BasicBernsteinEllipse<Real> ellipse;
+  double log_rate;    ///< 2 log(rho)
+  double log_factor;  ///< log(64/15 / (1 - rho^-2))
+
+  explicit RuleEllipse(double rho)
+      : ellipse(rho),
+        log_rate(2 * std::log(rho)),
+        log_factor(std::log(64.0 / 15.0 / (1 - 1 / (rho * rho)))) {}
 };
 
-std::array<Ellipse, 9> build_ellipses() {
-  std::array<Ellipse, 9> ellipses{};
-  std::size_t i = 0;
-  for (const double rho : {256.0, 128.0, 64.0, 32.0, 16.0, 8.0, 4.0, 2.0, 1.5})
-    ellipses[i++] = {rho, 2 * std::log(rho), std::log(64.0 / 15.0 / (1 - 1 / (rho * rho)))};
-  return ellipses;
+/// The ellipses to choose from, largest first.
+template <class Real>
+const std::array<RuleEllipse<Real>, 9>& rule_ellipses() {
+  using E = RuleEllipse<Real>;
+  static const std::array<E, 9> all{E(256), E(128), E(64), E(32), E(16), E(8), E(4), E(2), E(1.5)};
+  return all;
 }
 
 /// Chooses the ellipse that needs the fewest nodes. `allowed` > 0. As rho grows, the number falls
 /// and then rises: the logarithm of the integrand's bound is convex in log(rho).
 template <class Real>
 Rule<Real> choose_rule(const Piece<Real>& piece, Glow glow, Real allowed) {
-  static const std::array<Ellipse, 9> ellipses = build_ellipses();
   const Real log_allowed = std::log(allowed);
+  const Real mean_color = piece.largest_mean_color();
   Rule<Real> best{0, 0};
   Real fewest = kMaxGaussNodes + 1;
+  Real log_bound = 0;  // of the best
   Real previous = std::numeric_limits<Real>::infinity();
-  for (const Ellipse& e : ellipses) {
-    Real largest = piece.half_length * piece.color_bound(e.rho);
-    if (glow == Glow::chromaticity) largest *= ellipse_bound(piece.tau, e.rho, 0);
+  for (const RuleEllipse<Real>& e : rule_ellipses<Real>()) {
+    const Real color =
+        mean_color + piece.steepest_color * ellipse_bound(piece.color_field, e.ellipse, 1);
+    Real largest = piece.half_length * color;
+    if (glow == Glow::chromaticity) largest *= ellipse_bound(piece.tau, e.ellipse, 0);
     if (largest == 0) return {2, 0};
-    const Real exponent = ellipse_bound(piece.depth, e.rho, 1) - piece.depth.c[0];
+    const Real exponent = ellipse_bound(piece.depth, e.ellipse, 1) - piece.depth.c[0];
     const Real log_front = e.log_factor + std::log(largest) + exponent;
     const Real needed = std::max<Real>(2, std::ceil((log_front - log_allowed) / e.log_rate));
     if (needed < fewest) {
       fewest = needed;
-      best = {static_cast<std::size_t>(needed), std::exp(log_front - needed * e.log_rate)};
+      best.nodes = static_cast<std::size_t>(needed);
+      log_bound = log_front - needed * e.log_rate;
     }
     if (needed == 2 || needed > previous) break;
     previous = needed;
   }
+  if (best.nodes != 0) best.bound = std::exp(log_bound);
   return best;
 }
 
@@ -201,16 +210,17 @@ class Walk {
     for (std::size_t k = 1; k <= p.tau.degree; ++k) p.tau.c[k] *= slope;
     p.depth = optical_depth(p.tau, p.half_length);
     p.total_depth = evaluate(p.depth, 1);
-    p.largest_color = p.color_bound(1);
-    p.largest_tau = ellipse_bound(p.tau, 1, 0);
+    p.steepest_color = steepest_slope(color_piece_);
+    p.largest_color = p.largest_mean_color() + p.steepest_color * magnitude_sum(p.color_field, 1);
+    p.largest_tau = magnitude_sum(p.tau, 0);
     set_rounding_bounds(p, std::abs(slope));
     return p;
   }
 
   void set_rounding_bounds(Piece<Real>& p, Real tau_slope) const {
-    p.color_error = p.steepest_color() *
-                        (color_.field_error + 4 * kRuleUnit<Real> * std::abs(p.color->anchor)) +
-                    4 * kRuleUnit<Real> * p.largest_color;
+    p.color_error =
+        p.steepest_color * (color_.field_error + 4 * kRuleUnit<Real> * std::abs(p.color->anchor)) +
+        4 * kRuleUnit<Real> * p.largest_color;
     p.tau_error = tau_slope * (extinction_.field_error +
                                4 * kRuleUnit<Real> * std::abs(extinction_piece_.anchor)) +
                   4 * kRuleUnit<Real> * p.largest_tau;
@@ -275,7 +285,7 @@ class Walk {
     const Real front = std::exp(-depth_);
     const Real opacity = -std::expm1(-piece.total_depth);
     const Real share = tolerance_ * (piece.t1 - piece.t0);
-    const Real spread = piece.steepest_color() * ellipse_bound(piece.color_field, 1, 1);
+    const Real spread = piece.steepest_color * magnitude_sum(piece.color_field, 1);
     if (glow_ == Glow::chromaticity && front * spread * opacity <= share) {
       add_mean_color(piece, front, opacity, spread * opacity);
       return true;
