@@ -143,7 +143,7 @@ int main(int argc, char** argv) {
   std::printf("%zu cells, %u x %u pixels, %u threads\n", mesh->cell_count(), scene.image.width,
               scene.image.height, thread_count());
   Wanted wanted{mesh, scene, {}, 1};
-  for (const std::uint32_t step : {1U, 3U}) draw_at(wanted, step);
+  for (const std::uint32_t step : {1U, 2U, 4U}) draw_at(wanted, step);
   Drawing drawing;
   Reports reports(drawing);
   const std::uint64_t number = drawing.show(wanted);

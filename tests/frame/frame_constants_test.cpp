@@ -181,6 +181,16 @@ TEST_F(FrameConstantsTest, RaysThroughEmissionAreFollowedToTheEnd) {
   EXPECT_NEAR(frame().largest_light, 40 * longest + 50, 1e-12);
 }
 
+TEST_F(FrameConstantsTest, TheLongestRayIsThatOfTheCornerFarthestFromTheLineOfSight) {
+  add_color("f", 40);
+  scene_.volume.glow = Glow::emission;
+  for (const double right : {-10.0, 10.0})
+    for (const double below : {-5.0, 5.0}) {
+      scene_.camera.shift = {right, below};  // 20 pixels are 1 unit: 2 across, 1.25 down
+      EXPECT_NEAR(frame().largest_light, 40 * std::sqrt(1 + 4 + 1.25 * 1.25), 1e-12);
+    }
+}
+
 TEST_F(FrameConstantsTest, FunctionsAreSteepForTheirFieldsAndTheLongestRay) {
   const double longest = std::sqrt(1 + 1 + 2.25);
   const auto is_steep = [&](double slope) {

@@ -46,6 +46,28 @@ TEST(ProjectionOfPoints, IsThatOfAPinholeInPerspective) {
   EXPECT_EQ(projector.relative(Position{0.5, 5, 2.25}), (Position{-0.5, -2, 0.25}));
 }
 
+TEST(ProjectionOfPoints, ShiftMovesThePictureAsAWhole) {
+  for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+    Camera camera = camera_along_y(projection);
+    const Projector plain(camera, kProjectedSize);
+    camera.shift = {3.5, -7.25};
+    const Projector shifted(camera, kProjectedSize);
+    EXPECT_EQ(shifted.pixels_per_unit(), plain.pixels_per_unit());
+    ProjectedNode before{}, after{};
+    for (const Position& point : {Position{0.5, 5, 2.25}, {1, 3, 2}, {1.5, -4, 1}}) {
+      ASSERT_TRUE(plain.project(point, before));
+      ASSERT_TRUE(shifted.project(point, after));
+      EXPECT_NEAR(after.x, before.x + 3.5, 1e-12);
+      EXPECT_NEAR(after.y, before.y - 7.25, 1e-12);
+      EXPECT_EQ(after.depth, before.depth);
+    }
+    EXPECT_EQ(shifted.direction(13.5, 2.25), plain.direction(10, 9.5));
+    EXPECT_EQ(shifted.origin(13.5, 2.25), plain.origin(10, 9.5));
+    EXPECT_EQ(shifted.slopes(13.5, 2.25), plain.slopes(10, 9.5));
+    EXPECT_EQ(shifted.extended_slopes(13.5, 2.25), plain.extended_slopes(10, 9.5));
+  }
+}
+
 TEST(ProjectionOfPoints, IsParallelInOrthographicViews) {
   const Projector projector(camera_along_y(Projection::orthographic), kProjectedSize);
   EXPECT_FALSE(projector.perspective());

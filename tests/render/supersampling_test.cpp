@@ -80,8 +80,10 @@ TEST(Supersampling, BoxIsTheMeanOfTheLargerPicture) {
   const ZooMesh mesh = mesh_with_field();
   for (const std::uint32_t n : {2U, 3U, 5U}) {
     Scene scene = test::cube_scene(Projection::perspective, 40, 30);
+    scene.camera.shift = {2.5, -1.25};
     const Image image = sampled(mesh, scene, {n, SampleFilter::box});
     scene.image = {40 * n, 30 * n};
+    scene.camera.shift = {2.5 * n, -1.25 * n};
     const Image larger = test::draw(mesh, scene).image;
     for (std::uint32_t y = 0; y < 30; ++y)
       for (std::uint32_t x = 0; x < 40; ++x)

@@ -179,6 +179,9 @@ TEST(CameraMotion, PointsAreWhereTheyAreSeen) {
     const Place place = seen(camera, point);
     EXPECT_NEAR(place.x, x, 1e-7);
     EXPECT_NEAR(place.y, y, 1e-7);
+    Camera shifted = camera;
+    shifted.shift = {3.5, -7};
+    expect_near(point_at(shifted, kSize, x + 3.5, y - 7, depth), point);
   }
 }
 

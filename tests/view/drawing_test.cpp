@@ -43,14 +43,13 @@ TEST(Drawing, CoarsePicturesHaveThePixelsOfTheWholeOne) {
   Cancellation never;
   Painter painter(never);
   const Painted whole = painter.paint(wanted, 1);
-  for (const std::uint32_t step : {3U, 5U, 9U}) {
+  for (const std::uint32_t step : {2U, 3U, 4U, 9U}) {
     const Painted coarse = painter.paint(wanted, step);
     ASSERT_EQ(coarse.bytes.size(), whole.bytes.size());
     const CoarseScene places = coarse_scene(wanted.scene, step);
     std::uint64_t compared = 0;
     for (std::int64_t y = places.top; y < 101; y += step) {
       for (std::int64_t x = places.left; x < 150; x += step) {
-        if (x < 0 || y < 0) continue;
         ++compared;
         const auto at = static_cast<std::size_t>(3 * (y * 150 + x));
         for (std::size_t c = 0; c < 3; ++c)

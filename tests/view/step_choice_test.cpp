@@ -34,10 +34,11 @@ TEST(StepChoice, ShowsAllPixelsWhereTheyAreFastEnough) {
 
 TEST(StepChoice, HoldsTheTimeWhereAllPixelsAreTooSlow) {
   const ImageSize size{2000, 1500};
-  const Cost cost{0.002, 2e-7};  // 0.6 s for all pixels, 0.026 s for every fifth of every fifth row
+  const Cost cost{0.002,
+                  2e-7};  // 0.6 s for all pixels, 0.0395 s for every fourth of every fourth row
   StepChoice choice;
   const std::uint32_t step = steps(choice, cost, size, 30).back();
-  EXPECT_EQ(step, 5U);
+  EXPECT_EQ(step, 4U);
   EXPECT_LE(cost.of(size, step), 1.1 * StepChoice::kSecondsPerFrame);
 }
 
@@ -54,7 +55,7 @@ TEST(StepChoice, DoesNotFlicker) {
 TEST(StepChoice, IsNoCoarserThanTwoHundredByOneHundredAndFifty) {
   StepChoice choice;
   const std::uint32_t step = steps(choice, {1, 1e-5}, {800, 600}, 20).back();
-  EXPECT_EQ(step, 3U);
+  EXPECT_EQ(step, 4U);
 }
 
 TEST(StepChoice, FollowsAViewThatBecomesFaster) {
@@ -76,12 +77,13 @@ TEST(StepChoice, BeginsWithTheCoarsestPictureOfThirtyThousandPixels) {
     std::uint32_t step;
   };
   for (const Case& c : {Case{{600, 450}, 3},
-                        {{599, 450}, 1},
+                        {{599, 450}, 2},
+                        {{800, 600}, 4},
                         {{1000, 750}, 5},
-                        {{1000, 749}, 3},
+                        {{1000, 749}, 4},
                         {{10, 10}, 1},
-                        {{2000, 1500}, 9},
-                        {{70000, 70000}, 403}}) {
+                        {{2000, 1500}, 10},
+                        {{70000, 70000}, 404}}) {
     StepChoice choice;
     EXPECT_EQ(choice.step(c.size), c.step) << c.size.width;
     EXPECT_EQ(choice.step(c.size), c.step) << c.size.width;  // nothing has been drawn yet
@@ -89,48 +91,48 @@ TEST(StepChoice, BeginsWithTheCoarsestPictureOfThirtyThousandPixels) {
 }
 
 TEST(StepChoice, IsFinerWhereThatTakesFourFifthsOfAFrameAtMost) {
-  for (const auto& [seconds, step] : {std::pair(0.0241, 7U), {0.0243, 9U}}) {
+  for (const auto& [seconds, step] : {std::pair(0.0323, 9U), {0.0325, 10U}}) {
     StepChoice choice;
-    ASSERT_EQ(choice.step({2000, 1500}), 9U);
-    EXPECT_EQ(step_after(choice, {seconds}), step);  // 81 / 49 as long: 0.04 s
+    ASSERT_EQ(choice.step({2000, 1500}), 10U);
+    EXPECT_EQ(step_after(choice, {seconds}), step);  // 100 / 81 as long: 0.04 s
   }
   StepChoice choice;
-  ASSERT_EQ(choice.step({2000, 1500}), 9U);
-  for (const std::uint32_t step : {7U, 5U, 3U, 1U, 1U})
+  ASSERT_EQ(choice.step({2000, 1500}), 10U);
+  for (const std::uint32_t step : {9U, 8U, 7U, 6U, 5U, 4U, 3U, 2U, 1U, 1U})
     EXPECT_EQ(step_after(choice, {0.0001}), step);
 }
 
 TEST(StepChoice, IsCoarserWhereAPictureTakesSixFifthsOfAFrame) {
-  for (const auto& [seconds, step] : {std::pair(0.0601, 9U), {0.0599, 7U}}) {
+  for (const auto& [seconds, step] : {std::pair(0.0601, 10U), {0.0599, 9U}}) {
     StepChoice choice;
-    ASSERT_EQ(choice.step({2000, 1500}), 9U);
-    ASSERT_EQ(step_after(choice, {0.0241}), 7U);
+    ASSERT_EQ(choice.step({2000, 1500}), 10U);
+    ASSERT_EQ(step_after(choice, {0.0323}), 9U);
     EXPECT_EQ(step_after(choice, {seconds}), step);
   }
   StepChoice choice;
-  ASSERT_EQ(choice.step({2000, 1500}), 9U);
-  EXPECT_EQ(step_after(choice, {7}), 9U);  // there is nothing coarser
+  ASSERT_EQ(choice.step({2000, 1500}), 10U);
+  EXPECT_EQ(step_after(choice, {7}), 10U);  // there is nothing coarser
 }
 
 TEST(StepChoice, CountsTheNewestPictureByTwoFifths) {
-  for (const auto& [seconds, step] : {std::pair(0.1055, 9U), {0.1045, 7U}}) {
+  for (const auto& [seconds, step] : {std::pair(0.1055, 10U), {0.1045, 9U}}) {
     StepChoice choice;
-    ASSERT_EQ(choice.step({2000, 1500}), 9U);
-    ASSERT_EQ(step_after(choice, {0.0241}), 7U);
+    ASSERT_EQ(choice.step({2000, 1500}), 10U);
+    ASSERT_EQ(step_after(choice, {0.0323}), 9U);
     EXPECT_EQ(step_after(choice, {0.03, seconds}), step);
   }
 }
 
 TEST(StepChoice, ForgetsTimesOfAnotherSize) {
   StepChoice choice;
-  ASSERT_EQ(choice.step({2000, 1500}), 9U);
-  ASSERT_EQ(step_after(choice, {0.0001}), 7U);
+  ASSERT_EQ(choice.step({2000, 1500}), 10U);
+  ASSERT_EQ(step_after(choice, {0.0001}), 9U);
   EXPECT_EQ(choice.step({600, 450}), 3U);  // its coarsest one
-  ASSERT_EQ(choice.step({2000, 1500}), 9U);
-  EXPECT_EQ(choice.step({2000, 1500}), 9U);
+  ASSERT_EQ(choice.step({2000, 1500}), 10U);
+  EXPECT_EQ(choice.step({2000, 1500}), 10U);
   choice.took(0.0001);
   choice.forget();
-  EXPECT_EQ(choice.step({2000, 1500}), 9U);
+  EXPECT_EQ(choice.step({2000, 1500}), 10U);
 }
 
 }  // namespace

@@ -55,6 +55,8 @@ struct Camera {
   /// not negative in perspective, far may be infinite. None: everything in front of the
   /// eye (perspective) or everything (orthographic).
   std::optional<std::array<double, 2>> clip;
+  /// Where the line of sight meets the picture: pixels to the right of its middle, and below it.
+  std::array<double, 2> shift{};
 
   bool operator==(const Camera&) const = default;
 };

@@ -67,8 +67,11 @@ MeshExtremes extremes_of(const Frame& frame) {
 void set_constants(Frame& frame, const Scene& scene, const MeshExtremes& extremes) {
   frame.depth = extremes.depth();
   frame.witness_tolerance = kWitnessTolerance * frame.depth;
-  const double longest = frame.depth * std::max(frame.projector.ray_scale(0, 0),
-                                                frame.projector.ray_scale(scene.image.width, 0));
+  double slant = 1;  // most of all rays
+  for (const double x : {0.0, static_cast<double>(scene.image.width)})
+    for (const double y : {0.0, static_cast<double>(scene.image.height)})
+      slant = std::max(slant, frame.projector.ray_scale(x, y));
+  const double longest = frame.depth * slant;
   // of a mesh of depth 0 only surfaces are visible
   const double most_extinction = kThickestMesh / std::max(longest, 1 / kThickestMesh);
   frame.optics = make_optics_tables(scene.volume, scene.render.integration, most_extinction);

@@ -27,6 +27,7 @@ Scene scene_of_samples(const Scene& scene, const Supersampling& sampling) {
   Scene result = scene;
   result.image = {(scene.image.width + 2 * margin) * sampling.samples,
                   (scene.image.height + 2 * margin) * sampling.samples};
+  for (double& s : result.camera.shift) s *= sampling.samples;
   if (result.edges) result.edges->width *= sampling.samples;
   if (margin == 0) return result;
   const double growth = (scene.image.height + 2.0 * margin) / scene.image.height;

@@ -138,8 +138,8 @@ std::array<double, 3> point_at(const Camera& camera, ImageSize size, double x, d
   const double pixel = extent_of(camera) / size.height;
   const double scale =
       camera.projection == Projection::orthographic ? 1 : depth / distance_of(camera);
-  const double right = (x - size.width / 2.0) * pixel * scale;
-  const double up = (size.height / 2.0 - y) * pixel * scale;
+  const double right = (x - size.width / 2.0 - camera.shift[0]) * pixel * scale;
+  const double up = (size.height / 2.0 + camera.shift[1] - y) * pixel * scale;
   return along(along(along(camera.eye, depth, axes.ahead), right, axes.right), up, axes.up);
 }
 

@@ -152,8 +152,8 @@ void Drawing::paint(const std::shared_ptr<const Wanted>& what, Stage stage, std:
       publish(paint_first(wanted));
       break;
     case Stage::middle:
-      // a third of the way: three times finer, if that is less than all pixels
-      if (shown_step_ > 3) publish(painter_.paint(wanted, 3));
+      // a ninth of all pixels, where clearly fewer are shown
+      if (shown_step_ > 4) publish(painter_.paint(wanted, 3));
       break;
     case Stage::all:
       publish(painter_.paint(wanted, 1));

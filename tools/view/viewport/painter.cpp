@@ -25,16 +25,13 @@ Scene without_view(Scene scene) {
 
 // The background behind a coarse picture's pixels, where the pixels of the whole picture are.
 void put_background_behind(Image& image, const CoarseScene& coarse, const Scene& whole) {
-  const auto place = [](std::int64_t first, std::size_t at, std::uint32_t step,
-                        std::uint32_t side) {
-    const std::int64_t there = first + static_cast<std::int64_t>(at) * step;
-    return static_cast<std::uint32_t>(std::clamp<std::int64_t>(there, 0, side - std::int64_t{1}));
+  const auto place = [&](std::int64_t first, std::size_t at) {
+    return static_cast<std::uint32_t>(first + static_cast<std::int64_t>(at) * coarse.step);
   };
   for (std::size_t y = 0; y < image.height(); ++y) {
     for (std::size_t x = 0; x < image.width(); ++x) {
-      const Color behind = background_at(whole.background, whole.image,
-                                         place(coarse.left, x, coarse.step, whole.image.width),
-                                         place(coarse.top, y, coarse.step, whole.image.height));
+      const Color behind =
+          background_at(whole.background, whole.image, place(coarse.left, x), place(coarse.top, y));
       const auto pixel = image.pixel(x, y);
       for (std::size_t c = 0; c < 3; ++c) pixel[c] += (1 - pixel[3]) * behind[c];
     }
@@ -151,7 +148,7 @@ Painted Painter::paint(const Wanted& wanted, std::uint32_t step) {
     const ImageSize size = wanted.scene.image;
     painted = {.size = size,
                .step = step,
-               .pixels = coarse.pixels,
+               .pixels = std::uint64_t{picture.image.width()} * picture.image.height(),
                .violations = picture.violations,
                .segments = picture.segments,
                .mean_optical_depth = picture.mean_optical_depth,

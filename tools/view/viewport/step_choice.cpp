@@ -7,7 +7,7 @@ namespace hiac::view {
 std::uint32_t StepChoice::coarsest(ImageSize size) {
   const std::uint64_t pixels = static_cast<std::uint64_t>(size.width) * size.height;
   std::uint32_t step = 1;
-  while (pixels / (static_cast<std::uint64_t>(step + 2) * (step + 2)) >= kFewestPixels) step += 2;
+  while (pixels / (static_cast<std::uint64_t>(step + 1) * (step + 1)) >= kFewestPixels) ++step;
   return step;
 }
 
@@ -28,9 +28,9 @@ std::uint32_t StepChoice::step(ImageSize size) {
   if (now == took_.end()) return step_;
   constexpr double kTooLong = 1.2, kFastEnough = 0.8;
   if (now->second > kTooLong * kSecondsPerFrame)
-    step_ = std::min(step_ + 2, most);
-  else if (step_ > 1 && expected(step_ - 2) < kFastEnough * kSecondsPerFrame)
-    step_ -= 2;
+    step_ = std::min(step_ + 1, most);
+  else if (step_ > 1 && expected(step_ - 1) < kFastEnough * kSecondsPerFrame)
+    --step_;
   return step_;
 }
 

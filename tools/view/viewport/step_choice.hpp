@@ -8,7 +8,7 @@
 namespace hiac::view {
 
 /// Chooses how coarse pictures are while something moves: every step-th pixel of every step-th row
-/// (coarse_scene.hpp), the smallest odd step whose pictures take no longer than a twentieth of a
+/// (coarse_scene.hpp), the smallest step whose pictures take no longer than a twentieth of a
 /// second.
 ///
 /// It does not flicker: a step changes only for times that are clearly too long, or for a finer one
