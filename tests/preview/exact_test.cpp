@@ -27,6 +27,7 @@ TEST_F(ExactPreview, BothProjectionsGlowsAndSeparateFields) {
         Scene scene = benchmark_scene(projection, 120, 90);
         scene.volume.glow = glow;
         scene.volume.color->field = std::string(color);
+        if (glow == Glow::emission) scene.camera.shift = {20.5, -13};
         SCOPED_TRACE(std::string(color) + (glow == Glow::emission ? " emission" : "") +
                      (projection == Projection::perspective ? " perspective" : ""));
         expect_close(mesh, scene, kLargest, kRms);

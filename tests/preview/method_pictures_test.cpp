@@ -39,6 +39,37 @@ TEST(MethodPictures, ErrorsFallFromM0ToM3OnSmoothScenes) {
     }
 }
 
+// Where cells reach far out of the picture, they are clipped beside it.
+TEST(MethodPictures, AShiftedPictureShowsTheSamePixelsElsewhere) {
+  const ZooMesh mesh = with_field(test::random_delaunay(20, 5));
+  for (const Projection projection : {Projection::orthographic, Projection::perspective})
+    for (const double part : {1.0, 1e-3}) {
+      Scene scene = test::smooth_scene(projection, Glow::chromaticity);
+      scene.camera.height *= part;
+      scene.camera.fov *= part;
+      const auto width = static_cast<int>(scene.image.width);
+      const auto height = static_cast<int>(scene.image.height);
+      const int right = -2 * width / 5, below = -height / 3;
+      Scene shifted = scene;
+      shifted.camera.shift = {static_cast<double>(right), static_cast<double>(below)};
+      for (const Method method : kMethods) {
+        const Image plain = drawn(mesh, scene, method).image;
+        const Image moved = drawn(mesh, shifted, method).image;
+        double alpha = 0;
+        for (int y = 0; y < height + below; ++y)
+          for (int x = 0; x < width + right; ++x) {
+            const auto here = moved.pixel(static_cast<std::size_t>(x), static_cast<std::size_t>(y));
+            const auto there = plain.pixel(static_cast<std::size_t>(x - right),
+                                           static_cast<std::size_t>(y - below));
+            for (std::size_t c = 0; c < 4; ++c)
+              ASSERT_NEAR(here[c], there[c], 1e-4) << x << ' ' << y;
+            alpha += here[3];
+          }
+        EXPECT_GT(alpha, 100);
+      }
+    }
+}
+
 // Alpha of a medium of extinction 1.5 in the unit cube: every pixel's optical depth in closed form.
 double cube_alpha(const Scene& scene, double tau, std::uint32_t x, std::uint32_t y) {
   const Projector projector(scene.camera, scene.image);

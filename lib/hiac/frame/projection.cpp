@@ -36,6 +36,7 @@ Extended difference(std::span<const double, 3> a, const Vector& b) {
 
 Projector::Projector(const Camera& camera, ImageSize size)
     : perspective_(camera.projection == Projection::perspective),
+      size_(size),
       anchor_(perspective_ ? camera.eye : camera.look_at),
       extended_forward_(unit(difference(camera.look_at, camera.eye))),
       center_x_(size.width / 2.0 + camera.shift[0]),

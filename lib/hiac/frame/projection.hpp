@@ -31,6 +31,8 @@ class Projector {
   Projector(const Camera& camera, ImageSize size);
 
   [[nodiscard]] bool perspective() const { return perspective_; }
+  /// The picture.
+  [[nodiscard]] ImageSize size() const { return size_; }
   /// Range of t that z-clipping leaves; in perspective never below 0.
   [[nodiscard]] double near() const { return near_; }
   [[nodiscard]] double far() const { return far_; }
@@ -92,6 +94,7 @@ class Projector {
   using Extended = std::array<long double, 3>;
 
   bool perspective_;
+  ImageSize size_;
   std::array<double, 3> anchor_;  // the eye, or look_at
   std::array<double, 3> right_, up_, forward_;
   Extended extended_right_, extended_up_, extended_forward_;  // the same

@@ -42,7 +42,8 @@ double depth_of(const Projector& projector, double t) {
 }
 
 double reach_of(const Projector& projector) {
-  return std::max({kReach, 2 * projector.axes().center_x, 2 * projector.axes().center_y});
+  const auto [width, height] = projector.size();
+  return std::max(kReach, static_cast<double>(std::max(width, height)));
 }
 
 // Parallel projection.
@@ -102,8 +103,8 @@ RegionFiller::RegionFiller(const Frame& frame, Method method, RecordShape shape,
       color_(method, frame.optics.emission ? Glow::emission : Glow::chromaticity),
       near_(frame.projector.near()),
       far_(frame.projector.far()),
-      width_(2 * frame.projector.axes().center_x),
-      height_(2 * frame.projector.axes().center_y),
+      width_(frame.projector.size().width),
+      height_(frame.projector.size().height),
       reach_(reach_of(frame.projector)) {
   for (const CellKind kind : frame.mesh.kinds.view())
     if (kind != CellKind::tetrahedron4)
