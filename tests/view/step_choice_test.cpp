@@ -34,8 +34,8 @@ TEST(StepChoice, ShowsAllPixelsWhereTheyAreFastEnough) {
 
 TEST(StepChoice, HoldsTheTimeWhereAllPixelsAreTooSlow) {
   const ImageSize size{2000, 1500};
-  const Cost cost{0.002,
-                  2e-7};  // 0.6 s for all pixels, 0.0395 s for every fourth of every fourth row
+  // 0.6 s for all pixels, 0.0395 s for every fourth pixel of every fourth row
+  const Cost cost{0.002, 2e-7};
   StepChoice choice;
   const std::uint32_t step = steps(choice, cost, size, 30).back();
   EXPECT_EQ(step, 4U);

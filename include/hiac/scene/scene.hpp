@@ -56,6 +56,7 @@ struct Camera {
   /// eye (perspective) or everything (orthographic).
   std::optional<std::array<double, 2>> clip;
   /// Where the line of sight meets the picture: pixels to the right of its middle, and below it.
+  /// No key of a specification sets it.
   std::array<double, 2> shift{};
 
   bool operator==(const Camera&) const = default;

@@ -67,7 +67,7 @@ MeshExtremes extremes_of(const Frame& frame) {
 void set_constants(Frame& frame, const Scene& scene, const MeshExtremes& extremes) {
   frame.depth = extremes.depth();
   frame.witness_tolerance = kWitnessTolerance * frame.depth;
-  double slant = 1;  // most of all rays
+  double slant = 1;  // the largest ray_scale of all rays
   for (const double x : {0.0, static_cast<double>(scene.image.width)})
     for (const double y : {0.0, static_cast<double>(scene.image.height)})
       slant = std::max(slant, frame.projector.ray_scale(x, y));

@@ -31,7 +31,7 @@ class Projector {
   Projector(const Camera& camera, ImageSize size);
 
   [[nodiscard]] bool perspective() const { return perspective_; }
-  /// The picture.
+  /// The picture's, in pixels.
   [[nodiscard]] ImageSize size() const { return size_; }
   /// Range of t that z-clipping leaves; in perspective never below 0.
   [[nodiscard]] double near() const { return near_; }

@@ -95,7 +95,7 @@ struct Rule {
   Real bound;
 };
 
-/// An ellipse to choose, and what its error bound 64/15 M rho^(-2n) / (1 - rho^-2) is made of.
+/// An ellipse to choose from, and the parts of its error bound 64/15 M rho^(-2n) / (1 - rho^-2).
 template <class Real>
 struct RuleEllipse {
   BasicBernsteinEllipse<Real> ellipse;

@@ -9,9 +9,9 @@ namespace hiac {
 /// A scene whose pixels are some of those of another scene: every `step`th of every `step`th row.
 ///
 /// Its pixel (i, j) has the ray of pixel (left + i step, top + j step) of the whole picture, to
-/// within the rounding of the camera's numbers, and stands for a square of step x step pixels: from
-/// (step - 1) / 2, rounded down, to the left of that one and above it. Together these squares cover
-/// the picture; those at its border may reach beyond it.
+/// within the rounding of the camera's numbers, and stands for a square of step x step pixels,
+/// which begins (step - 1) / 2 pixels, rounded down, to the left of that one and above it. Together
+/// these squares cover the picture; those at its border may reach beyond it.
 struct CoarseScene {
   Scene scene;
   std::uint32_t step = 1;

@@ -152,7 +152,7 @@ void Drawing::paint(const std::shared_ptr<const Wanted>& what, Stage stage, std:
       publish(paint_first(wanted));
       break;
     case Stage::middle:
-      // a ninth of all pixels, where clearly fewer are shown
+      // a ninth of all pixels comes in between where clearly fewer are shown
       if (shown_step_ > 4) publish(painter_.paint(wanted, 3));
       break;
     case Stage::all:
