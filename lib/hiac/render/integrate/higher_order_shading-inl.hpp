@@ -43,11 +43,7 @@ struct HigherOrderSegments {
 // with emission I = length times the mean of g exp(-A). The integrals are Gauss-Legendre sums whose
 // number of nodes follows from the bound of symmetric_rules.hpp; a piece that needs too many is
 // halved.
-//
-// kSteep: whether the transfer functions are steep (OpticsTables::steep). It is an argument of the
-// template, as what the check of steep functions needs would be kept through every piece of all
-// others.
-template <bool kEmission, bool kSteep, std::size_t kDegree>
+template <bool kEmission, std::size_t kDegree>
 class HigherOrderWalk {
  public:
   HigherOrderWalk(const OpticsTables& optics, const WalkField& color, const WalkField& extinction)
@@ -181,17 +177,34 @@ class HigherOrderWalk {
           hn::Add(hn::NegMulAdd(hn::Add(even, odd), zeta, hn::Sub(even, odd)), means.of_factor);
     }
     Radiance<V> light = light_of(d, channels, constant, linear, zeta);
-    if constexpr (kSteep) {
-      const auto end = [&](const PowerScalar<V, kDegree>& f, double z, double base)
-                           HWY_ATTR { return end_of(d, f.c, kDegree, z, base); };
-      light = sound_light<kEmission>(
-          d, optics_, light,
-          PieceEnds<D>{color, extinction, end(field, -1.0, color_.base),
-                       end(field, 1.0, color_.base), end(piece.extinction, -1.0, extinction_.base),
-                       end(piece.extinction, 1.0, extinction_.base), piece.length});
+    if (HWY_UNLIKELY(optics_.steep)) {
+      // what a function takes the address of is in no register
+      const Piece<V> seen = piece;
+      const Radiance<V> unchecked = light;
+      light = sound(d, seen, unchecked);
     }
     add_behind(light, active, sum);
     return true;
+  }
+
+  // sound_light of a piece. It finds the piece's intervals and ends once more: pieces under
+  // functions that are not steep need not keep them.
+  template <class D, class V>
+  HWY_NOINLINE Radiance<V> sound(D d, const Piece<V>& piece, const Radiance<V>& light) const {
+    const bool same = optics_.same_field;
+    const PowerScalar<V, kDegree>& field = same ? piece.extinction : piece.color;
+    const auto extinction = reader_at_middle(d, optics_.extinction, extinction_here_,
+                                             extinction_.base, piece.extinction.c[0]);
+    const auto color =
+        same ? extinction
+             : reader_at_middle(d, optics_.color, color_here_, color_.base, piece.color.c[0]);
+    const auto end = [&](const PowerScalar<V, kDegree>& f, double z, double base)
+                         HWY_ATTR { return end_of(d, f.c, kDegree, z, base); };
+    return sound_light<kEmission>(
+        d, optics_, light,
+        PieceEnds<D>{color, extinction, end(field, -1.0, color_.base), end(field, 1.0, color_.base),
+                     end(piece.extinction, -1.0, extinction_.base),
+                     end(piece.extinction, 1.0, extinction_.base), piece.length});
   }
 
   template <class D, class V>

@@ -55,7 +55,7 @@ struct HigherOrderField {
 };
 
 // Renders one kind of scene.
-template <bool kEmission, bool kSteep, std::size_t kOrder>
+template <bool kEmission, std::size_t kOrder>
 class HigherOrderRenderer {
  public:
   explicit HigherOrderRenderer(const TileTarget& to)
@@ -89,7 +89,7 @@ class HigherOrderRenderer {
   using D = hn::CappedTag<double, 8>;
   using V = hn::Vec<D>;
   using M = hn::Mask<D>;
-  using Walk = HigherOrderWalk<kEmission, kSteep, kOrder>;
+  using Walk = HigherOrderWalk<kEmission, kOrder>;
 
   HWY_INLINE bool load(CellId cell) {
     const std::uint64_t first_entry = frame_.mesh.elems[cell];
@@ -263,19 +263,15 @@ class HigherOrderRenderer {
   std::optional<HigherOrderDetails> details_;  // if details are requested
 };
 
-template <bool kEmission, bool kSteep, std::size_t kOrder>
+template <bool kEmission, std::size_t kOrder>
 HWY_NOINLINE void render_all(const TileTarget& to, std::span<const CellId> cells) {
-  HigherOrderRenderer<kEmission, kSteep, kOrder> renderer(to);
+  HigherOrderRenderer<kEmission, kOrder> renderer(to);
   for (const CellId cell : cells) renderer.render(cell);
 }
 
 template <std::size_t kOrder>
 void render_order(const TileTarget& to, std::span<const CellId> cells) {
-  const OpticsTables& optics = to.frame.optics;
-  if (optics.emission)
-    (optics.steep ? render_all<true, true, kOrder> : render_all<true, false, kOrder>)(to, cells);
-  else
-    (optics.steep ? render_all<false, true, kOrder> : render_all<false, false, kOrder>)(to, cells);
+  (to.frame.optics.emission ? render_all<true, kOrder> : render_all<false, kOrder>)(to, cells);
 }
 
 void render_quadratic_here(const TileTarget& to, std::span<const CellId> cells) {

@@ -165,6 +165,25 @@ class TetrahedronRenderer {
     cut_places_.resize(2 * cuts_.size() * lanes());
   }
 
+  // The radiance of segments of which some pass a breakpoint. It is not inlined, like
+  // integrate_beside_surfaces: the compiler takes longest for this code, and would repeat it
+  // wherever segments are integrated.
+  HWY_NOINLINE Radiance<V> integrate_across(D d, const CellScalars& scalars, V length,
+                                            const EntryAndExit<V>& e, M active) const {
+    if constexpr (!std::is_same_v<Rule, ExactChromaticity> && !std::is_same_v<Rule, ExactEmission>)
+      if (frame_.optics.unsliced)
+        return unsliced_radiance<Rule>(d, frame_.optics, scalars.color, scalars.extinction, length,
+                                       e.front_color, e.back_color, e.front_extinction,
+                                       e.back_extinction);
+    if constexpr (kSeparateFields)
+      return walked_radiance<Rule>(d, frame_.optics, scalars.color, scalars.extinction, length,
+                                   e.front_color, e.back_color, e.front_extinction,
+                                   e.back_extinction, active);
+    else
+      return sliced_radiance<Rule>(d, frame_.optics, scalars.extinction, length, e.front_extinction,
+                                   e.back_extinction, active);
+  }
+
   HWY_INLINE Radiance<V> integrate(D d, const CellScalars& scalars, V length,
                                    const EntryAndExit<V>& e, M active) const {
     IntervalRange color = scalars.color, extinction = scalars.extinction;
@@ -178,18 +197,16 @@ class TetrahedronRenderer {
       return uniform_radiance<Rule>(d, frame_.optics, color.low, extinction.low, length,
                                     e.front_color, e.back_color, e.front_extinction,
                                     e.back_extinction);
-    if constexpr (!std::is_same_v<Rule, ExactChromaticity> && !std::is_same_v<Rule, ExactEmission>)
-      if (frame_.optics.unsliced)
-        return unsliced_radiance<Rule>(d, frame_.optics, scalars.color, scalars.extinction, length,
-                                       e.front_color, e.back_color, e.front_extinction,
-                                       e.back_extinction);
-    if constexpr (kSeparateFields)
-      return walked_radiance<Rule>(d, frame_.optics, scalars.color, scalars.extinction, length,
-                                   e.front_color, e.back_color, e.front_extinction,
-                                   e.back_extinction, active);
-    else
-      return sliced_radiance<Rule>(d, frame_.optics, scalars.extinction, length, e.front_extinction,
-                                   e.back_extinction, active);
+    // a copy, as in render_pixels
+    const EntryAndExit<V> ends = e;
+    const Radiance<V> sum = integrate_across(d, scalars, length, ends, active);
+    return sum;
+  }
+
+  // The same as integrate, for the few segments that isosurfaces may cross.
+  HWY_NOINLINE Radiance<V> integrate_beside_surfaces(D d, const CellScalars& scalars, V length,
+                                                     const EntryAndExit<V>& e, M active) const {
+    return integrate(d, scalars, length, e, active);
   }
 
   // Stores for every cut the fraction of the segment at which it is crossed, 2 if it is not.
@@ -230,7 +247,7 @@ class TetrahedronRenderer {
     if (HWY_UNLIKELY(frame_.with_details))
       describer_.set_places(cut_places_, lanes());
     else if (hn::AllTrue(d, hn::Or(hn::Eq(first, never), hn::Not(active))))
-      return empty_ ? sum : integrate(d, scalars, length, e, active);
+      return empty_ ? sum : integrate_beside_surfaces(d, scalars, length, e, active);
     V from = zero;
     for (;;) {
       V next = never, which = zero;
@@ -244,8 +261,8 @@ class TetrahedronRenderer {
       const M some = hn::And(active, hn::Lt(from, to));
       if (!empty_ && !hn::AllFalse(d, some)) {
         const V before = sum.transparency;
-        add_behind(integrate(d, scalars, hn::Mul(length, hn::Sub(to, from)),
-                             part_of(d, e, from, to), some),
+        add_behind(integrate_beside_surfaces(d, scalars, hn::Mul(length, hn::Sub(to, from)),
+                                             part_of(d, e, from, to), some),
                    some, sum);
         if (HWY_UNLIKELY(frame_.with_details))
           describer_.add_depth(d, hn::Mul(hn::Add(from, to), hn::Set(d, 0.5)),
