@@ -209,5 +209,33 @@ TEST(ExtremeSpecification, RampsToTheLargestNumbersAreOpaque) {
       }
 }
 
+// The eye looks against the field, so that rays enter opaque walls where they enter the cube: cells
+// of all orders show the colour there, and nothing of what lies behind.
+TEST(ExtremeSpecification, OpaqueTetrahedraOfAllOrdersShowTheirNearSide) {
+  using Points = std::vector<PiecewiseLinear<1>::Point>;
+  const double above = std::nextafter(0.5, 1.0);
+  const Points step{{0, {0}}, {0.5, {0}}, {above, {kLargest}}, {1, {kLargest}}};
+  const Points tent{{0, {0}}, {0.25, {kLargest}}, {1, {0}}};
+  const auto drawn = [](std::size_t which, const Points& points, bool two_fields) {
+    ZooMesh mesh = mesh_of(which);
+    for (const char* name : {"f", "g"})
+      test::add_node_field(mesh, name, [](const test::Position& p) { return p[0]; });
+    Scene scene = test::cube_scene(Projection::orthographic, 24, 20);
+    scene.volume.color->field = two_fields ? "g" : "f";
+    scene.volume.color->points = {{0, {0.2, 0.4, 0.6}}, {1, {0.4, 0.6, 0.8}}};
+    scene.volume.extinction->points = points;
+    return test::draw(mesh, scene).image;
+  };
+  for (const Points& points : {step, tent})
+    for (const bool two_fields : {false, true}) {
+      const Image linear = drawn(0, points, two_fields);
+      for (const std::size_t which : {2U, 3U}) {
+        const Image image = drawn(which, points, two_fields);
+        for (std::size_t i = 0; i < image.values().size(); ++i)
+          ASSERT_NEAR(image.values()[i], linear.values()[i], 1e-9) << which << ' ' << i / 4;
+      }
+    }
+}
+
 }  // namespace
 }  // namespace hiac
