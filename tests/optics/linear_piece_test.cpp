@@ -312,6 +312,34 @@ TEST(LinearPieceBatch, AnElementDependsOnItsOwnPieceAlone) {
   });
 }
 
+// Vectors of faint pieces alone and of thin ones alone, and both by turns: few bits depend on the
+// terms that a faint piece leaves out, so that it takes many pieces.
+TEST(LinearPieceBatch, FaintPiecesAreTheSameBesideThinOnes) {
+  Random random;
+  Pieces faint, thin, mixed;
+  for (int i = 0; i < 1 << 17; ++i) {
+    const auto add = [&](double sum, Pieces& alone) {
+      const double b = random.uniform(0, sum);
+      alone.add(b, sum - b);
+      mixed.add(b, sum - b);
+    };
+    add(random.uniform(0.1, 0.1249), faint);
+    add(random.uniform(0.1251, 0.2499), thin);
+  }
+  test::for_each_instruction_set([&](const std::string& name) {
+    for (const Batch batch : {Batch{linear_piece_weights}, Batch{linear_piece_emission},
+                              Batch{linear_piece_mean_color}}) {
+      const auto together = run_batch(batch, mixed.b, mixed.a);
+      const auto faint_alone = run_batch(batch, faint.b, faint.a);
+      const auto thin_alone = run_batch(batch, thin.b, thin.a);
+      for (std::size_t i = 0; i < faint_alone.size(); ++i) {
+        ASSERT_TRUE(same_bits(together[2 * i], faint_alone[i])) << name << " element " << i;
+        ASSERT_TRUE(same_bits(together[2 * i + 1], thin_alone[i])) << name << " element " << i;
+      }
+    }
+  });
+}
+
 // Half the opacity for either end, by every method and where it changes.
 TEST(LinearPieceBatch, MeanColorHasHalfTheOpacityAtEitherEnd) {
   Random random;

@@ -32,25 +32,52 @@ namespace linear_piece_detail {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace series = ::hiac::linear_piece_series;
 
+/// The coefficients of rho, the same in all lanes.
+struct OwnTerms {
+  template <class Kind, std::size_t j, std::size_t k, class D>
+  HWY_INLINE hn::Vec<D> rho(D d) const {
+    return hn::Load(d, Kind::lanes.rho[j][k].data());
+  }
+};
+
+/// The coefficients of rho, without those that a shorter series neglects in the lanes of a mask.
+/// There the result is that of the shorter series to the last bit: Horner's sums begin with zeros,
+/// and adding to zero is exact. Both series have as many terms of S.
+template <class Shorter, class M>
+struct TermsByLane {
+  M shorter;
+
+  template <class Kind, std::size_t j, std::size_t k, class D>
+  HWY_INLINE hn::Vec<D> rho(D d) const {
+    static_assert(Shorter::sinhc_terms() == Kind::sinhc_terms());
+    const auto c = hn::Load(d, Kind::lanes.rho[j][k].data());
+    if constexpr (j < Shorter::delta_terms() && k < Shorter::rho_terms(j)) {
+      return c;
+    } else {
+      return hn::IfThenZeroElse(shorter, c);
+    }
+  }
+};
+
 /// sum_{k' >= k} kRho[j][k'] sigma2^{k' - k} (Horner, unrolled).
-template <class Kind, std::size_t j, std::size_t k, class D, class V>
-HWY_INLINE V rho_row(D d, V sigma2) {
-  const V c = hn::Load(d, Kind::lanes.rho[j][k].data());
+template <class Kind, std::size_t j, std::size_t k, class D, class Terms, class V>
+HWY_INLINE V rho_row(D d, const Terms& terms, V sigma2) {
+  const V c = terms.template rho<Kind, j, k>(d);
   if constexpr (k + 1 == Kind::rho_terms(j)) {
     return c;
   } else {
-    return hn::MulAdd(rho_row<Kind, j, k + 1>(d, sigma2), sigma2, c);
+    return hn::MulAdd(rho_row<Kind, j, k + 1>(d, terms, sigma2), sigma2, c);
   }
 }
 
 /// sum_{j' >= j} delta^{j' - j} rho_row(j').
-template <class Kind, std::size_t j, class D, class V>
-HWY_INLINE V rho_from(D d, V delta, V sigma2) {
-  const V row = rho_row<Kind, j, 0>(d, sigma2);
+template <class Kind, std::size_t j, class D, class Terms, class V>
+HWY_INLINE V rho_from(D d, const Terms& terms, V delta, V sigma2) {
+  const V row = rho_row<Kind, j, 0>(d, terms, sigma2);
   if constexpr (j + 1 == Kind::delta_terms()) {
     return row;
   } else {
-    return hn::MulAdd(rho_from<Kind, j + 1>(d, delta, sigma2), delta, row);
+    return hn::MulAdd(rho_from<Kind, j + 1>(d, terms, delta, sigma2), delta, row);
   }
 }
 
@@ -74,14 +101,14 @@ struct SeriesValues {
   V rho;
 };
 
-template <class Kind, class D, class V>
-HWY_INLINE SeriesValues<V> series_values(D d, V b, V a) {
+template <class Kind, class D, class Terms, class V>
+HWY_INLINE SeriesValues<V> series_values(D d, const Terms& terms, V b, V a) {
   const V quarter = hn::Set(d, 0.25);
   const V sigma = hn::Mul(quarter, hn::Add(a, b));
   const V delta = hn::Mul(quarter, hn::Sub(a, b));
   const V sigma2 = hn::Mul(sigma, sigma);
-  const V kappa = rho_row<Kind, 0, 0>(d, sigma2);
-  const V rho = hn::MulAdd(rho_from<Kind, 1>(d, delta, sigma2), delta, kappa);
+  const V kappa = rho_row<Kind, 0, 0>(d, terms, sigma2);
+  const V rho = hn::MulAdd(rho_from<Kind, 1>(d, terms, delta, sigma2), delta, kappa);
   const V s = sinhc_from<Kind, 0>(d, sigma2);
   const V sinh_sigma = hn::Mul(sigma, s);
   const V sigma2_kappa = hn::Mul(sigma2, kappa);
@@ -97,9 +124,9 @@ HWY_INLINE SeriesValues<V> series_values(D d, V b, V a) {
 
 /// Chromaticity glow: computes linear_piece_weights.
 struct Chromaticity {
-  template <class Kind, class D, class V>
-  static HWY_INLINE PieceWeights<V> evaluate(D d, V b, V a) {
-    const SeriesValues<V> v = series_values<Kind>(d, b, a);
+  template <class Kind, class D, class Terms, class V>
+  static HWY_INLINE PieceWeights<V> evaluate(D d, const Terms& terms, V b, V a) {
+    const SeriesValues<V> v = series_values<Kind>(d, terms, b, a);
     return {hn::Mul(v.h, v.h), hn::Mul(v.h, hn::Add(v.sinh_sigma, v.bend)),
             hn::Mul(v.h, hn::Sub(v.sinh_sigma, v.bend))};
   }
@@ -110,9 +137,9 @@ struct Chromaticity {
 
 /// Emission glow: computes linear_piece_emission.
 struct Emission {
-  template <class Kind, class D, class V>
-  static HWY_INLINE PieceWeights<V> evaluate(D d, V b, V a) {
-    const SeriesValues<V> v = series_values<Kind>(d, b, a);
+  template <class Kind, class D, class Terms, class V>
+  static HWY_INLINE PieceWeights<V> evaluate(D d, const Terms& terms, V b, V a) {
+    const SeriesValues<V> v = series_values<Kind>(d, terms, b, a);
     const V half = hn::Set(d, 0.5);
     const V half_h = hn::Mul(half, v.h);
     const V half_rho = hn::Mul(half, v.rho);
@@ -126,13 +153,13 @@ struct Emission {
 
 /// Chromaticity glow with the piece's mean colour: either end weighs half the opacity.
 struct MeanChromaticity {
-  template <class Kind, class D, class V>
-  static HWY_INLINE PieceWeights<V> evaluate(D d, V b, V a) {
+  template <class Kind, class D, class Terms, class V>
+  static HWY_INLINE PieceWeights<V> evaluate(D d, const Terms& terms, V b, V a) {
     const V sigma = hn::Mul(hn::Set(d, 0.25), hn::Add(a, b));
     const V sigma2 = hn::Mul(sigma, sigma);
     const V s = sinhc_from<Kind, 0>(d, sigma2);
     const V sinh_sigma = hn::Mul(sigma, s);
-    const V cosh_sigma = hn::MulAdd(sigma2, rho_row<Kind, 0, 0>(d, sigma2), s);
+    const V cosh_sigma = hn::MulAdd(sigma2, rho_row<Kind, 0, 0>(d, terms, sigma2), s);
     V h;
     if constexpr (Kind::kSigma <= 0.5) {
       h = hn::Sub(cosh_sigma, sinh_sigma);
@@ -173,6 +200,13 @@ HWY_NOINLINE void evaluate_thick_lanes(D d, V b, V a, double* HWY_RESTRICT out) 
   }
 }
 
+/// Evaluates pieces that are faint or thin, each by its own series.
+template <class Glow, class D, class M, class V>
+HWY_INLINE PieceWeights<V> evaluate_faint_or_thin(D d, M faint, V b, V a) {
+  return Glow::template evaluate<series::ThinSeries>(d, TermsByLane<series::FaintSeries, M>{faint},
+                                                     b, a);
+}
+
 /// Evaluates lanes that need different methods. The result goes through memory (`out`, as above),
 /// so that the caller keeps its vectors in registers in the common case.
 template <class Glow, class D, class V>
@@ -183,12 +217,11 @@ HWY_NOINLINE void evaluate_mixed(D d, V b, V a, double* HWY_RESTRICT out) {
   const auto thin = hn::Le(sigma, hn::Set(d, series::ThinSeries::kSigma));
   const auto moderate = hn::Le(sigma, hn::Set(d, series::ModerateSeries::kSigma));
   const auto thick = hn::Gt(sigma, hn::Set(d, series::MediumSeries::kSigma));
-  PieceWeights<V> w = select(faint, Glow::template evaluate<series::FaintSeries>(d, b, a),
-                             Glow::template evaluate<series::ThinSeries>(d, b, a));
+  PieceWeights<V> w = evaluate_faint_or_thin<Glow>(d, faint, b, a);
   if (!hn::AllTrue(d, thin))
-    w = select(thin, w, Glow::template evaluate<series::ModerateSeries>(d, b, a));
+    w = select(thin, w, Glow::template evaluate<series::ModerateSeries>(d, OwnTerms(), b, a));
   if (!hn::AllTrue(d, moderate))
-    w = select(moderate, w, Glow::template evaluate<series::MediumSeries>(d, b, a));
+    w = select(moderate, w, Glow::template evaluate<series::MediumSeries>(d, OwnTerms(), b, a));
   hn::Store(w.transparency, d, out);
   hn::Store(w.front, d, out + kLanes);
   hn::Store(w.back, d, out + 2 * kLanes);
@@ -200,9 +233,9 @@ HWY_INLINE PieceWeights<V> evaluate(D d, V b, V a) {
   const V sigma = hn::Mul(hn::Set(d, 0.25), hn::Add(a, b));
   const auto faint = hn::Le(sigma, hn::Set(d, series::FaintSeries::kSigma));
   if (HWY_LIKELY(hn::AllTrue(d, faint)))
-    return Glow::template evaluate<series::FaintSeries>(d, b, a);
-  if (hn::AllTrue(d, hn::AndNot(faint, hn::Le(sigma, hn::Set(d, series::ThinSeries::kSigma)))))
-    return Glow::template evaluate<series::ThinSeries>(d, b, a);
+    return Glow::template evaluate<series::FaintSeries>(d, OwnTerms(), b, a);
+  if (hn::AllTrue(d, hn::Le(sigma, hn::Set(d, series::ThinSeries::kSigma))))
+    return evaluate_faint_or_thin<Glow>(d, faint, b, a);
   constexpr std::size_t kLanes = hn::MaxLanes(d);
   HWY_ALIGN double out[3 * kLanes];
   evaluate_mixed<Glow>(d, b, a, out);
