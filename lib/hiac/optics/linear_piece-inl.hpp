@@ -42,7 +42,7 @@ struct OwnTerms {
 
 /// The coefficients of rho, without those that a shorter series neglects in the lanes of a mask.
 /// There the result is that of the shorter series to the last bit: Horner's sums begin with zeros,
-/// and adding to zero is exact. Both series have as many terms of S.
+/// and adding to zero is exact. Both series have the same number of terms of S.
 template <class Shorter, class M>
 struct TermsByLane {
   M shorter;
@@ -207,8 +207,8 @@ HWY_INLINE PieceWeights<V> evaluate_faint_or_thin(D d, M faint, V b, V a) {
                                                      b, a);
 }
 
-/// Evaluates lanes that need different methods. The result goes through memory (`out`, as above),
-/// so that the caller keeps its vectors in registers in the common case.
+/// Evaluates lanes that need different methods; some are more than thin. The result goes through
+/// memory (`out`, as above), so that the caller keeps its vectors in registers in the common case.
 template <class Glow, class D, class V>
 HWY_NOINLINE void evaluate_mixed(D d, V b, V a, double* HWY_RESTRICT out) {
   constexpr std::size_t kLanes = hn::MaxLanes(d);
@@ -217,9 +217,8 @@ HWY_NOINLINE void evaluate_mixed(D d, V b, V a, double* HWY_RESTRICT out) {
   const auto thin = hn::Le(sigma, hn::Set(d, series::ThinSeries::kSigma));
   const auto moderate = hn::Le(sigma, hn::Set(d, series::ModerateSeries::kSigma));
   const auto thick = hn::Gt(sigma, hn::Set(d, series::MediumSeries::kSigma));
-  PieceWeights<V> w = evaluate_faint_or_thin<Glow>(d, faint, b, a);
-  if (!hn::AllTrue(d, thin))
-    w = select(thin, w, Glow::template evaluate<series::ModerateSeries>(d, OwnTerms(), b, a));
+  PieceWeights<V> w = select(thin, evaluate_faint_or_thin<Glow>(d, faint, b, a),
+                             Glow::template evaluate<series::ModerateSeries>(d, OwnTerms(), b, a));
   if (!hn::AllTrue(d, moderate))
     w = select(moderate, w, Glow::template evaluate<series::MediumSeries>(d, OwnTerms(), b, a));
   hn::Store(w.transparency, d, out);

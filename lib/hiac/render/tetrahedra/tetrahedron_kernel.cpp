@@ -165,9 +165,9 @@ class TetrahedronRenderer {
     cut_places_.resize(2 * cuts_.size() * lanes());
   }
 
-  // The radiance of segments of which some pass a breakpoint. It is not inlined, like
-  // integrate_beside_surfaces: the compiler takes longest for this code, and would repeat it
-  // wherever segments are integrated.
+  // The radiance of segments of which some pass a breakpoint. Neither this nor
+  // integrate_beside_surfaces is inlined: their code takes the compiler longest, and would be
+  // repeated wherever segments are integrated.
   HWY_NOINLINE Radiance<V> integrate_across(D d, const CellScalars& scalars, V length,
                                             const EntryAndExit<V>& e, M active) const {
     if constexpr (!std::is_same_v<Rule, ExactChromaticity> && !std::is_same_v<Rule, ExactEmission>)
