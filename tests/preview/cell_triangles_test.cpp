@@ -190,6 +190,36 @@ TEST(CellTriangles, SlabsAddUpToTheTetrahedron) {
   expect_chords({"one thin slab, by rays", false, near, Method::mean_color, kChord});
 }
 
+// Two triangles of an outline meet at the shorter one of its diagonals, whichever is in front, and
+// their own faces are where they are said to be.
+TEST(ProjectedTetrahedron, IsCutAlongTheShorterDiagonal) {
+  std::mt19937_64 random(14);
+  std::uniform_real_distribution<double> any(0, 10);
+  const auto distance2 = [](const ScreenPoint& a, const ScreenPoint& b) {
+    return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
+  };
+  std::array<int, 2> in_front{};
+  for (int i = 0; i < 1000; ++i) {
+    std::array<ScreenPoint, 4> points;
+    std::array<double, 4> depths;
+    for (std::size_t k = 0; k < 4; ++k) {
+      points[k] = {any(random), any(random)};
+      depths[k] = any(random);
+    }
+    const ProjectedTetrahedron shape = project_tetrahedron(points, depths);
+    if (shape.outlines != 2) continue;
+    const auto [a, b, c] = shape.outline[0];
+    const auto d = shape.outline[1][2];
+    ASSERT_EQ(shape.outline[1], (std::array{a, b, d}));
+    ASSERT_LE(distance2(points[a], points[b]), distance2(points[c], points[d]));
+    const auto& of_diagonal = shape.outline_is_front ? shape.front : shape.back;
+    ASSERT_NEAR(of_diagonal[a] + of_diagonal[b], 1, 1e-12);
+    ++in_front[shape.outline_is_front ? 1 : 0];
+  }
+  EXPECT_GT(in_front[0], 200);
+  EXPECT_GT(in_front[1], 200);
+}
+
 // What needs regions, one thing at a time.
 TEST(RecordShape, IsAChordWhereAPixelsRayTellsAll) {
   ZooMesh mesh = test::random_delaunay(50, 3);

@@ -169,6 +169,27 @@ TEST_F(ExactPreview, StepsAndThinShells) {
   }
 }
 
+// Rays that go up and down meet faces on which the field is a step's value, and pass cells in which
+// it is that everywhere: steps are continuous from the right.
+TEST_F(ExactPreview, StepsAtTheValuesOfFaces) {
+  ZooMesh mesh = test::structured(4, test::Cut::tetrahedra);
+  test::add_node_field(mesh, "f", [](const test::Position& p) { return std::min(p[0], 0.5); });
+  test::add_node_field(mesh, "g", [](const test::Position& p) { return p[2] > 0.6 ? 0.5 : p[2]; });
+  for (const char* color : {"f", "g"})
+    for (const double side : {-1.0, 1.0}) {
+      Scene scene = benchmark_scene(Projection::orthographic, 50, 50);
+      scene.camera.eye = {0.5 + 3 * side, 0.3, 0.2 - side};
+      scene.camera.look_at = {0.5, 0.5, 0.5};
+      scene.volume.color->field = std::string(color);
+      scene.volume.color->points = {
+          {0.25, {1, 0, 0}}, {0.25, {0, 1, 0}}, {0.5, {0, 0, 1}}, {0.5, {1, 1, 0}}};
+      scene.volume.extinction->points = {
+          {0, {1}}, {0.25, {5}}, {0.25, {0.5}}, {0.5, {2}}, {0.5, {0.3}}};
+      SCOPED_TRACE(std::string(color) + (side > 0 ? " down" : " up"));
+      expect_close(mesh, scene, kLargest, kRms);
+    }
+}
+
 TEST_F(ExactPreview, FieldsOfCellsAndCorners) {
   ZooMesh mesh = delaunay_with_fields(60, 8);
   std::vector<double> of_cells, of_corners;

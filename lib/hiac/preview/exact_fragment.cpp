@@ -1,7 +1,14 @@
 #include "hiac/preview/exact_shaders.hpp"
+#include "hiac/preview/shader_text.hpp"
 
 namespace hiac::preview {
 namespace {
+
+constexpr const char* kDoubleExtremes = R"(
+double lesser(double a, double b) { return min(a, b); }
+double greater(double a, double b) { return max(a, b); }
+double between(double x, double low, double high) { return clamp(x, low, high); }
+)";
 
 // Where the ray enters and leaves the cell, and the fields there.
 constexpr const char* kFaces = R"(
@@ -35,11 +42,19 @@ real4 meet_faces(vec2 at) {
 #endif
 }
 
-// Limits the segment by a face that may be of any kind: 0 entered, 1 left, 2 beside the ray.
-void limit(int kind, real v, inout real entry, inout real exit) {
-  if (kind == 0) entry = max(entry, v);
-  if (kind == 1) exit = min(exit, -v);
-  if (kind == 2 && v <= real(0)) entry = real(kFarAlong);
+// Takes the side of a face off the number that a record has for all: -1 entered, 1 left, 0 beside
+// the ray.
+float take_side(inout float sides, float weight) {
+  float side = sides > 0.5 * weight ? 1.0 : (sides < -0.5 * weight ? -1.0 : 0.0);
+  sides -= weight * side;
+  return side;
+}
+
+// Limits the segment by a face on any side.
+void limit(float side, real v, inout real entry, inout real exit) {
+  if (side < 0.0) entry = greater(entry, v);
+  if (side > 0.0) exit = lesser(exit, -v);
+  if (side == 0.0 && v <= real(0)) entry = real(kFarAlong);
 }
 
 )";
@@ -60,28 +75,30 @@ void ends_of(int f, vec2 at, real entry, real exit, real front, real back, out r
   last = base + q.w * exit;
 #endif
   vec2 range = f == 0 ? DATA(3).zw : DATA(FIELD_AT(f) + (DOUBLE == 1 ? 2 : 1)).xy;
-  first = clamp(first * front, real(range.x), real(range.y));
-  last = clamp(last * back, real(range.x), real(range.y));
+  first = between(first * front, real(range.x), real(range.y));
+  last = between(last * back, real(range.x), real(range.y));
 }
 
 bool meet(out Segment segment) {
   vec2 at = gl_FragCoord.xy - 0.5 - DATA(2).xy;
   real4 v = meet_faces(at);
-  int kinds = int(DATA(2).w);
+  float sides = DATA(2).w;
   real exit = -v.w;
 #if NEAR
   real entry = -real(kFarAlong);
-  limit(kinds / 9, v.x, entry, exit);
-  kinds %= 9;
+  float side_x = take_side(sides, 9.0);
+  limit(side_x, v.x, entry, exit);
 #else
+  const float side_x = -1.0;
   real entry = v.x;
 #endif
-  limit(kinds % 3, v.y, entry, exit);
-  limit(kinds / 3, v.z, entry, exit);
+  float side_z = take_side(sides, 3.0), side_y = sides;
+  limit(side_y, v.y, entry, exit);
+  limit(side_z, v.z, entry, exit);
 #if SURFACE_FIELDS > 0
   real whole_entry = entry, whole_exit = exit;
-  int all = int(DATA(2).w);
-  int first = slot_of(v, all, entry, 0), last = slot_of(v, all, -exit, 1);
+  vec4 all = vec4(side_x, side_y, side_z, 1.0);
+  int first = slot_of(v, all, entry, -1.0), last = slot_of(v, all, -exit, 1.0);
 #endif
 #if CLIPPED
   entry = max(entry, real(DATA(3).x));
@@ -150,11 +167,11 @@ void main() {
   if (!meet(segment)) discard;
   Walk w;
   begin(w, segment.extinction_front, segment.extinction_back);
-  w.interval = extinction_interval(w.from, w.up);
+  w.interval = extinction_interval(w.from);
 #if SEPARATE
   Walk c;
   begin(c, segment.color_front, segment.color_back);
-  c.interval = color_interval(c.from, c.up);
+  c.interval = color_interval(c.from);
 #endif
   vec3 sum = vec3(0.0);
   float alpha = 0.0, behind = 1.0;
@@ -187,13 +204,12 @@ void main() {
 #define kappa tau
 #endif
     float length = max(float(until - share), 0.0) * whole;
-    float b = max(tau.value + tau.slope * float(w.here - tau.anchor), 0.0) * length;
-    float a = max(tau.value + tau.slope * float(tau_end - tau.anchor), 0.0) * length;
-    vec3 front = kappa.color + kappa.color_slope * float(kappa_here - kappa.anchor);
-    vec3 back = kappa.color + kappa.color_slope * float(kappa_end - kappa.anchor);
-    float f = 1.0;
-    if (a + b > 2.0 * kThin)
-      f = 2.0 * kThin / (b + sqrt(max(b * b + 2.0 * kThin * (a - b), 0.0)));
+    float b = max(tau.value + tau.slope * float(w.here - tau.low), 0.0) * length;
+    float a = max(tau.value + tau.slope * float(tau_end - tau.low), 0.0) * length;
+    vec3 front = kappa.color + kappa.color_slope * float(kappa_here - kappa.low);
+    vec3 back = kappa.color + kappa.color_slope * float(kappa_end - kappa.low);
+    // of the first f of it the optical depth, f (b + (a - b) f / 2), is at most kThin
+    float f = a + b > 2.0 * kThin ? 2.0 * kThin / (b + greater(a, b)) : 1.0;
     float end = b + (a - b) * f;
     Weights weights = weights_of(b * f, end * f);
     vec3 tip = f < 1.0 ? front + (back - front) * f : back;
@@ -237,9 +253,9 @@ std::string exact_fragment_source(const ExactVariant& variant, const DrawnScene&
                        : "#define real float\n#define real4 vec4\n") +
          (scene.optics.emission ? "#define EMISSION 1\n" : "#define EMISSION 0\n") +
          "#define EXTINCTION " + std::to_string(scene.extinction) + "\n#define COLOR " +
-         std::to_string(scene.color) + "\n" + kFaces + surface_fragment_source(variant, scene) +
-         kMeetSegment + exact_integral_source() + transfer_source(variant, scene) + kWalk +
-         kFragmentMain;
+         std::to_string(scene.color) + "\n" + kExtremes + (variant.fine ? kDoubleExtremes : "") +
+         kFaces + surface_fragment_source(variant, scene) + kMeetSegment + exact_integral_source() +
+         transfer_source(variant, scene) + kWalk + kFragmentMain;
 }
 
 }  // namespace hiac::preview

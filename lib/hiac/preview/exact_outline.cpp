@@ -128,6 +128,10 @@ bool outline_of(out vec2 corner[4]) {
         down += 2;
       }
     }
+    // blocks of pixels along the line between two triangles are drawn twice: the shorter diagonal
+    vec2 one = polygon[2] - polygon[0], two = polygon[3] - polygon[1];
+    if (dot(two, two) < dot(one, one))
+      polygon = vec2[](polygon[1], polygon[2], polygon[3], polygon[0]);
   } else {
     int n = 0;  // the one corner of its sign lies inside
     for (int k = 0; k < 4; ++k)

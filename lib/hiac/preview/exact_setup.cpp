@@ -346,8 +346,10 @@ void main() {
   }
   double reach = reach_of();
   vec4 high[3], low[3];
-  int kinds = 0, slot = 0;
-  int power[4] = int[](9, 1, 3, 0);
+  float sides = 0.0;
+  int slot = 0;
+  // of slots that are on one side always the fragment shader is told nothing
+  float weight[4] = float[](NEAR == 1 ? 9.0 : 0.0, 1.0, 3.0, 0.0);
   int slots[4];
   for (int wanted = 0; wanted < 3; ++wanted)
     for (int k = 0; k < 4; ++k) {
@@ -362,12 +364,12 @@ void main() {
         low[c][slot] = rest[c];
       }
       slots[k] = slot;
-      kinds += power[slot] * order;
+      if (order != kBeside) sides += order == kLeft ? weight[slot] : -weight[slot];
       ++slot;
     }
   // counted from the part's corner, so that pixels need no uniform for it: llvmpipe reads one for
   // each of eight pixels apart
-  records[base + 2u] = vec4(vec2(anchor - part.xy), float(t_ref), float(kinds));
+  records[base + 2u] = vec4(vec2(anchor - part.xy), float(t_ref), sides);
   for (int c = 0; c < 3; ++c) {
     records[base + 4u + uint(c)] = high[c];
     records[base + 7u + uint(c)] = low[c];

@@ -90,12 +90,12 @@ float power(double x, float exponent) {
 )";
 
 constexpr const char* kCrossings = R"(
-// The slot of the face of a kind whose limit is v.
-int slot_of(real4 v, int kinds, real limit, int wanted) {
-  if (kinds / 9 == wanted && v.x == limit) return 0;
-  if (kinds % 3 == wanted && v.y == limit) return 1;
-  if ((kinds / 3) % 3 == wanted && v.z == limit) return 2;
-  return wanted == 1 && v.w == limit ? 3 : -1;  // -1: the eye's own plane
+// The slot of the face on a side whose limit is v.
+int slot_of(real4 v, vec4 sides, real limit, float wanted) {
+  if (sides.x == wanted && v.x == limit) return 0;
+  if (sides.y == wanted && v.y == limit) return 1;
+  if (sides.z == wanted && v.z == limit) return 2;
+  return sides.w == wanted && v.w == limit ? 3 : -1;  // -1: the eye's own plane
 }
 
 real on_side(real offset, int side) {

@@ -1,5 +1,7 @@
 #include "hiac/preview/methods/shaders.hpp"
 
+#include "hiac/preview/shader_text.hpp"
+
 namespace hiac::preview {
 namespace {
 
@@ -25,12 +27,14 @@ out vec4 light;
 // 1 - exp(-x) to single precision, also of small x: x is n ln 2 + r with r at most ln 2 / 2, and
 // the polynomial, through Chebyshev's points, is 1 - exp(-r) to a relative error of 2e-8.
 float opacity(float x) {
-  x = x < 87.0 ? x : 87.0;
+  x = lesser(x, 87.0);
   float n = floor(x * 1.44269504 + 0.5);
   float r = x - n * 0.693147181;
   float power = intBitsToFloat((127 - int(n)) << 23);
-  float rest = r * (1.0 - r * (0.5 - r * (0.166665052 - r * (0.0416664649 -
-               r * (0.00836915567 - r * 0.00139336500)))));
+  float square = r * r;  // terms in pairs wait for each other less than one after another
+  float rest = r * ((1.0 - 0.5 * r) +
+                    square * ((0.166665052 - 0.0416664649 * r) +
+                              square * (0.00836915567 - 0.00139336500 * r)));
   return (1.0 - power) + power * rest;
 }
 
@@ -45,7 +49,7 @@ void main() {
   bool outside = any(lessThan(area, LEAST));
   float one = 1.0 / (area.x + area.y + area.z);
   vec3 heights = (area + 1e-20) * STEEP;
-  float height = min(min(heights.x, heights.y), heights.z) * one;
+  float height = lesser(lesser(heights.x, heights.y), heights.z) * one;
 )";
 
 constexpr const char* kValues = R"(
@@ -78,9 +82,10 @@ constexpr const char* kPerspectiveValues = R"(
 constexpr const char* kOfChord = R"(
   float one_end = C_HEAD + one * (area.x * A_HEAD + area.y * B_HEAD);
   float other_end = one_end + height * PEAK_HEAD;
-  vec2 ends = clamp((RANGE - one_end) * RATE, 0.0, height * LENGTH);
-  float along = abs(ends.y - ends.x);
-  float twice = clamp(one_end, RANGE.x, RANGE.y) + clamp(other_end, RANGE.x, RANGE.y);
+  vec2 ends = (RANGE - one_end) * RATE;
+  float whole = height * LENGTH;
+  float along = abs(between(ends.y, 0.0, whole) - between(ends.x, 0.0, whole));
+  float twice = between(one_end, RANGE.x, RANGE.y) + between(other_end, RANGE.x, RANGE.y);
   float depth = along * max(EXTINCTION.x + EXTINCTION.y * twice, 0.0);
   vec3 color = COLOR + COLOR_SLOPE * twice;
 )";
@@ -143,7 +148,7 @@ std::size_t record_attributes(RecordShape shape) { return (shape.floats() + 3) /
 Shaders shaders_of(Method method, Glow glow, RecordShape shape) {
   const bool interpolated = method == Method::interpolated_opacity;
   const std::string head = defines_of(shape);
-  std::string fragment = head + kFragmentHead;
+  std::string fragment = head + kExtremes + kFragmentHead;
   if (shape == kChord)
     fragment += kOfChord;
   else

@@ -3,6 +3,13 @@
 #include <utility>
 
 namespace hiac::preview {
+namespace {
+
+double length2(const ScreenPoint& a, const ScreenPoint& b) {
+  return (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
+}
+
+}  // namespace
 
 ProjectedTetrahedron project_tetrahedron(std::span<const ScreenPoint, 4> points,
                                          std::span<const double, 4> depths) {
@@ -42,15 +49,21 @@ ProjectedTetrahedron project_tetrahedron(std::span<const ScreenPoint, 4> points,
     result.at.x += result.back[k] * points[k].x;
     result.at.y += result.back[k] * points[k].y;
   }
-  // the corners of the outline are those of the larger side, and those of neither
-  const bool of_plus = plus_count > minus_count;
+  // The corners of the outline are those of the larger side, and those of neither. Of two equal
+  // sides those of the shorter diagonal: blocks of pixels along it are drawn with both of its
+  // triangles.
+  const bool two_outlines = plus_count == 2 && minus_count == 2;
+  const bool of_plus = two_outlines ? length2(points[plus[0]], points[plus[1]]) <
+                                          length2(points[minus[0]], points[minus[1]])
+                                    : plus_count > minus_count;
   std::array<std::uint8_t, 4> corners = of_plus ? plus : minus;
   unsigned count = of_plus ? plus_count : minus_count;
   for (std::uint8_t k = 0; k < 4; ++k)
     if (relation[k] == 0) corners[count++] = k;
-  if (plus_count == 2 && minus_count == 2) {
+  if (two_outlines) {
     result.outlines = 2;
-    for (unsigned i = 0; i < 2; ++i) result.outline[i] = {corners[0], corners[1], plus[i]};
+    const std::array<std::uint8_t, 4>& others = of_plus ? minus : plus;
+    for (unsigned i = 0; i < 2; ++i) result.outline[i] = {corners[0], corners[1], others[i]};
   } else {
     result.outlines = 1;
     result.outline[0] = {corners[0], corners[1], corners[2]};
