@@ -63,9 +63,10 @@ float series_rho(float d, float q) {
 // Of a piece whose densities are b at the front and a at the back, (a + b) / 2 <= kThin.
 Weights weights_of(float b, float a) {
   float s = 0.25 * (a + b), d = 0.25 * (a - b), q = s * s;
-  float cosh_s = 1.0 + q * (0.5 + q * (1.0 / 24.0 + q * (1.0 / 720.0)));
   float sinhc = 1.0 + q * (1.0 / 6.0 + q * (1.0 / 120.0 + q * (1.0 / 5040.0)));
-  float even = s * sinhc, h = cosh_s - even;  // exp(-s), of which series are short
+  float even = s * sinhc;
+  // exp(-s) = cosh(s) - sinh(s), with one rounding near 1: rays multiply this of hundreds of cells
+  float h = 1.0 - (even - q * (0.5 + q * (1.0 / 24.0 + q * (1.0 / 720.0))));
   float rho = series_rho(d, q);
 #if EMISSION
   return Weights(h, 0.5 * h * (sinhc + 0.5 * a * rho), 0.5 * h * (sinhc - 0.5 * b * rho));
