@@ -42,8 +42,8 @@ real4 meet_faces(vec2 at) {
 #endif
 }
 
-// Takes the side of a face off the number that a record has for all: -1 entered, 1 left, 0 beside
-// the ray.
+// Returns the side of a face, -1 entered, 1 left, 0 beside the ray, and removes it from `sides`,
+// where the sides of several faces are the digits of a number to base 3.
 float take_side(inout float sides, float weight) {
   float side = sides > 0.5 * weight ? 1.0 : (sides < -0.5 * weight ? -1.0 : 0.0);
   sides -= weight * side;
@@ -208,7 +208,7 @@ void main() {
     float a = max(tau.value + tau.slope * float(tau_end - tau.low), 0.0) * length;
     vec3 front = kappa.color + kappa.color_slope * float(kappa_here - kappa.low);
     vec3 back = kappa.color + kappa.color_slope * float(kappa_end - kappa.low);
-    // of the first f of it the optical depth, f (b + (a - b) f / 2), is at most kThin
+    // the optical depth of the first f of the piece, f (b + (a - b) f / 2), is at most kThin
     float f = a + b > 2.0 * kThin ? 2.0 * kThin / (b + greater(a, b)) : 1.0;
     float end = b + (a - b) * f;
     Weights weights = weights_of(b * f, end * f);

@@ -128,7 +128,7 @@ bool outline_of(out vec2 corner[4]) {
         down += 2;
       }
     }
-    // blocks of pixels along the line between two triangles are drawn twice: the shorter diagonal
+    // Both triangles meet at the shorter diagonal: blocks of pixels along it are drawn twice.
     vec2 one = polygon[2] - polygon[0], two = polygon[3] - polygon[1];
     if (dot(two, two) < dot(one, one))
       polygon = vec2[](polygon[1], polygon[2], polygon[3], polygon[0]);

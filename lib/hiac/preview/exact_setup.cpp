@@ -23,7 +23,8 @@ uniform dvec3 center;           // center_x, center_y, pixels per unit (Projecto
 uniform dvec2 slab;             // near, far (ray parameter)
 uniform ivec4 part;             // corner and size
 
-const int kEntered = 0, kLeft = 1, kBeside = 2;
+// Of a face: the ray enters the cell, passes beside the face, or leaves the cell.
+const int kEntered = -1, kBeside = 0, kLeft = 1;
 // Faces narrower than this share of their length count as edge-on, and shorter ones than kShort
 // where they are narrower than this share of that: the longer a face, the less well its plane is
 // known.
@@ -348,15 +349,14 @@ void main() {
   vec4 high[3], low[3];
   float sides = 0.0;
   int slot = 0;
-  // of slots that are on one side always the fragment shader is told nothing
+  // a face that is always entered or always left needs no digit
   float weight[4] = float[](NEAR == 1 ? 9.0 : 0.0, 1.0, 3.0, 0.0);
   int slots[4];
-  for (int wanted = 0; wanted < 3; ++wanted)
+  for (int wanted = kEntered; wanted <= kLeft; ++wanted)
     for (int k = 0; k < 4; ++k) {
-      int order = wanted == 0 ? kEntered : (wanted == 1 ? kBeside : kLeft);
-      if (kind[k] != order) continue;
+      if (kind[k] != wanted) continue;
       dvec3 p = of_bits(plane[k]);
-      if (order == kLeft) p = -p;
+      if (wanted == kLeft) p = -p;
       float grain = grain_of(p, reach);
       vec3 rest, main_part = split(p, grain, rest);
       for (int c = 0; c < 3; ++c) {
@@ -364,7 +364,7 @@ void main() {
         low[c][slot] = rest[c];
       }
       slots[k] = slot;
-      if (order != kBeside) sides += order == kLeft ? weight[slot] : -weight[slot];
+      sides += weight[slot] * float(wanted);
       ++slot;
     }
   // counted from the part's corner, so that pixels need no uniform for it: llvmpipe reads one for

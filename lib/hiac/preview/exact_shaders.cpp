@@ -65,7 +65,7 @@ Weights weights_of(float b, float a) {
   float s = 0.25 * (a + b), d = 0.25 * (a - b), q = s * s;
   float sinhc = 1.0 + q * (1.0 / 6.0 + q * (1.0 / 120.0 + q * (1.0 / 5040.0)));
   float even = s * sinhc;
-  // exp(-s) = cosh(s) - sinh(s), with one rounding near 1: rays multiply this of hundreds of cells
+  // exp(-s) = cosh(s) - sinh(s), rounded once near 1: a ray multiplies those of hundreds of cells
   float h = 1.0 - (even - q * (0.5 + q * (1.0 / 24.0 + q * (1.0 / 720.0))));
   float rho = series_rho(d, q);
 #if EMISSION

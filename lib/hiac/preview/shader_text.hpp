@@ -2,9 +2,10 @@
 
 namespace hiac::preview {
 
-/// GLSL that several shaders share: the lesser and the greater of two numbers, the second one where
-/// one is NaN. GLSL's min and max say nothing of NaN either, but Mesa's llvmpipe takes two
-/// instructions more for them to be the other number.
+/// GLSL that several shaders share: the lesser and the greater of two numbers, and a number limited
+/// to a range. Where one of two is NaN, the result is the second one. For GLSL's own min and max
+/// Mesa's llvmpipe takes two instructions more, so that the result is never NaN where one is a
+/// number.
 inline constexpr const char* kExtremes = R"(
 float lesser(float a, float b) {
   precise float least = a < b ? a : b;
