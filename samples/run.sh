@@ -9,11 +9,14 @@ build=${HIAC_BUILD_DIR:-$root/build/release}
 picture=${1:-flow.png}
 sample=$root/samples/reactor-pool
 
-"$root/.ci/install"
+"$root/.ci/install" sample
 mkdir -p "$build"
 log=$build/samples-build.log
 echo "building hiac in $build (log: $log)"
-if ! { cmake -S "$root" --preset release -B "$build" -D HIAC_UNITY=ON &&
+# a build that is there already, of tests/run.sh for one, keeps its options
+configure=(cmake "$build")
+[ -f "$build/CMakeCache.txt" ] || configure=(cmake -S "$root" --preset sample -B "$build" -D HIAC_UNITY=ON)
+if ! { "${configure[@]}" &&
        cmake --build "$build" -j "$(nproc)" --target hiac-convert hiac-sort hiac-render; } >"$log" 2>&1
 then
   tail -n 40 "$log" >&2

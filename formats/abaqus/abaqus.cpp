@@ -23,7 +23,7 @@ bool begins_with_keyword(std::string_view head) {
   return false;
 }
 
-ForeignMesh read_file(const std::string& path) {
+ForeignMesh read_abaqus_file(const std::string& path) {
   return abaqus::mesh_of(abaqus::parse_deck(path), path);
 }
 
@@ -39,7 +39,8 @@ Format abaqus_format() {
   format.recognizes = begins_with_keyword;
   format.plausible = [](std::string_view head) { return head.starts_with("**"); };
   format.gzip = true;
-  read_through(format, [](const std::string& path, const ReadOptions&) { return read_file(path); });
+  read_through(format,
+               [](const std::string& path, const ReadOptions&) { return read_abaqus_file(path); });
   return format;
 }
 

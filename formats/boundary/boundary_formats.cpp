@@ -10,11 +10,11 @@
 namespace hiac::formats {
 namespace {
 
-using Writer = std::vector<std::string> (*)(const std::string& path,
-                                            const BoundarySurface& surface);
+using SurfaceWriter = std::vector<std::string> (*)(const std::string& path,
+                                                   const BoundarySurface& surface);
 
 Format boundary_format(std::string_view name, std::string_view extension, std::string_view fields,
-                       Writer writer) {
+                       SurfaceWriter writer) {
   Format format;
   format.name = name;
   format.extensions = {extension};

@@ -129,7 +129,7 @@ class CgnsReader {
   cgns::FieldParts fields_;
 };
 
-ForeignMesh foreign_mesh(const std::string& path) {
+ForeignMesh cgns_mesh(const std::string& path) {
   return read_isolated(path, "the CGNS library",
                        [](const std::string& file) { return CgnsReader(file).read(); });
 }
@@ -146,8 +146,7 @@ Format cgns_format() {
   // the first words of an ADF file
   format.recognizes = [](std::string_view head) { return head.find("ADF Database Version") == 4; };
   format.contains = [](const std::string& path) { return hdf5::model_of(path) == "cgns"; };
-  read_through(format,
-               [](const std::string& path, const ReadOptions&) { return foreign_mesh(path); });
+  read_through(format, [](const std::string& path, const ReadOptions&) { return cgns_mesh(path); });
   return format;
 }
 

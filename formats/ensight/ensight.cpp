@@ -365,7 +365,7 @@ std::set<std::size_t> steps_with_files(const ensight::Variable& variable, const 
   return steps;
 }
 
-ForeignMesh foreign_mesh(const std::string& path, const ReadOptions& options) {
+ForeignMesh ensight_mesh(const std::string& path, const ReadOptions& options) {
   ForeignMesh mesh;
   const ensight::CaseFile parsed = ensight::read_case_file(path);
   mesh.notes = parsed.notes;
@@ -437,7 +437,7 @@ Format ensight_format() {
   format.fields = "node, cell";
   format.time_steps = "several";
   format.recognizes = [](std::string_view head) { return begins_case(head); };
-  read_through(format, foreign_mesh);
+  read_through(format, ensight_mesh);
   return format;
 }
 

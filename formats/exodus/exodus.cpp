@@ -268,7 +268,7 @@ class ExodusReader {
   std::vector<std::uint8_t> uses_;  ///< of every face
 };
 
-ForeignMesh foreign_mesh(const std::string& path, bool of_run) {
+ForeignMesh exodus_mesh(const std::string& path, bool of_run) {
   return read_isolated(path, "the netCDF library", [of_run](const std::string& file) {
     hdf5::require_local_links(file);
     return ExodusReader(file).read(of_run);
@@ -280,7 +280,7 @@ Reading read_run(const std::vector<std::string>& files, const ReadOptions& optio
                  const std::string& path) {
   std::vector<Reading> pieces;
   for (const std::string& file : files) {
-    pieces.push_back(assemble_piece(foreign_mesh(file, true), options, file));
+    pieces.push_back(assemble_piece(exodus_mesh(file, true), options, file));
     if (PieceMarking::is_on()) mark_piece(pieces.back().mesh, pieces.size() - 1);
   }
   complete_fields(pieces, path);  // of blocks that a piece has no cells of
@@ -296,7 +296,7 @@ Reading read_run(const std::vector<std::string>& files, const ReadOptions& optio
 Inventory inspect_run(const std::vector<std::string>& files) {
   Inventory all;
   for (const std::string& file : files) {
-    Inventory piece = inventory_of(foreign_mesh(file, true), "exodus", file);
+    Inventory piece = inventory_of(exodus_mesh(file, true), "exodus", file);
     std::erase_if(piece.fields,
                   [](const FieldSummary& field) { return field.name == kNodeNumbers; });
     if (file == files.front())
@@ -319,9 +319,8 @@ Format exodus_format() {
   format.recognizes = [](std::string_view head) { return exodus::is_classic_netcdf(head); };
   // netCDF-4 files are HDF5 files
   format.contains = [](const std::string& path) { return hdf5::model_of(path) == "exodus"; };
-  read_through(format, [](const std::string& path, const ReadOptions&) {
-    return foreign_mesh(path, false);
-  });
+  read_through(
+      format, [](const std::string& path, const ReadOptions&) { return exodus_mesh(path, false); });
   format.read = [one = format.read](const std::string& path, const ReadOptions& options) {
     const std::vector<std::string> files = exodus::run_pieces(path);
     if (files.size() == 1) return one(path, options);

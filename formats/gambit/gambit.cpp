@@ -222,7 +222,7 @@ class NeuReader {
   std::int64_t boundaries_ = 0;
 };
 
-ForeignMesh read_file(const std::string& path) { return NeuReader(InputText(path)).run(); }
+ForeignMesh read_neutral_file(const std::string& path) { return NeuReader(InputText(path)).run(); }
 
 }  // namespace
 
@@ -238,7 +238,8 @@ Format gambit_format() {
   };
   format.plausible = [](std::string_view head) { return head.find("CONTROL INFO") < 80; };
   format.gzip = true;
-  read_through(format, [](const std::string& path, const ReadOptions&) { return read_file(path); });
+  read_through(format,
+               [](const std::string& path, const ReadOptions&) { return read_neutral_file(path); });
   return format;
 }
 

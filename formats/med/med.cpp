@@ -408,7 +408,7 @@ class MedReader {
   std::map<StepKey, std::size_t> step_of_;
 };
 
-ForeignMesh foreign_mesh(const std::string& path) {
+ForeignMesh med_mesh(const std::string& path) {
   return read_isolated(path, "the HDF5 library",
                        [](const std::string& file) { return MedReader(file).read(); });
 }
@@ -424,8 +424,7 @@ Format med_format() {
   format.time_steps = "several";
   format.recognizes = [](std::string_view) { return false; };
   format.contains = [](const std::string& path) { return hdf5::model_of(path) == "med"; };
-  read_through(format,
-               [](const std::string& path, const ReadOptions&) { return foreign_mesh(path); });
+  read_through(format, [](const std::string& path, const ReadOptions&) { return med_mesh(path); });
   return format;
 }
 

@@ -14,10 +14,10 @@
 namespace hiac::formats {
 namespace {
 
-constexpr std::array<std::uint8_t, 4> kTetrahedron{0, 2, 1, 3};
-constexpr std::array<std::uint8_t, 5> kPyramid{0, 3, 2, 1, 4};
-constexpr std::array<std::uint8_t, 6> kPrism{0, 1, 2, 3, 4, 5};
-constexpr std::array<std::uint8_t, 8> kBrick{0, 3, 2, 1, 4, 7, 6, 5};
+constexpr std::array<std::uint8_t, 4> kNetgenTetrahedron{0, 2, 1, 3};
+constexpr std::array<std::uint8_t, 5> kNetgenPyramid{0, 3, 2, 1, 4};
+constexpr std::array<std::uint8_t, 6> kNetgenPrism{0, 1, 2, 3, 4, 5};
+constexpr std::array<std::uint8_t, 8> kNetgenBrick{0, 3, 2, 1, 4, 7, 6, 5};
 constexpr std::array<ShapeEdge, 6> kTetrahedronEdges{
     {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 constexpr std::array<ShapeEdge, 8> kPyramidEdges{
@@ -40,21 +40,21 @@ constexpr std::array<ShapeEdge, 12> kBrickEdges{{{0, 1},
 CellConversion conversion_of(std::int64_t nodes) {
   switch (nodes) {
     case 4:
-      return ordered_conversion(CellKind::tetrahedron4, kTetrahedron, {});
+      return ordered_conversion(CellKind::tetrahedron4, kNetgenTetrahedron, {});
     case 5:
-      return ordered_conversion(CellKind::pyramid5, kPyramid, {});
+      return ordered_conversion(CellKind::pyramid5, kNetgenPyramid, {});
     case 6:
-      return ordered_conversion(CellKind::prism6, kPrism, {});
+      return ordered_conversion(CellKind::prism6, kNetgenPrism, {});
     case 8:
-      return ordered_conversion(CellKind::brick8, kBrick, {});
+      return ordered_conversion(CellKind::brick8, kNetgenBrick, {});
     case 10:
-      return ordered_conversion(CellKind::tetrahedron10, kTetrahedron, kTetrahedronEdges);
+      return ordered_conversion(CellKind::tetrahedron10, kNetgenTetrahedron, kTetrahedronEdges);
     case 13:
-      return ordered_conversion(CellKind::pyramid13, kPyramid, kPyramidEdges);
+      return ordered_conversion(CellKind::pyramid13, kNetgenPyramid, kPyramidEdges);
     case 15:
-      return ordered_conversion(CellKind::prism15, kPrism, kPrismEdges);
+      return ordered_conversion(CellKind::prism15, kNetgenPrism, kPrismEdges);
     case 20:
-      return ordered_conversion(CellKind::brick20, kBrick, kBrickEdges);
+      return ordered_conversion(CellKind::brick20, kNetgenBrick, kBrickEdges);
     default:
       return {};
   }

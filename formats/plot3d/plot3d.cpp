@@ -94,7 +94,7 @@ void add_blocks(const Grid& grid, const std::string& subject, ForeignMesh& mesh)
     mesh.notes.push_back(fmt::format("left out {} cells that IBLANK hides", hidden_cells));
 }
 
-ForeignMesh foreign_mesh(const std::string& path, const ReadOptions& options) {
+ForeignMesh plot3d_mesh(const std::string& path, const ReadOptions& options) {
   const plot3d::FileSet files = plot3d::files_of(path);
   ForeignMesh mesh;
   std::optional<std::size_t> step;
@@ -128,7 +128,7 @@ Format plot3d_format() {
   format.time_steps = "several (.p3d)";
   format.recognizes = plot3d::may_be_index;
   format.plausible = plot3d::may_be_grid;
-  read_through(format, foreign_mesh);
+  read_through(format, plot3d_mesh);
   return format;
 }
 

@@ -18,7 +18,6 @@
 namespace hiac::formats {
 namespace {
 
-using silo::Block;
 using silo::Owned;
 using silo::Place;
 using silo::Variable;
@@ -93,7 +92,7 @@ class SiloReader {
   std::string subject_;
   std::shared_ptr<silo::SiloFiles> files_;
   ForeignMesh mesh_;
-  std::shared_ptr<std::vector<Block>> blocks_ = std::make_shared<std::vector<Block>>();
+  std::shared_ptr<std::vector<silo::Block>> blocks_ = std::make_shared<std::vector<silo::Block>>();
   std::vector<Variable> variables_;
 };
 

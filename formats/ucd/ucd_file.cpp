@@ -27,13 +27,13 @@ struct UcdType {
   CellConversion mirrored;
 };
 
-constexpr std::array<std::uint8_t, 4> kTetrahedron{0, 1, 3, 2};
-constexpr std::array<std::uint8_t, 5> kPyramid{1, 2, 3, 4, 0};
+constexpr std::array<std::uint8_t, 4> kUcdTetrahedron{0, 1, 3, 2};
+constexpr std::array<std::uint8_t, 5> kUcdPyramid{1, 2, 3, 4, 0};
 constexpr std::array<std::uint8_t, 5> kPyramidMirrored{1, 4, 3, 2, 0};
 // top first in AVS's prism is bottom first in the zoo's, which has the opposite orientation
-constexpr std::array<std::uint8_t, 6> kPrism{0, 1, 2, 3, 4, 5};
+constexpr std::array<std::uint8_t, 6> kUcdPrism{0, 1, 2, 3, 4, 5};
 constexpr std::array<std::uint8_t, 6> kPrismMirrored{0, 2, 1, 3, 5, 4};
-constexpr std::array<std::uint8_t, 8> kBrick{4, 5, 6, 7, 0, 1, 2, 3};
+constexpr std::array<std::uint8_t, 8> kUcdBrick{4, 5, 6, 7, 0, 1, 2, 3};
 
 /// In the order of their numbers in binary files.
 const std::array<UcdType, 8>& types() {
@@ -42,13 +42,13 @@ const std::array<UcdType, 8>& types() {
        {"line", 2, kNoVolume, kNoVolume},
        {"tri", 3, kNoVolume, kNoVolume},
        {"quad", 4, kNoVolume, kNoVolume},
-       {"tet", 4, converted_to(CellKind::tetrahedron4, kTetrahedron),
+       {"tet", 4, converted_to(CellKind::tetrahedron4, kUcdTetrahedron),
         converted_to(CellKind::tetrahedron4, {})},
-       {"pyr", 5, converted_to(CellKind::pyramid5, kPyramid),
+       {"pyr", 5, converted_to(CellKind::pyramid5, kUcdPyramid),
         converted_to(CellKind::pyramid5, kPyramidMirrored)},
-       {"prism", 6, converted_to(CellKind::prism6, kPrism),
+       {"prism", 6, converted_to(CellKind::prism6, kUcdPrism),
         converted_to(CellKind::prism6, kPrismMirrored)},
-       {"hex", 8, converted_to(CellKind::brick8, kBrick), converted_to(CellKind::brick8, {})}}};
+       {"hex", 8, converted_to(CellKind::brick8, kUcdBrick), converted_to(CellKind::brick8, {})}}};
   return table;
 }
 

@@ -17,7 +17,7 @@ namespace hiac::formats {
 namespace {
 
 /// A pyramid's base is 0 3 4 1, its apex 2.
-constexpr std::array<std::uint8_t, 5> kPyramid{0, 3, 4, 1, 2};
+constexpr std::array<std::uint8_t, 5> kUgridPyramid{0, 3, 4, 1, 2};
 
 /// The seven counts: nodes, triangles, quadrilaterals, tetrahedra, pyramids, prisms, hexahedra.
 using Counts = std::array<std::size_t, 7>;
@@ -26,7 +26,7 @@ constexpr std::array<std::size_t, 4> kSolidNodes{4, 5, 6, 8};
 void begin_mesh(ForeignMesh& mesh) {
   mesh.first_node = 1;
   mesh.types = {{"tet", 4, solid_conversion(CellKind::tetrahedron4)},
-                {"pyramid", 5, converted_to(CellKind::pyramid5, kPyramid)},
+                {"pyramid", 5, converted_to(CellKind::pyramid5, kUgridPyramid)},
                 {"prism", 6, solid_conversion(CellKind::prism6)},
                 {"hex", 8, solid_conversion(CellKind::brick8)}};
 }
@@ -147,7 +147,7 @@ bool is_text(std::string_view text) {
   return true;
 }
 
-ForeignMesh read_file(const std::string& path) {
+ForeignMesh read_ugrid_file(const std::string& path) {
   const InputText text(path);
   return is_text(text.text()) ? read_words(text) : read_bytes(text);
 }
@@ -164,7 +164,8 @@ Format ugrid_format() {
   format.recognizes = [](std::string_view) { return false; };
   format.plausible = [](std::string_view) { return true; };
   format.gzip = true;
-  read_through(format, [](const std::string& path, const ReadOptions&) { return read_file(path); });
+  read_through(format,
+               [](const std::string& path, const ReadOptions&) { return read_ugrid_file(path); });
   return format;
 }
 

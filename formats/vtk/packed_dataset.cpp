@@ -44,12 +44,12 @@ std::size_t bytes_of(vtkDataArray& array) {
 
 /// Whether vtkAbstractArray::CreateArray knows an array of such numbers.
 bool is_number_type(int type) {
-  constexpr std::array kTypes{VTK_BIT,           VTK_CHAR,      VTK_SIGNED_CHAR,
-                              VTK_UNSIGNED_CHAR, VTK_SHORT,     VTK_UNSIGNED_SHORT,
-                              VTK_INT,           VTK_LONG,      VTK_UNSIGNED_INT,
-                              VTK_UNSIGNED_LONG, VTK_DOUBLE,    VTK_UNSIGNED_LONG_LONG,
-                              VTK_FLOAT,         VTK_LONG_LONG, VTK_ID_TYPE};
-  return std::ranges::find(kTypes, type) != kTypes.end();
+  constexpr std::array kArrayTypes{VTK_BIT,           VTK_CHAR,      VTK_SIGNED_CHAR,
+                                   VTK_UNSIGNED_CHAR, VTK_SHORT,     VTK_UNSIGNED_SHORT,
+                                   VTK_INT,           VTK_LONG,      VTK_UNSIGNED_INT,
+                                   VTK_UNSIGNED_LONG, VTK_DOUBLE,    VTK_UNSIGNED_LONG_LONG,
+                                   VTK_FLOAT,         VTK_LONG_LONG, VTK_ID_TYPE};
+  return std::ranges::find(kArrayTypes, type) != kArrayTypes.end();
 }
 
 std::string unit_of(vtkAbstractArray& array) {

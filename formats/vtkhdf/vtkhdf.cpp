@@ -288,7 +288,7 @@ ForeignMesh outline(const std::string& path, const ReadOptions& options) {
                        [&](const std::string& file) { return HdfReader(file, options).outline(); });
 }
 
-Reading read_mesh(const std::string& path, const ReadOptions& options) {
+Reading read_vtkhdf(const std::string& path, const ReadOptions& options) {
   const std::size_t parts = outline(path, options).blocks.size();
   std::vector<Reading> pieces;
   for (std::size_t part = 0; part < parts; ++part) {
@@ -299,7 +299,7 @@ Reading read_mesh(const std::string& path, const ReadOptions& options) {
   return merge_pieces(std::move(pieces), path);
 }
 
-Inventory inspect(const std::string& path) {
+Inventory inspect_vtkhdf(const std::string& path) {
   const std::size_t parts = outline(path, {}).blocks.size();
   Inventory all;
   for (std::size_t part = 0; part < parts; ++part) {
@@ -323,8 +323,8 @@ Format vtkhdf_format() {
   format.time_steps = "several";
   format.recognizes = [](std::string_view) { return false; };
   format.contains = [](const std::string& path) { return hdf5::model_of(path) == "vtkhdf"; };
-  format.read = read_mesh;
-  format.inspect = inspect;
+  format.read = read_vtkhdf;
+  format.inspect = inspect_vtkhdf;
   format.write = write_vtkhdf;
   return format;
 }

@@ -98,7 +98,7 @@ class XdmfReader {
   ForeignMesh mesh_;
 };
 
-ForeignMesh foreign_mesh(const std::string& path, const ReadOptions& options) {
+ForeignMesh xdmf_mesh(const std::string& path, const ReadOptions& options) {
   return read_isolated(path, "the HDF5 library",
                        [&](const std::string& file) { return XdmfReader(file, options).read(); });
 }
@@ -115,7 +115,7 @@ Format xdmf_format() {
   format.recognizes = [](std::string_view head) {
     return head.find("<Xdmf") != std::string_view::npos;
   };
-  read_through(format, foreign_mesh);
+  read_through(format, xdmf_mesh);
   return format;
 }
 

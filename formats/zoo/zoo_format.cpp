@@ -17,7 +17,7 @@ Reading read_zoo(const std::string& path, const ReadOptions& options) {
   return reading_of(read_zoo_file(path), options, path);
 }
 
-Inventory inspect(const std::string& path) { return inventory_of(read_zoo_file(path).mesh); }
+Inventory inspect_zoo(const std::string& path) { return inventory_of(read_zoo_file(path).mesh); }
 
 std::vector<std::string> write_zoo(const std::string& path, const ZooMesh& mesh) {
   write_zoo_file(path, {mesh, {}});
@@ -84,7 +84,7 @@ Format zoo_format() {
     return head.starts_with(magic);
   };
   format.read = read_zoo;
-  format.inspect = inspect;
+  format.inspect = inspect_zoo;
   format.write = write_zoo;
   return format;
 }

@@ -24,7 +24,7 @@ vtk::LegacyDataset read_legacy(const std::string& path) {
   return legacy;
 }
 
-Reading read_mesh(const std::string& path, const ReadOptions& options) {
+Reading read_legacy_mesh(const std::string& path, const ReadOptions& options) {
   vtk::LegacyDataset legacy = read_legacy(path);
   Reading reading = vtk::mesh_from_vtk(legacy.dataset, options, path);
   if (!legacy.title.empty() && legacy.title != "vtk output")
@@ -34,7 +34,7 @@ Reading read_mesh(const std::string& path, const ReadOptions& options) {
   return reading;
 }
 
-Inventory inspect(const std::string& path) {
+Inventory inspect_legacy(const std::string& path) {
   vtk::LegacyDataset legacy = read_legacy(path);
   Inventory inventory = vtk::inventory_from_vtk(*legacy.dataset, path);
   inventory.format = "vtk";
@@ -54,8 +54,8 @@ Format vtk_legacy_format() {
   format.recognizes = [](std::string_view head) {
     return head.starts_with("# vtk DataFile Version");
   };
-  format.read = read_mesh;
-  format.inspect = inspect;
+  format.read = read_legacy_mesh;
+  format.inspect = inspect_legacy;
   return format;
 }
 

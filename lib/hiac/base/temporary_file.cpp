@@ -21,8 +21,8 @@ namespace {
 // Names of the temporary files that exist now. A signal handler may only read what is lock-free
 // and may only call what is async-signal-safe: a fixed table of atomic pointers, and unlink. It has
 // places for all files of a parted mesh; those that are not used take no memory.
-constexpr std::size_t kSlots = std::size_t{1} << 17;
-std::array<std::atomic<const char*>, kSlots> open_files{};
+constexpr std::size_t kFileSlots = std::size_t{1} << 17;
+std::array<std::atomic<const char*>, kFileSlots> open_files{};
 std::atomic<std::size_t> highest{0};  // all slots in use are below it
 std::atomic<std::size_t> likely{0};   // where the search for a free one begins
 
@@ -60,15 +60,16 @@ void install_handlers() {
 }
 
 std::size_t claim_slot(const char* name) {
-  for (std::size_t k = 0; k < kSlots; ++k) {
-    const std::size_t i = (likely.load() + k) % kSlots;
+  for (std::size_t k = 0; k < kFileSlots; ++k) {
+    const std::size_t i = (likely.load() + k) % kFileSlots;
     const char* expected = nullptr;
     if (!open_files[i].compare_exchange_strong(expected, name)) continue;
     likely.store(i + 1);
     for (std::size_t most = highest.load(); most <= i;) highest.compare_exchange_weak(most, i + 1);
     return i;
   }
-  return kSlots;  // more files at once than the handler can clean up: still correct without signals
+  return kFileSlots;  // more files at once than the handler can clean up: still correct without
+                      // signals
 }
 
 }  // namespace
@@ -91,7 +92,7 @@ UnbrokenStep::~UnbrokenStep() {
 
 TemporaryFile::TemporaryFile(const std::string& beginning, const std::string& subject,
                              const std::string& ending)
-    : path_(beginning + ".XXXXXX" + ending), slot_(kSlots) {
+    : path_(beginning + ".XXXXXX" + ending), slot_(kFileSlots) {
   install_handlers();
   const UnbrokenStep step;
   const int descriptor = mkostemps(path_.data(), static_cast<int>(ending.size()), O_CLOEXEC);
@@ -113,7 +114,7 @@ void TemporaryFile::keep() {
 }
 
 void TemporaryFile::forget() {
-  if (slot_ == kSlots) return;
+  if (slot_ == kFileSlots) return;
   open_files[slot_].store(nullptr);
   likely.store(slot_);
 }

@@ -67,17 +67,17 @@ int same_way(std::span<const NodeId> a, std::span<const NodeId> b) {
   return same ? 1 : opposite ? -1 : 0;
 }
 
-struct Corners {
+struct FaceCorners {
   std::size_t count;
   std::array<NodeId, 4> nodes;
 
   [[nodiscard]] std::span<const NodeId> view() const { return std::span(nodes).first(count); }
 };
 
-Corners corners_of(const ZooMesh& mesh, CellId cell, std::size_t face) {
+FaceCorners corners_of(const ZooMesh& mesh, CellId cell, std::size_t face) {
   const ShapeFace& shape = topology_of(mesh.kinds[cell]).faces[face];
   const auto nodes = mesh.cell_nodes(cell);
-  Corners corners{shape.corner_count, {}};
+  FaceCorners corners{shape.corner_count, {}};
   for (std::size_t k = 0; k < shape.corner_count; ++k) corners.nodes[k] = nodes[shape.corners[k]];
   return corners;
 }
@@ -103,9 +103,9 @@ bool is_folded(const ZooMesh& mesh, const CellShapes& shapes, CellId cell, std::
                CellId other) {
   const int sides = sign_of(shapes.turns[cell]) * sign_of(shapes.turns[other]);
   if (sides == 0) return false;
-  const Corners here = corners_of(mesh, cell, face);
+  const FaceCorners here = corners_of(mesh, cell, face);
   for (std::size_t f = 0; f < face_count(mesh.kinds[other]); ++f) {
-    Corners there = corners_of(mesh, other, f);
+    FaceCorners there = corners_of(mesh, other, f);
     for (NodeId& node : there.nodes)
       for (const NodeId own : here.nodes)
         if (std::ranges::equal(mesh.position(node), mesh.position(own))) node = own;
@@ -122,7 +122,7 @@ std::vector<FreeFace> free_faces(const ZooMesh& mesh, const FaceAdjacency& adjac
     const auto cell = static_cast<CellId>(i);
     for (std::size_t f = 0; f < numbering.count(cell); ++f) {
       if (adjacency.neighbors[numbering.first(cell) + f] != kNoCell) continue;
-      Corners corners = corners_of(mesh, cell, f);
+      FaceCorners corners = corners_of(mesh, cell, f);
       if (shapes.turns[cell] == Turn::left)
         std::reverse(corners.nodes.begin(),
                      corners.nodes.begin() + static_cast<std::ptrdiff_t>(corners.count));

@@ -9,7 +9,7 @@ namespace {
 
 using enum Severity;
 
-constexpr std::array<DefectDescription, kDefectCount> kDescriptions{
+constexpr std::array<DefectDescription, kDefectCount> kDefects{
     {{"node_index", "cells with a node that is not there", invalid, Offence::cell, ""},
      {"coordinate", "nodes whose coordinates are not finite", invalid, Offence::node, ""},
      {"adjacency", "faces whose stored neighbour is not theirs", invalid, Offence::face, ""},
@@ -44,7 +44,7 @@ constexpr std::array<DefectDescription, kDefectCount> kDescriptions{
 }  // namespace
 
 const DefectDescription& description_of(Defect defect) {
-  return kDescriptions[static_cast<std::size_t>(defect)];
+  return kDefects[static_cast<std::size_t>(defect)];
 }
 
 double Finding::largest() const {

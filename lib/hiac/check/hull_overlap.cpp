@@ -11,14 +11,14 @@
 namespace hiac {
 namespace {
 
-using Triple = std::array<std::uint8_t, 3>;
-using Pair = std::array<std::uint8_t, 2>;
+using NodeTriple = std::array<std::uint8_t, 3>;
+using NodePair = std::array<std::uint8_t, 2>;
 
 // Tables of shapes and of faces -------------------------------------------------------------------
 
 struct Spanning {
-  std::vector<Triple> triples;  // counter-clockwise as seen from outside a right cell
-  std::vector<Pair> pairs;
+  std::vector<NodeTriple> triples;  // counter-clockwise as seen from outside a right cell
+  std::vector<NodePair> pairs;
 };
 
 void add_face(const ShapeFace& face, Spanning& spanning) {
@@ -83,13 +83,13 @@ bool separates(Point3 a, Point3 b, Point3 c, const Hull& first, const Hull& seco
 }
 
 bool separated_by_a_face(const Hull& p, const Hull& q) {
-  return std::ranges::any_of(p.triples, [&](const Triple& t) {
+  return std::ranges::any_of(p.triples, [&](const NodeTriple& t) {
     return separates(p.at(t[0]), p.at(t[1]), p.at(t[2]), q, p);
   });
 }
 
 bool separated_by_an_edge(const Hull& p, const Hull& q) {
-  return std::ranges::any_of(p.pairs, [&](const Pair& e) {
+  return std::ranges::any_of(p.pairs, [&](const NodePair& e) {
     for (std::size_t k = 0; k < q.count; ++k) {
       if (q.corners[k] == p.corners[e[0]] || q.corners[k] == p.corners[e[1]]) continue;
       if (separates(p.at(e[0]), p.at(e[1]), q.at(k), p, q)) return true;
@@ -128,7 +128,7 @@ struct Plane {
 
 // Returns false if a face has no area.
 bool add_planes(const Hull& hull, int turn, double away, std::vector<Plane>& planes) {
-  for (const Triple& t : hull.triples) {
+  for (const NodeTriple& t : hull.triples) {
     const Point3 a = hull.at(t[0]);
     Vector n = cross(minus(hull.at(t[1]), a), minus(hull.at(t[2]), a));
     const double size = length(n) * -turn;
@@ -140,7 +140,7 @@ bool add_planes(const Hull& hull, int turn, double away, std::vector<Plane>& pla
 }
 
 bool is_inside(const Hull& hull, int turn, Point3 x) {
-  return std::ranges::all_of(hull.triples, [&](const Triple& t) {
+  return std::ranges::all_of(hull.triples, [&](const NodeTriple& t) {
     return orientation(hull.at(t[0]), hull.at(t[1]), hull.at(t[2]), x) == -turn;
   });
 }
@@ -187,11 +187,11 @@ bool are_separated(const Hull& p, const Hull& q) {
 double gap_between(const Hull& p, const Hull& q) {
   double gap = -std::numeric_limits<double>::infinity();
   for (const Hull* hull : {&p, &q})
-    for (const Triple& t : hull->triples)
+    for (const NodeTriple& t : hull->triples)
       gap = std::max(gap, gap_across(p, q, minus(hull->at(t[1]), hull->at(t[0])),
                                      minus(hull->at(t[2]), hull->at(t[0]))));
-  for (const Pair& e : p.pairs)
-    for (const Pair& f : q.pairs)
+  for (const NodePair& e : p.pairs)
+    for (const NodePair& f : q.pairs)
       gap = std::max(
           gap, gap_across(p, q, minus(p.at(e[1]), p.at(e[0])), minus(q.at(f[1]), q.at(f[0]))));
   return gap;

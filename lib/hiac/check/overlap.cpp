@@ -175,22 +175,25 @@ Box box_of_cell(const ZooMesh& mesh, CellId cell) {
   return box_of(mesh, cell, mesh.cell_nodes(cell).first(corner_count(mesh.kinds[cell])));
 }
 
-struct Pair {
+struct OverlappingPair {
   CellId a, b;
   CellOverlap found;
 
-  bool operator<(const Pair& other) const { return std::pair(a, b) < std::pair(other.a, other.b); }
+  bool operator<(const OverlappingPair& other) const {
+    return std::pair(a, b) < std::pair(other.a, other.b);
+  }
 };
 
 // Tests a pair and stores it unless the cells do not overlap.
-void keep(const Question& question, CellId a, CellId b, std::vector<Pair>& found) {
+void keep(const Question& question, CellId a, CellId b, std::vector<OverlappingPair>& found) {
   const CellOverlap answer = question.answer(a, b);
   if (answer.overlap != Overlap::none) found.push_back({a, b, answer});
 }
 
 // Tests the cells with a face without neighbour, with the cells that this face may reach.
-std::vector<Pair> overlaps_at_boundary(const ZooMesh& mesh, const std::vector<FreeFace>& faces,
-                                       const Question& question, std::uint64_t& asked) {
+std::vector<OverlappingPair> overlaps_at_boundary(const ZooMesh& mesh,
+                                                  const std::vector<FreeFace>& faces,
+                                                  const Question& question, std::uint64_t& asked) {
   std::vector<Box> boxes(faces.size());
   parallel_for(faces.size(), kOverlapGrain, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i)
@@ -210,13 +213,14 @@ std::vector<Pair> overlaps_at_boundary(const ZooMesh& mesh, const std::vector<Fr
   parallel_sort(candidates, std::less<>());
   candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
   asked = candidates.size();
-  return collect<Pair>(candidates.size(), kOverlapGrain, [&](std::size_t i, auto& found) {
-    keep(question, candidates[i].first, candidates[i].second, found);
-  });
+  return collect<OverlappingPair>(
+      candidates.size(), kOverlapGrain, [&](std::size_t i, auto& found) {
+        keep(question, candidates[i].first, candidates[i].second, found);
+      });
 }
 
-std::vector<Pair> overlaps_everywhere(const ZooMesh& mesh, const Question& question,
-                                      std::uint64_t& asked) {
+std::vector<OverlappingPair> overlaps_everywhere(const ZooMesh& mesh, const Question& question,
+                                                 std::uint64_t& asked) {
   std::vector<Box> boxes(mesh.cell_count());
   parallel_for(boxes.size(), kOverlapGrain, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i)
@@ -224,16 +228,17 @@ std::vector<Pair> overlaps_everywhere(const ZooMesh& mesh, const Question& quest
   });
   const BoxTree tree(std::move(boxes));
   std::atomic<std::uint64_t> count{0};
-  auto pairs = collect<Pair>(mesh.cell_count(), kOverlapGrain, [&](std::size_t i, auto& found) {
-    const auto cell = static_cast<CellId>(i);
-    std::uint64_t here = 0;
-    tree.for_each_meeting(tree.box(cell), [&](std::uint32_t other) {
-      if (other <= cell) return;
-      ++here;
-      keep(question, cell, other, found);
-    });
-    count.fetch_add(here, std::memory_order_relaxed);
-  });
+  auto pairs =
+      collect<OverlappingPair>(mesh.cell_count(), kOverlapGrain, [&](std::size_t i, auto& found) {
+        const auto cell = static_cast<CellId>(i);
+        std::uint64_t here = 0;
+        tree.for_each_meeting(tree.box(cell), [&](std::uint32_t other) {
+          if (other <= cell) return;
+          ++here;
+          keep(question, cell, other, found);
+        });
+        count.fetch_add(here, std::memory_order_relaxed);
+      });
   parallel_sort(pairs, std::less<>());
   asked = count;
   return pairs;
@@ -277,7 +282,7 @@ OverlapReport find_overlaps(const ZooMesh& mesh, const FaceAdjacency& adjacency,
                             const CellShapes& shapes, bool folded, double planarity) {
   const Question question(mesh, shapes, planarity);
   OverlapReport report;
-  std::vector<Pair> pairs;
+  std::vector<OverlappingPair> pairs;
   report.by_boundary = shapes.uniform && !folded;
   if (report.by_boundary) {
     const auto faces = free_faces(mesh, adjacency, FaceNumbering(mesh), shapes);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "hiac/element/field_along_ray.hpp"
+#include "hiac/geometry/vector.hpp"
 
 namespace hiac {
 namespace {
@@ -81,14 +82,6 @@ CellPolynomials::Field field_polynomial(CellKind kind, const CellField& field) {
   for (std::size_t k = 0; k < node_count(kind); ++k) values[k] = field.values[k] - field.values[0];
   return {cube_polynomial(kind, values), field.values[0], field.least, field.most, field.allowed};
 }
-
-using Vector = std::array<double, 3>;
-
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 // Finds the inverse of A and the twist (twisted_pyramid) of a pyramid's map, in which x, y, q and z
 // are u w, v w, u v w and 1 - w.

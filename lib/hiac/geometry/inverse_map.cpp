@@ -120,22 +120,22 @@ double jacobian_scale(CellShape shape, const Point& xi) {
 }
 
 // Roots farther outside the reference cell than this belong to other branches of the map.
-constexpr double kMargin = 1e-3;
+constexpr double kCellMargin = 1e-3;
 
 bool near_reference_cell(CellShape shape, const Point& xi) {
   const auto& [x, y, z] = xi;
-  if (std::min({x, y, z}) < -kMargin) return false;
+  if (std::min({x, y, z}) < -kCellMargin) return false;
   switch (shape) {
     case CellShape::tetrahedron:
-      return x + y + z <= 1 + kMargin;
+      return x + y + z <= 1 + kCellMargin;
     case CellShape::pyramid:
-      return std::max(x, y) + z <= 1 + kMargin;
+      return std::max(x, y) + z <= 1 + kCellMargin;
     case CellShape::prism:
-      return std::max(x + y, z) <= 1 + kMargin;
+      return std::max(x + y, z) <= 1 + kCellMargin;
     case CellShape::wedge:
-      return std::max(y, z) <= 1 + kMargin && x + y + z <= 2 + kMargin;
+      return std::max(y, z) <= 1 + kCellMargin && x + y + z <= 2 + kCellMargin;
     case CellShape::brick:
-      return std::max({x, y, z}) <= 1 + kMargin;
+      return std::max({x, y, z}) <= 1 + kCellMargin;
   }
   return false;
 }

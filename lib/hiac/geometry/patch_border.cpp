@@ -11,7 +11,7 @@ namespace {
 
 // The distance of a curved edge from the ray is sampled at the ends of this many intervals.
 constexpr std::size_t kIntervals = 8;
-constexpr int kMostSteps = 12;
+constexpr int kMostNewtonSteps = 12;
 
 // A point that is closer to the ray than this fraction of `rounding` is not improved.
 constexpr double kOnRay = 0x1p-6;
@@ -59,7 +59,7 @@ EdgePoint point_on_edge(const PatchAndRay& q, std::size_t k, double s) {
 // from s.
 double nearest_from(const PatchAndRay& q, std::size_t k, double s) {
   EdgePoint here = point_on_edge(q, k, s);
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMostNewtonSteps; ++step) {
     const double steep = here.a_along * here.a_along + here.b_along * here.b_along;
     const double next =
         std::clamp(s - (here.a * here.a_along + here.b * here.b_along) / steep, 0.0, 1.0);

@@ -15,7 +15,7 @@ namespace {
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
 // The search covers the domain with this margin, as rounding may move zeros out of the domain.
-constexpr double kMargin = 1e-3;
+constexpr double kDomainMargin = 1e-3;
 // Parts are halved at most this often in each parameter.
 constexpr int kMostHalvings = 26;
 // All parts are examined down to kFewHalvings halvings, but only kMostFineParts of the smaller
@@ -65,7 +65,7 @@ PatchZeros repeated(const PatchZero& zero, int winding) {
 // a zero on their common border, and in agreement with the winding number. The parameters move by
 // J^-1 times the shift.
 double outside_moved(const PatchZeroQuestion& q, const PatchZero& zero) {
-  if (std::abs(zero.outside) > kMargin) return zero.outside;
+  if (std::abs(zero.outside) > kDomainMargin) return zero.outside;
   const double right = 0.25 * q.rounding, down = 0x1p-20 * right;
   const std::size_t n = q.shape.degree;
   const BernsteinValues bu(n, zero.u), bv(n, zero.v);
@@ -255,7 +255,7 @@ class Search {
   }
 
   [[nodiscard]] PatchZeros zeros() {
-    if (std::isfinite(rounding_)) look(widened(a_), widened(b_), -kMargin, -kMargin, 0);
+    if (std::isfinite(rounding_)) look(widened(a_), widened(b_), -kDomainMargin, -kDomainMargin, 0);
     return settled(q_, found_);
   }
 
@@ -282,23 +282,23 @@ class Search {
   }
 
  private:
-  // The coefficients over the square extended by kMargin on every side.
+  // The coefficients over the square extended by kDomainMargin on every side.
   [[nodiscard]] PatchNet<double> widened(PatchNet<double> net) const {
     for (const bool along_v : {false, true}) {
-      net = split(net, n_, along_v, -kMargin).high;
-      net = split(net, n_, along_v, (1 + 2 * kMargin) / (1 + kMargin)).low;
+      net = split(net, n_, along_v, -kDomainMargin).high;
+      net = split(net, n_, along_v, (1 + 2 * kDomainMargin) / (1 + kDomainMargin)).low;
     }
     return net;
   }
 
   [[nodiscard]] static double size_at(int halvings) {
-    return std::ldexp(1 + 2 * kMargin, -halvings);
+    return std::ldexp(1 + 2 * kDomainMargin, -halvings);
   }
 
   void look(const PatchNet<double>& a, const PatchNet<double>& b, double u, double v,
             int halvings) {
     const double size = size_at(halvings);
-    if (shape_.triangle && u + v > 1 + kMargin) return;
+    if (shape_.triangle && u + v > 1 + kDomainMargin) return;
     if (has_one_sign(a, count_, rounding_) || has_one_sign(b, count_, rounding_)) return;
     bool unique = false;
     if (!may_have_zeros(a, b, unique)) return;

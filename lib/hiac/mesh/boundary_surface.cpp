@@ -18,15 +18,15 @@ namespace {
 using Position = std::array<double, 3>;
 using Triangle = std::array<std::uint32_t, 3>;
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNoPoint = std::numeric_limits<std::uint32_t>::max();
 
 // A point of a cell: one of its corners, or where it is in the reference cell.
 struct Place {
   CellId cell;
-  std::uint8_t corner;  // kNoCorner: `xi` says where it is
+  std::uint8_t corner;  // kNotACorner: `xi` says where it is
   Position xi;
 };
-constexpr std::uint8_t kNoCorner = 0xFF;
+constexpr std::uint8_t kNotACorner = 0xFF;
 
 // A point of a face: its corners' weights, of which the sum is a power of four or of two.
 using Weights = std::array<unsigned, 4>;
@@ -70,7 +70,7 @@ double six_volumes(const ZooMesh& mesh, CellId cell) {
 class BoundaryBuilder {
  public:
   BoundaryBuilder(const ZooMesh& mesh, unsigned levels)
-      : mesh_(mesh), n_(1U << levels), point_of_node_(mesh.node_count(), kNone) {
+      : mesh_(mesh), n_(1U << levels), point_of_node_(mesh.node_count(), kNoPoint) {
     keep_visits_ = std::ranges::any_of(
         mesh.fields, [](const Field& f) { return f.location == FieldLocation::corner; });
   }
@@ -160,7 +160,7 @@ class BoundaryBuilder {
 
   // The point of a face with these weights, of which the sum is `sum`.
   std::uint32_t point_at(CellId cell, const ShapeFace& face, const Weights& weights, unsigned sum) {
-    Place place{cell, kNoCorner, {}};
+    Place place{cell, kNotACorner, {}};
     std::array<std::size_t, 4> with_weight{};
     std::size_t count = 0;
     const auto reference = reference_nodes(mesh_.kinds[cell]);
@@ -172,14 +172,14 @@ class BoundaryBuilder {
     }
     const auto nodes = mesh_.cell_nodes(cell);
     const auto node = [&](std::size_t k) { return nodes[face.corners[with_weight[k]]]; };
-    std::uint32_t point = kNone;
+    std::uint32_t point = kNoPoint;
     if (count == 1) {
       place.corner = face.corners[with_weight[0]];
       point = known_or_new(point_of_node_[node(0)], place);
     } else if (count == 2 && node(0) != node(1)) {
       const std::size_t far = node(0) < node(1) ? 1 : 0;
       const EdgePoint edge{node(1 - far), node(far), weights[with_weight[far]] * n_ / sum};
-      point = known_or_new(edge_points_.try_emplace(edge, kNone).first->second, place);
+      point = known_or_new(edge_points_.try_emplace(edge, kNoPoint).first->second, place);
     } else {
       point = known_or_new(point, place);
     }
@@ -188,8 +188,8 @@ class BoundaryBuilder {
   }
 
   std::uint32_t known_or_new(std::uint32_t& known, const Place& place) {
-    if (known != kNone) return known;
-    if (places_.size() == kNone)
+    if (known != kNoPoint) return known;
+    if (places_.size() == kNoPoint)
       throw InputError("mesh", "its boundary has too many points (at most 2^32 - 1 expected)");
     known = static_cast<std::uint32_t>(places_.size());
     places_.push_back(place);
@@ -202,7 +202,7 @@ class BoundaryBuilder {
   void add_interpolated(const Place& place, std::span<const double> values, std::size_t width,
                         const TupleOf& tuple_of, double* sums) const {
     const CellKind kind = mesh_.kinds[place.cell];
-    if (place.corner != kNoCorner) {
+    if (place.corner != kNotACorner) {
       for (std::size_t c = 0; c < width; ++c) sums[c] += values[tuple_of(place.corner) * width + c];
       return;
     }

@@ -14,14 +14,14 @@ namespace hiac {
 namespace {
 
 constexpr std::size_t kZooValidateGrain = 1 << 16;
-constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kNoneBroken = std::numeric_limits<std::size_t>::max();
 
-/// Returns the smallest index below `count` for which `is_broken(index)` holds, or kNone, whatever
-/// the number of threads. `any_broken(range)` is the fast form of the loop.
+/// Returns the smallest index below `count` for which `is_broken(index)` holds, or kNoneBroken,
+/// whatever the number of threads. `any_broken(range)` is the fast form of the loop.
 template <typename AnyBroken, typename IsBroken>
 std::size_t first_broken(std::size_t count, const AnyBroken& any_broken,
                          const IsBroken& is_broken) {
-  std::atomic<std::size_t> first = kNone;
+  std::atomic<std::size_t> first = kNoneBroken;
   parallel_for(count, kZooValidateGrain, [&](IndexRange range) {
     if (range.begin > first.load(std::memory_order_relaxed) || !any_broken(range)) return;
     std::size_t i = range.begin;
@@ -71,7 +71,7 @@ void validate_cells(const ZooMesh& mesh, const std::string& subject) {
   const auto kind_number = [&](std::size_t i) { return static_cast<std::uint8_t>(kinds[i]); };
   const std::size_t bad_kind =
       first_broken(kinds.size(), [&](std::size_t i) { return !is_kind(kind_number(i)); });
-  if (bad_kind != kNone)
+  if (bad_kind != kNoneBroken)
     throw InputError(subject, fmt::format("cell {}: unknown kind (below {} expected, {} found)",
                                           bad_kind, kKindCount, kind_number(bad_kind)));
   if (elems[0] != 0)
@@ -80,7 +80,7 @@ void validate_cells(const ZooMesh& mesh, const std::string& subject) {
   const std::size_t bad_count = first_broken(kinds.size(), [&](std::size_t i) {
     return elems[i + 1] - elems[i] != kNodeCounts[kind_number(i)];
   });
-  if (bad_count != kNone)
+  if (bad_count != kNoneBroken)
     throw InputError(
         subject,
         fmt::format("cell {}: wrong number of nodes ({} expected of a {}, offsets {} to {} "
@@ -99,7 +99,7 @@ void validate_nodes(const ZooMesh& mesh, const std::string& subject) {
   const std::size_t count = mesh.node_count();
   const std::size_t bad_node =
       first_broken(nodes.size(), [&](std::size_t i) { return nodes[i] >= count; });
-  if (bad_node != kNone) {
+  if (bad_node != kNoneBroken) {
     const auto cell =
         std::upper_bound(mesh.elems.begin(), mesh.elems.end(), bad_node) - mesh.elems.begin() - 1;
     throw InputError(subject,
@@ -108,7 +108,7 @@ void validate_nodes(const ZooMesh& mesh, const std::string& subject) {
   }
   const std::size_t bad_number = first_broken(
       xyz.size(), [&](std::size_t i) { return !(std::abs(xyz[i]) <= 0x1.fffffffffffffp1023); });
-  if (bad_number != kNone)
+  if (bad_number != kNoneBroken)
     throw InputError(subject, fmt::format("node {}: coordinate {} is not finite ({} found)",
                                           bad_number / 3, "xyz"[bad_number % 3], xyz[bad_number]));
 }
@@ -142,7 +142,7 @@ void validate_adjacency(const ZooMesh& mesh, const FaceAdjacency& adjacency,
   const std::size_t bad = first_broken(neighbors.size(), [&](std::size_t i) {
     return neighbors[i] != kNoCell && neighbors[i] >= mesh.cell_count();
   });
-  if (bad != kNone)
+  if (bad != kNoneBroken)
     throw InputError(subject, fmt::format("face {}: neighbour out of range (below {} expected, {} "
                                           "found)",
                                           bad, mesh.cell_count(), neighbors[bad]));

@@ -19,7 +19,7 @@ constexpr std::pair<std::string_view, Place> kPlaces[] = {
     {"bottom", Place::bottom},       {"bottom-right", Place::bottom_right}};
 constexpr std::pair<std::string_view, Place> kSides[] = {
     {"left", Place::left}, {"right", Place::right}, {"top", Place::top}, {"bottom", Place::bottom}};
-constexpr std::pair<std::string_view, bool> kScales[] = {{"linear", false}, {"log", true}};
+constexpr std::pair<std::string_view, bool> kBarScales[] = {{"linear", false}, {"log", true}};
 constexpr std::pair<std::string_view, bool> kFormats[] = {{"integer", false}, {"all", true}};
 
 /// A share up to 1 as a number, or pixels as a text such as "24px".
@@ -132,10 +132,10 @@ constexpr SpecKey<ColorBarAnnotation> kColorBarKeys[] = {
        return toml_text(*b.label);
      }},
     {"scale", "\"linear\" or \"log\"; without it that of [volume.color]", false,
-     [](const SpecValue& v, ColorBarAnnotation& b) { b.logarithmic = v.name_of<bool>(kScales); },
+     [](const SpecValue& v, ColorBarAnnotation& b) { b.logarithmic = v.name_of<bool>(kBarScales); },
      [](const ColorBarAnnotation& b) -> Text {
        if (!b.logarithmic) return std::nullopt;
-       return name_text<bool>(kScales, *b.logarithmic);
+       return name_text<bool>(kBarScales, *b.logarithmic);
      }},
 };
 

@@ -43,7 +43,7 @@ QColor shown(const Color& color) {
   return QColor::fromRgbF(part(color[0]), part(color[1]), part(color[2]));
 }
 
-QString number(double value) { return QString::number(value, 'g', 4); }
+QString four_digits(double value) { return QString::number(value, 'g', 4); }
 
 }  // namespace
 
@@ -113,15 +113,15 @@ void DepthCurve::paint_frame(QPainter& painter) const {
                        QPointF(x_at(depth), plot.bottom() + 5));
   painter.setPen(palette().color(QPalette::Text));
   const QRectF below(plot.left(), plot.bottom() + 5, plot.width(), fontMetrics().height());
-  painter.drawText(below, Qt::AlignLeft, number(near_));
+  painter.drawText(below, Qt::AlignLeft, four_digits(near_));
   painter.drawText(below, Qt::AlignHCenter, tr("depth"));
-  painter.drawText(below, Qt::AlignRight, number(far_));
+  painter.drawText(below, Qt::AlignRight, four_digits(far_));
   const QRectF above(plot.left(), 2, plot.width(), fontMetrics().height());
   painter.setPen(kField);
   if (low_ <= high_)  // the ray passes a cell
     painter.drawText(
         above, Qt::AlignLeft,
-        tr("%1: %2 to %3").arg(field_name(pixel_->scene), number(low_), number(high_)));
+        tr("%1: %2 to %3").arg(field_name(pixel_->scene), four_digits(low_), four_digits(high_)));
   painter.setPen(kTransparency);
   painter.drawText(above, Qt::AlignRight, tr("transparency: 0 to 1"));
 }
@@ -186,11 +186,11 @@ QString DepthCurve::tip_at(double x) const {
     return tr("cell %1 (%2)\ndepth %3 to %4 (world units)\n%5: %6 to %7\ntransparency behind: %8")
         .arg(s.cell)
         .arg(QLatin1String(kind.data(), static_cast<qsizetype>(kind.size())))
-        .arg(number(s.front.depth), number(s.back.depth), field_name(pixel_->scene),
-             number(field_of(s.front, pixel_->scene)), number(field_of(s.back, pixel_->scene)),
-             number(s.transparency));
+        .arg(four_digits(s.front.depth), four_digits(s.back.depth), field_name(pixel_->scene),
+             four_digits(field_of(s.front, pixel_->scene)),
+             four_digits(field_of(s.back, pixel_->scene)), four_digits(s.transparency));
   }
-  return tr("depth %1: no cell").arg(number(depth));
+  return tr("depth %1: no cell").arg(four_digits(depth));
 }
 
 bool DepthCurve::event(QEvent* event) {

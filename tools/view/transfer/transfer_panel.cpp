@@ -30,9 +30,9 @@ namespace hiac::view {
 namespace {
 
 /// The slider's ends are a hundredth and a hundred times the density.
-constexpr int kSteps = 200;
+constexpr int kDensitySteps = 200;
 double factor_of(int value) {
-  const double factor = std::pow(10, 2.0 * value / kSteps);
+  const double factor = std::pow(10, 2.0 * value / kDensitySteps);
   return starter::rounded(factor, factor);
 }
 
@@ -136,7 +136,7 @@ QWidget* TransferPanel::make_density() {
   auto* row = new QWidget;
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(0, 0, 0, 0);
-  density_->setRange(-kSteps, kSteps);
+  density_->setRange(-kDensitySteps, kDensitySteps);
   density_->setToolTip(
       tr("Multiplies every extinction, by a hundredth to a hundred; comes back to the middle"));
   density_->setAccessibleName(tr("Density"));

@@ -7,7 +7,9 @@
 namespace hiac::view {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Bindings", text); }
+struct BindingsText {
+  Q_DECLARE_TR_FUNCTIONS(Bindings)
+};
 
 struct GestureName {
   const char* name;
@@ -80,7 +82,7 @@ Bindings::Bindings(QSettings& settings, QStringList& faults) {
     };
     auto found = named(wanted);
     if (found == kGestures.end()) {
-      faults << tr("settings: mouse/%1: expected turn, pan, zoom or roll (found %2)")
+      faults << BindingsText::tr("settings: mouse/%1: expected turn, pan, zoom or roll (found %2)")
                     .arg(name, wanted);
       found = named(QLatin1String(usual.gesture));
     }
@@ -92,7 +94,7 @@ Bindings::Bindings(QSettings& settings, QStringList& faults) {
         settings.value(QLatin1String("keys/") + action, QLatin1String(usual.key)).toString();
     QKeySequence key(wanted);
     if (!wanted.isEmpty() && (key.isEmpty() || key.toString().isEmpty())) {
-      faults << tr("settings: keys/%1: no key is called %2").arg(action, wanted);
+      faults << BindingsText::tr("settings: keys/%1: no key is called %2").arg(action, wanted);
       key = QKeySequence(QLatin1String(usual.key));
     }
     keys_.push_back({action, key});
@@ -116,7 +118,7 @@ std::vector<std::pair<QString, QString>> Bindings::lines() const {
   std::vector<std::pair<QString, QString>> lines;
   for (const Drag& drag : drags_) {
     const auto gesture = std::ranges::find(kGestures, drag.gesture, &GestureName::gesture);
-    lines.emplace_back(drag.name, tr(gesture->text));
+    lines.emplace_back(drag.name, BindingsText::tr(gesture->text));
   }
   return lines;
 }

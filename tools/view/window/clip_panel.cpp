@@ -11,7 +11,7 @@
 namespace hiac::view {
 namespace {
 
-constexpr int kSteps = 1000;
+constexpr int kSliderSteps = 1000;
 
 }  // namespace
 
@@ -23,7 +23,7 @@ ClipPanel::ClipPanel(QWidget* parent)
   const std::array<QString, 2> names{tr("near"), tr("far")};
   for (std::size_t k = 0; k < 2; ++k) {
     sliders_[k] = new QSlider(Qt::Horizontal);
-    sliders_[k]->setRange(0, kSteps);
+    sliders_[k]->setRange(0, kSliderSteps);
     numbers_[k] = new QDoubleSpinBox;
     numbers_[k]->setKeyboardTracking(false);
     numbers_[k]->setMaximumWidth(140);
@@ -50,12 +50,12 @@ ClipPanel::ClipPanel(QWidget* parent)
 }
 
 double ClipPanel::depth_of(int value) const {
-  return std::lerp(depths_[0], depths_[1], static_cast<double>(value) / kSteps);
+  return std::lerp(depths_[0], depths_[1], static_cast<double>(value) / kSliderSteps);
 }
 
 int ClipPanel::value_of(double depth) const {
   const double share = (depth - depths_[0]) / (depths_[1] - depths_[0]);
-  return static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * kSteps));
+  return static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * kSliderSteps));
 }
 
 void ClipPanel::show_camera(const std::optional<Camera>& camera, std::array<double, 2> depths) {

@@ -12,11 +12,11 @@
 namespace hiac {
 namespace {
 
-constexpr std::size_t kSlots = 256;
+constexpr std::size_t kCountedSlots = 256;
 constexpr std::uint64_t kBlock = 512;  // the unit of st_blocks
 
 // What exists now, for whoever counts: descriptors + 1. Few exist at a time.
-std::array<std::atomic<int>, kSlots> counted{};
+std::array<std::atomic<int>, kCountedSlots> counted{};
 
 }  // namespace
 
@@ -24,14 +24,14 @@ SharedMemory::SharedMemory()
     : descriptor_(memfd_create("hiac", MFD_CLOEXEC | MFD_ALLOW_SEALING)), slot_(0) {
   if (descriptor_ < 0) throw std::bad_alloc();
   fcntl(descriptor_, F_ADD_SEALS, F_SEAL_SHRINK);
-  for (; slot_ < kSlots; ++slot_) {
+  for (; slot_ < kCountedSlots; ++slot_) {
     int none = 0;
     if (counted[slot_].compare_exchange_strong(none, descriptor_ + 1)) break;
   }
 }
 
 SharedMemory::~SharedMemory() {
-  if (slot_ < kSlots) counted[slot_] = 0;
+  if (slot_ < kCountedSlots) counted[slot_] = 0;
   close(descriptor_);
 }
 

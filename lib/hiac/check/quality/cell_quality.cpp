@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 
-constexpr std::array<FigureDescription, kFigureCount> kDescriptions{
+constexpr std::array<FigureDescription, kFigureCount> kFigures{
     {{"volume", "volume", ""},
      {"least_dihedral", "least dihedral angle", "degrees"},
      {"largest_dihedral", "largest dihedral angle", "degrees"},
@@ -33,13 +33,13 @@ double determinant(const Vector& u, const Vector& v, const Vector& w) {
 }
 
 // The positions of a cell's corners, relative to the first.
-struct Corners {
+struct CornerVectors {
   CellShape shape;
   std::array<Vector, 8> at{};
 };
 
-Corners corners_of(const ZooMesh& mesh, CellId cell) {
-  Corners corners{shape_of(mesh.kinds[cell]), {}};
+CornerVectors corners_of(const ZooMesh& mesh, CellId cell) {
+  CornerVectors corners{shape_of(mesh.kinds[cell]), {}};
   const auto nodes = mesh.cell_nodes(cell);
   for (std::size_t k = 0; k < topology_of(corners.shape).corner_count; ++k)
     corners.at[k] = minus(mesh.position(nodes[k]), mesh.position(nodes[0]));
@@ -57,7 +57,7 @@ struct Frame {
   }
 };
 
-Frame frame_at(const Corners& cell, std::size_t corner) {
+Frame frame_at(const CornerVectors& cell, std::size_t corner) {
   // the determinant of the edges in the fan's order is negative
   const auto& [a, b, c, none] = corner_fan(cell.shape, corner).neighbors;
   return {{minus(cell.at[a], cell.at[corner]), minus(cell.at[c], cell.at[corner]),
@@ -65,13 +65,13 @@ Frame frame_at(const Corners& cell, std::size_t corner) {
 }
 
 template <typename Visit>
-void for_each_frame(const Corners& cell, const Visit& visit) {
+void for_each_frame(const CornerVectors& cell, const Visit& visit) {
   for (std::size_t corner = 0; corner < topology_of(cell.shape).corner_count; ++corner)
     if (corner_fan(cell.shape, corner).count == 3) visit(corner, frame_at(cell, corner));
 }
 
 // The three vectors between the middles of a brick's opposite faces.
-Frame principal_axes(const Corners& brick) {
+Frame principal_axes(const CornerVectors& brick) {
   Frame frame{};
   constexpr std::array<std::array<std::uint8_t, 4>, 3> kFar{
       {{1, 2, 5, 6}, {2, 3, 6, 7}, {4, 5, 6, 7}}};
@@ -85,8 +85,8 @@ Frame principal_axes(const Corners& brick) {
 
 // Ideal cells -------------------------------------------------------------------------------------
 
-Corners ideal_corners(CellShape shape) {
-  Corners ideal{shape, {}};
+CornerVectors ideal_corners(CellShape shape) {
+  CornerVectors ideal{shape, {}};
   const double third = std::numbers::sqrt3 / 2;
   switch (shape) {
     case CellShape::tetrahedron:
@@ -141,7 +141,7 @@ const IdealCorner& ideal_corner(CellShape shape, std::size_t corner) {
 
 // Figures -----------------------------------------------------------------------------------------
 
-double dihedral(const Corners& cell, int hand, bool largest) {
+double dihedral(const CornerVectors& cell, int hand, bool largest) {
   double found = largest ? 0 : 360;
   const bool convex = cell.shape == CellShape::tetrahedron;
   for (std::size_t corner = 0; corner < topology_of(cell.shape).corner_count; ++corner) {
@@ -165,7 +165,7 @@ double dihedral(const Corners& cell, int hand, bool largest) {
   return found;
 }
 
-double edge_ratio(const Corners& cell) {
+double edge_ratio(const CornerVectors& cell) {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   for (const auto& [a, b] : topology_of(cell.shape).edges) {
     const double here = length(minus(cell.at[a], cell.at[b]));
@@ -175,7 +175,7 @@ double edge_ratio(const Corners& cell) {
   return least > 0 ? most / least : kUndefined;
 }
 
-double area_of_tetrahedron(const Corners& cell) {
+double area_of_tetrahedron(const CornerVectors& cell) {
   double area = 0;
   for (const ShapeFace& face : topology_of(CellShape::tetrahedron).faces) {
     const auto& [a, b, c, none] = face.corners;
@@ -184,7 +184,7 @@ double area_of_tetrahedron(const Corners& cell) {
   return area;
 }
 
-double aspect_ratio(const Corners& cell) {
+double aspect_ratio(const CornerVectors& cell) {
   const double volume = std::abs(determinant(cell.at[1], cell.at[2], cell.at[3])) / 6;
   if (!(volume > 0)) return kUndefined;
   double longest = 0;
@@ -194,7 +194,7 @@ double aspect_ratio(const Corners& cell) {
   return longest / (2 * std::sqrt(6.0) * inscribed);
 }
 
-double radius_ratio(const Corners& cell) {
+double radius_ratio(const CornerVectors& cell) {
   const Vector &a = cell.at[1], &b = cell.at[2], &c = cell.at[3];
   const double det = std::abs(determinant(a, b, c));
   if (!(det > 0)) return kUndefined;
@@ -221,7 +221,7 @@ double condition_of(const Frame& frame, const Matrix& from_ideal, int hand) {
   return norm(u, v, w) * norm(cross(u, v), cross(v, w), cross(w, u)) / (3 * det);
 }
 
-double condition(const Corners& cell, int hand) {
+double condition(const CornerVectors& cell, int hand) {
   double largest = 0;
   for_each_frame(cell, [&](std::size_t corner, const Frame& frame) {
     const double here = condition_of(frame, ideal_corner(cell.shape, corner).inverse, hand);
@@ -230,7 +230,7 @@ double condition(const Corners& cell, int hand) {
   return largest;
 }
 
-double scaled_jacobian(const Corners& cell, int hand) {
+double scaled_jacobian(const CornerVectors& cell, int hand) {
   double least = std::numeric_limits<double>::infinity();
   const auto include = [&](double value) {
     if (!(value >= least)) least = std::isnan(least) ? least : value;
@@ -265,7 +265,7 @@ double jacobian_ratio(const ZooMesh& mesh, CellId cell, int hand) {
 }  // namespace
 
 const FigureDescription& description_of(QualityFigure figure) {
-  return kDescriptions[static_cast<std::size_t>(figure)];
+  return kFigures[static_cast<std::size_t>(figure)];
 }
 
 bool has_figure(CellKind kind, QualityFigure figure) {

@@ -21,9 +21,6 @@ namespace {
 /// Number of lines that are converted at a time: one block of ZIP compression.
 constexpr std::size_t kBlockLines = 16;
 
-/// Up to this size, memory is allocated whatever the file's length.
-constexpr std::uint64_t kHarmlessBytes = std::uint64_t{64} << 20;
-
 /// OpenEXR's output through a FileWriter. Its own stream would lose errors in the last bytes, which
 /// a destructor writes; here the file remembers them and FileWriter::close throws.
 class ExrStream : public Imf::OStream {

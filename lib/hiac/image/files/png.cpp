@@ -15,12 +15,12 @@ namespace {
 
 // libpng reports errors by longjmp. Functions here that call it own nothing that a jump would have
 // to destroy; they return messages in this buffer.
-struct Complaint {
+struct PngComplaint {
   std::array<char, 256> text{};
 };
 
 void complain(png_structp png, png_const_charp message) {
-  auto* complaint = static_cast<Complaint*>(png_get_error_ptr(png));
+  auto* complaint = static_cast<PngComplaint*>(png_get_error_ptr(png));
   std::strncpy(complaint->text.data(), message, complaint->text.size() - 1);
   png_longjmp(png, 1);
 }
@@ -170,7 +170,7 @@ class PngHandle {
 
  private:
   Mode mode_;
-  Complaint complaint_;
+  PngComplaint complaint_;
 };
 
 }  // namespace

@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::uint16_t kSgiMagic = 474;
 constexpr std::size_t kHeaderBytes = 512;
-constexpr std::size_t kLongestRun = 127;
-constexpr std::size_t kMaxSide = 65535;
+constexpr std::size_t kMostRepeats = 127;
+constexpr std::size_t kMaxSgiSide = 65535;
 constexpr std::uint64_t kMaxFileBytes = std::numeric_limits<std::int32_t>::max();
 
 // Writing -----------------------------------------------------------------------------------------
@@ -38,7 +38,7 @@ void append_sample(std::vector<std::uint8_t>& bytes, int depth, std::size_t valu
 /// Returns how many samples from `at` on are equal, up to the longest run.
 std::size_t run_length(std::span<const std::uint16_t> row, std::size_t at) {
   std::size_t length = 1;
-  while (at + length < row.size() && length < kLongestRun && row[at + length] == row[at]) ++length;
+  while (at + length < row.size() && length < kMostRepeats && row[at + length] == row[at]) ++length;
   return length;
 }
 
@@ -54,7 +54,7 @@ void append_row(std::vector<std::uint8_t>& bytes, std::span<const std::uint16_t>
       continue;
     }
     const std::size_t first = at;
-    while (at < row.size() && at - first < kLongestRun && run_length(row, at) < kWorthwhileRun)
+    while (at < row.size() && at - first < kMostRepeats && run_length(row, at) < kWorthwhileRun)
       ++at;
     append_sample(bytes, depth, 0x80 | (at - first));
     for (const std::uint16_t sample : row.subspan(first, at - first))
@@ -165,7 +165,7 @@ void read_samples(const SgiBytes& bytes, SgiHeader& header, const std::string& p
   // a run of 127 samples takes two units of the file. Rows might share their bytes, but such an
   // image is not worth the memory that a malformed file could demand
   require_possible_size(pixels.width * step, rows,
-                        header.is_run_length_encoded ? (kLongestRun + 1) / 2 : 1,
+                        header.is_run_length_encoded ? (kMostRepeats + 1) / 2 : 1,
                         bytes.size() - kHeaderBytes, path);
   pixels.samples.resize(pixels.width * rows);
   std::vector<std::uint16_t> row(pixels.width);
@@ -188,9 +188,9 @@ void read_samples(const SgiBytes& bytes, SgiHeader& header, const std::string& p
 
 void write_sgi(const std::string& path, const Image& image, const WriteOptions& options) {
   const IntegerPixels pixels = encode_integers(path, "SGI", image, options);
-  if (pixels.width > kMaxSide || pixels.height > kMaxSide)
+  if (pixels.width > kMaxSgiSide || pixels.height > kMaxSgiSide)
     throw UsageError(fmt::format("{}: an SGI image has at most {} pixels a side (found {} x {})",
-                                 path, kMaxSide, pixels.width, pixels.height));
+                                 path, kMaxSgiSide, pixels.width, pixels.height));
   const std::size_t rows = pixels.height * pixels.channels;
   std::vector<std::uint8_t> offsets, lengths, packed;
   std::vector<std::uint16_t> row(pixels.width);

@@ -23,12 +23,12 @@ namespace {
 // libtiff's access to files, and its messages ---------------------------------------------------
 
 /// The first error that libtiff reports, on one line.
-struct Complaint {
+struct TiffComplaint {
   std::array<char, 256> text{};
 };
 
 int complain(TIFF*, void* user, const char*, const char* format, va_list arguments) {
-  auto& text = static_cast<Complaint*>(user)->text;
+  auto& text = static_cast<TiffComplaint*>(user)->text;
   if (text.front() != '\0') return 1;
   std::vsnprintf(text.data(), text.size(), format, arguments);
   std::ranges::replace(text, '\n', ' ');
@@ -85,7 +85,7 @@ class Tiff {
   }
 
  private:
-  Complaint complaint_;
+  TiffComplaint complaint_;
   std::unique_ptr<TIFF, void (*)(TIFF*)> tiff_{nullptr, TIFFClose};
 };
 
@@ -185,9 +185,6 @@ void write_floats(const std::string& path, const Image& image, const Attributes&
 
 /// LZW's longest codes represent this many times their own size.
 constexpr std::uint64_t kLargestRatio = 4096;
-/// Up to this size, libtiff may allocate memory whatever the file's length.
-constexpr std::uint64_t kHarmlessBytes = std::uint64_t{64} << 20;
-
 /// Returns whether a compression's decoder needs no more memory than a strip; other compressions
 /// are rarely used for pictures that are data.
 bool is_known_compression(std::uint16_t compression) {

@@ -20,7 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kFormat = "hiac parted mesh";
-constexpr std::uint64_t kVersion = 1;
+constexpr std::uint64_t kPartsVersion = 1;
 /// An index of kMostParts parts with long names has a tenth of it.
 constexpr std::size_t kMostBytes = std::size_t{1} << 28;
 
@@ -185,9 +185,9 @@ PartedIndex read_parted_index(const std::string& path, PartFiles files) {
   if (members.text("format") != kFormat)
     members.fail(
         fmt::format("is not the index of a parted mesh (\"format\": \"{}\" expected)", kFormat));
-  if (const std::uint64_t version = members.count("version"); version != kVersion)
-    members.fail(fmt::format("unknown version of the parted mesh ({} expected, {} found)", kVersion,
-                             version));
+  if (const std::uint64_t version = members.count("version"); version != kPartsVersion)
+    members.fail(fmt::format("unknown version of the parted mesh ({} expected, {} found)",
+                             kPartsVersion, version));
   PartedIndex index{path, members.count("cells"), members.count("nodes"), members.hash("hash"), {}};
   const Json& parts = members.list("parts");
   if (parts.empty() || parts.size() > kMostParts)
@@ -200,8 +200,8 @@ PartedIndex read_parted_index(const std::string& path, PartFiles files) {
 }
 
 std::string text_of(const PartedIndex& index) {
-  Json json{{"format", kFormat},    {"version", kVersion}, {"cells", index.cells},
-            {"nodes", index.nodes}, {"hash", index.hash},  {"parts", Json::array()}};
+  Json json{{"format", kFormat},    {"version", kPartsVersion}, {"cells", index.cells},
+            {"nodes", index.nodes}, {"hash", index.hash},       {"parts", Json::array()}};
   for (const PartInfo& part : index.parts)
     json["parts"].push_back({{"file", part.file},
                              {"cells", part.cells},

@@ -13,7 +13,7 @@ namespace hiac {
 namespace {
 
 // A bound of the rounding error of a product of three differences, relative to their sizes.
-constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
+constexpr double kHullRounding = 64 * std::numeric_limits<double>::epsilon();
 
 Interval range_along(const Vector& normal, std::span<const Vector> points, const Vector& from) {
   Interval range;
@@ -32,7 +32,7 @@ class Parting {
     for (const auto points : {f, g})
       for (const Vector& p : points) reach = std::max(reach, length(minus(p, from_)));
     if (view.perspective) reach = std::max(reach, length(minus(view.eye, from_)));
-    rounding_ = kRounding * reach;
+    rounding_ = kHullRounding * reach;
   }
 
   // Returns whether a plane through the eye and two points has the hulls on different sides.
@@ -67,7 +67,7 @@ class Parting {
     const double zero = rounding_ * size;
     if (g.high > f.low + slack_ * size + zero) return false;
     if (view_.perspective) return dot(normal, minus(view_.eye, from_)) <= f.low + zero;
-    return dot(normal, view_.direction) >= -kRounding * size * length(view_.direction);
+    return dot(normal, view_.direction) >= -kHullRounding * size * length(view_.direction);
   }
 
   std::span<const Vector> f_, g_;

@@ -35,7 +35,7 @@ struct GapFace {
   [[nodiscard]] bool bent() const { return !hull.empty(); }
 };
 
-struct Question {
+struct GapQuestion {
   const OrderBasis& basis;
   const View& view;
   double planarity;
@@ -43,7 +43,7 @@ struct Question {
 };
 
 // Appends a face, unless no ray crosses it in the window.
-void add_face(const Question& q, const Window& window, const UnmatchedFace& face,
+void add_face(const GapQuestion& q, const Window& window, const UnmatchedFace& face,
               std::vector<GapFace>& faces) {
   const auto corners = std::span(face.nodes).first(face.corner_count);
   GapFace gap{};
@@ -79,7 +79,7 @@ void add_bent_face(const Window& window, const UnmatchedFace& face, const BentFa
   }
 }
 
-std::vector<GapFace> faces_in(const Question& q, const Window& window) {
+std::vector<GapFace> faces_in(const GapQuestion& q, const Window& window) {
   const auto& unmatched = q.basis.unmatched;
   return collect<GapFace>(unmatched.size(), kFaceGrain, [&](std::size_t i, auto& faces) {
     if (q.bent[i].hull.empty())
@@ -144,7 +144,7 @@ Overlap overlap_in_window(const GapFace& f, const GapFace& g) {
 
 class PairSearch {
  public:
-  PairSearch(const Question& q, const Window& window)
+  PairSearch(const GapQuestion& q, const Window& window)
       : q_(q), window_(window), faces_(faces_in(q, window)) {}
 
   // Appends the arrows, and returns the number of pairs that were tested.
@@ -225,7 +225,7 @@ class PairSearch {
     return true;
   }
 
-  const Question& q_;
+  const GapQuestion& q_;
   const Window& window_;
   std::vector<GapFace> faces_;
 };
@@ -233,7 +233,7 @@ class PairSearch {
 // Returns the number of pairs of faces that were tested.
 std::uint64_t add_gap_arrows(const OrderBasis& basis, const View& view, double planarity,
                              std::vector<GapArrow>& arrows) {
-  Question question{basis, view, planarity, {}};
+  GapQuestion question{basis, view, planarity, {}};
   question.bent.resize(basis.unmatched.size());
   parallel_for(question.bent.size(), kFaceGrain, [&](IndexRange range) {
     for (std::size_t i = range.begin; i < range.end; ++i)

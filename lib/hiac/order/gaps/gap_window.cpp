@@ -11,7 +11,7 @@ namespace {
 // A bound of the rounding error of a window coordinate, relative to the largest coordinate from
 // which it is computed: one difference, three products and two sums and, along the rays of an
 // orthographic view, the rounding of the window's own axes; twice that in a quotient.
-constexpr double kRounding = 32 * std::numeric_limits<double>::epsilon();
+constexpr double kOutlineRounding = 32 * std::numeric_limits<double>::epsilon();
 
 // Keeps the part of a polygon inside a pyramid, slightly widened.
 void clip(std::vector<Vector>& polygon) {
@@ -66,10 +66,10 @@ bool Window::place_whole(std::span<const Vector> corners, double farthest, Outli
   if (corners.size() == 3) outline.at_x[3] = outline.at_x[2], outline.at_y[3] = outline.at_y[2];
   const double spread = 1 + std::max({std::abs(outline.x.low), std::abs(outline.x.high),
                                       std::abs(outline.y.low), std::abs(outline.y.high)});
-  outline.error = kRounding * farthest / nearest * (view_.perspective ? spread : 1);
+  outline.error = kOutlineRounding * farthest / nearest * (view_.perspective ? spread : 1);
   outline.x.widen(outline.error);
   outline.y.widen(outline.error);
-  outline.depth.widen(kRounding * farthest);
+  outline.depth.widen(kOutlineRounding * farthest);
   return true;
 }
 
@@ -98,7 +98,7 @@ bool Window::place_hull(std::span<const Vector> points, Outline& outline) const 
   }
   if (std::ranges::find(outside, true) != outside.end()) return false;
   depth.low = std::max(depth.low, 0.0);
-  depth.widen(kRounding * farthest);
+  depth.widen(kOutlineRounding * farthest);
   outline = {{-kOpening, kOpening}, {-kOpening, kOpening}, depth, {}, {}, 0};
   return true;
 }

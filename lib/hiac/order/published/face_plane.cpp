@@ -12,10 +12,10 @@ namespace {
 
 // A bound, larger than necessary, of the forward error of a determinant of rounded differences, for
 // the norms below (J. R. Shewchuk, 1997, section 4.3).
-constexpr double kDeterminantError = 8 * std::numeric_limits<double>::epsilon() / 2;
+constexpr double kPlaneError = 8 * std::numeric_limits<double>::epsilon() / 2;
 
 // Times a distance, this is far more than underflow may add to such a determinant.
-constexpr double kUnderflow = std::numeric_limits<double>::min();
+constexpr double kPlaneUnderflow = std::numeric_limits<double>::min();
 
 }  // namespace
 
@@ -37,7 +37,7 @@ FacePlane plane_of_face(const CellCorners& cell, const ShapeFace& face, const Me
   plane.normal = cross(u, v);
   const double u_size = taxicab(u), v_size = taxicab(v);
   plane.size = std::max(u_size, v_size);
-  plane.certain_slope = kDeterminantError * u_size * v_size;
+  plane.certain_slope = kPlaneError * u_size * v_size;
   plane.touching = 4 * scale.rounding * u_size * v_size;
   plane.touching_slope = plane.certain_slope + 4 * scale.rounding * (u_size + v_size);
   for (std::size_t c = 0; c < 3; ++c)
@@ -50,8 +50,8 @@ FacePlane plane_of_face(const CellCorners& cell, const ShapeFace& face, const Me
           std::max(plane.deviation, std::abs(plane.value(minus(corner(k), Point3(plane.point)))));
     plane.touching += plane.deviation;
   }
-  plane.certain = plane.certain_slope * scale.extent + kUnderflow * (scale.extent + 1);
-  plane.apart = plane.touch(scale.extent) + kUnderflow * (scale.extent + 1);
+  plane.certain = plane.certain_slope * scale.extent + kPlaneUnderflow * (scale.extent + 1);
+  plane.apart = plane.touch(scale.extent) + kPlaneUnderflow * (scale.extent + 1);
   return plane;
 }
 

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kRoughOrderGrain = 1 << 13;
 // A bound of a depth's rounding error, relative to the depths and lengths from which it is
 // computed.
-constexpr double kRounding = 1e-13;
+constexpr double kDepthRounding = 1e-13;
 
 // Returns a depth that no point of a cell falls below. A convex cell lies beyond the plane that
 // passes through its nearest corner, across the line from the eye to its centroid.
@@ -40,7 +40,7 @@ double nearest_depth(const ZooMesh& mesh, std::span<const NodeId> corners, const
     for (const double x : p) size = std::max(size, std::abs(x));
   }
   for (const double x : view.eye) size = std::max(size, std::abs(x));
-  nearest -= kRounding * size;
+  nearest -= kDepthRounding * size;
   // nothing is known if the eye is the centroid or coordinates are near the end of the range
   return std::isfinite(nearest) ? nearest : -std::numeric_limits<double>::infinity();
 }

@@ -31,9 +31,9 @@ struct SeenNode {
 };
 
 // A projection plane: three orthogonal axes, the third of which points towards the plane.
-class Window {
+class ProjectionPlane {
  public:
-  Window(const View& view, const Vector& towards, const Vector& origin)
+  ProjectionPlane(const View& view, const Vector& towards, const Vector& origin)
       : axis_(unit(towards)), origin_(origin), perspective_(view.perspective) {
     Vector other{};
     const auto size = [&](std::size_t c) { return std::abs(axis_[c]); };
@@ -100,7 +100,7 @@ class Window {
   std::array<double, 2> middle_{}, half_{1, 1};
 };
 
-std::vector<Window> windows_of(const ZooMesh& mesh, const View& view) {
+std::vector<ProjectionPlane> windows_of(const ZooMesh& mesh, const View& view) {
   const Box box = box_of_nodes(mesh);
   Vector middle{};
   for (std::size_t c = 0; c < 3; ++c) middle[c] = box.low[c] / 2 + box.high[c] / 2;
@@ -108,13 +108,13 @@ std::vector<Window> windows_of(const ZooMesh& mesh, const View& view) {
   if (view.perspective)
     for (std::size_t c = 0; c < 3; ++c) towards[c] = middle[c] - view.eye[c];
   if (towards != Vector{}) {
-    Window window(view, towards, view.perspective ? view.eye : middle);
+    ProjectionPlane window(view, towards, view.perspective ? view.eye : middle);
     if (!view.perspective || window.all_well_before(mesh)) {
       window.fit(mesh);
       return {window};
     }
   }
-  std::vector<Window> sides;
+  std::vector<ProjectionPlane> sides;
   for (std::size_t c = 0; c < 3; ++c)
     for (const double sign : {-1.0, 1.0}) {
       Vector side{};
@@ -166,7 +166,8 @@ bool find_extent(std::span<const NodeId> corners, std::span<const SeenNode> node
   return true;
 }
 
-WindowCells cells_in(const Window& window, const ZooMesh& mesh, std::span<const CellId> cells) {
+WindowCells cells_in(const ProjectionPlane& window, const ZooMesh& mesh,
+                     std::span<const CellId> cells) {
   std::vector<SeenNode> nodes(mesh.node_count());
   parallel_for(nodes.size(), kScreenExtentsGrain, [&](IndexRange range) {
     for (std::size_t node = range.begin; node < range.end; ++node)
@@ -195,7 +196,8 @@ WindowCells cells_in(const Window& window, const ZooMesh& mesh, std::span<const 
 std::vector<WindowCells> screen_extents(const ZooMesh& mesh, const View& view,
                                         std::span<const CellId> cells) {
   std::vector<WindowCells> all;
-  for (const Window& window : windows_of(mesh, view)) all.push_back(cells_in(window, mesh, cells));
+  for (const ProjectionPlane& window : windows_of(mesh, view))
+    all.push_back(cells_in(window, mesh, cells));
   return all;
 }
 
