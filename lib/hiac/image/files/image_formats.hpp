@@ -90,7 +90,7 @@ class FileWriter {
 void require_sane_size(std::uint64_t width, std::uint64_t height, std::uint64_t channels,
                        const std::string& path);
 
-/// Memory that may be allocated whatever the length of a file is.
+/// A reader may allocate this many bytes, however short the file is.
 inline constexpr std::uint64_t kHarmlessBytes = std::uint64_t{64} << 20;
 
 /// Deflate compresses at most by this factor.

@@ -185,6 +185,7 @@ void write_floats(const std::string& path, const Image& image, const Attributes&
 
 /// LZW's longest codes represent this many times their own size.
 constexpr std::uint64_t kLargestRatio = 4096;
+
 /// Returns whether a compression's decoder needs no more memory than a strip; other compressions
 /// are rarely used for pictures that are data.
 bool is_known_compression(std::uint16_t compression) {
