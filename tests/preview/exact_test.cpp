@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <stdexcept>
 
 #include "hiac/frame/projection.hpp"
 #include "tests/preview/preview_support.hpp"
@@ -32,6 +33,15 @@ TEST_F(ExactPreview, BothProjectionsGlowsAndSeparateFields) {
                      (projection == Projection::perspective ? " perspective" : ""));
         expect_close(mesh, scene, kLargest, kRms);
       }
+}
+
+TEST_F(ExactPreview, OtherCellsAreRefused) {
+  for (const test::Cut cut : {test::Cut::bricks, test::Cut::prisms, test::Cut::pyramids}) {
+    ZooMesh mesh = test::structured(2, cut);
+    test::add_node_field(mesh, "f", test::smooth_field);
+    const Scene scene = benchmark_scene(Projection::orthographic, 10, 10);
+    EXPECT_THROW((void)preview_of(mesh, scene), std::invalid_argument);
+  }
 }
 
 // Cameras and meshes anywhere, one transfer function, which shaders are compiled for once.
@@ -111,6 +121,40 @@ TEST_F(ExactPreview, PiecesOfLargeOpticalDepth) {
       SCOPED_TRACE(tau);
       expect_close(mesh, scene, 1e-6, 2e-7);
     }
+}
+
+// The unit cube in that many layers along z, each of six tetrahedra.
+ZooMesh layered(std::size_t layers) {
+  const std::vector<test::Cell> cube = test::cells_of(test::structured(1, test::Cut::tetrahedra));
+  std::vector<test::Position> positions;
+  std::vector<test::Cell> cells;
+  for (std::size_t k = 0; k <= layers; ++k)
+    for (const double y : {0.0, 1.0})
+      for (const double x : {0.0, 1.0})
+        positions.push_back({x, y, static_cast<double>(k) / static_cast<double>(layers)});
+  for (std::size_t k = 0; k < layers; ++k)
+    for (test::Cell cell : cube) {
+      for (NodeId& node : cell.nodes) node += static_cast<NodeId>(4 * k);
+      cells.push_back(cell);
+    }
+  return test::make_mesh(positions, cells);
+}
+
+// Roundings of a cell's transparency and opacity add up, as all cells of a ray are much alike.
+TEST_F(ExactPreview, RaysThroughManyFaintCells) {
+  ZooMesh mesh = layered(150);
+  test::add_node_field(mesh, "f", [](const test::Position& p) { return p[2]; });
+  for (const Glow glow : {Glow::chromaticity, Glow::emission}) {
+    Scene scene = benchmark_scene(Projection::orthographic, 24, 24);
+    scene.volume.glow = glow;
+    scene.volume.color->points = {{0, {1, 0, 0.5}}, {1, {0, 1, 0.5}}};
+    scene.volume.extinction->points = {{0, {0.1}}, {1, {0.3}}};
+    scene.camera.eye = {0.5, 0.5, 3};
+    scene.camera.up = {0, 1, 0};
+    scene.camera.height = 1.2;
+    SCOPED_TRACE(glow == Glow::emission ? "emission" : "chromaticity");
+    expect_close(mesh, scene, 2e-6, kRms);
+  }
 }
 
 // More intervals than shaders choose among: they are looked up in tables.

@@ -216,12 +216,10 @@ void main() {
     vec3 shine = front * weights.front + tip * weights.back;
 #if EMISSION
     shine *= length * f;
-    alpha += behind * (1.0 - weights.root * weights.root);
-#else
-    alpha += behind * (weights.front + weights.back);
 #endif
+    alpha += behind * weights.opacity;
     sum += behind * shine;
-    behind *= weights.root * weights.root;
+    behind *= 1.0 - weights.opacity;
 #if SURFACE_FIELDS > 0
     if (f >= 1.0 && nearest.share <= until) {
       vec4 lit = surface_light(nearest);

@@ -49,7 +49,7 @@ std::string exact_integral_source() {
 const float kThin = 0.5;
 
 struct Weights {
-  float root;  // of the transparency
+  float opacity;
   float front, back;
 };
 
@@ -65,15 +65,16 @@ Weights weights_of(float b, float a) {
   float s = 0.25 * (a + b), d = 0.25 * (a - b), q = s * s;
   float sinhc = 1.0 + q * (1.0 / 6.0 + q * (1.0 / 120.0 + q * (1.0 / 5040.0)));
   float even = s * sinhc;
-  // exp(-s) = cosh(s) - sinh(s), rounded once near 1: a ray multiplies those of hundreds of cells
-  float h = 1.0 - (even - q * (0.5 + q * (1.0 / 24.0 + q * (1.0 / 720.0))));
+  float h = 1.0 - (even - q * (0.5 + q * (1.0 / 24.0 + q * (1.0 / 720.0))));  // exp(-s)
+  // Not as 1 less the transparency: the rounding of 1 would add up over the cells of a ray.
+  float opacity = 2.0 * h * even;
   float rho = series_rho(d, q);
 #if EMISSION
-  return Weights(h, 0.5 * h * (sinhc + 0.5 * a * rho), 0.5 * h * (sinhc - 0.5 * b * rho));
+  return Weights(opacity, 0.5 * h * (sinhc + 0.5 * a * rho), 0.5 * h * (sinhc - 0.5 * b * rho));
 #else
   float kappa = 1.0 / 3.0 + q * (1.0 / 30.0 + q * (1.0 / 840.0));
   float odd = q * kappa - d * rho;
-  return Weights(h, h * (even + odd), h * (even - odd));
+  return Weights(opacity, h * (even + odd), h * (even - odd));
 #endif
 }
 )";

@@ -1,6 +1,7 @@
 #include "hiac/preview/preview.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,12 @@ namespace {
 
 // A target of this size is 256 MiB.
 constexpr std::uint32_t kPartSide = 4096;
+
+const ZooMesh& require_tetrahedra(const ZooMesh& mesh) {
+  if (std::ranges::any_of(mesh.kinds, [](CellKind kind) { return kind != CellKind::tetrahedron4; }))
+    throw std::invalid_argument("a preview draws linear tetrahedra alone: drawn_mesh makes them");
+  return mesh;
+}
 
 void add_background(const Scene& scene, const PixelRect& rect, Image& image) {
   for (std::uint32_t y = 0; y < rect.height; ++y)
@@ -85,7 +92,7 @@ class MethodView {
 
 Preview::Preview(const Context& context, const ZooMesh& mesh, const Scene& scene,
                  const PreviewOptions& options)
-    : state_(std::make_unique<State>(context, mesh, scene, options)) {}
+    : state_(std::make_unique<State>(context, require_tetrahedra(mesh), scene, options)) {}
 
 Preview::~Preview() = default;
 

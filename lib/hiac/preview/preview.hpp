@@ -45,8 +45,9 @@ struct PreviewResult {
 /// Draws previews of one mesh and scene. The camera may change from picture to picture.
 class Preview {
  public:
-  /// The mesh is of linear tetrahedra. Context, mesh and scene have to outlive it. Requires what
-  /// check_renderable lets pass. Throws DriverError, and UsageError as scalar_field does.
+  /// Of a mesh of linear tetrahedra (drawn_mesh). Context, mesh and scene have to outlive it.
+  /// Requires what check_renderable lets pass. Throws DriverError, UsageError as scalar_field does,
+  /// and std::invalid_argument for other cells.
   Preview(const Context& context, const ZooMesh& mesh, const Scene& scene,
           const PreviewOptions& options = {});
   ~Preview();
