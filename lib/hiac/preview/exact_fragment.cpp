@@ -17,7 +17,7 @@ uniform vec3 rays;  // center_x, center_y less the part's corner, 1 / pixels per
 layout(std430, binding = 4) readonly buffer Records { vec4 records[]; };
 flat in uint row;
 #else
-flat in vec4 data[RECORD - 2];
+flat in vec4 data[RECORD];
 #endif
 out vec4 light;
 
@@ -31,12 +31,12 @@ struct Segment {
 
 // d of the four faces at the pixel: entered ones, less those that are left.
 real4 meet_faces(vec2 at) {
-  precise vec4 coarse = DATA(4) + DATA(5) * at.x + DATA(6) * at.y;
+  precise vec4 coarse = DATA(2) + DATA(3) * at.x + DATA(4) * at.y;
 #if DOUBLE
-  return dvec4(coarse) + (dvec4(DATA(7)) + dvec4(DATA(8)) * double(at.x) +
-                               dvec4(DATA(9)) * double(at.y));
+  return dvec4(coarse) + (dvec4(DATA(5)) + dvec4(DATA(6)) * double(at.x) +
+                               dvec4(DATA(7)) * double(at.y));
 #else
-  precise vec4 rest = DATA(7) + DATA(8) * at.x + DATA(9) * at.y;
+  precise vec4 rest = DATA(5) + DATA(6) * at.x + DATA(7) * at.y;
   precise vec4 all = coarse + rest;
   return all;
 #endif
@@ -74,15 +74,15 @@ void ends_of(int f, vec2 at, real entry, real exit, real front, real back, out r
   first = base + q.w * entry;
   last = base + q.w * exit;
 #endif
-  vec2 range = f == 0 ? DATA(3).zw : DATA(FIELD_AT(f) + (DOUBLE == 1 ? 2 : 1)).xy;
+  vec2 range = f == 0 ? DATA(1).zw : DATA(FIELD_AT(f) + (DOUBLE == 1 ? 2 : 1)).xy;
   first = between(first * front, real(range.x), real(range.y));
   last = between(last * back, real(range.x), real(range.y));
 }
 
 bool meet(out Segment segment) {
-  vec2 at = gl_FragCoord.xy - 0.5 - DATA(2).xy;
+  vec2 at = gl_FragCoord.xy - 0.5 - DATA(0).xy;
   real4 v = meet_faces(at);
-  float sides = DATA(2).w;
+  float sides = DATA(0).w;
   real exit = -v.w;
 #if NEAR
   real entry = -real(kFarAlong);
@@ -101,8 +101,8 @@ bool meet(out Segment segment) {
   int first = slot_of(v, all, entry, -1.0), last = slot_of(v, all, -exit, 1.0);
 #endif
 #if CLIPPED
-  entry = max(entry, real(DATA(3).x));
-  exit = min(exit, real(DATA(3).y));
+  entry = max(entry, real(DATA(1).x));
+  exit = min(exit, real(DATA(1).y));
 #endif
   if (!(entry < exit)) return false;
 #if SURFACE_FIELDS > 0
@@ -112,7 +112,7 @@ bool meet(out Segment segment) {
 #if PERSPECTIVE
   real front = real(1) / (real(1) - entry), back = real(1) / (real(1) - exit);
   vec2 slopes = (gl_FragCoord.xy - rays.xy) * rays.z;
-  segment.length *= real(DATA(2).z * sqrt(1.0 + dot(slopes, slopes))) * front * back;
+  segment.length *= real(DATA(0).z * sqrt(1.0 + dot(slopes, slopes))) * front * back;
 #else
   const real front = real(1), back = real(1);
 #endif

@@ -15,7 +15,8 @@ namespace {
 
 // Cells whose records are made, and drawn, at a time: more only costs memory.
 constexpr std::size_t kMostCells = std::size_t{1} << 16;
-constexpr GLuint kGroup = 64;  // invocations, as the compute shader says
+constexpr std::size_t kOutlineBytes = 8 * sizeof(float);  // of a cell
+constexpr GLuint kGroup = 64;                             // invocations, as the compute shader says
 
 struct DeviceNode {
   double x, y, depth;
@@ -71,7 +72,7 @@ ExactPainter::ExactPainter(const Context& context, const ZooMesh& mesh, const Dr
   variant_.fields = scene.fields.size();
   GLint components = 0;
   glGetIntegerv(GL_MAX_FRAGMENT_INPUT_COMPONENTS, &components);
-  variant_.stored = 4 * (variant_.record() - 2) > static_cast<std::size_t>(components);
+  variant_.stored = 4 * variant_.record() > static_cast<std::size_t>(components);
   std::vector<double> values;
   for (const DrawnField& field : scene.fields) {
     field_layouts_.push_back(static_cast<std::uint32_t>(values.size()));
@@ -85,15 +86,35 @@ ExactPainter::ExactPainter(const Context& context, const ZooMesh& mesh, const Dr
   require_room(context, surfaces.size() * sizeof(DeviceSurface), "the isosurfaces");
   surfaces_.set(std::span<const DeviceSurface>(surfaces));
   const std::size_t record = variant_.record() * 4 * sizeof(float);
-  chunk_ = std::min(kMostCells, context.limits().storage_block_bytes / record);
-  chunk_ = std::max<std::size_t>(std::min(chunk_, mesh.cell_count()), 1);
-  records_.reserve(chunk_ * record);
+  // and one more: the last cell's other vertices are given what follows its record (set_layout)
+  const std::size_t most =
+      std::max<std::size_t>(context.limits().storage_block_bytes / record, 2) - 1;
+  chunk_ = std::clamp<std::size_t>(mesh.cell_count(), 1, std::min(kMostCells, most));
+  records_.reserve((chunk_ + 1) * record);
+  outlines_.reserve(chunk_ * kOutlineBytes);
+  set_layout();
   std::vector<std::uint32_t> indices;
   for (std::uint32_t cell = 0; cell < chunk_; ++cell)
     for (const std::uint32_t k : {0U, 1U, 2U, 0U, 2U, 3U}) indices.push_back(4 * cell + k);
   indices_.set(std::span<const std::uint32_t>(indices));
   upload_tables();
   context.check("copying the mesh to the device");
+}
+
+// A quarter of a record a vertex: a cell's first vertex begins where its record does.
+void ExactPainter::set_layout() {
+  const GLuint name = layout_.get();
+  const auto record = static_cast<GLsizei>(variant_.record() * 4 * sizeof(float));
+  glVertexArrayVertexBuffer(name, 0, outlines_.get(), 0, kOutlineBytes / 4);
+  glVertexArrayVertexBuffer(name, 1, records_.get(), 0, record / 4);
+  const auto add = [&](GLuint at, GLuint binding, GLint size, std::size_t offset) {
+    glEnableVertexArrayAttrib(name, at);
+    glVertexArrayAttribFormat(name, at, size, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
+    glVertexArrayAttribBinding(name, at, binding);
+  };
+  add(0, 0, 2, 0);
+  for (GLuint k = 0; !variant_.stored && k < variant_.attributes(); ++k)
+    add(1 + k, 1, 4, k * 4 * sizeof(float));
 }
 
 void ExactPainter::upload_tables() {
@@ -197,15 +218,16 @@ void ExactPainter::draw_chunk(std::span<const CellId> cells) {
   corners_.set(std::span<const NodeId>(chunk_corners_));
   numbers_.set(cells);
   if (variant_.surface_fields > 0) set_closed_faces(cells);
-  const std::array<GLuint, 7> buffers{nodes_.get(),   corners_.get(), numbers_.get(), values_.get(),
-                                      records_.get(), closed_.get(),  surfaces_.get()};
+  const std::array<GLuint, 8> buffers{nodes_.get(),    corners_.get(), numbers_.get(),
+                                      values_.get(),   records_.get(), closed_.get(),
+                                      surfaces_.get(), outlines_.get()};
   for (GLuint k = 0; k < buffers.size(); ++k)
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, k, buffers[k]);
   const auto count = static_cast<GLuint>(cells.size());
   glProgramUniform1ui(setup_.get(), place_of(setup_, "cell_count"), count);
   glUseProgram(setup_.get());
   glDispatchCompute((count + kGroup - 1) / kGroup, 1, 1);
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
   glUseProgram(program_.get());
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(6 * count), GL_UNSIGNED_INT, nullptr);
 }

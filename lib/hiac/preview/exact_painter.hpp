@@ -36,6 +36,7 @@ class ExactPainter {
 
  private:
   void compile();
+  void set_layout();
   void upload_tables();
   void set_part(const PixelRect& part);
   void set_closed_faces(std::span<const CellId> cells);
@@ -47,7 +48,7 @@ class ExactPainter {
   ExactVariant variant_;
   std::optional<ExactVariant> compiled_;
   ProgramName setup_, program_;
-  Buffer nodes_, values_, corners_, numbers_, records_, closed_, surfaces_, indices_;
+  Buffer nodes_, values_, corners_, numbers_, records_, outlines_, closed_, surfaces_, indices_;
   std::vector<Buffer> tables_;  // of transfer functions, and textures of these
   std::vector<TextureName> table_textures_;
   std::array<double, 3> rays_{};  // the picture's centre, pixels; one over the pixels per unit

@@ -17,6 +17,7 @@ layout(std430, binding = 1) readonly buffer Cells { uvec4 cells[]; };
 layout(std430, binding = 2) readonly buffer Numbers { uint numbers[]; };
 layout(std430, binding = 3) readonly buffer Values { double values[]; };
 layout(std430, binding = 4) writeonly buffer Records { vec4 records[]; };
+layout(std430, binding = 7) writeonly buffer Outlines { vec4 outlines[]; };  // two a cell: (x, y) four times
 uniform uint cell_count;
 uniform uvec2 layouts[FIELDS];  // of a field: where its values begin; 0 by node, 1 by cell, 2 by corner
 uniform dvec3 center;           // center_x, center_y, pixels per unit (Projector::Axes)
@@ -339,12 +340,12 @@ void main() {
     measure();
     drawn = bound(plane, kind) && outline_of(outline);
   }
-  records[base] = vec4(outline[0], outline[1]);
-  records[base + 1u] = vec4(outline[2], outline[3]);
-  if (!drawn) {
-    for (int k = 2; k < RECORD; ++k) records[base + uint(k)] = vec4(0.0);
-    return;
-  }
+  // counted from the part's corner, as in the record: pixels need no uniform for it, which llvmpipe
+  // reads for each of eight pixels apart
+  vec2 from = vec2(anchor - part.xy), zero = from + 0.5;
+  outlines[2u * i] = drawn ? vec4(outline[0] + zero, outline[1] + zero) : vec4(0.0);
+  outlines[2u * i + 1u] = drawn ? vec4(outline[2] + zero, outline[3] + zero) : vec4(0.0);
+  if (!drawn) return;
   double reach = reach_of();
   vec4 high[3], low[3];
   float sides = 0.0;
@@ -367,12 +368,10 @@ void main() {
       sides += weight[slot] * float(wanted);
       ++slot;
     }
-  // counted from the part's corner, so that pixels need no uniform for it: llvmpipe reads one for
-  // each of eight pixels apart
-  records[base + 2u] = vec4(vec2(anchor - part.xy), float(t_ref), sides);
+  records[base] = vec4(from, float(t_ref), sides);
   for (int c = 0; c < 3; ++c) {
-    records[base + 4u + uint(c)] = high[c];
-    records[base + 7u + uint(c)] = low[c];
+    records[base + 2u + uint(c)] = high[c];
+    records[base + 5u + uint(c)] = low[c];
   }
 #if PERSPECTIVE
   vec2 clip = vec2(slab.x > 0.0lf ? 1.0lf - t_ref / slab.x : -1e9lf, 1.0lf - t_ref / slab.y);
@@ -391,7 +390,7 @@ void main() {
     uint to = base + uint(FIELD_AT(f));
     records[to] = vec4(q);
     if (f == 0)
-      records[base + 3u] = vec4(clip, vec2(range));
+      records[base + 1u] = vec4(clip, vec2(range));
     else
       records[to + (DOUBLE == 1 ? 2u : 1u)] = vec4(vec2(range), 0.0, 0.0);
 #if DOUBLE

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -25,12 +26,15 @@ struct ExactVariant {
   /// A cell's record is a row of vectors of four floats. Where a field begins in it: its function
   /// of the place, what that is more in double precision, and its range (the first's is elsewhere).
   [[nodiscard]] std::size_t field_at(std::size_t field) const {
-    return 10 + field * (fine ? 3U : 2U) - (field > 0 ? 1U : 0U);
+    return 8 + field * (fine ? 3U : 2U) - (field > 0 ? 1U : 0U);
   }
   /// Behind the fields, four vectors for each field with isosurfaces: their normal, what that is
   /// more in double precision, and for every
   /// face how many of them it is not below, and how many it reaches above.
   [[nodiscard]] std::size_t record() const { return field_at(fields) + 4 * surface_fields; }
+  /// Vectors of the record that are attributes of vertices; a driver has 16 of these at least, and
+  /// the outline is one.
+  [[nodiscard]] std::size_t attributes() const { return std::min<std::size_t>(record(), 15); }
 
   bool operator==(const ExactVariant&) const = default;
 };
