@@ -10,6 +10,7 @@
 #include "hiac/image/display_bytes.hpp"
 #include "hiac/scene/camera_motion.hpp"
 #include "hiac/session/coarse_scene.hpp"
+#include "hiac/session/error_bounds.hpp"
 #include "hiac/session/session.hpp"
 #include "tests/support/instrumented.hpp"
 #include "tests/view/drawing_log.hpp"
@@ -35,6 +36,22 @@ TEST(Drawing, RefinesToThePictureOfASession) {
   ASSERT_EQ(log.errors.size(), 1U);
   ASSERT_TRUE(log.errors[0].has_value());
   EXPECT_LE(*log.errors[0], 1e-8);
+}
+
+// The bound is looked for in bands of rows: what only the first, or only the last one shows counts.
+TEST(Drawing, TheBoundIsThatOfTheWholePicture) {
+  for (const double shift : {-440.0, 0.0, 440.0}) {
+    Wanted wanted = test::wanted_of(2, {600, 900});
+    wanted.scene.camera.shift = {0, shift};
+    PictureRequest request;
+    request.channels = {"error"};
+    const auto expected =
+        largest_error_bound(Session(ZooMesh(*wanted.mesh)).picture(wanted.scene, request).image);
+    ASSERT_TRUE(expected.has_value());
+    ASSERT_GT(*expected, 0) << "nothing is seen";
+    const Cancellation never;
+    EXPECT_EQ(Painter(never).error_bound(wanted), expected) << shift;
+  }
 }
 
 TEST(Drawing, CoarsePicturesHaveThePixelsOfTheWholeOne) {

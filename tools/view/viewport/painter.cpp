@@ -195,9 +195,21 @@ Painted Painter::paint_samples(const Wanted& wanted) {
 
 std::optional<double> Painter::error_bound(const Wanted& wanted) {
   if (reason_unbounded(wanted.scene)) return std::nullopt;
-  PictureRequest request;
-  request.channels = {"error"};
-  return largest_error_bound(session_for(wanted).picture(wanted.scene, request).image);
+  // in bands: the shown picture is in memory as well, and of these nothing but the bound is kept
+  constexpr std::uint32_t kBandPixels = 1U << 17;
+  const ImageSize size = wanted.scene.image;
+  const std::uint32_t rows = std::max(kBandPixels / size.width, 1U);
+  double largest = 0;
+  for (std::uint32_t y = 0; y < size.height; y += rows) {
+    PictureRequest request;
+    request.channels = {"error"};
+    request.part = {.x = 0, .y = y, .width = size.width, .height = std::min(rows, size.height - y)};
+    const auto bound =
+        largest_error_bound(session_for(wanted).picture(wanted.scene, request).image);
+    if (!bound) return std::nullopt;
+    largest = std::max(largest, *bound);
+  }
+  return largest;
 }
 
 Explanation Painter::explain(const Wanted& wanted, std::uint32_t x, std::uint32_t y) {
