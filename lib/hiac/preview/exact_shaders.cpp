@@ -17,9 +17,9 @@ std::string defines_of(const ExactVariant& variant) {
       variant.fields, variant.record(), variant.surface_fields, static_cast<int>(variant.stored));
 }
 
-// Four vertices a cell. The first one's data are those of both triangles (0, 1, 2) and (0, 2, 3);
-// the others' are none of the cell's. Attributes hold as much of the record as they can: llvmpipe
-// fetches them several times as fast as it reads memory.
+// Four vertices a cell. Both triangles, (0, 1, 2) and (0, 2, 3), take the first one's data; those
+// of the others are not used. Attributes hold as much of the record as they can: llvmpipe fetches
+// them several times as fast as it reads memory.
 std::string exact_vertex_source(const ExactVariant& variant) {
   return "#version 450 core\n" + defines_of(variant) +
          fmt::format("#define ATTRIBUTES {}\n", variant.attributes()) + R"(

@@ -32,8 +32,8 @@ struct ExactVariant {
   /// more in double precision, and for every
   /// face how many of them it is not below, and how many it reaches above.
   [[nodiscard]] std::size_t record() const { return field_at(fields) + 4 * surface_fields; }
-  /// Vectors of the record that are attributes of vertices; a driver has 16 of these at least, and
-  /// the outline is one.
+  /// How many of the record's vectors are attributes of vertices. Every driver has at least 16
+  /// attributes, one of which is the outline's corner.
   [[nodiscard]] std::size_t attributes() const { return std::min<std::size_t>(record(), 15); }
 
   bool operator==(const ExactVariant&) const = default;
