@@ -15,7 +15,7 @@ namespace hiac::view::test {
 
 /// Lets a window work until something is true. Returns false if that takes too long.
 inline bool wait_until(const std::function<bool()>& done) {
-  constexpr qint64 kMost = hiac::test::kInstrumented ? 300000 : 60000;  // milliseconds
+  constexpr qint64 kMost = hiac::test::kInstrumented ? 600000 : 200000;  // milliseconds
   QElapsedTimer clock;
   clock.start();
   while (!done()) {
