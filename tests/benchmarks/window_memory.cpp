@@ -1,8 +1,6 @@
 // The memory that the window takes beside that of hiac-render, for the same picture.
 //   window_memory MESH VIEW.toml
 #include <QApplication>
-#include <QSettings>
-#include <QThread>
 #include <cstdio>
 #include <fstream>
 #include <string>
@@ -13,7 +11,7 @@
 #include <sys/wait.h>
 
 #include "tests/support/scratch_folder.hpp"
-#include "tools/view/window/main_window.hpp"
+#include "tests/view/open_window.hpp"
 
 namespace {
 
@@ -46,14 +44,6 @@ double memory(const std::string& name) {
   return 0;
 }
 
-template <typename Done>
-void wait(const Done& done) {
-  while (!done()) {
-    QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
-    QThread::msleep(1);
-  }
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -61,12 +51,9 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "window_memory MESH VIEW.toml\n");
     return 2;
   }
-  tools::PictureCommand command;
-  command.input = argv[1];
-  command.view = argv[2];
+  const std::string mesh = argv[1], view = argv[2];
   const hiac::test::ScratchFolder folder;
-  const std::vector<std::string> picture{command.input, "--view", command.view, "-o",
-                                         folder.file("picture.exr")};
+  const std::vector<std::string> picture{mesh, "--view", view, "-o", folder.file("picture.exr")};
   std::vector<std::string> bounded = picture;
   bounded.insert(bounded.end(), {"--channels", "error"});
   const double render = memory_of_render(picture), with_error = memory_of_render(bounded);
@@ -76,20 +63,14 @@ int main(int argc, char** argv) {
   }
   int count = 1;
   const QApplication application(count, argv);
-  tools::Tool tool("hiac-view", "", "");
-  QSettings settings(QString::fromStdString(folder.file("settings.ini")), QSettings::IniFormat);
-  MainWindow window(tool, settings);
-  window.show();
+  view::test::OpenWindow window;
   QCoreApplication::processEvents();
   const double empty = memory("VmRSS");
-  window.files().open(command);
-  wait([&] { return !window.files().is_busy(); });
-  wait([&] { return window.is_at_rest(); });
-  if (window.picture() == nullptr) {
+  if (!window.open(mesh, view)) {
     std::fprintf(stderr, "window_memory: there is no picture\n");
     return 1;
   }
-  const ImageSize size = window.picture()->wanted->scene.image;
+  const ImageSize size = window->picture()->wanted->scene.image;
   std::printf("%u x %u pixels; hiac-render %.1f MB, with the channel error %.1f MB\n", size.width,
               size.height, render, with_error);
   std::printf("window %.1f MB empty, %.1f MB at rest, %.1f MB at most\n", empty, memory("VmRSS"),

@@ -2,6 +2,7 @@
 // others end fail now and then, and tests run beside each other: the programs of each test get a
 // folder of its own.
 #include <cstdlib>
+#include <memory>
 
 #include <gtest/gtest.h>
 

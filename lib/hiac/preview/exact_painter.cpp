@@ -86,13 +86,13 @@ ExactPainter::ExactPainter(const Context& context, const ZooMesh& mesh, const Dr
   require_room(context, surfaces.size() * sizeof(DeviceSurface), "the isosurfaces");
   surfaces_.set(std::span<const DeviceSurface>(surfaces));
   const std::size_t record = variant_.record() * 4 * sizeof(float);
-  // and one more: the last cell's other vertices are given what follows its record (set_layout)
+  // The buffer holds one record more: the last cell's other vertices read what follows its record.
   const std::size_t most =
       std::max<std::size_t>(context.limits().storage_block_bytes / record, 2) - 1;
   chunk_ = std::clamp<std::size_t>(mesh.cell_count(), 1, std::min(kMostCells, most));
   records_.reserve((chunk_ + 1) * record);
   outlines_.reserve(chunk_ * kOutlineBytes);
-  set_layout();
+  set_layout(record);
   std::vector<std::uint32_t> indices;
   for (std::uint32_t cell = 0; cell < chunk_; ++cell)
     for (const std::uint32_t k : {0U, 1U, 2U, 0U, 2U, 3U}) indices.push_back(4 * cell + k);
@@ -101,20 +101,15 @@ ExactPainter::ExactPainter(const Context& context, const ZooMesh& mesh, const Dr
   context.check("copying the mesh to the device");
 }
 
-// A quarter of a record a vertex: a cell's first vertex begins where its record does.
-void ExactPainter::set_layout() {
-  const GLuint name = layout_.get();
-  const auto record = static_cast<GLsizei>(variant_.record() * 4 * sizeof(float));
-  glVertexArrayVertexBuffer(name, 0, outlines_.get(), 0, kOutlineBytes / 4);
-  glVertexArrayVertexBuffer(name, 1, records_.get(), 0, record / 4);
-  const auto add = [&](GLuint at, GLuint binding, GLint size, std::size_t offset) {
-    glEnableVertexArrayAttrib(name, at);
-    glVertexArrayAttribFormat(name, at, size, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
-    glVertexArrayAttribBinding(name, at, binding);
-  };
-  add(0, 0, 2, 0);
-  for (GLuint k = 0; !variant_.stored && k < variant_.attributes(); ++k)
-    add(1 + k, 1, 4, k * 4 * sizeof(float));
+// Each vertex advances by a quarter of a record, so that a cell's first vertex reads all of its
+// record.
+void ExactPainter::set_layout(std::size_t record_bytes) {
+  glVertexArrayVertexBuffer(layout_.get(), 0, outlines_.get(), 0, kOutlineBytes / 4);
+  glVertexArrayVertexBuffer(layout_.get(), 1, records_.get(), 0,
+                            static_cast<GLsizei>(record_bytes / 4));
+  add_attribute(layout_, 0, 0, 2, 0);
+  for (std::size_t k = 0; !variant_.stored && k < variant_.attributes(); ++k)
+    add_attribute(layout_, 1 + k, 1, 4, 4 * k);
 }
 
 void ExactPainter::upload_tables() {

@@ -36,7 +36,7 @@ class ExactPainter {
 
  private:
   void compile();
-  void set_layout();
+  void set_layout(std::size_t record_bytes);
   void upload_tables();
   void set_part(const PixelRect& part);
   void set_closed_faces(std::span<const CellId> cells);

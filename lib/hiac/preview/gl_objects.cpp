@@ -73,6 +73,15 @@ void Buffer::set_bytes(std::span<const std::byte> data) {
   bytes_ = data.size();
 }
 
+void add_attribute(const VertexArrayName& layout, std::size_t number, GLuint binding, GLint count,
+                   std::size_t first) {
+  const auto at = static_cast<GLuint>(number);
+  glEnableVertexArrayAttrib(layout.get(), at);
+  glVertexArrayAttribFormat(layout.get(), at, count, GL_FLOAT, GL_FALSE,
+                            static_cast<GLuint>(first * sizeof(float)));
+  glVertexArrayAttribBinding(layout.get(), at, binding);
+}
+
 ProgramName draw_program(const std::string& vertex, const std::string& fragment) {
   const ShaderName of_vertices = compiled(GL_VERTEX_SHADER, vertex);
   const ShaderName of_fragments = compiled(GL_FRAGMENT_SHADER, fragment);

@@ -69,6 +69,11 @@ class Buffer {
   std::size_t bytes_ = 0;
 };
 
+/// An attribute of `count` floats, from the float `first` on of what a vertex has in the vertex
+/// array's buffer `binding`.
+void add_attribute(const VertexArrayName& layout, std::size_t number, GLuint binding, GLint count,
+                   std::size_t first);
+
 /// Links a program of a vertex and a fragment shader. Throws DriverError, with the first line of
 /// the driver's log, when the driver refuses one.
 ProgramName draw_program(const std::string& vertex, const std::string& fragment);

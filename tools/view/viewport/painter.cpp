@@ -195,17 +195,18 @@ Painted Painter::paint_samples(const Wanted& wanted) {
 
 std::optional<double> Painter::error_bound(const Wanted& wanted) {
   if (reason_unbounded(wanted.scene)) return std::nullopt;
-  // in bands: the shown picture is in memory as well, and of these nothing but the bound is kept
+  // The picture is drawn in bands, of which nothing is kept but the bound: the shown one is in
+  // memory as well.
   constexpr std::uint32_t kBandPixels = 1U << 17;
+  Session& session = session_for(wanted);
+  PictureRequest request;
+  request.channels = {"error"};
   const ImageSize size = wanted.scene.image;
   const std::uint32_t rows = std::max(kBandPixels / size.width, 1U);
   double largest = 0;
   for (std::uint32_t y = 0; y < size.height; y += rows) {
-    PictureRequest request;
-    request.channels = {"error"};
     request.part = {.x = 0, .y = y, .width = size.width, .height = std::min(rows, size.height - y)};
-    const auto bound =
-        largest_error_bound(session_for(wanted).picture(wanted.scene, request).image);
+    const auto bound = largest_error_bound(session.picture(wanted.scene, request).image);
     if (!bound) return std::nullopt;
     largest = std::max(largest, *bound);
   }

@@ -26,15 +26,9 @@ VertexArrayName vertex_layout(RecordShape shape) {
   GLuint name = 0;
   glCreateVertexArrays(1, &name);
   VertexArrayName layout(name);
-  const auto attribute = [&](std::size_t number, std::size_t first, GLint count, GLuint binding) {
-    const auto at = static_cast<GLuint>(number);
-    glEnableVertexArrayAttrib(name, at);
-    glVertexArrayAttribFormat(name, at, count, GL_FLOAT, GL_FALSE,
-                              static_cast<GLuint>(first * sizeof(float)));
-    glVertexArrayAttribBinding(name, at, binding);
-  };
-  attribute(0, 0, 2, 0);
-  for (std::size_t k = 0; k < record_attributes(shape); ++k) attribute(1 + k, 4 * k, 4, 1);
+  add_attribute(layout, 0, 0, 2, 0);
+  for (std::size_t k = 0; k < record_attributes(shape); ++k)
+    add_attribute(layout, 1 + k, 1, 4, 4 * k);
   return layout;
 }
 
