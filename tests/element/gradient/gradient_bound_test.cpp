@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include "hiac/element/gradient/curved_gradient_bound.hpp"
 #include "hiac/geometry/vector.hpp"
+#include "hiac/mesh/interpolant_range.hpp"
 #include "hiac/mesh/shape_functions.hpp"
 #include "tests/support/instrumented.hpp"
 
@@ -238,6 +240,39 @@ TEST(GradientBound, AllowsForRoundingOfFlatTetrahedra) {
   EXPECT_NEAR(bound(narrow, 1), (64.0 + 8) / (64 - 32), 1e-12);
   const std::vector<Vector> flatter{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, kHeight / 2}};
   EXPECT_EQ(bound(flatter, 1), std::numeric_limits<double>::infinity());
+}
+
+// A straight ten-node tetrahedron of height h over the unit triangle, sheared so that coordinates
+// differ by up to 1/2 from coefficient to coefficient. Its determinant is h / 8 times (1 - v) (1 -
+// w)^2, of degree 5 in v and w, where the coefficients with v = 4/5, w = 3/5 are the smallest ones
+// that do not vanish: 1 / (binomial(5, 4) binomial(5, 3)). Rounding decides about that one.
+TEST(GradientBound, AllowsForRoundingOfFlatCurvedTetrahedra) {
+  constexpr double u = 0x1p-53;
+  constexpr CellKind kKind = CellKind::tetrahedron10;
+  double rounding = 0;
+  const auto bound = [&](double height) {
+    std::vector<Vector> nodes;
+    CellField field{};
+    for (const auto& r : reference_nodes(kKind)) {
+      field.values[nodes.size()] = r[2];
+      nodes.push_back({r[0], r[1], r[0] + r[1] + height * r[2]});
+    }
+    rounding = 0;  // of the coefficients of all three coordinates
+    for (std::size_t c = 0; c < 3; ++c) {
+      std::vector<double> values;
+      for (const Vector& p : nodes) values.push_back(p[c]);
+      rounding += interpolant_coefficients(kKind, values).rounding;
+    }
+    return curved_gradient_bound(kKind, nodes, field.values);
+  };
+  EXPECT_NEAR(bound(1), std::sqrt(3.0), 1e-9);
+  // 12 for six products of two differences, each of which is wrong by two coefficients and 8 units
+  // of 1/2; the products of three are wrong by 512 units
+  const double off = 12 * (2 * rounding + 3 * 8 * u / 2) / 4 + 6 * 512 * u / 8;
+  const double least = 8 * 5 * 10 * off;
+  EXPECT_EQ(bound(0.99 * least), std::numeric_limits<double>::infinity());
+  EXPECT_LT(bound(1.01 * least), std::numeric_limits<double>::infinity());
+  EXPECT_GE(bound(1.01 * least) * 1.01 * least, std::sqrt(3.0));
 }
 
 TEST(GradientBound, IsInfiniteWhereCellsFold) {

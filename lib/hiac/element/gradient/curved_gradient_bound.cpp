@@ -20,29 +20,57 @@ constexpr std::size_t kMostParts = 73;
 // coefficients: coefficients are means of at most 343 products of products.
 constexpr double kProductRounding = 512 * kUnit;
 
-// A polynomial on the cube, as its Bernstein coefficients times the three binomial coefficients:
-// products of polynomials are plain convolutions of these. The first coordinate runs fastest.
-struct Polynomial {
-  std::array<std::size_t, 3> size{};  // degrees + 1
-  std::vector<double> c;
+// The coefficients of four polynomials, side by side: they are multiplied at once.
+using Four = std::array<double, 4>;
 
-  explicit Polynomial(const std::array<std::size_t, 3>& sizes)
+// Polynomials on the cube, as their Bernstein coefficients times the three binomial coefficients:
+// products of polynomials are plain convolutions of these. The first coordinate runs fastest.
+struct Polynomials {
+  std::array<std::size_t, 3> size{};  // degrees + 1
+  std::vector<Four> c;
+
+  explicit Polynomials(const std::array<std::size_t, 3>& sizes)
       : size(sizes), c(sizes[0] * sizes[1] * sizes[2]) {}
 };
 
-void add_product(const Polynomial& a, const Polynomial& b, double sign, Polynomial& sum) {
-  const double* of_a = a.c.data();
+// Visits all pairs of a coefficient of `a` and a row of `b`, with the place in `sum` where the
+// products of the two begin.
+template <typename Visit>
+void for_rows(const Polynomials& a, const Polynomials& b, Polynomials& sum, const Visit& visit) {
+  const Four* of_a = a.c.data();
   for (std::size_t k = 0; k < a.size[2]; ++k)
     for (std::size_t j = 0; j < a.size[1]; ++j)
-      for (std::size_t i = 0; i < a.size[0]; ++i) {
-        const double factor = sign * *of_a++;
-        const double* of_b = b.c.data();
+      for (std::size_t i = 0; i < a.size[0]; ++i, ++of_a) {
+        const Four* row = b.c.data();
         for (std::size_t n = 0; n < b.size[2]; ++n)
-          for (std::size_t m = 0; m < b.size[1]; ++m) {
-            double* row = &sum.c[((k + n) * sum.size[1] + j + m) * sum.size[0] + i];
-            for (std::size_t l = 0; l < b.size[0]; ++l) row[l] += factor * *of_b++;
-          }
+          for (std::size_t m = 0; m < b.size[1]; ++m, row += b.size[0])
+            visit(*of_a, row, &sum.c[((k + n) * sum.size[1] + j + m) * sum.size[0] + i]);
       }
+}
+
+// The vector product of the coordinates' derivatives, and its first component again.
+Polynomials cofactors(const Polynomials& a, const Polynomials& b) {
+  const auto together = [&](std::size_t c) { return a.size[c] + b.size[c] - 1; };
+  Polynomials product({together(0), together(1), together(2)});
+  for_rows(a, b, product, [&](const Four& p, const Four* row, Four* sum) {
+    for (std::size_t i = 0; i < b.size[0]; ++i) {
+      const Four& q = row[i];
+      const double first = p[1] * q[2] - p[2] * q[1];
+      const Four vector{first, p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0], first};
+      for (std::size_t c = 0; c < 4; ++c) sum[i][c] += vector[c];
+    }
+  });
+  return product;
+}
+
+// Adds the products of the cofactors with the field's derivative, and of the last one with the
+// first coordinate's.
+void add_expansion(const Polynomials& derivatives, const Polynomials& cofactor, Polynomials& sum) {
+  for_rows(derivatives, cofactor, sum, [&](const Four& d, const Four* row, Four* to) {
+    const Four factor{d[3], d[3], d[3], d[0]};
+    for (std::size_t i = 0; i < cofactor.size[0]; ++i)
+      for (std::size_t c = 0; c < 4; ++c) to[i][c] += factor[c] * row[i][c];
+  });
 }
 
 // The coordinates of a part of a cell and a field on it, in Bernstein form on the cube.
@@ -63,6 +91,8 @@ class Bound {
       whole_.net[c] = of_cell.c;
       rounding_[c] = of_cell.rounding;
     }
+    const std::size_t degree = 3 * (side_ - 1) - 1;
+    for (std::size_t i = 0; i <= degree; ++i) binomials_[i] = binomial(degree, i);
   }
 
   double largest() {
@@ -104,76 +134,67 @@ class Bound {
     return part;
   }
 
-  // The derivative of a net by one of the cube's coordinates; `largest`: its largest coefficient.
-  [[nodiscard]] Polynomial derivative(const std::array<double, InterpolantCoefficients::kMost>& net,
-                                      std::size_t axis, double& largest) const {
+  // The derivatives of a part's nets by one of the cube's coordinates; `largest`: of each net, the
+  // largest coefficient of a derivative so far.
+  [[nodiscard]] Polynomials derivatives(const Part& part, std::size_t axis, Four& largest) const {
     std::array<std::size_t, 3> size{side_, side_, side_};
     --size[axis];
-    Polynomial result(size);
+    Polynomials result(size);
     const std::size_t stride = axis == 0 ? 1 : axis == 1 ? side_ : side_ * side_;
     std::size_t at = 0;
     for (std::size_t k = 0; k < size[2]; ++k)
       for (std::size_t j = 0; j < size[1]; ++j)
         for (std::size_t i = 0; i < size[0]; ++i, ++at) {
           const std::size_t from = (k * side_ + j) * side_ + i;
-          const double slope = net[from + stride] - net[from];
-          largest = std::max(largest, std::abs(slope));
-          result.c[at] = slope * binomial(size[0] - 1, i) * binomial(size[1] - 1, j) *
-                         binomial(size[2] - 1, k);
+          const double scale =
+              binomial(size[0] - 1, i) * binomial(size[1] - 1, j) * binomial(size[2] - 1, k);
+          for (std::size_t c = 0; c < 4; ++c) {
+            const double slope = part.net[c][from + stride] - part.net[c][from];
+            largest[c] = std::max(largest[c], std::abs(slope));
+            result.c[at][c] = slope * scale;
+          }
         }
     return result;
   }
 
   void judge(const Part& part, std::vector<Part>& doubtful) {
-    std::vector<std::array<Polynomial, 3>> d;  // of each coordinate and the field by u, v, w
-    std::array<double, 4> largest{};
-    for (std::size_t c = 0; c < 4; ++c)
-      d.push_back({derivative(part.net[c], 0, largest[c]), derivative(part.net[c], 1, largest[c]),
-                   derivative(part.net[c], 2, largest[c])});
-    const std::size_t n = side_ - 1, all = 3 * n;
-    Polynomial determinant({all, all, all});
-    std::array<Polynomial, 3> numerators{determinant, determinant, determinant};
-    for (std::size_t a = 0; a < 3; ++a) {
-      const std::size_t b = (a + 1) % 3, e = (a + 2) % 3;
-      for (std::size_t c = 0; c < 3; ++c) {
-        const std::size_t p = (c + 1) % 3, q = (c + 2) % 3;
-        std::array<std::size_t, 3> size{2 * n + 1, 2 * n + 1, 2 * n + 1};
-        --size[b];
-        --size[e];
-        Polynomial cofactor(size);
-        add_product(d[p][b], d[q][e], 1, cofactor);
-        add_product(d[p][e], d[q][b], -1, cofactor);
-        add_product(cofactor, d[3][a], 1, numerators[c]);
-        if (c == 0) add_product(cofactor, d[0][a], 1, determinant);
-      }
-    }
-    compare(part, determinant, numerators, largest, doubtful);
+    Four largest{};
+    const std::array<Polynomials, 3> d{derivatives(part, 0, largest), derivatives(part, 1, largest),
+                                       derivatives(part, 2, largest)};
+    const std::size_t all = 3 * (side_ - 1);
+    Polynomials sum({all, all, all});
+    for (std::size_t a = 0; a < 3; ++a)
+      add_expansion(d[a], cofactors(d[(a + 1) % 3], d[(a + 2) % 3]), sum);
+    compare(part, sum, largest, doubtful);
   }
 
-  void compare(const Part& part, const Polynomial& determinant,
-               const std::array<Polynomial, 3>& numerators, const std::array<double, 4>& largest,
+  // `sum`: the numerators of the gradient's three components, and the determinant.
+  void compare(const Part& part, const Polynomials& sum, const Four& largest,
                std::vector<Part>& doubtful) {
     const double d_rounding = rounding_of({0, 1, 2}, largest);
     const double n_rounding = rounding_of({3, 1, 2}, largest) + rounding_of({0, 3, 2}, largest) +
                               rounding_of({0, 1, 3}, largest);
-    const std::size_t all = 3 * (side_ - 1);
-    if (sign_ == 0) sign_ = determinant.c[determinant.c.size() / 2] < 0 ? -1 : 1;
+    const std::size_t all = sum.size[0];
+    if (sign_ == 0) sign_ = sum.c[sum.c.size() / 2][3] < 0 ? -1 : 1;
     double steepest = 0;
-    for (std::size_t at = 0; at < determinant.c.size(); ++at) {
-      const std::size_t i = at % all, j = at / all % all, k = at / all / all;
-      if (vanishes(part, j, k)) continue;
-      const double scale = binomial(all - 1, i) * binomial(all - 1, j) * binomial(all - 1, k);
-      const double below = sign_ * determinant.c[at] - scale * d_rounding;
-      if (!(below > 0)) return doubtful.push_back(part);
-      const double above = length({numerators[0].c[at], numerators[1].c[at], numerators[2].c[at]});
-      steepest = std::max(steepest, (above + scale * n_rounding) / below);
-    }
+    const Four* coefficients = sum.c.data();
+    for (std::size_t k = 0; k < all; ++k)
+      for (std::size_t j = 0; j < all; ++j, coefficients += all) {
+        if (vanishes(part, j, k)) continue;
+        for (std::size_t i = 0; i < all; ++i) {
+          const auto& [x, y, z, determinant] = coefficients[i];
+          const double scale = binomials_[i] * binomials_[j] * binomials_[k];
+          const double below = sign_ * determinant - scale * d_rounding;
+          if (!(below > 0)) return doubtful.push_back(part);
+          steepest = std::max(steepest, (length({x, y, z}) + scale * n_rounding) / below);
+        }
+      }
     steepest_ = std::max(steepest_, (1 + 16 * kUnit) * steepest);
   }
 
   // The rounding error of a determinant of three rows: six products of differences.
   [[nodiscard]] double rounding_of(const std::array<std::size_t, 3>& rows,
-                                   const std::array<double, 4>& largest) const {
+                                   const Four& largest) const {
     const auto [a, b, c] = rows;
     const auto off = [&](std::size_t row) { return 2 * rounding_[row] + 8 * kUnit * largest[row]; };
     return 12 * (off(a) * largest[b] * largest[c] + largest[a] * off(b) * largest[c] +
@@ -205,7 +226,8 @@ class Bound {
   CellShape shape_;
   std::size_t side_;  // of the nets: the order + 1
   Part whole_;
-  std::array<double, 4> rounding_{};  // of the coefficients
+  std::array<double, 4> rounding_{};   // of the coefficients
+  std::array<double, 9> binomials_{};  // of the determinants' degree in each coordinate
   double sign_ = 0, steepest_ = 0;
 };
 

@@ -18,15 +18,19 @@ void CellErrors::enter(CellId cell, std::span<const CellMap::Point> nodes, const
   optics_ = cell_optics(frame_.optics, range(color), range(extinction));
   end_doubts_ = EndDoubts(kind, nodes);
   const GradientBound gradient(kind, nodes, frame_.straightness);
-  const auto error = [&](const CellScalars& s) {
-    const double difference = s.nodes.most - s.nodes.least;
-    if (difference == 0) return 0.0;
-    const double allowed = std::isfinite(s.nodes.allowed) ? s.nodes.allowed : difference;
-    return field_error(range(s), gradient(s.nodes), displacement_, kAlongRayRounding) +
-           std::min(difference, 2 * allowed);
+  const auto difference = [](const CellScalars& s) { return s.nodes.most - s.nodes.least; };
+  const auto steepest = [&](const CellScalars& s) {
+    return difference(s) == 0 ? 0 : gradient(s.nodes);
   };
-  color_ = {&color, error(color)};
-  extinction_ = {&extinction, error(extinction)};
+  const auto error = [&](const CellScalars& s, double slope) {
+    if (difference(s) == 0) return 0.0;
+    const double allowed = std::isfinite(s.nodes.allowed) ? s.nodes.allowed : difference(s);
+    return field_error(range(s), slope, displacement_, kAlongRayRounding) +
+           std::min(difference(s), 2 * allowed);
+  };
+  const double slope = steepest(extinction);
+  extinction_ = {&extinction, error(extinction, slope)};
+  color_ = {&color, error(color, frame_.optics.same_field ? slope : steepest(color))};
 }
 
 // Adds the doubts of the fields about jumps of their transfer functions.
