@@ -50,8 +50,9 @@ class HigherOrderDetailsTest : public testing::Test {
         {kX, kY, front, back, scale, visible_, PlainRadiance{{rgb, rgb, rgb}, transparency}});
   }
 
-  // The bound of the segment's transparency, but for its quadrature.
-  double bound_beside_quadrature(double transparency) {
+  // The bounds of the segment but for its quadrature, of fields that are evaluated up to `aside`
+  // further from the ray than rounding takes them.
+  SegmentDetails bounds_beside_quadrature(double transparency, double aside = 0) {
     const Projector projector(scene_.camera, scene_.image);
     const Frame frame(mesh_, scene_, projector, Details::bounded);
     VolumeAlongRay volume(frame, kTile);
@@ -59,14 +60,16 @@ class HigherOrderDetailsTest : public testing::Test {
     const auto nodes = relative_positions(mesh_, 0, projector);
     const CellMap map(CellKind::tetrahedron10, nodes, frame.straightness);
     CellErrors errors(frame, volume.longest());
-    errors.enter(0, nodes, volume.color(), volume.extinction(), ray_displacement(frame, 0));
+    RayDisplacement displacement = ray_displacement(frame, 0);
+    displacement.aside += aside;
+    errors.enter(0, nodes, volume.color(), volume.extinction(), displacement);
     const auto [front, back, scale] = place(projector);
     const CellCrossing crossing = planar_crossing(projector, kX, kY, front, back);
     SegmentDetails details{.front = front, .back = back, .first = front};
     details.transparency = transparency;
     errors.add(crossing, stretch_of(projector, crossing), scale,
                FieldAlongRay(CellKind::tetrahedron10, map, volume.fields()), {}, details);
-    return details.transparency_error;
+    return details;
   }
 
   static constexpr double kHeight = 0.75;
@@ -147,7 +150,8 @@ TEST_F(HigherOrderDetailsTest, AddsTheBoundOfTheTransparencysQuadrature) {
       PiecewiseLinear<1>(scene_.volume.extinction->points), Glow::chromaticity, 1e-9);
   double sum = 0;
   for (const double drawn : {alone.transparency - kOff, alone.transparency + kOff})
-    sum += details(0, drawn).transparency_error - bound_beside_quadrature(drawn);
+    sum +=
+        details(0, drawn).transparency_error - bounds_beside_quadrature(drawn).transparency_error;
   EXPECT_GT(alone.transparency_error, 1e-17);
   EXPECT_NEAR(sum / 2 - kOff, alone.transparency_error, 0.01 * alone.transparency_error);
 }
@@ -161,6 +165,28 @@ TEST_F(HigherOrderDetailsTest, ClaimsHowFarTransparenciesAreApart) {
     EXPECT_LE(details(0, truth + off).transparency_error, kOff + 1e-3);
   }
   EXPECT_LE(details(0, truth).transparency_error, 1e-3);
+}
+
+// Fields whose gradients are 1 and 3, evaluated up to 1e-6 from the ray: extinction that is wrong
+// by 30 times as much over the segment's length, and colour by three times as much.
+TEST_F(HigherOrderDetailsTest, ClaimsWhatFieldsDifferByBesideTheRay) {
+  constexpr double kAside = 1e-6, kTransparency = 0.75;
+  scene_.render.tolerance = 1e-9;
+  mesh_.fields.clear();
+  test::add_node_field(mesh_, "f", [](const test::Position& p) { return p[2]; });
+  test::add_node_field(mesh_, "g", [](const test::Position& p) { return 3 * p[2]; });
+  const auto grown_by = [&](double SegmentDetails::*bound) {
+    return bounds_beside_quadrature(kTransparency, kAside).*bound -
+           bounds_beside_quadrature(kTransparency).*bound;
+  };
+  const double of_extinction = kTransparency * kHeight * 30 * kAside;
+  EXPECT_NEAR(grown_by(&SegmentDetails::transparency_error), of_extinction, 1e-4 * of_extinction);
+  scene_.volume.extinction->points = {{0, {2}}};
+  for (const double gradient : {1.0, 3.0}) {
+    scene_.volume.color->field = gradient == 1 ? "f" : "g";
+    const double of_color = (1 - kTransparency) * gradient * kAside;
+    EXPECT_NEAR(grown_by(&SegmentDetails::radiance_error), of_color, 1e-4 * of_color);
+  }
 }
 
 }  // namespace
