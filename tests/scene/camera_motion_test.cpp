@@ -124,6 +124,23 @@ TEST(CameraMotion, ZoomLeavesTheSlabInTheWorld) {
   EXPECT_EQ(zoomed(camera, 4).clip, (std::array<double, 2>{2, 5}));
 }
 
+// A point that is seen at a place of the picture is seen nearer to the centre by the factor.
+TEST(CameraMotion, WidenedCamerasSeeMore) {
+  std::mt19937_64 random(9);
+  std::uniform_real_distribution<double> number(-2, 2);
+  for (int trial = 0; trial < 100; ++trial) {
+    const Camera camera = random_camera(random);
+    const double factor = std::exp(0.5 * number(random));
+    const Camera wide = widened(camera, factor);
+    EXPECT_EQ(wide.eye, camera.eye);
+    Vector point = camera.look_at;
+    for (double& x : point) x += 0.1 * length(view_direction(camera)) * number(random);
+    const Place before = seen(camera, point), after = seen(wide, point);
+    EXPECT_NEAR((after.x - 150) * factor, before.x - 150, 1e-9);
+    EXPECT_NEAR((after.y - 100) * factor, before.y - 100, 1e-9);
+  }
+}
+
 TEST(CameraMotion, ProjectionKeepsTheSizeAtTheCentre) {
   std::mt19937_64 random(7);
   for (int k = 0; k < 50; ++k) {

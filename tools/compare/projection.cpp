@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "hiac/geometry/vector.hpp"
+#include "hiac/scene/camera_motion.hpp"
 #include "hiac/scene/scene.hpp"
 
 namespace hiac::tools {
@@ -32,7 +33,6 @@ constexpr std::array kSizes{0.25, 0.35, 0.5, 0.6,  0.7, 0.8, 0.9,
 constexpr double kNarrow = 1e-3;
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
-double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
 // Half the height of what is seen at look_at, as a share of the eye's distance from there.
 double half_height(const Camera& camera) {
@@ -157,13 +157,9 @@ Image means_of(const Image& picture, const Blocks& blocks) {
 }
 
 // The camera of the blocks, which together may be lower than the picture.
-Camera of_blocks(Camera camera, const Image& picture, const Blocks& blocks) {
-  const double share =
-      static_cast<double>(blocks.side) * blocks.height / static_cast<double>(picture.height());
-  camera.height *= share;
-  if (camera.projection == Projection::perspective)
-    camera.fov = degrees(2 * std::atan(share * std::tan(radians(camera.fov) / 2)));
-  return camera;
+Camera of_blocks(const Camera& camera, const Image& picture, const Blocks& blocks) {
+  return widened(camera, static_cast<double>(blocks.side) * blocks.height /
+                             static_cast<double>(picture.height()));
 }
 
 // The search --------------------------------------------------------------------------------------

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -15,6 +14,7 @@
 #include "hiac/frame/background.hpp"
 #include "hiac/frame/tiles/tile.hpp"
 #include "hiac/render/quadratic_bspline.hpp"
+#include "hiac/scene/camera_motion.hpp"
 
 namespace hiac {
 namespace {
@@ -30,10 +30,7 @@ Scene scene_of_samples(const Scene& scene, const Supersampling& sampling) {
   for (double& s : result.camera.shift) s *= sampling.samples;
   if (result.edges) result.edges->width *= sampling.samples;
   if (margin == 0) return result;
-  const double growth = (scene.image.height + 2.0 * margin) / scene.image.height;
-  constexpr double kHalfDegree = std::numbers::pi / 360;
-  result.camera.fov = std::atan(std::tan(scene.camera.fov * kHalfDegree) * growth) / kHalfDegree;
-  result.camera.height *= growth;
+  result.camera = widened(result.camera, (scene.image.height + 2.0 * margin) / scene.image.height);
   return result;
 }
 

@@ -97,6 +97,14 @@ Camera looking_along(const Camera& camera, const std::array<double, 3>& ahead,
   return result;
 }
 
+Camera widened(const Camera& camera, double factor) {
+  constexpr double kHalfDegree = kDegree / 2;
+  Camera result = camera;
+  result.height *= factor;
+  result.fov = std::atan(std::tan(camera.fov * kHalfDegree) * factor) / kHalfDegree;
+  return result;
+}
+
 Camera with_projection(const Camera& camera, Projection projection, double fov) {
   if (camera.projection == projection) return camera;
   Camera result = camera;

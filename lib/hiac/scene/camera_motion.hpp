@@ -33,6 +33,10 @@ Camera panned(const Camera& camera, double right, double up);
 /// the picture's height shrinks.
 Camera zoomed(const Camera& camera, double factor);
 
+/// Sees `factor` times as much across and down, from the same eye; what is at the centre stays
+/// there. The factor is positive.
+Camera widened(const Camera& camera, double factor);
+
 /// Moves eye and look_at together, so that `point` is at the picture's centre.
 Camera centred(const Camera& camera, const std::array<double, 3>& point);
 

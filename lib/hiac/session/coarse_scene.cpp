@@ -1,8 +1,8 @@
 #include "hiac/session/coarse_scene.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+
+#include "hiac/scene/camera_motion.hpp"
 
 namespace hiac {
 namespace {
@@ -36,13 +36,10 @@ CoarseScene coarse_scene(const Scene& scene, std::uint32_t step) {
   coarse.scene.image = {across.count, down.count};
   coarse.left = across.first;
   coarse.top = down.first;
-  const double growth =
-      static_cast<double>(down.count) * step / static_cast<double>(scene.image.height);
   Camera& camera = coarse.scene.camera;
+  camera = widened(
+      camera, static_cast<double>(down.count) * step / static_cast<double>(scene.image.height));
   camera.shift = {across.shift + camera.shift[0] / step, down.shift + camera.shift[1] / step};
-  camera.height *= growth;
-  constexpr double kHalfDegree = std::numbers::pi / 360;
-  camera.fov = std::atan(std::tan(camera.fov * kHalfDegree) * growth) / kHalfDegree;
   if (coarse.scene.edges) coarse.scene.edges->width /= step;
   return coarse;
 }
