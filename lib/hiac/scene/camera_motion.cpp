@@ -25,6 +25,11 @@ double extent_of(const Camera& camera) {
   return 2 * distance_of(camera) * std::tan(camera.fov * kDegree / 2);
 }
 
+// half the image's vertical angle, radians, if it sees `factor` times as much
+double half_angle(const Camera& camera, double factor) {
+  return std::atan(std::tan(camera.fov * kDegree / 2) * factor);
+}
+
 void shift(Camera& camera, const Vector& by) {
   camera.eye = along(camera.eye, 1, by);
   camera.look_at = along(camera.look_at, 1, by);
@@ -98,10 +103,9 @@ Camera looking_along(const Camera& camera, const std::array<double, 3>& ahead,
 }
 
 Camera widened(const Camera& camera, double factor) {
-  constexpr double kHalfDegree = kDegree / 2;
   Camera result = camera;
   result.height *= factor;
-  result.fov = std::atan(std::tan(camera.fov * kHalfDegree) * factor) / kHalfDegree;
+  result.fov = half_angle(camera, factor) / (kDegree / 2);
   return result;
 }
 
@@ -132,8 +136,7 @@ Camera framing(const Camera& camera, const std::array<double, 3>& middle, double
   if (camera.projection == Projection::orthographic) {
     result.height = 2 * kMargin * radius / narrow;
   } else {
-    const double half = std::atan(std::tan(camera.fov * kDegree / 2) * narrow);
-    distance = kMargin * radius / std::sin(half);
+    distance = kMargin * radius / std::sin(half_angle(camera, narrow));
   }
   result.look_at = middle;
   result.eye = along(middle, -distance, ahead);

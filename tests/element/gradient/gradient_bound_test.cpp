@@ -249,25 +249,28 @@ TEST(GradientBound, AllowsForRoundingOfFlatTetrahedra) {
 TEST(GradientBound, AllowsForRoundingOfFlatCurvedTetrahedra) {
   constexpr double u = 0x1p-53;
   constexpr CellKind kKind = CellKind::tetrahedron10;
-  double rounding = 0;
-  const auto bound = [&](double height) {
+  const auto nodes_of = [](double height) {
     std::vector<Vector> nodes;
-    CellField field{};
-    for (const auto& r : reference_nodes(kKind)) {
-      field.values[nodes.size()] = r[2];
+    for (const auto& r : reference_nodes(kKind))
       nodes.push_back({r[0], r[1], r[0] + r[1] + height * r[2]});
-    }
-    rounding = 0;  // of the coefficients of all three coordinates
-    for (std::size_t c = 0; c < 3; ++c) {
-      std::vector<double> values;
-      for (const Vector& p : nodes) values.push_back(p[c]);
-      rounding += interpolant_coefficients(kKind, values).rounding;
-    }
-    return curved_gradient_bound(kKind, nodes, field.values);
+    return nodes;
+  };
+  const auto bound = [&](double height) {
+    CellField field{};
+    std::size_t k = 0;
+    for (const auto& r : reference_nodes(kKind)) field.values[k++] = r[2];
+    return curved_gradient_bound(kKind, nodes_of(height), field.values);
   };
   EXPECT_NEAR(bound(1), std::sqrt(3.0), 1e-9);
-  // 12 for six products of two differences, each of which is wrong by two coefficients and 8 units
-  // of 1/2; the products of three are wrong by 512 units
+  double rounding = 0;  // of the coefficients of all three coordinates
+  for (std::size_t c = 0; c < 3; ++c) {
+    std::vector<double> values;
+    for (const Vector& p : nodes_of(0)) values.push_back(p[c]);
+    rounding += interpolant_coefficients(kKind, values).rounding;
+  }
+  // The bound counts each of the determinant's six products twice, with one of its three
+  // differences off by the rounding of two coefficients and by 8 units of 1/2, and once for its own
+  // rounding of 512 units.
   const double off = 12 * (2 * rounding + 3 * 8 * u / 2) / 4 + 6 * 512 * u / 8;
   const double least = 8 * 5 * 10 * off;
   EXPECT_EQ(bound(0.99 * least), std::numeric_limits<double>::infinity());

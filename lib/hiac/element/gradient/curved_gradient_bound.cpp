@@ -63,8 +63,8 @@ Polynomials cofactors(const Polynomials& a, const Polynomials& b) {
   return product;
 }
 
-// Adds the products of the cofactors with the field's derivative, and of the last one with the
-// first coordinate's.
+// Adds one column's part of the determinants, expanded along the row that is not in the cofactors:
+// that of the field in the numerators, and that of the first coordinate in the determinant.
 void add_expansion(const Polynomials& derivatives, const Polynomials& cofactor, Polynomials& sum) {
   for_rows(derivatives, cofactor, sum, [&](const Four& d, const Four* row, Four* to) {
     const Four factor{d[3], d[3], d[3], d[0]};
@@ -226,7 +226,7 @@ class Bound {
   CellShape shape_;
   std::size_t side_;  // of the nets: the order + 1
   Part whole_;
-  std::array<double, 4> rounding_{};   // of the coefficients
+  Four rounding_{};                    // of the coefficients
   std::array<double, 9> binomials_{};  // of the determinants' degree in each coordinate
   double sign_ = 0, steepest_ = 0;
 };

@@ -23,7 +23,6 @@ void CellErrors::enter(CellId cell, std::span<const CellMap::Point> nodes, const
     return difference(s) == 0 ? 0 : gradient(s.nodes);
   };
   const auto error = [&](const CellScalars& s, double slope) {
-    if (difference(s) == 0) return 0.0;
     const double allowed = std::isfinite(s.nodes.allowed) ? s.nodes.allowed : difference(s);
     return field_error(range(s), slope, displacement_, kAlongRayRounding) +
            std::min(difference(s), 2 * allowed);
